@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meander: grow a curve on a mesh until it fills the surface at an even spacing.
+
+core        the native library, numpy in and numpy out        (no bpy)
+stepper     one run of the flow, on a thread or not           (no bpy)
+blender_data    meshes, curves and weights in, curves out
+properties  the settings on an object
+session     one run as Blender sees it: preview, keep, restore
+operators, panels   buttons
+
+Nothing here imports bpy before register(), so that `meander.core` can be used without Blender.
+"""
+
+import importlib
+import sys
+
+# Read by Blender up to 4.1; from 4.2 on blender_manifest.toml says the same.
+bl_info = {
+    "name": "Meander",
+    "author": "The Meander Authors",
+    "version": (0, 1, 0),
+    "blender": (3, 4, 0),
+    "location": "View3D > Sidebar > Meander",
+    "description": "Fill a surface with an evenly spaced curve",
+    "category": "Add Curve",
+}
+
+# In the order in which they depend on each other.
+_SUBMODULES = (
+    "core",
+    "stepper",
+    "blender_data",
+    "properties",
+    "session",
+    "operators",
+    "panels",
+)
+_WITH_CLASSES = ("properties", "session", "operators", "panels")
+
+# When a new version is installed over this one, Blender reloads this file only: without this the
+# old submodules would stay until restart. On the first import there is nothing to reload.
+for _name in _SUBMODULES:
+    _module = sys.modules.get(f"{__package__}.{_name}")
+    if _module is not None:
+        importlib.reload(_module)
+
+
+def _modules() -> list:
+    return [importlib.import_module(f".{name}", __package__) for name in _WITH_CLASSES]
+
+
+def register() -> None:
+    """Adds the settings, operators, panels and menu entries to Blender."""
+    for module in _modules():
+        module.register()
+
+
+def unregister() -> None:
+    """Takes everything out again; a run that is still going is cancelled first."""
+    for module in reversed(_modules()):
+        module.unregister()

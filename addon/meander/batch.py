@@ -1,0 +1,631 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The batch command: a mesh file in, a filling curve and a report out, without a window.
+
+    blender --background --python-exit-code 1 --python <this file> -- --input MESH --output OUT ...
+
+It runs from an installed add-on and from a source checkout, inside Blender and under the bpy
+module (``python batch.py -- ...``). OBJ in and OBJ out need neither.
+
+Exit codes: 0 done, also when the iteration limit was reached (the report says so); 2 bad input,
+with one sentence on stderr and every output file as it was; 1 a defect, with a traceback; 130
+interrupted from the keyboard, with every output file as it was.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import math
+import os
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import bpy
+
+
+def _containing_package() -> str:
+    """The name of the package that this file lies in, imported if need be.
+
+    Blender runs this file as a script, which has no package. When the add-on is enabled its package
+    is there already; else it is loaded under a name of its own, so that neither sys.path changes
+    nor an add-on of the same name from another folder gets in the way.
+    """
+    folder = Path(__file__).resolve().parent
+    for name, module in list(sys.modules.items()):
+        paths = list(getattr(module, "__path__", None) or [])
+        if len(paths) == 1 and Path(paths[0]).resolve() == folder:
+            return name
+    name = "_meander_batch_package"
+    spec = importlib.util.spec_from_file_location(
+        name, folder / "__init__.py", submodule_search_locations=[str(folder)]
+    )
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return name
+
+
+if not globals().get("__package__"):
+    __package__ = _containing_package()  # what relative imports go by (PEP 366)
+
+# The package has to be known first.
+from . import core, mesh_files, report  # noqa: E402
+
+# A line of progress for every so many iterations, or seconds.
+_PROGRESS_ITERATIONS = 10
+_PROGRESS_SECONDS = 10.0
+
+
+class BadInput(Exception):
+    """What the caller gave cannot be used; ``str(error)`` is one sentence for people."""
+
+
+@dataclass
+class Problem:
+    """A surface to fill, and what the input knows besides; arrays are as core.Flow wants them."""
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.uint32]
+    seed: core.Seed | None = None
+    density: NDArray[np.float64] | None = None
+    spacing_factors: tuple[float, float] | None = None  # at weight 0 and 1 of the density group
+    fixed_ends: bool = False
+    surface_object: bpy.types.Object | None = None  # None: the mesh came from an OBJ file
+
+
+# ------------------------------------------------------------------------------------------------
+# The command line
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        # argparse would print the usage as well, and several lines are not one sentence.
+        raise BadInput(f"{message}; see --help")
+
+
+def _number(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
+    return value
+
+
+def _positive(text: str) -> float:
+    value = _number(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is not greater than 0")
+    return value
+
+
+def _not_negative(text: str) -> float:
+    value = _number(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is less than 0")
+    return value
+
+
+def _count(least: int, greatest: int) -> Any:
+    def parse(text: str) -> int:
+        try:
+            value = int(text)
+        except ValueError:
+            value = -1
+        if not least <= value <= greatest:
+            raise argparse.ArgumentTypeError(
+                f"{text!r} is not a whole number from {least} to {greatest}"
+            )
+        return value
+
+    return parse
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(
+        prog="batch.py",
+        description="Grow a curve on a mesh until it fills the surface at an even spacing.",
+        allow_abbrev=False,
+    )
+    add = parser.add_argument
+    add("--input", type=Path, required=True, metavar="MESH", help=".obj, .ply, .stl or .blend")
+    add("--object", metavar="NAME", help="mesh object in the .blend; default: the active one")
+    add("--output", type=Path, required=True, metavar="OUT", help=".obj or .blend")
+    add("--report", type=Path, metavar="JSON", help="write figures of the run")
+    add(
+        "--spacing",
+        type=_positive,
+        required=True,
+        metavar="S",
+        help="distance of neighbouring strands, in scene units",
+    )
+    add("--seed", type=Path, metavar="CURVE", help=".obj with v and l lines, in the mesh's space")
+    add(
+        "--seed-object",
+        metavar="NAME",
+        help="curve object in the .blend; its ends stay put if the surface's settings say so",
+    )
+    add("--segment-length", type=_positive, metavar="H", help="default: a tenth of the spacing")
+    add("--max-radius", type=_positive, metavar="RMAX", help="limit of the medial radius")
+    add("--iterations", type=_count(1, 2**31 - 1), metavar="N", help="iteration limit")
+    add("--medial-axis", choices=("euclidean", "geodesic"), default="euclidean")
+    add(
+        "--density-group",
+        metavar="NAME",
+        help="vertex group of the .blend's object; the spacing factors at weight 0 and 1 are those "
+        "saved with the object, else 1 and 0.5",
+    )
+    add("--preset", choices=("even", "finest", "paper"), default="even")
+    add("--length", type=_not_negative, metavar="W", help="weight of the curve's length")
+    add(
+        "--bending",
+        type=_not_negative,
+        metavar="W",
+        help="weight of bending; the polish follows in proportion",
+    )
+    add("--alignment", type=_not_negative, metavar="W", help="weight of a direction field")
+    add("--direction", metavar="ATTRIBUTE", help="or 'curvature' or 'smooth'")
+    add("--length-power", type=_positive, default=2.0, metavar="P")
+    add("--medial-power", type=_positive, default=2.0, metavar="Q")
+    add("--threads", type=_count(0, 256), default=0, metavar="T", help="0: all; same result")
+    add("--quiet", action="store_true", help="print nothing but errors")
+    return parser
+
+
+def _arguments_of_process() -> list[str]:
+    """What stands behind ``--``; inside Blender all the rest is Blender's own."""
+    if "--" in sys.argv:
+        return sys.argv[sys.argv.index("--") + 1 :]
+    loaded_bpy = sys.modules.get("bpy")
+    if loaded_bpy is not None and loaded_bpy.app.binary_path:
+        return []
+    return sys.argv[1:]
+
+
+def _check_arguments(arguments: argparse.Namespace) -> None:
+    """Refuses what can be refused before any file is read."""
+    _refuse_what_is_missing(arguments)
+    kind = arguments.input.suffix.lower()
+    if kind not in (".obj", ".ply", ".stl", ".blend"):
+        raise BadInput(f"--input {arguments.input} is no .obj, .ply, .stl or .blend file")
+    if not arguments.input.is_file():
+        raise BadInput(f"--input {arguments.input} does not exist; check the path")
+    if kind != ".blend":
+        for option in ("object", "seed_object"):
+            if getattr(arguments, option) is not None:
+                name = option.replace("_", "-")
+                raise BadInput(f"--{name} names an object of a .blend, but --input is {kind}")
+        if arguments.density_group is not None:
+            raise BadInput(
+                f"unknown vertex group {arguments.density_group!r}: a {kind} file has none; give "
+                "a .blend to --input"
+            )
+    if arguments.seed is not None and arguments.seed_object is not None:
+        raise BadInput("--seed and --seed-object are both given; choose one")
+    if arguments.seed is not None and arguments.seed.suffix.lower() != ".obj":
+        raise BadInput(f"--seed {arguments.seed} is no .obj file")
+    if arguments.output.suffix.lower() not in (".obj", ".blend"):
+        raise BadInput(f"--output {arguments.output} is no .obj or .blend file")
+    _check_outputs(arguments)
+
+
+def _refuse_what_is_missing(arguments: argparse.Namespace) -> None:
+    """Options of the contract whose feature this version does not have."""
+    missing = None
+    if arguments.medial_axis != "euclidean":
+        missing = "the geodesic medial axis; leave --medial-axis out"
+    elif arguments.preset not in core.PRESETS:
+        missing = f"the preset {arguments.preset!r}; choose one of {', '.join(core.PRESETS)}"
+    elif arguments.alignment is not None or arguments.direction is not None:
+        missing = "alignment with directions; leave --alignment and --direction out"
+    elif arguments.length_power != 2 or arguments.medial_power != 2:
+        missing = "powers other than 2; leave --length-power and --medial-power out"
+    if missing is not None:
+        raise BadInput(f"this version does not have {missing}")
+
+
+def _check_outputs(arguments: argparse.Namespace) -> None:
+    taken = {"--input": arguments.input, "--seed": arguments.seed}
+    for option, path in (("--output", arguments.output), ("--report", arguments.report)):
+        if path is None:
+            continue
+        if path.is_dir() or not path.name:
+            raise BadInput(f"{option} {path} is a folder; give a file name")
+        if not path.absolute().parent.is_dir():
+            raise BadInput(f"the folder of {option} {path} does not exist; make it first")
+        if not os.access(path.absolute().parent, os.W_OK):
+            raise BadInput(f"the folder of {option} {path} cannot be written to; choose another")
+        for other, other_path in taken.items():
+            # A scene may be saved over itself: it still holds all that was in it.
+            scene = option == "--output" and other == "--input" and path.suffix == ".blend"
+            if other_path is not None and path.resolve() == other_path.resolve() and not scene:
+                raise BadInput(f"{option} would overwrite {other} {path}; choose another name")
+        taken[option] = path
+
+
+def _flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
+    """The preset's options with what the command line says in their place."""
+    options = core.default_options(arguments.preset)
+    options.radius = arguments.spacing / 2
+    options.threads = arguments.threads
+    if arguments.segment_length is not None:
+        options.segment_length = arguments.segment_length
+    if arguments.max_radius is not None:
+        options.max_radius = arguments.max_radius
+    if arguments.iterations is not None:
+        options.iteration_limit = arguments.iterations
+    if arguments.length is not None:
+        options.length_weight = arguments.length
+    if arguments.bending is not None:
+        # Both belong to one material: a curve that grows stiff should not be polished limp.
+        if options.bending_weight > 0:
+            options.polish_bending_weight *= arguments.bending / options.bending_weight
+        options.bending_weight = arguments.bending
+    return options
+
+
+def _echo(
+    arguments: argparse.Namespace, options: core.FlowOptions, problem: Problem
+) -> dict[str, Any]:
+    """Every option in effect, for the report; null: the preset's own value."""
+    echo: dict[str, Any] = {
+        "input": str(arguments.input),
+        "object": None if problem.surface_object is None else problem.surface_object.name,
+        "output": str(arguments.output),
+        "seed": None if arguments.seed is None else str(arguments.seed),
+        "seed_object": arguments.seed_object,
+        "fixed_ends": problem.fixed_ends,
+        "spacing": arguments.spacing,
+        "density_group": arguments.density_group,
+        "spacing_factors": problem.spacing_factors,
+        "medial_axis": arguments.medial_axis,
+        "length_power": arguments.length_power,
+        "medial_power": arguments.medial_power,
+        "alignment": 0.0,
+        "direction": None,
+    }
+    echo.update(asdict(options))
+    if options.segment_length == 0:
+        echo["segment_length"] = 0.2 * options.radius  # what 0 stands for in the C API
+    if options.max_radius == 0:
+        echo["max_radius"] = None
+    return echo
+
+
+# ------------------------------------------------------------------------------------------------
+# Input
+
+
+def _read_problem(arguments: argparse.Namespace) -> Problem:
+    kind = arguments.input.suffix.lower()
+    if kind == ".obj":
+        problem = Problem(*mesh_files.read_obj_mesh(arguments.input))
+    else:
+        _need_bpy(arguments.input)
+        from . import blender_data
+
+        try:
+            problem = _read_scene(arguments) if kind == ".blend" else _import_mesh(arguments.input)
+        except blender_data.DataError as refusal:
+            raise BadInput(str(refusal)) from refusal
+    if arguments.seed is not None:
+        problem.seed = mesh_files.read_obj_curve(arguments.seed)
+    return problem
+
+
+def _need_bpy(path: Path) -> None:
+    if importlib.util.find_spec("bpy") is None:
+        raise BadInput(f"{path} needs Blender; run this command with blender --background --python")
+
+
+def _empty_scene() -> None:
+    import bpy
+
+    # read_factory_settings would take installed add-ons out of the session.
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+
+
+def _import_mesh(path: Path) -> Problem:
+    """Reads a PLY or STL file with Blender's importer, axes and scale left alone."""
+    import bpy
+
+    from . import blender_data
+
+    _empty_scene()
+    kind = path.suffix.lower()[1:]
+    try:
+        with _stderr_to_stdout():
+            # Importers in C++ replaced the add-ons one by one: in 3.4 there is one for STL only.
+            if f"{kind}_import" in dir(bpy.ops.wm):
+                operator = getattr(bpy.ops.wm, f"{kind}_import")
+                operator(filepath=str(path), forward_axis="Y", up_axis="Z", global_scale=1.0)
+            else:
+                import addon_utils
+
+                addon_utils.enable(f"io_mesh_{kind}")
+                operator = getattr(bpy.ops.import_mesh, kind)
+                # STL has an option for axes, and PLY takes them as they are.
+                axes = {"axis_forward": "Y", "axis_up": "Z"} if kind == "stl" else {}
+                operator(filepath=str(path), **axes)
+    except RuntimeError as problem:
+        raise BadInput(
+            f"{path} cannot be read as {kind.upper()}; export it again or give an .obj file"
+        ) from problem
+    meshes = [item for item in bpy.context.scene.objects if item.type == "MESH"]
+    if len(meshes) != 1:
+        raise BadInput(
+            f"{path} cannot be read as {kind.upper()}; export it again or give an .obj file"
+        )
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    vertices, faces = blender_data.triangles_of(meshes[0], depsgraph)
+    return Problem(vertices, faces, surface_object=meshes[0])
+
+
+@contextmanager
+def _stderr_to_stdout() -> Iterator[None]:
+    """Importers print their complaints from C; stderr is for the one sentence that follows."""
+    sys.stderr.flush()
+    kept = os.dup(2)
+    os.dup2(1, 2)
+    try:
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+
+
+def _read_scene(arguments: argparse.Namespace) -> Problem:
+    """Opens a .blend and takes surface, seed and density from its objects, in world units."""
+    import bpy
+
+    from . import blender_data
+
+    try:
+        bpy.ops.wm.open_mainfile(filepath=str(arguments.input.absolute()), load_ui=False)
+    except RuntimeError as problem:
+        raise BadInput(
+            f"{arguments.input} is no .blend file that Blender {bpy.app.version_string} can open; "
+            "save it again with this version or an older one"
+        ) from problem
+    surface_object = _mesh_object(arguments)
+    with _saved_settings():
+        settings = surface_object.meander
+        spacing_factors = settings.factor_0, settings.factor_1
+        fixed_ends = settings.fixed_ends
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    vertices, faces = blender_data.triangles_of(surface_object, depsgraph)
+    problem = Problem(vertices, faces, surface_object=surface_object)
+    if arguments.density_group is not None:
+        name = arguments.density_group
+        weights = blender_data.vertex_group_weights(surface_object, depsgraph, name)
+        problem.spacing_factors = spacing_factors
+        problem.density = blender_data.density_of_weights(weights, *spacing_factors)
+    if arguments.seed_object is not None:
+        seed_object = bpy.context.scene.objects.get(arguments.seed_object)
+        if seed_object is None:
+            raise BadInput(
+                f"{arguments.input} has no object {arguments.seed_object!r} in its scene; give "
+                "the name of a curve object to --seed-object"
+            )
+        problem.fixed_ends = fixed_ends
+        problem.seed = blender_data.strands_of_curve(seed_object, depsgraph, fixed_ends)
+    return problem
+
+
+def _mesh_object(arguments: argparse.Namespace) -> bpy.types.Object:
+    """--object, else the active mesh object, else the only one."""
+    import bpy
+
+    scene_objects = bpy.context.scene.objects
+    if arguments.object is not None:
+        named = scene_objects.get(arguments.object)
+        if named is None:
+            raise BadInput(
+                f"{arguments.input} has no object {arguments.object!r} in its scene; give the "
+                "name of a mesh object to --object"
+            )
+        return named
+    active = bpy.context.view_layer.objects.active
+    if active is not None and active.type == "MESH":
+        return active
+    meshes = [item for item in scene_objects if item.type == "MESH"]
+    if len(meshes) != 1:
+        found = "no mesh object" if not meshes else f"{len(meshes)} mesh objects, none of it active"
+        raise BadInput(f"{arguments.input} has {found}; name one with --object")
+    return meshes[0]
+
+
+@contextmanager
+def _saved_settings() -> Iterator[None]:
+    """Makes ``object.meander`` readable while the block lasts, whether the add-on is on or not."""
+    import bpy
+
+    from . import properties
+
+    if hasattr(bpy.types.Object, "meander"):
+        yield
+        return
+    properties.register()
+    try:
+        yield
+    finally:
+        properties.unregister()  # what is left registered at exit hangs the bpy module
+
+
+# ------------------------------------------------------------------------------------------------
+# Run
+
+
+def _run(flow: core.Flow, iteration_limit: int, quiet: bool) -> str:
+    """Runs the flow to its end and returns the stop reason.
+
+    The run has a thread of its own, so that this one can print and hear an interruption; asking
+    the flow itself between steps would cost a medial axis each time.
+    """
+    outcome: list[str] = []
+    failures: list[BaseException] = []
+    context = core.Context()
+
+    def work() -> None:
+        try:
+            outcome.append(flow.run(context))
+        except BaseException as problem:  # raised again below, on the thread that can tell of it
+            failures.append(problem)
+
+    started = time.monotonic()
+    printed, printed_at = 0.0, started
+    interval = _PROGRESS_ITERATIONS / iteration_limit
+    worker = threading.Thread(target=work, name="meander")
+    worker.start()
+    try:
+        while worker.is_alive():
+            worker.join(0.1)
+            progress, now = context.progress, time.monotonic()
+            due = progress >= printed + interval or now >= printed_at + _PROGRESS_SECONDS
+            if due and worker.is_alive() and not quiet:
+                print(
+                    f"meander: {progress:.1%} of at most {iteration_limit} iterations after "
+                    f"{now - started:.1f} s",
+                    flush=True,
+                )
+                printed, printed_at = progress, now
+    except KeyboardInterrupt:
+        context.cancel()
+        raise
+    finally:
+        worker.join()
+    if failures:
+        raise failures[0]
+    return outcome[0]
+
+
+def _summary(reason: str, figures: dict[str, Any]) -> str:
+    ending = {
+        "converged": "converged",
+        "iteration_limit": "reached the iteration limit",
+        "stalled": "stalled",
+        "cancelled": "was cancelled",
+    }.get(reason, reason)
+    return (
+        f"meander: {ending} after {figures['iterations']} iterations and "
+        f"{figures['seconds_total']:.2f} s: {figures['nodes']} nodes, length "
+        f"{figures['length']:.6g}, spacing {figures['spacing_median']:.4g} in the median "
+        f"({figures['spacing_target']:.4g} wanted)"
+    )
+
+
+# ------------------------------------------------------------------------------------------------
+# Output
+
+
+def _write_scene(path: Path, arguments: argparse.Namespace, problem: Problem, curve: Any) -> None:
+    """Adds the curve beside its surface and saves a copy of the scene at `path`."""
+    import bpy
+
+    from . import blender_data
+
+    surface_object = problem.surface_object
+    if surface_object is None:
+        _empty_scene()
+        name = arguments.input.stem
+        mesh = bpy.data.meshes.new(name)
+        mesh.from_pydata(problem.vertices.tolist(), [], problem.faces.tolist())
+        mesh.update()
+        surface_object = bpy.data.objects.new(name, mesh)
+        bpy.context.scene.collection.objects.link(surface_object)
+    blender_data.write_curve(curve, surface_object, f"{surface_object.name} Meander")
+    try:
+        bpy.ops.wm.save_as_mainfile(filepath=str(path.absolute()), copy=True, check_existing=False)
+    except RuntimeError as failure:
+        raise BadInput(
+            f"Blender cannot save {arguments.output} ({' '.join(str(failure).split())}); choose "
+            "another place"
+        ) from failure
+
+
+def _write_outputs(
+    arguments: argparse.Namespace, problem: Problem, curve: core.Polylines, record: dict[str, Any]
+) -> None:
+    """Writes both files beside their places first, then moves the curve in and then the report."""
+    with ExitStack() as stack:  # leaves in reverse order
+        report_path = None
+        if arguments.report is not None:
+            report_path = stack.enter_context(mesh_files.atomic_output(arguments.report))
+        curve_path = stack.enter_context(mesh_files.atomic_output(arguments.output))
+        if arguments.output.suffix.lower() == ".obj":
+            mesh_files.write_obj_curve(curve_path, curve)
+        else:
+            _write_scene(curve_path, arguments, problem, curve)
+        if report_path is not None:
+            report.write_report(report_path, record)
+
+
+# ------------------------------------------------------------------------------------------------
+# The command
+
+
+def _process(argv: Sequence[str]) -> None:
+    arguments = _parser().parse_args(argv)
+    _check_arguments(arguments)
+    if arguments.output.suffix.lower() == ".blend":
+        _need_bpy(arguments.output)
+    options = _flow_options(arguments)
+    problem = _read_problem(arguments)
+    with core.Surface(problem.vertices, problem.faces) as surface:
+        surface_figures = surface.statistics()
+        flow = core.Flow(surface, options, problem.seed, problem.density)
+    with flow:
+        reason = _run(flow, options.iteration_limit, arguments.quiet)
+        figures = flow.statistics()
+        figures["stop_reason"] = reason
+        history = flow.history()
+        curve = flow.polylines()
+    record = report.build_report(
+        core.library_version(),
+        surface_figures,
+        figures,
+        history,
+        _echo(arguments, options, problem),
+    )
+    _write_outputs(arguments, problem, curve, record)
+    if not arguments.quiet:
+        print(_summary(reason, figures))
+        print(f"meander: wrote {arguments.output}", flush=True)
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Runs the command and returns its exit code; see the top of this file.
+
+    argv   the options; None takes those of this process
+    """
+    try:
+        _process(_arguments_of_process() if argv is None else argv)
+    except (BadInput, core.MeanderError, mesh_files.FileError) as problem:
+        if getattr(problem, "status", None) == core.Status.INTERNAL:
+            traceback.print_exc()
+            return 1
+        print(f"meander: {' '.join(str(problem).split())}", file=sys.stderr, flush=True)
+        return 2
+    except KeyboardInterrupt:
+        print("meander: interrupted", file=sys.stderr, flush=True)
+        return 130
+    except Exception:
+        traceback.print_exc()
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1056 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The bridge to the native library: numpy in, numpy out, no bpy.
+
+This is the only module that knows ctypes and the only one that mirrors ``meander.h``; every struct
+and every prototype stands beside the C line that it mirrors, and the tests compare both sides.
+
+    surface = Surface(vertices, faces)           checked and copied by the library
+    options = default_options("even")            defaults live in the library only
+    options.radius = spacing / 2
+    flow = Flow(surface, options, seed, density)
+    flow.run(context)                            context.cancel() from any thread
+    curve = flow.polylines()
+
+Lengths are in the units of the vertices; indices are zero-based. Everything that goes wrong is a
+`MeanderError` whose text is one sentence for people. Calls into the library release the GIL.
+
+Threads: a surface may be shared, a flow belongs to one thread at a time (a second thread gets a
+`MeanderError`), a context may be touched from any thread at any time.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+import threading
+import weakref
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from ctypes import (
+    POINTER,
+    Structure,
+    byref,
+    c_char,
+    c_char_p,
+    c_double,
+    c_int32,
+    c_size_t,
+    c_uint32,
+    c_void_p,
+    sizeof,
+)
+from dataclasses import dataclass, fields
+from enum import IntEnum
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+# The version of the library that this file was written for. The library's file name carries it, so
+# that an update never meets the old library that a running Blender still has loaded.
+VERSION = "0.1.0"
+
+# #define MEANDER_ABI_VERSION 1
+ABI_VERSION = 1
+
+# Names the library file to load instead of the one beside this module.
+LIBRARY_VARIABLE = "MEANDER_LIBRARY"
+
+
+# ------------------------------------------------------------------------------------------------
+# Enumerations of meander.h
+
+
+# enum { MEANDER_OK = 0, ... MEANDER_INTERNAL = 6 };
+class Status(IntEnum):
+    """What a call returned; `MeanderError.status` is one of these."""
+
+    OK = 0
+    INVALID_ARGUMENT = 1
+    INVALID_MESH = 2
+    INVALID_SEED = 3
+    CANCELLED = 4
+    OUT_OF_MEMORY = 5
+    INTERNAL = 6
+
+
+# The status of a MeanderError about the library file itself: it is missing or does not fit.
+STATUS_NO_LIBRARY = -1
+
+# enum { MEANDER_ELEMENT_NONE = 0, ... MEANDER_ELEMENT_SEED_POINT = 4 };
+ELEMENT_KINDS = (None, "vertex", "face", "edge", "seed_point")
+
+# enum { MEANDER_PRESET_EVEN = 0, MEANDER_PRESET_PAPER = 1 };
+PRESETS = ("even", "paper")
+
+
+# enum { MEANDER_BOUNDARY_CENTRE = 0, MEANDER_BOUNDARY_OBSTACLE = 1 };
+class BoundaryRule(IntEnum):
+    """How a medial ball ends at the boundary of an open surface."""
+
+    CENTRE = 0
+    OBSTACLE = 1
+
+
+# enum { MEANDER_STOP_SETTLED = 0, MEANDER_STOP_PAPER = 1 };
+class StopRule(IntEnum):
+    """When a flow has converged."""
+
+    SETTLED = 0
+    PAPER = 1
+
+
+# enum { MEANDER_RUNNING = 0, ... MEANDER_STOPPED = 4 };
+STOP_REASONS = ("running", "converged", "iteration_limit", "stalled", "cancelled")
+
+
+# ------------------------------------------------------------------------------------------------
+# Structs of meander.h
+
+
+class _Error(Structure):
+    """typedef struct meander_error"""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # uint32_t struct_size;
+        ("status", c_int32),  # int32_t status;
+        ("element_kind", c_int32),  # int32_t element_kind;
+        ("element_index", c_uint32),  # uint32_t element_index;
+        ("element_index2", c_uint32),  # uint32_t element_index2;
+        ("text", c_char * 492),  # char text[492];
+    ]
+
+
+class _SurfaceStatistics(Structure):
+    """typedef struct meander_surface_statistics"""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # uint32_t struct_size;
+        ("vertices", c_uint32),  # uint32_t vertices;
+        ("faces", c_uint32),  # uint32_t faces;
+        ("components", c_uint32),  # uint32_t components;
+        ("boundary_loops", c_uint32),  # uint32_t boundary_loops;
+        ("turned_faces", c_uint32),  # uint32_t turned_faces;
+        ("unused_vertices", c_uint32),  # uint32_t unused_vertices;
+        ("reserved", c_uint32),  # uint32_t reserved;
+        ("area", c_double),  # double area;
+        ("diagonal", c_double),  # double diagonal;
+    ]
+
+
+class _Seed(Structure):
+    """typedef struct meander_seed"""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # uint32_t struct_size;
+        ("strand_count", c_uint32),  # uint32_t strand_count;
+        ("points", c_void_p),  # const double* points;
+        ("offsets", c_void_p),  # const uint32_t* offsets;
+        ("closed", c_void_p),  # const uint8_t* closed;
+        ("fixed", c_void_p),  # const uint8_t* fixed;
+    ]
+
+
+class _FlowOptions(Structure):
+    """typedef struct meander_flow_options"""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # uint32_t struct_size;
+        ("preset", c_uint32),  # uint32_t preset;
+        ("radius", c_double),  # double radius;
+        ("segment_length", c_double),  # double segment_length;
+        ("max_radius", c_double),  # double max_radius;
+        ("length_weight", c_double),  # double length_weight;
+        ("bending_weight", c_double),  # double bending_weight;
+        ("medial_weight", c_double),  # double medial_weight;
+        ("step", c_double),  # double step;
+        ("growth_coarsening", c_double),  # double growth_coarsening;
+        ("polish", c_uint32),  # uint32_t polish;
+        ("stop_rule", c_uint32),  # uint32_t stop_rule;
+        ("polish_bending_weight", c_double),  # double polish_bending_weight;
+        ("polish_length_offset", c_double),  # double polish_length_offset;
+        ("polish_length_gain", c_double),  # double polish_length_gain;
+        ("boundary_rule", c_uint32),  # uint32_t boundary_rule;
+        ("iteration_limit", c_uint32),  # uint32_t iteration_limit;
+        ("threads", c_uint32),  # uint32_t threads;
+        ("reserved", c_uint32),  # uint32_t reserved;
+    ]
+
+
+class _FlowStatistics(Structure):
+    """typedef struct meander_flow_statistics"""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # uint32_t struct_size;
+        ("stop_reason", c_uint32),  # uint32_t stop_reason;
+        ("iterations", c_uint32),  # uint32_t iterations;
+        ("nodes", c_uint32),  # uint32_t nodes;
+        ("strands", c_uint32),  # uint32_t strands;
+        ("closed_strands", c_uint32),  # uint32_t closed_strands;
+        ("crossings", c_uint32),  # uint32_t crossings;
+        ("polishing", c_uint32),  # uint32_t polishing;
+        ("length", c_double),  # double length;
+        ("energy", c_double),  # double energy;
+        ("mean_step", c_double),  # double mean_step;
+        ("spacing_target", c_double),  # double spacing_target;
+        ("spacing_p05", c_double),  # double spacing_p05;
+        ("spacing_median", c_double),  # double spacing_median;
+        ("spacing_p95", c_double),  # double spacing_p95;
+        ("seconds_total", c_double),  # double seconds_total;
+        ("seconds_medial_axis", c_double),  # double seconds_medial_axis;
+        ("seconds_solve", c_double),  # double seconds_solve;
+        ("seconds_retract", c_double),  # double seconds_retract;
+        ("seconds_reconnect", c_double),  # double seconds_reconnect;
+        ("seconds_crossings", c_double),  # double seconds_crossings;
+        ("seconds_refine", c_double),  # double seconds_refine;
+    ]
+
+
+class _Iteration(Structure):
+    """typedef struct meander_iteration"""
+
+    _fields_ = [
+        ("iteration", c_uint32),  # uint32_t iteration;
+        ("nodes", c_uint32),  # uint32_t nodes;
+        ("length", c_double),  # double length;
+        ("mean_step", c_double),  # double mean_step;
+        ("energy", c_double),  # double energy;
+        ("seconds", c_double),  # double seconds;
+    ]
+
+
+_STRUCTS: dict[str, type[Structure]] = {
+    "meander_error": _Error,
+    "meander_surface_statistics": _SurfaceStatistics,
+    "meander_seed": _Seed,
+    "meander_flow_options": _FlowOptions,
+    "meander_flow_statistics": _FlowStatistics,
+    "meander_iteration": _Iteration,
+}
+
+
+# ------------------------------------------------------------------------------------------------
+# Prototypes of meander.h: name -> (result, arguments). Array arguments are void pointers, since
+# `_array` has checked what they point to; opaque handles are void pointers as well.
+
+_PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    # const char* meander_status_name(meander_status status);
+    "meander_status_name": (c_char_p, (c_int32,)),
+    # const char* meander_version(void);
+    "meander_version": (c_char_p, ()),
+    # uint32_t meander_abi_version(void);
+    "meander_abi_version": (c_uint32, ()),
+    # size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity);
+    "meander_struct_layout": (c_size_t, (c_char_p, POINTER(c_size_t), c_size_t)),
+    # meander_context* meander_context_create(void);
+    "meander_context_create": (c_void_p, ()),
+    # void meander_context_destroy(meander_context* context);
+    "meander_context_destroy": (None, (c_void_p,)),
+    # void meander_context_cancel(meander_context* context);
+    "meander_context_cancel": (None, (c_void_p,)),
+    # void meander_context_reset(meander_context* context);
+    "meander_context_reset": (None, (c_void_p,)),
+    # double meander_context_progress(const meander_context* context);
+    "meander_context_progress": (c_double, (c_void_p,)),
+    # meander_status meander_surface_create(const double* vertices, size_t vertex_count,
+    #     const uint32_t* faces, size_t face_count, meander_surface** surface,
+    #     meander_error* error);
+    "meander_surface_create": (
+        c_int32,
+        (c_void_p, c_size_t, c_void_p, c_size_t, POINTER(c_void_p), POINTER(_Error)),
+    ),
+    # void meander_surface_destroy(meander_surface* surface);
+    "meander_surface_destroy": (None, (c_void_p,)),
+    # meander_status meander_surface_get_statistics(const meander_surface* surface,
+    #     meander_surface_statistics* statistics, meander_error* error);
+    "meander_surface_get_statistics": (
+        c_int32,
+        (c_void_p, POINTER(_SurfaceStatistics), POINTER(_Error)),
+    ),
+    # meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset);
+    "meander_flow_options_init": (c_int32, (POINTER(_FlowOptions), c_uint32)),
+    # meander_status meander_flow_create(const meander_surface* surface, const meander_seed* seed,
+    #     const double* density, const meander_flow_options* options, meander_flow** flow,
+    #     meander_error* error);
+    "meander_flow_create": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(_Seed),
+            c_void_p,
+            POINTER(_FlowOptions),
+            POINTER(c_void_p),
+            POINTER(_Error),
+        ),
+    ),
+    # void meander_flow_destroy(meander_flow* flow);
+    "meander_flow_destroy": (None, (c_void_p,)),
+    # meander_status meander_flow_step(meander_flow* flow, meander_context* context,
+    #     meander_error* error);
+    "meander_flow_step": (c_int32, (c_void_p, c_void_p, POINTER(_Error))),
+    # meander_status meander_flow_run(meander_flow* flow, meander_context* context,
+    #     meander_error* error);
+    "meander_flow_run": (c_int32, (c_void_p, c_void_p, POINTER(_Error))),
+    # uint32_t meander_flow_stop_reason(const meander_flow* flow);
+    "meander_flow_stop_reason": (c_uint32, (c_void_p,)),
+    # meander_status meander_flow_get_statistics(meander_flow* flow,
+    #     meander_flow_statistics* statistics, meander_error* error);
+    "meander_flow_get_statistics": (
+        c_int32,
+        (c_void_p, POINTER(_FlowStatistics), POINTER(_Error)),
+    ),
+    # meander_status meander_flow_get_history(const meander_flow* flow, meander_iteration* records,
+    #     size_t capacity, size_t* count, meander_error* error);
+    "meander_flow_get_history": (
+        c_int32,
+        (c_void_p, POINTER(_Iteration), c_size_t, POINTER(c_size_t), POINTER(_Error)),
+    ),
+    # meander_status meander_flow_get_polylines(const meander_flow* flow, double* positions,
+    #     double* normals, size_t point_capacity, size_t* point_count, uint32_t* offsets,
+    #     uint8_t* closed, size_t strand_capacity, size_t* strand_count, meander_error* error);
+    "meander_flow_get_polylines": (
+        c_int32,
+        (
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            c_void_p,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            POINTER(_Error),
+        ),
+    ),
+    # meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
+    #     double* barycentrics, double* radii, uint8_t* fixed, size_t capacity, size_t* count,
+    #     meander_error* error);
+    "meander_flow_get_nodes": (
+        c_int32,
+        (
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            POINTER(_Error),
+        ),
+    ),
+}
+
+
+# ------------------------------------------------------------------------------------------------
+# Errors
+
+
+class MeanderError(Exception):
+    """Something that a person can put right; ``str(error)`` is one sentence that says how.
+
+    status        a `Status`, or STATUS_NO_LIBRARY when the library could not be loaded
+    element_kind  what `elements` counts: 'vertex', 'face', 'edge', 'seed_point', or None
+    elements      the first element at fault; an edge has the indices of its two end vertices
+    """
+
+    def __init__(
+        self,
+        text: str,
+        status: int = Status.INVALID_ARGUMENT,
+        element_kind: str | None = None,
+        elements: tuple[int, ...] = (),
+    ) -> None:
+        super().__init__(text)
+        self.status = int(status)
+        self.element_kind = element_kind
+        self.elements = elements
+
+
+def _new_error() -> _Error:
+    return _Error(struct_size=sizeof(_Error))
+
+
+def _raise(status: int, error: _Error) -> None:
+    """Turns a failed call into a MeanderError."""
+    text = error.text.decode("utf-8", "replace")
+    if not text:
+        name = _library().meander_status_name(status)
+        text = f"the native library failed ({name.decode('utf-8', 'replace')})"
+    kind = None
+    if 0 <= error.element_kind < len(ELEMENT_KINDS):
+        kind = ELEMENT_KINDS[error.element_kind]
+    elements: tuple[int, ...] = ()
+    if kind == "edge":
+        elements = (error.element_index, error.element_index2)
+    elif kind is not None:
+        elements = (error.element_index,)
+    raise MeanderError(text, status, kind, elements)
+
+
+# ------------------------------------------------------------------------------------------------
+# Loading
+
+_loaded: ctypes.CDLL | None = None
+_load_lock = threading.Lock()
+
+
+def library_path() -> Path:
+    """Where the library is expected: MEANDER_LIBRARY if set, else ``native/`` beside this file."""
+    override = os.environ.get(LIBRARY_VARIABLE)
+    if override:
+        return Path(override)
+    if sys.platform == "win32":
+        name = f"meander-{VERSION}.dll"
+    elif sys.platform == "darwin":
+        name = f"libmeander-{VERSION}.dylib"
+    else:
+        name = f"libmeander-{VERSION}.so"
+    return Path(__file__).resolve().parent / "native" / name
+
+
+def _load(path: Path) -> ctypes.CDLL:
+    """Loads the library and compares ABI and version before anything else is called."""
+    if not path.is_file():
+        raise MeanderError(
+            f"the native library {path} is missing; build it, install the add-on again from its "
+            f"zip, or set {LIBRARY_VARIABLE} to its full path",
+            STATUS_NO_LIBRARY,
+        )
+    try:
+        library = ctypes.CDLL(str(path))
+    except OSError as problem:
+        raise MeanderError(
+            f"the native library {path} cannot be loaded on this system ({problem}); install the "
+            "add-on from the zip made for it",
+            STATUS_NO_LIBRARY,
+        ) from problem
+    try:
+        abi_version = _bind(library, "meander_abi_version")()
+        if abi_version != ABI_VERSION:
+            raise MeanderError(
+                f"the native library {path} has ABI {abi_version}, but this add-on needs "
+                f"{ABI_VERSION}; install the add-on again from its zip and restart Blender",
+                STATUS_NO_LIBRARY,
+            )
+        version = _bind(library, "meander_version")().decode("utf-8", "replace")
+        if version != VERSION:
+            raise MeanderError(
+                f"the native library {path} is version {version}, but this add-on is version "
+                f"{VERSION}; install the add-on again from its zip and restart Blender",
+                STATUS_NO_LIBRARY,
+            )
+        for name in _PROTOTYPES:
+            _bind(library, name)
+    except AttributeError as problem:
+        raise MeanderError(
+            f"the file {path} is not Meander's native library ({problem}); install the add-on "
+            "again from its zip",
+            STATUS_NO_LIBRARY,
+        ) from problem
+    return library
+
+
+def _bind(library: ctypes.CDLL, name: str) -> Callable[..., Any]:
+    function = getattr(library, name)
+    result, arguments = _PROTOTYPES[name]
+    function.restype = result
+    function.argtypes = list(arguments)
+    return function
+
+
+def _library() -> ctypes.CDLL:
+    """The library, loaded on first use: on Windows a loaded file blocks an update."""
+    global _loaded
+    if _loaded is None:
+        with _load_lock:
+            if _loaded is None:
+                _loaded = _load(library_path())
+    return _loaded
+
+
+def library_version() -> str:
+    """The version of the native library, such as "0.1.0"; loads it.
+
+    Raises MeanderError when the library is missing or does not fit this add-on.
+    """
+    return _library().meander_version().decode("utf-8")
+
+
+def struct_layouts() -> dict[str, tuple[list[int], list[int]]]:
+    """How ctypes and the library lay each struct out, for the test that compares them.
+
+    Per C struct name: (ours, theirs), each the size of the struct followed by the offset of every
+    field in the order of declaration. Theirs is empty when the library does not know the name.
+    """
+    library = _library()
+    layouts: dict[str, tuple[list[int], list[int]]] = {}
+    for name, struct in _STRUCTS.items():
+        ours = [sizeof(struct)]
+        ours += [getattr(struct, field[0]).offset for field in struct._fields_]
+        count = library.meander_struct_layout(name.encode(), None, 0)
+        theirs = (c_size_t * count)()
+        library.meander_struct_layout(name.encode(), theirs, count)
+        layouts[name] = (ours, list(theirs))
+    return layouts
+
+
+# ------------------------------------------------------------------------------------------------
+# Arrays and handles
+
+
+def _array(name: str, value: ArrayLike, dtype: type, columns: int | None) -> NDArray[Any]:
+    """`value` as a C-contiguous array of exactly this dtype, of shape (n,) or (n, columns).
+
+    Numbers that the dtype cannot hold are refused rather than wrapped round: a face index of -1
+    must not become 4294967295.
+    """
+    array = np.asarray(value)
+    shape = "(n,)" if columns is None else f"(n, {columns})"
+    fits = array.ndim == 1 if columns is None else array.ndim == 2 and array.shape[1] == columns
+    if not fits:
+        raise MeanderError(f"{name} must be an array of shape {shape}, not {array.shape}")
+    if array.dtype != dtype:
+        if np.issubdtype(dtype, np.integer):
+            if array.size and not (
+                np.issubdtype(array.dtype, np.integer) or array.dtype == np.bool_
+            ):
+                raise MeanderError(f"{name} must hold whole numbers, not {array.dtype}")
+            limit = np.iinfo(dtype).max
+            if array.size and array.dtype != np.bool_ and (array.min() < 0 or array.max() > limit):
+                raise MeanderError(f"{name} must hold numbers from 0 to {limit}")
+        elif not (np.issubdtype(array.dtype, np.number) or array.dtype == np.bool_) or (
+            np.issubdtype(array.dtype, np.complexfloating)
+        ):
+            raise MeanderError(f"{name} must hold real numbers, not {array.dtype}")
+    return np.ascontiguousarray(array, dtype=dtype)
+
+
+def _address(array: NDArray[Any] | None) -> int | None:
+    """A pointer to the data; NULL for None. The caller keeps the array alive during the call."""
+    return None if array is None else array.ctypes.data
+
+
+class _Handle:
+    """Owns one opaque pointer: freed by close(), on leaving a `with`, or when collected."""
+
+    _what = "object"
+
+    def __init__(self, pointer: int, destroy: Callable[[int], None]) -> None:
+        self._pointer: int | None = pointer
+        self._finalizer = weakref.finalize(self, destroy, pointer)
+        # At exit a daemon thread may still be inside the library; the process frees all anyway.
+        self._finalizer.atexit = False
+
+    def _alive(self) -> int:
+        if self._pointer is None:
+            raise MeanderError(f"this {self._what} has been closed; make a new one")
+        return self._pointer
+
+    def close(self) -> None:
+        """Frees the native memory now; closing twice is allowed, using it afterwards is not."""
+        self._pointer = None
+        self._finalizer()
+
+    def __enter__(self) -> Any:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+# ------------------------------------------------------------------------------------------------
+# Context
+
+
+class Context(_Handle):
+    """Cancels a flow and reports its progress, from any thread at any time.
+
+    A cancel is sticky: every call that was given this context returns 'cancelled' within one
+    iteration, and so do later ones, until `reset`.
+    """
+
+    _what = "context"
+
+    def __init__(self) -> None:
+        library = _library()
+        pointer = library.meander_context_create()
+        if not pointer:
+            raise MeanderError(
+                "there is no memory for a context; close other programs and try again",
+                Status.OUT_OF_MEMORY,
+            )
+        super().__init__(pointer, library.meander_context_destroy)
+        # Counts the calls that use the native context, so that close() cannot pull it away.
+        self._lock = threading.Lock()
+        self._users = 0
+        self._closing = False
+
+    @contextmanager
+    def _use(self) -> Iterator[int]:
+        with self._lock:
+            if self._closing:
+                raise MeanderError("this context has been closed; make a new one")
+            pointer = self._alive()
+            self._users += 1
+        try:
+            yield pointer
+        finally:
+            with self._lock:
+                self._users -= 1
+                if self._closing and self._users == 0:
+                    super().close()
+
+    def cancel(self) -> None:
+        """Asks the calls that use this context to end within one iteration."""
+        with self._use() as pointer:
+            _library().meander_context_cancel(pointer)
+
+    def reset(self) -> None:
+        """Takes a cancel back, so that the context can be used again."""
+        with self._use() as pointer:
+            _library().meander_context_reset(pointer)
+
+    @property
+    def progress(self) -> float:
+        """How far the present `Flow.run` is, from 0 to 1; never falls during one run."""
+        with self._use() as pointer:
+            return _library().meander_context_progress(pointer)
+
+    def close(self) -> None:
+        """Frees the context, at once or as soon as the last call that uses it has ended."""
+        with self._lock:
+            self._closing = True
+            if self._users == 0:
+                super().close()
+
+
+# ------------------------------------------------------------------------------------------------
+# Surface
+
+
+class Surface(_Handle):
+    """A triangle mesh that the library has checked and copied.
+
+    vertices  (n, 3) float64, finite, in any unit
+    faces     (m, 3) uint32, zero-based, each below n
+
+    Raises MeanderError, naming the first element, for a mesh that cannot be used: no faces, a
+    coordinate that is not finite, an index out of range, a vertex twice in a face, a face without
+    area, an edge with more than two faces, a bow-tie vertex, a component without orientation.
+    """
+
+    _what = "surface"
+
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
+        vertex_array = _array("vertices", vertices, np.float64, 3)
+        face_array = _array("faces", faces, np.uint32, 3)
+        library = _library()
+        pointer = c_void_p()
+        error = _new_error()
+        status = library.meander_surface_create(
+            _address(vertex_array),
+            len(vertex_array),
+            _address(face_array),
+            len(face_array),
+            byref(pointer),
+            byref(error),
+        )
+        if status != Status.OK:
+            _raise(status, error)
+        super().__init__(pointer.value, library.meander_surface_destroy)
+        self.vertex_count = len(vertex_array)
+
+    def statistics(self) -> dict[str, int | float]:
+        """Figures of the surface, named as in meander_surface_statistics.
+
+        vertices (used ones), faces, components, boundary_loops, turned_faces, unused_vertices:
+        int; area (square units) and diagonal (of the bounding box): float.
+        """
+        record = _SurfaceStatistics(struct_size=sizeof(_SurfaceStatistics))
+        error = _new_error()
+        status = _library().meander_surface_get_statistics(
+            self._alive(), byref(record), byref(error)
+        )
+        if status != Status.OK:
+            _raise(status, error)
+        return _figures(record)
+
+
+def _figures(record: Structure) -> dict[str, Any]:
+    """The fields of a struct that mean something to a reader, by their C names."""
+    names = [field[0] for field in record._fields_ if field[0] not in ("struct_size", "reserved")]
+    return {name: getattr(record, name) for name in names}
+
+
+# ------------------------------------------------------------------------------------------------
+# Seed and options
+
+
+@dataclass
+class Seed:
+    """Strands to start from, in space; every point is moved to the nearest point of the surface.
+
+    points   (n, 3) float64, strand after strand, in the surface's units
+    offsets  (s + 1,) uint32: strand k has the points offsets[k] .. offsets[k + 1] - 1
+    closed   (s,) uint8: 1 closed (first point not repeated), 0 open
+    fixed    (n,) uint8: 1 never moves; None: every point may move
+    """
+
+    points: NDArray[np.float64]
+    offsets: NDArray[np.uint32]
+    closed: NDArray[np.uint8]
+    fixed: NDArray[np.uint8] | None = None
+
+
+@dataclass
+class FlowOptions:
+    """Options of one flow, named as in meander_flow_options, where each is described.
+
+    Made by `default_options` only; the defaults live in the library. Lengths are in the surface's
+    units. `radius` is half the spacing and must be chosen.
+    """
+
+    preset: str
+    radius: float
+    segment_length: float
+    max_radius: float
+    length_weight: float
+    bending_weight: float
+    medial_weight: float
+    step: float
+    growth_coarsening: float
+    polish: bool
+    stop_rule: StopRule
+    polish_bending_weight: float
+    polish_length_offset: float
+    polish_length_gain: float
+    boundary_rule: BoundaryRule
+    iteration_limit: int
+    threads: int
+
+
+def _preset_number(preset: str) -> int:
+    if preset not in PRESETS:
+        raise MeanderError(f"there is no preset {preset!r}; choose one of {', '.join(PRESETS)}")
+    return PRESETS.index(preset)
+
+
+def default_options(preset: str = "even") -> FlowOptions:
+    """The library's defaults for a preset of PRESETS; radius is 0 and must be chosen.
+
+    Raises MeanderError for an unknown preset.
+    """
+    record = _FlowOptions()
+    status = _library().meander_flow_options_init(byref(record), _preset_number(preset))
+    if status != Status.OK:
+        raise MeanderError(f"the native library does not know the preset {preset!r}", status)
+    values = _figures(record)
+    values["preset"] = PRESETS[record.preset]
+    values["polish"] = bool(record.polish)
+    values["stop_rule"] = StopRule(record.stop_rule)
+    values["boundary_rule"] = BoundaryRule(record.boundary_rule)
+    return FlowOptions(**values)
+
+
+def _options_record(options: FlowOptions) -> _FlowOptions:
+    record = _FlowOptions(struct_size=sizeof(_FlowOptions), reserved=0)
+    kinds = {field[0]: field[1] for field in _FlowOptions._fields_}
+    for field in fields(FlowOptions):
+        value = getattr(options, field.name)
+        if field.name == "preset":
+            value = _preset_number(value)
+        try:
+            if kinds[field.name] is c_uint32:
+                number = int(value)
+                # ctypes would wrap -1 round to 4294967295 without a word.
+                if number != value or not 0 <= number <= 0xFFFFFFFF:
+                    raise ValueError
+                setattr(record, field.name, number)
+            else:
+                setattr(record, field.name, float(value))
+        except (TypeError, ValueError, OverflowError) as problem:
+            wanted = "a whole number, 0 or more" if kinds[field.name] is c_uint32 else "a number"
+            raise MeanderError(
+                f"the option {field.name} must be {wanted}, not {value!r}"
+            ) from problem
+    return record
+
+
+# ------------------------------------------------------------------------------------------------
+# Flow
+
+
+class Polylines(NamedTuple):
+    """The curve as full geodesic polylines; every straight piece lies in one face.
+
+    positions  (n, 3) float64, strand after strand
+    normals    (n, 3) float64, unit normals of the surface
+    offsets    (s + 1,) uint32: strand k has the points offsets[k] .. offsets[k + 1] - 1
+    closed     (s,) uint8: 1 if the last point joins the first, which is not repeated
+    """
+
+    positions: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    offsets: NDArray[np.uint32]
+    closed: NDArray[np.uint8]
+
+
+class Nodes(NamedTuple):
+    """The nodes of the curve as points of the mesh, strand after strand.
+
+    faces         (n,) uint32, index of the face as passed to Surface
+    barycentrics  (n, 3) float64, weights of the face's vertices in the caller's order; sum 1
+    radii         (n, 2) float64, medial radius on either side; 0 before the first step
+    fixed         (n,) uint8, 1 never moves
+    """
+
+    faces: NDArray[np.uint32]
+    barycentrics: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    fixed: NDArray[np.uint8]
+
+
+class Flow(_Handle):
+    """A curve that grows on a surface. It belongs to one thread at a time.
+
+    surface   stays usable and may be closed; the flow keeps what it needs of it
+    options   see `default_options`; read once
+    seed      a Seed, or None: one small closed strand per component
+    density   (vertex count of the surface,) float64, each > 0, or None for 1 everywhere: the
+              local spacing is the spacing divided by sqrt(density)
+
+    Raises MeanderError for options out of range, a density of the wrong length or sign, and a seed
+    that is off the surface, crosses or touches itself, or is too short.
+    """
+
+    _what = "flow"
+
+    def __init__(
+        self,
+        surface: Surface,
+        options: FlowOptions,
+        seed: Seed | None = None,
+        density: ArrayLike | None = None,
+    ) -> None:
+        density_array = None
+        if density is not None:
+            density_array = _array("density", density, np.float64, None)
+            if len(density_array) != surface.vertex_count:
+                raise MeanderError(
+                    f"density must have one value for each of the {surface.vertex_count} vertices "
+                    f"of the surface, not {len(density_array)}"
+                )
+        # The arrays behind the record must outlive the call, hence the second name.
+        seed_record, seed_arrays = (None, ()) if seed is None else _seed_record(seed)
+        record = _options_record(options)
+        library = _library()
+        pointer = c_void_p()
+        error = _new_error()
+        status = library.meander_flow_create(
+            surface._alive(),
+            None if seed_record is None else byref(seed_record),
+            _address(density_array),
+            byref(record),
+            byref(pointer),
+            byref(error),
+        )
+        del seed_arrays
+        if status != Status.OK:
+            _raise(status, error)
+        super().__init__(pointer.value, library.meander_flow_destroy)
+        self._busy = threading.Lock()
+
+    @contextmanager
+    def _use(self) -> Iterator[int]:
+        """The native flow, for this thread alone.
+
+        The library does not check the thread rule; two threads in one flow would corrupt memory.
+        """
+        if not self._busy.acquire(blocking=False):
+            raise MeanderError(
+                "this flow is in use on another thread; wait until its call has ended"
+            )
+        try:
+            yield self._alive()
+        finally:
+            self._busy.release()
+
+    def close(self) -> None:
+        """Frees the flow; raises MeanderError while another thread is using it."""
+        if self._pointer is not None:
+            with self._use():
+                super().close()
+
+    def step(self, context: Context | None = None) -> str:
+        """Runs one iteration and returns the stop reason, one of STOP_REASONS.
+
+        A step is taken whatever the reason says, so the caller decides when to stop. 'cancelled'
+        leaves the state of the last whole iteration; the flow can go on.
+        """
+        return self._advance("meander_flow_step", context)
+
+    def run(self, context: Context | None = None) -> str:
+        """Steps until the flow converges, stalls, is cancelled or reaches its iteration limit.
+
+        Returns which of these it was, one of STOP_REASONS. 'cancelled' leaves the last whole
+        iteration in place; the flow can go on.
+        """
+        return self._advance("meander_flow_run", context)
+
+    def _advance(self, name: str, context: Context | None) -> str:
+        error = _new_error()
+        with self._use() as pointer:
+            function = getattr(_library(), name)
+            if context is None:
+                status = function(pointer, None, byref(error))
+            else:
+                with context._use() as context_pointer:
+                    status = function(pointer, context_pointer, byref(error))
+            if status == Status.CANCELLED:
+                return "cancelled"
+            if status != Status.OK:
+                _raise(status, error)
+            return STOP_REASONS[_library().meander_flow_stop_reason(pointer)]
+
+    def _statistics(self, pointer: int) -> _FlowStatistics:
+        record = _FlowStatistics(struct_size=sizeof(_FlowStatistics))
+        error = _new_error()
+        status = _library().meander_flow_get_statistics(pointer, byref(record), byref(error))
+        if status != Status.OK:
+            _raise(status, error)
+        return record
+
+    def statistics(self) -> dict[str, Any]:
+        """Figures of the present state, named as in meander_flow_statistics.
+
+        stop_reason is one of STOP_REASONS, polishing a bool, counts are int; lengths are in the
+        surface's units, times in seconds. Costs one medial axis and one crossing test.
+        """
+        with self._use() as pointer:
+            record = self._statistics(pointer)
+        values = _figures(record)
+        values["stop_reason"] = STOP_REASONS[record.stop_reason]
+        values["polishing"] = bool(record.polishing)
+        return values
+
+    def history(self) -> list[dict[str, int | float]]:
+        """One record per iteration, oldest first, named as in meander_iteration.
+
+        iteration (from 1) and nodes: int; length, mean_step, energy, seconds: float.
+        """
+        library = _library()
+        error = _new_error()
+        count = c_size_t()
+        with self._use() as pointer:
+            status = library.meander_flow_get_history(pointer, None, 0, byref(count), byref(error))
+            if status != Status.OK:
+                _raise(status, error)
+            records = (_Iteration * count.value)()
+            status = library.meander_flow_get_history(
+                pointer, records, count.value, byref(count), byref(error)
+            )
+            if status != Status.OK:
+                _raise(status, error)
+        return [_figures(record) for record in records]
+
+    def polylines(self) -> Polylines:
+        """The present curve, nodes and edge crossings; strands come in the order of the seed's."""
+        function = _library().meander_flow_get_polylines
+        error = _new_error()
+        points = c_size_t()
+        strands = c_size_t()
+        with self._use() as pointer:
+            status = function(
+                pointer, None, None, 0, byref(points), None, None, 0, byref(strands), byref(error)
+            )
+            if status != Status.OK:
+                _raise(status, error)
+            curve = Polylines(
+                np.empty((points.value, 3)),
+                np.empty((points.value, 3)),
+                np.zeros(strands.value + 1, dtype=np.uint32),
+                np.empty(strands.value, dtype=np.uint8),
+            )
+            status = function(
+                pointer,
+                _address(curve.positions),
+                _address(curve.normals),
+                points.value,
+                byref(points),
+                _address(curve.offsets),
+                _address(curve.closed),
+                strands.value,
+                byref(strands),
+                byref(error),
+            )
+            if status != Status.OK:
+                _raise(status, error)
+        return curve
+
+    def nodes(self) -> Nodes:
+        """The present nodes, strand after strand."""
+        function = _library().meander_flow_get_nodes
+        error = _new_error()
+        count = c_size_t()
+        with self._use() as pointer:
+            status = function(pointer, None, None, None, None, 0, byref(count), byref(error))
+            if status != Status.OK:
+                _raise(status, error)
+            nodes = Nodes(
+                np.empty(count.value, dtype=np.uint32),
+                np.empty((count.value, 3)),
+                np.empty((count.value, 2)),
+                np.empty(count.value, dtype=np.uint8),
+            )
+            status = function(
+                pointer,
+                *(_address(array) for array in nodes),
+                count.value,
+                byref(count),
+                byref(error),
+            )
+            if status != Status.OK:
+                _raise(status, error)
+        return nodes
+
+
+def _seed_record(seed: Seed) -> tuple[_Seed, tuple[NDArray[Any], ...]]:
+    """The C struct of a seed, and the arrays that it points to.
+
+    The library cannot see how long the arrays are, so their lengths are checked here.
+    """
+    points = _array("the seed's points", seed.points, np.float64, 3)
+    offsets = _array("the seed's offsets", seed.offsets, np.uint32, None)
+    closed = _array("the seed's closed flags", seed.closed, np.uint8, None)
+    fixed = None
+    if seed.fixed is not None:
+        fixed = _array("the seed's fixed flags", seed.fixed, np.uint8, None)
+    if len(offsets) != len(closed) + 1 or len(closed) == 0:
+        raise MeanderError(
+            "a seed needs at least one strand and one more offset than strands, not "
+            f"{len(offsets)} offsets for {len(closed)} strands",
+            Status.INVALID_SEED,
+        )
+    if offsets[0] != 0 or offsets[-1] != len(points) or np.any(offsets[1:] < offsets[:-1]):
+        raise MeanderError(
+            f"the seed's offsets must rise from 0 to the number of its points, {len(points)}",
+            Status.INVALID_SEED,
+        )
+    if fixed is not None and len(fixed) != len(points):
+        raise MeanderError(
+            f"the seed needs one fixed flag for each of its {len(points)} points, not {len(fixed)}",
+            Status.INVALID_SEED,
+        )
+    record = _Seed(
+        struct_size=sizeof(_Seed),
+        strand_count=len(closed),
+        points=_address(points),
+        offsets=_address(offsets),
+        closed=_address(closed),
+        fixed=_address(fixed),
+    )
+    arrays = (points, offsets, closed) if fixed is None else (points, offsets, closed, fixed)
+    return record, arrays

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The settings on an object: on a surface for the next run, on a result those it was made with.
+
+They are saved with the file. A result is a curve object whose settings name its surface.
+"""
+
+import bpy
+from bpy.props import (
+    BoolProperty,
+    EnumProperty,
+    FloatProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
+
+# What run() returns, as a user reads it.
+STOP_TEXTS = {
+    "converged": "Converged",
+    "iteration_limit": "Iteration limit",
+    "stalled": "Stalled",
+    "cancelled": "Stopped",
+}
+
+
+def _is_mesh(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return object.type == "MESH"
+
+
+def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return object.type == "CURVE" and object != settings.id_data
+
+
+class MeanderFigures(bpy.types.PropertyGroup):
+    """What the last run came to; shown in the panel, set by the operator."""
+
+    stop_reason: StringProperty(name="Stop Reason", options=set())
+    nodes: IntProperty(name="Nodes", options=set())
+    iterations: IntProperty(name="Iterations", options=set())
+    length: FloatProperty(name="Length", unit="LENGTH", options=set())
+    spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH", options=set())
+    seconds: FloatProperty(name="Seconds", options=set())
+
+
+class MeanderSettings(bpy.types.PropertyGroup):
+    """How to fill a surface."""
+
+    surface: PointerProperty(
+        type=bpy.types.Object,
+        name="Surface",
+        description="The mesh that this curve fills; set on curves that Meander has made",
+        poll=_is_mesh,
+        options=set(),
+    )
+    seed: PointerProperty(
+        type=bpy.types.Object,
+        name="Seed",
+        description=(
+            "Curve to start from, on or close to the surface; each spline becomes a strand and "
+            "stays open or cyclic. Empty: a small loop on every part of the mesh"
+        ),
+        poll=_is_curve,
+        options=set(),
+    )
+    spacing: FloatProperty(
+        name="Spacing",
+        description=(
+            "Distance between neighbouring strands, in world units. "
+            "Half of it takes four times as long; 0 proposes one from the size of the surface"
+        ),
+        unit="LENGTH",
+        default=0.0,
+        min=0.0,
+        soft_max=10.0,
+        precision=3,
+        step=1,
+        options=set(),
+    )
+    density_group: StringProperty(
+        name="Vertex Group",
+        description=(
+            "Vertex group that varies the spacing over the surface. Empty: the same everywhere"
+        ),
+        options=set(),
+    )
+    factor_0: FloatProperty(
+        name="Weight 0",
+        description="The spacing is multiplied by this where the weight is 0",
+        default=1.0,
+        min=0.05,
+        max=5.0,
+        soft_min=0.25,
+        soft_max=2.0,
+        precision=2,
+        step=5,
+        options=set(),
+    )
+    factor_1: FloatProperty(
+        name="Weight 1",
+        description=(
+            "The spacing is multiplied by this where the weight is 1; 0.5 is twice as dense"
+        ),
+        default=0.5,
+        min=0.05,
+        max=5.0,
+        soft_min=0.25,
+        soft_max=2.0,
+        precision=2,
+        step=5,
+        options=set(),
+    )
+    fixed_ends: BoolProperty(
+        name="Fixed Ends",
+        description="Keep the end points of open seed splines where they are",
+        default=False,
+        options=set(),
+    )
+    preset: EnumProperty(
+        name="Preset",
+        description="Weights, step and stopping rule of the flow",
+        items=(
+            ("EVEN", "Even", "Evenly spaced, few hairpins, no gaps"),
+            ("PAPER", "Paper", "As published: faster, more winding, less even"),
+        ),
+        default="EVEN",
+        options=set(),
+    )
+    iteration_limit: IntProperty(
+        name="Iteration Limit",
+        description="Stop after this many iterations at the latest; 0 leaves it to the preset",
+        default=0,
+        min=0,
+        soft_max=2000,
+        options=set(),
+    )
+    threads: IntProperty(
+        name="Threads",
+        description="Threads to compute with; 0 uses them all. The result is the same",
+        default=0,
+        min=0,
+        max=256,
+        soft_max=16,
+        options=set(),
+    )
+    use_bevel: BoolProperty(
+        name="Round Bevel",
+        description="Give the finished curve a round thickness",
+        default=True,
+        options=set(),
+    )
+    bevel_share: FloatProperty(
+        name="Radius",
+        description=(
+            "Radius of the round bevel as a share of the spacing; at 0.5 neighbours touch"
+        ),
+        default=0.2,
+        min=0.001,
+        max=1.0,
+        soft_min=0.02,
+        soft_max=0.5,
+        subtype="FACTOR",
+        options=set(),
+    )
+    figures: PointerProperty(type=MeanderFigures, options=set())
+
+
+# What a result takes over from the settings that it was made with.
+COPIED = (
+    "seed",
+    "spacing",
+    "density_group",
+    "factor_0",
+    "factor_1",
+    "fixed_ends",
+    "preset",
+    "iteration_limit",
+    "threads",
+    "use_bevel",
+    "bevel_share",
+)
+
+
+def copy_settings(source: MeanderSettings, target: MeanderSettings) -> None:
+    """Copies what a user can choose, not the surface and not the figures."""
+    for name in COPIED:
+        setattr(target, name, getattr(source, name))
+
+
+def surface_of(object: bpy.types.Object | None) -> bpy.types.Object | None:
+    """The surface that an object stands for: a mesh itself, or the surface of a result."""
+    if object is None:
+        return None
+    if object.type == "MESH":
+        return object
+    return object.meander.surface if object.type == "CURVE" else None
+
+
+_CLASSES = (MeanderFigures, MeanderSettings)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.Object.meander = PointerProperty(type=MeanderSettings)
+
+
+def unregister() -> None:
+    del bpy.types.Object.meander
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

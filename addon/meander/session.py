@@ -1,0 +1,342 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One run as Blender sees it: what to solve, a preview while it grows, and how it ends.
+
+A session keeps names and arrays, never references to Blender's data: those die with undo, with
+deletion and with a new file. The preview lives in curve data of its own, so that a run that is
+cancelled leaves a continued result exactly as it was.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from . import blender_data, core, properties
+from .blender_data import DataError
+from .stepper import Problem, Snapshot, Stepper
+
+TICKS_PER_SECOND = 10
+KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
+# How far above the surface the preview is drawn, in spacings.
+PREVIEW_LIFT = 0.05
+
+
+@dataclass(frozen=True)
+class Key:
+    """How to find an object again: a name, and the library that a linked one comes from."""
+
+    name: str
+    library: str | None
+
+    @classmethod
+    def of(cls, object: bpy.types.Object) -> Key:
+        return cls(object.name, object.library.filepath if object.library else None)
+
+    def find(self) -> bpy.types.Object | None:
+        return bpy.data.objects.get((self.name, self.library))
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Everything that a run needs to know of the scene, read once when it begins."""
+
+    problem: Problem
+    surface: Key
+    settings: Key  # whose settings were used: the surface or the result
+    result: Key | None  # the result to continue or to fill anew; None makes a new one
+    matrix: np.ndarray  # of the surface
+    spacing: float
+    bevel_depth: float  # world units
+
+
+def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
+    """Reads the scene for a run on the active object: a mesh, or a result to go on with.
+
+    restart   start a result from the seed again, not from its own splines
+
+    Raises DataError or core.MeanderError with a sentence for what cannot be used.
+    """
+    active = context.active_object
+    surface = properties.surface_of(active)
+    if surface is None:
+        raise DataError("Choose a mesh to fill, or a curve that Meander has made")
+    if context.scene not in surface.users_scene[:]:
+        raise DataError(
+            f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
+        )
+    settings = active.meander
+    options = core.default_options(settings.preset.lower())
+    depsgraph = context.evaluated_depsgraph_get()
+    vertices, faces = blender_data.triangles_of(surface, depsgraph)
+    # As stored, so that a run that proposes its spacing and one that is given it are the same.
+    spacing = settings.spacing or float(
+        np.float32(blender_data.proposed_spacing(vertices, faces))
+    )
+    density = None
+    if settings.density_group:
+        weights = blender_data.vertex_group_weights(surface, depsgraph, settings.density_group)
+        density = blender_data.density_of_weights(weights, settings.factor_0, settings.factor_1)
+    seed_object = active if active is not surface and not restart else settings.seed
+    seed = None
+    if seed_object is not None:
+        seed = blender_data.strands_of_curve(seed_object, depsgraph, settings.fixed_ends)
+    options.radius = spacing / 2.0
+    options.threads = settings.threads
+    if settings.iteration_limit:
+        options.iteration_limit = settings.iteration_limit
+    return Plan(
+        problem=Problem(vertices, faces, options, seed, density),
+        surface=Key.of(surface),
+        settings=Key.of(active),
+        result=Key.of(active) if active is not surface else None,
+        matrix=blender_data.world_matrix(surface.evaluated_get(depsgraph)),
+        spacing=spacing,
+        bevel_depth=settings.bevel_share * spacing if settings.use_bevel else 0.0,
+    )
+
+
+class _Window:
+    """What a run borrows from the window: a timer, the status bar, the progress at the cursor."""
+
+    def __init__(self, context: bpy.types.Context) -> None:
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(1.0 / TICKS_PER_SECOND, window=context.window)
+        self._workspaces: set[str] = set()
+        manager.progress_begin(0.0, 100.0)
+
+    def show(self, context: bpy.types.Context, text: str, progress: float) -> None:
+        context.window_manager.progress_update(100.0 * progress)
+        # The text belongs to the workspace in front, and the user may change to another.
+        self._workspaces.add(context.workspace.name)
+        context.workspace.status_text_set(f"{text}    |    {KEYS}")
+        self._redraw_panels()
+
+    def give_back(self) -> None:
+        context = bpy.context
+        context.window_manager.event_timer_remove(self._timer)
+        context.window_manager.progress_end()
+        for name in self._workspaces:
+            workspace = bpy.data.workspaces.get(name)
+            if workspace is not None:
+                with context.temp_override(workspace=workspace):
+                    workspace.status_text_set(None)
+        self._redraw_panels()
+
+    def _redraw_panels(self) -> None:
+        for window in bpy.context.window_manager.windows:
+            for area in window.screen.areas:
+                if area.type == "VIEW_3D":
+                    area.tag_redraw()
+
+
+class Session:
+    """A run from its plan to its end.
+
+    In a window: start(), then tick() at every timer event while it returns True, then keep() or
+    not. Without: stepper.run(), then keep(). In any case, and last: end().
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.stepper = Stepper(plan.problem)
+        self.latest: Snapshot | None = None
+        self.stop_wanted = False
+        self.ended = False
+        self._window: _Window | None = None
+        self._preview: Key | None = None  # the object that shows the growing curve
+        self._preview_data = ""  # name of the curve data made for the preview
+        self._original_data = ""  # name of the data of a result that is continued
+
+    def start(self, context: bpy.types.Context) -> None:
+        """Begins the run on its own thread, with a timer for tick()."""
+        global _current
+        _current = self
+        self._window = _Window(context)
+        self.stepper.start()
+
+    def tick(self, context: bpy.types.Context) -> bool:
+        """Shows how far the run is. False when it has come to its end.
+
+        Raises DataError when the surface or the preview has been deleted meanwhile.
+        """
+        self._check_alive()
+        if self.stop_wanted:
+            self.stepper.cancel()
+        snapshot = self.stepper.poll()
+        if snapshot is not None:
+            self.latest = snapshot
+            self._show(snapshot.polylines)
+        self._window.show(context, self.progress_text(), self.progress())
+        return not self.stepper.finished
+
+    def progress(self) -> float:
+        """How much of its expected length the curve has, in [0, 1]."""
+        return self.latest.progress if self.latest is not None else 0.0
+
+    def progress_text(self) -> str:
+        """How far the run is, in words."""
+        if self.latest is None:
+            return "Preparing the surface"
+        return f"{100.0 * self.progress():.0f} % grown, iteration {self.latest.iterations}"
+
+    def keep(self, context: bpy.types.Context) -> tuple[bpy.types.Object, dict[str, Any]]:
+        """Waits for the end of the run and makes what has grown the result.
+
+        Returns the curve object and the figures of the run. Raises what went wrong in the run.
+        """
+        snapshot, statistics, stop_reason = self.stepper.result()
+        self._check_alive()
+        self._end_preview()
+        plan = self.plan
+        surface = plan.surface.find()
+        result = blender_data.write_curve(
+            snapshot.polylines,
+            surface,
+            f"{surface.name} Meander",
+            curve_object=plan.result.find() if plan.result else None,
+            matrix=plan.matrix,
+            bevel_depth=plan.bevel_depth,
+        )
+        self._store(surface, result, statistics, stop_reason)
+        _select_only(context, result)
+        return result, statistics
+
+    def end(self) -> None:
+        """Ends the run, gives back what it borrowed, and takes away what keep() has not kept.
+
+        May be called at any time and more than once.
+        """
+        global _current
+        if self.ended:
+            return
+        self.ended = True
+        if _current is self:
+            _current = None
+        self.stepper.abandon()
+        self.stepper.join()
+        if self._window is not None:
+            self._window.give_back()
+        self._end_preview()
+
+    def _check_alive(self) -> None:
+        if self.plan.surface.find() is None:
+            raise DataError("The surface was deleted while the curve was growing; start again")
+        changed = self._preview if self._preview is not None else self.plan.result
+        if changed is not None and changed.find() is None:
+            raise DataError("The curve was deleted while it was growing; start again")
+
+    # -- preview -----------------------------------------------------------------------------
+
+    def _show(self, polylines: core.Polylines) -> None:
+        if self._preview is None:
+            self._begin_preview()
+        # A line that lies in the surface flickers; seen a little above it, it is clear.
+        lifted = polylines.positions + PREVIEW_LIFT * self.plan.spacing * polylines.normals
+        blender_data.write_splines(
+            self._preview.find().data, polylines._replace(positions=lifted), self.plan.matrix
+        )
+
+    def _begin_preview(self) -> None:
+        plan = self.plan
+        existing = plan.result.find() if plan.result else None
+        if existing is None:
+            surface = plan.surface.find()
+            preview = blender_data.new_curve_object(f"{surface.name} Meander", surface)
+        else:
+            preview = existing
+            self._original_data = existing.data.name
+            existing.data = existing.data.copy()
+            existing.data.bevel_depth = 0.0
+        self._preview = Key.of(preview)
+        self._preview_data = preview.data.name
+
+    def _end_preview(self) -> None:
+        if self._preview is None:
+            return
+        preview = self._preview.find()
+        original = bpy.data.curves.get(self._original_data) if self._original_data else None
+        if preview is not None:
+            if original is not None:
+                preview.data = original
+            else:
+                bpy.data.objects.remove(preview)
+        data = bpy.data.curves.get(self._preview_data)
+        if data is not None and data.users == 0:
+            bpy.data.curves.remove(data)
+        self._preview = None
+
+    # -- result ------------------------------------------------------------------------------
+
+    def _store(
+        self,
+        surface: bpy.types.Object,
+        result: bpy.types.Object,
+        statistics: dict[str, Any],
+        stop_reason: str,
+    ) -> None:
+        """Writes the settings and the figures of the run to the result, and to whoever asked."""
+        source = self.plan.settings.find()
+        if source is None:
+            source = result
+        targets = {source.name: source, result.name: result}.values()
+        if source != result:
+            properties.copy_settings(source.meander, result.meander)
+        result.meander.surface = surface
+        for target in targets:
+            if target.library is not None:  # linked objects cannot be changed
+                continue
+            target.meander.spacing = self.plan.spacing
+            figures = target.meander.figures
+            figures.stop_reason = stop_reason
+            figures.nodes = int(statistics["nodes"])
+            figures.iterations = int(statistics["iterations"])
+            figures.length = float(statistics["length"])
+            figures.spacing_median = float(statistics["spacing_median"])
+            figures.seconds = float(statistics["seconds_total"])
+
+
+def _select_only(context: bpy.types.Context, object: bpy.types.Object) -> None:
+    """Makes the object active and the only one selected, as Blender does with what it adds.
+
+    Not while painting weights: the user goes on painting on the surface.
+    """
+    view_layer = context.view_layer
+    if context.mode != "OBJECT" or view_layer.objects.get(object.name) != object:
+        return
+    for other in list(context.selected_objects):
+        other.select_set(False)
+    object.select_set(True)
+    view_layer.objects.active = object
+
+
+# The session that is going. There is one at most: it has the status bar and the Esc key.
+_current: Session | None = None
+
+
+def current() -> Session | None:
+    """The session that is going, or None."""
+    return _current
+
+
+def end_current() -> None:
+    """Ends the session that is going, if there is one, and restores what was there before it."""
+    if _current is not None:
+        _current.end()
+
+
+@persistent
+def _before_load(*_arguments: object) -> None:
+    end_current()
+
+
+def register() -> None:
+    bpy.app.handlers.load_pre.append(_before_load)
+
+
+def unregister() -> None:
+    end_current()
+    bpy.app.handlers.load_pre.remove(_before_load)

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The add-on's zip: sources, libraries and licences in one folder, byte for byte the same for the
+# same contents.
+
+set(addon_zip "${PROJECT_BINARY_DIR}/meander-${PROJECT_VERSION}.zip")
+
+# Always run: it takes a blink, and a glob of the add-on's files as dependencies would go stale.
+add_custom_target(addon
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/make_addon_zip.py"
+          --addon "${PROJECT_SOURCE_DIR}/addon/meander"
+          --version "${PROJECT_VERSION}"
+          --native $<TARGET_FILE:meander>
+          --native ${openmesh_copy}
+          --licence "${PROJECT_SOURCE_DIR}/LICENSE"
+          --licence "${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md"
+          --output "${addon_zip}"
+  DEPENDS meander
+  COMMENT "Packing ${addon_zip}" VERBATIM)

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+file(GLOB bench_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/native/bench/*.cpp")
+if(bench_sources)
+  add_executable(meander_bench ${bench_sources})
+  target_link_libraries(meander_bench PRIVATE meander_core)
+endif()

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Native tests: every tests/native/test_*.cpp is a GoogleTest program of its own, linked with
+# meander_core, so that it may test the inside as well as the C API.
+
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/native/test_*.cpp")
+# What the tests share (meshes, brute-force checks) stands beside them under other names.
+file(GLOB test_support CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/native/*.cpp")
+if(test_sources)
+  list(REMOVE_ITEM test_support ${test_sources})
+endif()
+
+foreach(test_source IN LISTS test_sources)
+  get_filename_component(test_name "${test_source}" NAME_WE)
+  add_executable(${test_name} "${test_source}" ${test_support})
+  target_include_directories(${test_name} PRIVATE "${PROJECT_SOURCE_DIR}/tests/native")
+  target_link_libraries(${test_name} PRIVATE meander_core GTest::gtest GTest::gtest_main)
+  gtest_discover_tests(${test_name}
+    TEST_PREFIX "${test_name}."
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300)
+endforeach()
+
+# The header is C99: one C program runs a step through the shared library, as a stranger would.
+add_executable(c99_step tests/native/c99_step.c)
+target_compile_options(c99_step PRIVATE -pedantic -Wall -Wextra -Werror)
+target_link_libraries(c99_step PRIVATE meander m)
+if(MEANDER_SANITIZE)
+  target_link_libraries(c99_step PRIVATE meander_compile_options)
+endif()
+# Spelt out, because CMake would warn that OpenMesh exists both there and in the system.
+set_target_properties(c99_step PROPERTIES
+  BUILD_WITH_INSTALL_RPATH ON
+  INSTALL_RPATH "${PROJECT_BINARY_DIR}/lib")
+add_test(NAME c99_step COMMAND c99_step "${PROJECT_VERSION}")
+
+# The shared library exports what the header declares, nothing more and nothing less, and finds
+# all it needs beside itself.
+add_test(NAME exported_symbols
+  COMMAND ${CMAKE_COMMAND}
+          "-DLIBRARY=$<TARGET_FILE:meander>"
+          "-DHEADER=${PROJECT_SOURCE_DIR}/native/include/meander/meander.h"
+          "-DNM=${CMAKE_NM}" "-DREADELF=${CMAKE_READELF}"
+          -P "${PROJECT_SOURCE_DIR}/cmake/check_library.cmake")
+
+add_test(NAME addon_versions
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/make_addon_zip.py"
+          --addon "${PROJECT_SOURCE_DIR}/addon/meander" --version "${PROJECT_VERSION}" --check-only)
+
+set_tests_properties(c99_step exported_symbols addon_versions PROPERTIES TIMEOUT 60)

@@ -1,0 +1,372 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * meander.h - grow a curve on a triangle mesh until it fills the surface at an even spacing.
+ *
+ * The method is Noma, Sellan, Sharp, Singh, Jacobson, "Surface-Filling Curve Flows via Implicit
+ * Medial Axes", ACM Trans. Graph. 43, 4 (2024), doi 10.1145/3658158; equation numbers are its own.
+ *
+ * Words: the surface has vertices, edges and faces; the curve has strands (connected components,
+ * open or closed), nodes and segments; a segment is a geodesic path between two nodes, straight in
+ * every face that it crosses. The radius r is half the wanted spacing of neighbouring strands.
+ *
+ *     meander_surface_create     mesh in; checked, copied, ready for any number of flows
+ *     meander_flow_create        seed, spacing, density; nothing moves yet
+ *     meander_flow_step / run    the flow; cancel from any thread through a meander_context
+ *     meander_flow_polylines     curve out, at any time between steps
+ *
+ * Units.    Lengths are in the units of the vertices that the caller passed. Indices are zero-based.
+ * Memory.   The library never keeps a pointer of the caller's after a call returns, and never hands
+ *           out memory that the caller must free: outputs go into the caller's arrays, whose size a
+ *           first call asks for (two-call sizing, see meander_flow_polylines).
+ * Errors.   Every call that can fail returns a meander_status and, if `error` is not NULL, writes
+ *           one sentence for people into it: what is wrong, which element, and what to do. On
+ *           failure outputs are untouched unless the call says otherwise. Nothing is printed,
+ *           thrown, or kept in a global.
+ * Threads.  A surface may be shared by flows on several threads once it is created. A flow belongs
+ *           to one thread at a time. A context may be touched from any thread at any time.
+ * Results.  The same input and options give the same bytes for any number of threads.
+ */
+#ifndef MEANDER_H
+#define MEANDER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define MEANDER_API __declspec(dllexport)
+#else
+#define MEANDER_API __attribute__((visibility("default")))
+#endif
+
+/* Grows whenever a struct or a signature changes; meander_abi_version() returns the library's. */
+#define MEANDER_ABI_VERSION 1
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------------------------------ */
+/* Status and errors                                                                            */
+
+typedef int32_t meander_status;
+enum {
+  MEANDER_OK = 0,
+  MEANDER_INVALID_ARGUMENT = 1, /* a NULL, a size, an option out of its range */
+  MEANDER_INVALID_MESH = 2,     /* the mesh cannot be used; `element` says where */
+  MEANDER_INVALID_SEED = 3,     /* off the surface, crossing or touching itself, too short */
+  MEANDER_CANCELLED = 4,        /* the context was cancelled; the flow is whole and can go on */
+  MEANDER_OUT_OF_MEMORY = 5,
+  MEANDER_INTERNAL = 6          /* a defect of the library; the sentence says what to report */
+};
+
+/* What `element_index` of an error counts. */
+enum {
+  MEANDER_ELEMENT_NONE = 0,
+  MEANDER_ELEMENT_VERTEX = 1,     /* index of a vertex */
+  MEANDER_ELEMENT_FACE = 2,       /* index of a face */
+  MEANDER_ELEMENT_EDGE = 3,       /* index of one end vertex; `element_index2` is the other */
+  MEANDER_ELEMENT_SEED_POINT = 4  /* index of a seed point */
+};
+
+/* Filled by the library when a call fails; owned by the caller; may be NULL in every call. */
+typedef struct meander_error {
+  uint32_t struct_size; /* set by the caller: sizeof(meander_error) */
+  int32_t status;
+  int32_t element_kind;
+  uint32_t element_index;
+  uint32_t element_index2;
+  char text[492]; /* UTF-8, zero-terminated, one sentence */
+} meander_error;
+
+/* A short name of a status, such as "invalid mesh"; never NULL; static storage. Any thread. */
+MEANDER_API const char* meander_status_name(meander_status status);
+
+/* The library's version, such as "0.1.0"; static storage. Any thread. */
+MEANDER_API const char* meander_version(void);
+
+/* The MEANDER_ABI_VERSION that the library was built with. Compare before any other call. */
+MEANDER_API uint32_t meander_abi_version(void);
+
+/* How the library lays a struct out, so that a binding can compare its own declaration.
+ *
+ * name      "meander_error", "meander_surface_statistics", "meander_seed", "meander_flow_options",
+ *           "meander_flow_statistics" or "meander_iteration"
+ * layout    receives, up to `capacity` values: sizeof(struct), then the offset of every field in
+ *           the order of declaration; may be NULL when capacity is 0
+ * returns   1 + the number of fields; 0 if the name is unknown. Any thread. */
+MEANDER_API size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Context: progress and cancel                                                                 */
+
+typedef struct meander_context meander_context;
+
+/* A new context, not cancelled; NULL only when memory is exhausted. */
+MEANDER_API meander_context* meander_context_create(void);
+
+/* Frees a context; NULL is allowed. No call may be using it. */
+MEANDER_API void meander_context_destroy(meander_context* context);
+
+/* Asks every call that was given this context to return MEANDER_CANCELLED soon: within one
+ * iteration at the latest. Sticky and idempotent; any thread; NULL is ignored. */
+MEANDER_API void meander_context_cancel(meander_context* context);
+
+/* Takes a cancel back, so that the context can be used again. */
+MEANDER_API void meander_context_reset(meander_context* context);
+
+/* How far the present meander_flow_run is, in [0, 1]: never falling during one run, 1 when it has
+ * ended, moved once an iteration. 0 before the first run, and for NULL. Any thread. */
+MEANDER_API double meander_context_progress(const meander_context* context);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Surface                                                                                      */
+
+typedef struct meander_surface meander_surface;
+
+/* Checks a triangle mesh and builds a surface from it. The mesh may be open or closed, of any
+ * genus, and of several components. Faces that look the wrong way within their component are turned
+ * round (see turned_faces below); vertices that no face uses are ignored.
+ *
+ * vertices      double[3 * vertex_count], finite, in the caller's units
+ * faces         uint32_t[3 * face_count], each below vertex_count
+ * vertex_count, face_count   at least 1 face; at most 2^30 each
+ * surface       receives the new surface; destroy it with meander_surface_destroy
+ * error         may be NULL
+ *
+ * Refused with MEANDER_INVALID_MESH, naming the first element: no faces; a coordinate that is NaN or
+ * infinite; an index out of range; a vertex twice in a face; a face without area (its height less
+ * than 1e-8 of the size of the whole mesh); an edge with more than two faces; a vertex where fans of
+ * faces meet in one point (bow-tie); a component that cannot be oriented (Moebius strip).
+ * Lengths matter only relative to the mesh: a mesh times 0.001 gives the same curve times 0.001. */
+MEANDER_API meander_status meander_surface_create(const double* vertices, size_t vertex_count,
+                                                  const uint32_t* faces, size_t face_count,
+                                                  meander_surface** surface, meander_error* error);
+
+/* Frees a surface; NULL is allowed. Flows made from it stay usable. */
+MEANDER_API void meander_surface_destroy(meander_surface* surface);
+
+typedef struct meander_surface_statistics {
+  uint32_t struct_size; /* set by the caller: sizeof(meander_surface_statistics) */
+  uint32_t vertices;    /* used by at least one face */
+  uint32_t faces;
+  uint32_t components;
+  uint32_t boundary_loops;
+  uint32_t turned_faces;   /* faces whose orientation disagreed with their component's first face */
+  uint32_t unused_vertices;
+  uint32_t reserved;
+  double area;     /* square units */
+  double diagonal; /* of the axis-aligned bounding box */
+} meander_surface_statistics;
+
+/* Fills `statistics`. Any thread. */
+MEANDER_API meander_status meander_surface_get_statistics(const meander_surface* surface,
+                                                          meander_surface_statistics* statistics,
+                                                          meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: seed, options                                                                          */
+
+/* Strands to start from, in space. Every point is moved to the nearest point of the surface and
+ * consecutive points are joined by geodesics. Refused with MEANDER_INVALID_SEED: a point farther
+ * than the local r from the surface; strands that cross or touch themselves or each other; a closed
+ * strand with fewer than 3 different points, an open one with fewer than 2; consecutive points on
+ * different components. */
+typedef struct meander_seed {
+  uint32_t struct_size;           /* set by the caller: sizeof(meander_seed) */
+  uint32_t strand_count;          /* at least 1 */
+  const double* points;           /* double[3 * offsets[strand_count]], strand after strand */
+  const uint32_t* offsets;        /* uint32_t[strand_count + 1], from 0, not falling */
+  const uint8_t* closed;          /* uint8_t[strand_count]: 1 closed, 0 open */
+  const uint8_t* fixed;           /* uint8_t[offsets[strand_count]]: 1 never moves; NULL: none */
+} meander_seed;
+
+/* Presets for meander_flow_options_init. */
+enum {
+  MEANDER_PRESET_EVEN = 0,  /* the default: evenly spaced, few hairpins, no gaps */
+  MEANDER_PRESET_PAPER = 1  /* the authors' weights, step and stopping rule */
+};
+
+/* How a medial ball ends at the boundary of an open surface. */
+enum {
+  MEANDER_BOUNDARY_CENTRE = 0,  /* its centre stops at the boundary: strands come to within r of it */
+  MEANDER_BOUNDARY_OBSTACLE = 1 /* it touches the boundary, as the paper has it: strands stay 2 r away */
+};
+
+/* When a flow has converged. */
+enum {
+  MEANDER_STOP_SETTLED = 0, /* the picture has stopped changing: nodes within 0.04 r of the curve of
+                               10 iterations before, length within 0.25 % */
+  MEANDER_STOP_PAPER = 1    /* |d|_2 / n < 3e-4 r, the authors' program's own test */
+};
+
+/* Options of one flow. Always start from meander_flow_options_init, which is the only place where
+ * defaults live. Weights have no unit and mean the same at every scale and segment length. */
+typedef struct meander_flow_options {
+  uint32_t struct_size;     /* set by meander_flow_options_init */
+  uint32_t preset;          /* which preset filled the struct; informative */
+  double radius;            /* r, half the spacing; > 0; no default */
+  double segment_length;    /* h: nodes are kept between h and 2 h apart; 0: 0.2 r. At most r. */
+  double max_radius;        /* r_max, clamp of the medial radius; 0: the preset's. At least 1.5 r. */
+  double length_weight;     /* t, weight of eq. 5; >= 0 */
+  double bending_weight;    /* b, weight of b r^2 sum |t_i - t_(i-1)|^2 / w_i (scaled eq. 12); >= 0 */
+  double medial_weight;     /* factor on alpha = 2 sqrt(2) / r^2 of eq. 9; > 0; 1 keeps the spacing */
+  double step;              /* factor on the displacement of eq. 10; in (0, 2] */
+  double growth_coarsening; /* while growing, segments are this much longer than h; in [1, 4] */
+  uint32_t polish;          /* 1: close the gaps at the end with length weights that follow the spacing */
+  uint32_t stop_rule;       /* MEANDER_STOP_... */
+  double polish_bending_weight; /* b in the polish */
+  double polish_length_offset;  /* t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the */
+  double polish_length_gain;    /* medial radius in units of r, smoothed along the curve over 2 r */
+  uint32_t boundary_rule;   /* MEANDER_BOUNDARY_... */
+  uint32_t iteration_limit; /* of meander_flow_run, counted over the life of the flow; >= 1 */
+  uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
+  uint32_t reserved;
+} meander_flow_options;
+
+/* Fills every field of `options` with the preset's values; radius is set to 0 and must be chosen.
+ * Returns MEANDER_INVALID_ARGUMENT for NULL or an unknown preset. Any thread. */
+MEANDER_API meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: life                                                                                   */
+
+typedef struct meander_flow meander_flow;
+
+/* Places a seed on a surface, ready to flow.
+ *
+ * surface   not NULL; the flow keeps what it needs of it alive by itself
+ * seed      NULL: one small closed strand in the middle of the first face of every component, widened
+ *           to the spacing where the faces are smaller
+ * density   double[vertex_count as passed to meander_surface_create], each > 0 and finite, or NULL
+ *           for 1 everywhere: alpha(v) = density(v) alpha, so the local spacing is the spacing
+ *           divided by sqrt(density); at most a factor of 10,000 between the least and the greatest
+ * options   as above
+ * flow      receives the new flow; destroy it with meander_flow_destroy */
+MEANDER_API meander_status meander_flow_create(const meander_surface* surface,
+                                               const meander_seed* seed, const double* density,
+                                               const meander_flow_options* options,
+                                               meander_flow** flow, meander_error* error);
+
+/* Frees a flow; NULL is allowed. */
+MEANDER_API void meander_flow_destroy(meander_flow* flow);
+
+/* Runs one iteration (section 3 of the paper): frames, medial axis, quadratic model, solve,
+ * retraction, reconnection, crossing test and back-off, refinement. After it, as before it, no two
+ * segments cross or touch, every point is on the surface, and strands and fixed nodes are as seeded.
+ *
+ * context   NULL, or a context; when it is cancelled during the step, the flow keeps the state of
+ *           the last whole iteration and MEANDER_CANCELLED is returned
+ * returns   MEANDER_OK also when the flow had converged before: statistics say so, and another step
+ *           is still taken, so that an interactive host decides for itself when to stop */
+MEANDER_API meander_status meander_flow_step(meander_flow* flow, meander_context* context,
+                                             meander_error* error);
+
+/* Steps until the flow converges, stalls, is cancelled or has made `iteration_limit` iterations;
+ * the statistics say which. MEANDER_CANCELLED leaves the last whole iteration in place. */
+MEANDER_API meander_status meander_flow_run(meander_flow* flow, meander_context* context,
+                                            meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: figures                                                                                */
+
+enum {
+  MEANDER_RUNNING = 0,
+  MEANDER_CONVERGED = 1,
+  MEANDER_ITERATION_LIMIT = 2,
+  MEANDER_STALLED = 3, /* every step is blocked by crossings and nothing moves any more */
+  MEANDER_STOPPED = 4  /* cancelled */
+};
+
+/* Why a run of this flow would end now: MEANDER_RUNNING ... MEANDER_STOPPED, kept up to date by every
+ * step and run. Costs nothing. MEANDER_RUNNING for NULL. */
+MEANDER_API uint32_t meander_flow_stop_reason(const meander_flow* flow);
+
+typedef struct meander_flow_statistics {
+  uint32_t struct_size; /* set by the caller: sizeof(meander_flow_statistics) */
+  uint32_t stop_reason; /* MEANDER_RUNNING ... MEANDER_STOPPED */
+  uint32_t iterations;
+  uint32_t nodes;
+  uint32_t strands;
+  uint32_t closed_strands;
+  uint32_t crossings;     /* pairs of pieces that cross now, counted afresh; 0 */
+  uint32_t polishing;     /* 1 once the flow closes its last gaps */
+  double length;          /* of the curve */
+  double energy;          /* eq. 2 at the present curve: t L + alpha E_M, plus bending */
+  double mean_step;       /* mean length of the displacements of the last iteration */
+  double spacing_target;  /* 2 r */
+  double spacing_p05;     /* percentiles of twice the medial radius over all nodes and both sides, */
+  double spacing_median;  /* where density is not 1 scaled to nominal, so that they compare with */
+  double spacing_p95;     /* spacing_target everywhere */
+  double seconds_total;
+  double seconds_medial_axis;
+  double seconds_solve;
+  double seconds_retract;
+  double seconds_reconnect;
+  double seconds_crossings;
+  double seconds_refine;
+} meander_flow_statistics;
+
+/* Fills `statistics` for the present state; costs one medial axis and one crossing test. */
+MEANDER_API meander_status meander_flow_get_statistics(meander_flow* flow,
+                                                       meander_flow_statistics* statistics,
+                                                       meander_error* error);
+
+typedef struct meander_iteration {
+  uint32_t iteration; /* from 1 */
+  uint32_t nodes;
+  double length;
+  double mean_step;
+  double energy;
+  double seconds; /* of this iteration */
+} meander_iteration;
+
+/* Copies the record of the last iterations, oldest first.
+ *
+ * records   meander_iteration[capacity], or NULL when capacity is 0
+ * count     receives the number of iterations so far; when it exceeds capacity nothing is copied */
+MEANDER_API meander_status meander_flow_get_history(const meander_flow* flow,
+                                                    meander_iteration* records, size_t capacity,
+                                                    size_t* count, meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: curve out                                                                              */
+
+/* Copies the curve as full geodesic polylines: nodes and, between them, every point where a segment
+ * crosses an edge of the mesh, so that every straight piece lies in one face.
+ *
+ * positions       double[3 * point_capacity]
+ * normals         double[3 * point_capacity], unit surface normals, or NULL
+ * point_capacity  room in the two arrays, in points
+ * point_count     receives the number of points
+ * offsets         uint32_t[strand_capacity + 1]: strand s has points offsets[s] .. offsets[s + 1] - 1
+ * closed          uint8_t[strand_capacity]: 1 if the last point joins the first (not repeated)
+ * strand_capacity room in `closed`, in strands
+ * strand_count    receives the number of strands
+ *
+ * Two-call sizing: where a capacity is too small (0 with NULL arrays to ask), counts are written,
+ * arrays are untouched, and MEANDER_OK is returned. Strands come in the order of the seed's. */
+MEANDER_API meander_status meander_flow_get_polylines(const meander_flow* flow, double* positions,
+                                                      double* normals, size_t point_capacity,
+                                                      size_t* point_count, uint32_t* offsets,
+                                                      uint8_t* closed, size_t strand_capacity,
+                                                      size_t* strand_count, meander_error* error);
+
+/* Copies the nodes as points of the mesh, strand after strand.
+ *
+ * faces          uint32_t[capacity]: index of the face, as passed to meander_surface_create
+ * barycentrics   double[3 * capacity]: weights of the face's vertices in the caller's order; sum 1
+ * radii          double[2 * capacity]: r+ and r- of the node (eq. 6), clamped at r_max, of the last
+ *                medial axis, be it a step's or the statistics' (0 before the first), or NULL
+ * fixed          uint8_t[capacity], or NULL
+ * capacity       room in the arrays, in nodes
+ * count          receives the number of nodes; when it exceeds capacity nothing is copied */
+MEANDER_API meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
+                                                  double* barycentrics, double* radii,
+                                                  uint8_t* fixed, size_t capacity, size_t* count,
+                                                  meander_error* error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* MEANDER_H */

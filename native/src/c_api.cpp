@@ -1,0 +1,543 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The border: validate, catch, translate; nothing else.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "failure.h"
+#include "flow.h"
+#include "meander/meander.h"
+#include "version.h"
+
+struct meander_context {
+  std::atomic<bool> cancelled{false};
+  std::atomic<double> progress{0};
+};
+
+struct meander_surface {
+  std::shared_ptr<const meander::Surface> surface;
+};
+
+struct meander_flow {
+  std::unique_ptr<meander::Flow> flow;
+};
+
+namespace {
+
+using namespace meander;
+
+void report(meander_error* error, meander_status status, const char* text, int32_t kind = MEANDER_ELEMENT_NONE,
+            uint32_t index = 0, uint32_t index2 = 0) noexcept {
+  if (!error || error->struct_size != sizeof(meander_error)) return;
+  error->status = status;
+  error->element_kind = kind;
+  error->element_index = index;
+  error->element_index2 = index2;
+  const size_t length = std::min(std::strlen(text), sizeof(error->text) - 1);
+  std::memcpy(error->text, text, length);
+  error->text[length] = '\0';
+}
+
+/// Runs a call; whatever it throws becomes a status and a sentence.
+template <class Call>
+meander_status guard(meander_error* error, Call&& call) noexcept {
+  try {
+    return call();
+  } catch (const Failure& failure) {
+    report(error, failure.status, failure.what(), failure.element_kind, failure.index, failure.index2);
+    return failure.status;
+  } catch (const std::bad_alloc&) {
+    report(error, MEANDER_OUT_OF_MEMORY, "There is not enough memory; use a larger spacing or a smaller mesh.");
+    return MEANDER_OUT_OF_MEMORY;
+  } catch (const std::exception& e) {
+    report(error, MEANDER_INTERNAL, (std::string("The library failed (") + e.what() + "); please report this.").c_str());
+    return MEANDER_INTERNAL;
+  } catch (...) {
+    report(error, MEANDER_INTERNAL, "The library failed in an unknown way; please report this.");
+    return MEANDER_INTERNAL;
+  }
+}
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Failure(MEANDER_INVALID_ARGUMENT, sentence); }
+
+void require(bool condition, const char* sentence) {
+  if (!condition) refuse(sentence);
+}
+
+template <class Struct>
+void require_struct(const Struct* s, const char* name) {
+  if (!s) refuse(std::string("The pointer to ") + name + " is NULL.");
+  if (s->struct_size != sizeof(Struct)) {
+    refuse(std::string("struct_size of ") + name + " is " + std::to_string(s->struct_size) + " but this library's is " +
+           std::to_string(sizeof(Struct)) + "; the caller was built for another version.");
+  }
+}
+
+void require_range(double value, double low, double high, const char* name) {
+  if (std::isfinite(value) && value >= low && value <= high) return;
+  refuse(std::string("The option ") + name + " is " + std::to_string(value) + "; it must be between " +
+         std::to_string(low) + " and " + std::to_string(high) + ".");
+}
+
+/// Rounds to 40 significant bits, so that a length that was scaled together with the mesh is the same
+/// to the last bit once it is divided by the mesh's size (see Surface). The offset avoids ties.
+double settle(double x) {
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  return std::ldexp(std::floor(std::ldexp(mantissa, 40) + 0.38196601125), exponent - 40);
+}
+
+FlowSettings checked_settings(const meander_flow_options& o, const Surface& surface) {
+  if (!(std::isfinite(o.radius) && o.radius > 0)) {
+    refuse("The spacing must be a positive number; it is " + std::to_string(2 * o.radius) + ".");
+  }
+  FlowSettings s;
+  s.radius = settle(o.radius / surface.scale());
+  if (2 * s.radius > 1 || 4 * s.radius * s.radius > surface.area()) {
+    refuse("The spacing " + std::to_string(2 * o.radius) + " is larger than the surface (its diagonal is " +
+           std::to_string(surface.scale()) + "); choose a smaller spacing.");
+  }
+  if (surface.area() / (2 * s.radius * s.radius) > 2e8) {
+    refuse("The spacing " + std::to_string(2 * o.radius) +
+           " is so small that the curve would need more than 500 million nodes; choose a larger spacing.");
+  }
+  if (o.segment_length != 0) require_range(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
+  if (o.max_radius != 0) require_range(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
+  const double default_clamp = o.preset == MEANDER_PRESET_PAPER ? 10 : 3;
+  s.segment_length = settle(o.segment_length != 0 ? o.segment_length / surface.scale() : 0.2 * s.radius);
+  s.max_radius = settle(o.max_radius != 0 ? o.max_radius / surface.scale() : default_clamp * s.radius);
+  require_range(o.length_weight, 0, 1e6, "length_weight");
+  require_range(o.bending_weight, 0, 1e6, "bending_weight");
+  require_range(o.medial_weight, 1e-6, 1e6, "medial_weight");
+  require_range(o.step, 1e-3, 2, "step");
+  require_range(o.growth_coarsening, 1, 4, "growth_coarsening");
+  require_range(o.polish_bending_weight, 0, 1e6, "polish_bending_weight");
+  require_range(o.polish_length_offset, -10, 10, "polish_length_offset");
+  require_range(o.polish_length_gain, 0, 100, "polish_length_gain");
+  require(o.polish <= 1, "The option polish must be 0 or 1.");
+  require(o.stop_rule <= MEANDER_STOP_PAPER, "The option stop_rule is none of MEANDER_STOP_...");
+  require(o.boundary_rule <= MEANDER_BOUNDARY_OBSTACLE, "The option boundary_rule is none of MEANDER_BOUNDARY_...");
+  require(o.preset <= MEANDER_PRESET_PAPER, "The option preset is none of MEANDER_PRESET_...");
+  require(o.iteration_limit >= 1, "The iteration limit must be at least 1.");
+  require(o.threads <= 256, "The number of threads must be between 0 (all) and 256.");
+  s.length_weight = o.length_weight;
+  s.bending_weight = o.bending_weight;
+  s.medial_weight = o.medial_weight;
+  s.step = o.step;
+  s.growth_coarsening = o.growth_coarsening;
+  s.polish = o.polish != 0;
+  s.polish_bending_weight = o.polish_bending_weight;
+  s.polish_length_offset = o.polish_length_offset;
+  s.polish_length_gain = o.polish_length_gain;
+  s.grow_into_empty = s.widen_loops = o.preset != MEANDER_PRESET_PAPER;
+  s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
+  s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
+  s.iteration_limit = o.iteration_limit;
+  s.threads = o.threads;
+  return s;
+}
+
+SeedStrands checked_seed(const meander_seed& seed) {
+  require(seed.strand_count >= 1, "The seed has no strands; draw at least one, or pass no seed.");
+  require(seed.points && seed.offsets && seed.closed, "A pointer of the seed is NULL.");
+  require(seed.offsets[0] == 0, "The seed's offsets must start at 0.");
+  for (uint32_t s = 0; s < seed.strand_count; ++s) {
+    require(seed.offsets[s] <= seed.offsets[s + 1], "The seed's offsets must not fall.");
+  }
+  const uint32_t count = seed.offsets[seed.strand_count];
+  SeedStrands strands;
+  strands.offsets.assign(seed.offsets, seed.offsets + seed.strand_count + 1);
+  strands.closed.assign(seed.closed, seed.closed + seed.strand_count);
+  if (seed.fixed) strands.fixed.assign(seed.fixed, seed.fixed + count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const Vec3 p(seed.points[3 * i], seed.points[3 * i + 1], seed.points[3 * i + 2]);
+    if (!p.allFinite()) {
+      throw Failure(MEANDER_INVALID_SEED,
+                    "Seed point " + std::to_string(i) + " has a coordinate that is not a finite number.",
+                    MEANDER_ELEMENT_SEED_POINT, i);
+    }
+    strands.points.push_back(p);
+  }
+  return strands;
+}
+
+std::vector<double> checked_density(const double* density, const Surface& surface) {
+  if (!density) return {};
+  std::vector<double> d(density, density + surface.vertex_count());
+  double least = 0, most = 0;
+  for (size_t v = 0; v < d.size(); ++v) {
+    if (!(std::isfinite(d[v]) && d[v] > 0)) {
+      throw Failure(MEANDER_INVALID_ARGUMENT,
+                    "The density at vertex " + std::to_string(v) + " is not a positive number.",
+                    MEANDER_ELEMENT_VERTEX, static_cast<uint32_t>(v));
+    }
+    least = v == 0 ? d[v] : std::min(least, d[v]);
+    most = std::max(most, d[v]);
+  }
+  if (most > 1e4 * least) {
+    refuse("The density varies by a factor of " + std::to_string(most / least) + "; at most 10000 is allowed.");
+  }
+  return d;
+}
+
+uint32_t public_reason(StopReason reason) {
+  switch (reason) {
+    case StopReason::kRunning: return MEANDER_RUNNING;
+    case StopReason::kConverged: return MEANDER_CONVERGED;
+    case StopReason::kIterationLimit: return MEANDER_ITERATION_LIMIT;
+    case StopReason::kStalled: return MEANDER_STALLED;
+    case StopReason::kCancelled: return MEANDER_STOPPED;
+  }
+  return MEANDER_RUNNING;
+}
+
+/// Weights of a point for the face's corners in the caller's order.
+std::array<double, 3> caller_weights(const Surface& surface, uint32_t face, std::array<double, 3> w) {
+  if (surface.turned(face)) std::swap(w[1], w[2]);
+  return w;
+}
+
+Vec3 caller_point(const Surface& surface, uint32_t face, const std::array<double, 3>& w) {
+  const Triangle& t = surface.face(face);
+  return w[0] * surface.caller_position(t[0]) + w[1] * surface.caller_position(t[1]) +
+         w[2] * surface.caller_position(t[2]);
+}
+
+std::array<double, 3> crossing_weights(const Crossing& c) {
+  std::array<double, 3> w{0, 0, 0};
+  w[corner_of(c.e)] = 1 - c.t;
+  w[next_corner(corner_of(c.e))] = c.t;
+  return w;
+}
+
+double percentile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return 0;
+  return sorted[static_cast<size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* meander_status_name(meander_status status) {
+  switch (status) {
+    case MEANDER_OK: return "ok";
+    case MEANDER_INVALID_ARGUMENT: return "invalid argument";
+    case MEANDER_INVALID_MESH: return "invalid mesh";
+    case MEANDER_INVALID_SEED: return "invalid seed";
+    case MEANDER_CANCELLED: return "cancelled";
+    case MEANDER_OUT_OF_MEMORY: return "out of memory";
+    case MEANDER_INTERNAL: return "internal error";
+    default: return "unknown status";
+  }
+}
+
+const char* meander_version(void) { return MEANDER_VERSION; }
+
+uint32_t meander_abi_version(void) { return MEANDER_ABI_VERSION; }
+
+size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) {
+  if (!name) return 0;
+  const auto give = [&](std::initializer_list<size_t> values) {
+    size_t k = 0;
+    for (const size_t v : values) {
+      if (layout && k < capacity) layout[k] = v;
+      ++k;
+    }
+    return values.size();
+  };
+#define AT(field) offsetof(S, field)
+  if (std::strcmp(name, "meander_error") == 0) {
+    using S = meander_error;
+    return give({sizeof(S), AT(struct_size), AT(status), AT(element_kind), AT(element_index), AT(element_index2),
+                 AT(text)});
+  }
+  if (std::strcmp(name, "meander_surface_statistics") == 0) {
+    using S = meander_surface_statistics;
+    return give({sizeof(S), AT(struct_size), AT(vertices), AT(faces), AT(components), AT(boundary_loops),
+                 AT(turned_faces), AT(unused_vertices), AT(reserved), AT(area), AT(diagonal)});
+  }
+  if (std::strcmp(name, "meander_seed") == 0) {
+    using S = meander_seed;
+    return give({sizeof(S), AT(struct_size), AT(strand_count), AT(points), AT(offsets), AT(closed), AT(fixed)});
+  }
+  if (std::strcmp(name, "meander_flow_options") == 0) {
+    using S = meander_flow_options;
+    return give({sizeof(S), AT(struct_size), AT(preset), AT(radius), AT(segment_length), AT(max_radius),
+                 AT(length_weight), AT(bending_weight), AT(medial_weight), AT(step), AT(growth_coarsening), AT(polish),
+                 AT(stop_rule), AT(polish_bending_weight), AT(polish_length_offset), AT(polish_length_gain),
+                 AT(boundary_rule), AT(iteration_limit), AT(threads), AT(reserved)});
+  }
+  if (std::strcmp(name, "meander_flow_statistics") == 0) {
+    using S = meander_flow_statistics;
+    return give({sizeof(S), AT(struct_size), AT(stop_reason), AT(iterations), AT(nodes), AT(strands),
+                 AT(closed_strands), AT(crossings), AT(polishing), AT(length), AT(energy), AT(mean_step),
+                 AT(spacing_target), AT(spacing_p05), AT(spacing_median), AT(spacing_p95), AT(seconds_total),
+                 AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract), AT(seconds_reconnect),
+                 AT(seconds_crossings), AT(seconds_refine)});
+  }
+  if (std::strcmp(name, "meander_iteration") == 0) {
+    using S = meander_iteration;
+    return give({sizeof(S), AT(iteration), AT(nodes), AT(length), AT(mean_step), AT(energy), AT(seconds)});
+  }
+#undef AT
+  return 0;
+}
+
+meander_context* meander_context_create(void) { return new (std::nothrow) meander_context; }
+void meander_context_destroy(meander_context* context) { delete context; }
+void meander_context_cancel(meander_context* context) {
+  if (context) context->cancelled = true;
+}
+void meander_context_reset(meander_context* context) {
+  if (!context) return;
+  context->cancelled = false;
+  context->progress = 0;
+}
+double meander_context_progress(const meander_context* context) { return context ? context->progress.load() : 0; }
+
+meander_status meander_surface_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
+                                      size_t face_count, meander_surface** surface, meander_error* error) {
+  return guard(error, [&] {
+    require(surface != nullptr, "The pointer for the surface is NULL.");
+    require((vertices || vertex_count == 0) && (faces || face_count == 0), "The vertices or the faces are NULL.");
+    require(vertex_count <= (size_t{1} << 30) && face_count <= (size_t{1} << 30),
+            "The mesh has more than 2^30 vertices or faces; decimate it.");
+    auto made = std::make_unique<meander_surface>();
+    made->surface = std::make_shared<const Surface>(std::span(vertices, 3 * vertex_count),
+                                                    std::span(faces, 3 * face_count));
+    *surface = made.release();
+    return MEANDER_OK;
+  });
+}
+
+void meander_surface_destroy(meander_surface* surface) { delete surface; }
+
+meander_status meander_surface_get_statistics(const meander_surface* surface, meander_surface_statistics* statistics,
+                                              meander_error* error) {
+  return guard(error, [&] {
+    require(surface != nullptr, "The surface is NULL.");
+    require_struct(statistics, "meander_surface_statistics");
+    const Surface& s = *surface->surface;
+    statistics->vertices = s.used_vertices();
+    statistics->faces = static_cast<uint32_t>(s.face_count());
+    statistics->components = s.component_count();
+    statistics->boundary_loops = s.boundary_loop_count();
+    statistics->turned_faces = s.turned_count();
+    statistics->unused_vertices = static_cast<uint32_t>(s.vertex_count()) - s.used_vertices();
+    statistics->reserved = 0;
+    statistics->area = s.area() * s.scale() * s.scale();
+    statistics->diagonal = s.scale();
+    return MEANDER_OK;
+  });
+}
+
+meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset) {
+  if (!options || preset > MEANDER_PRESET_PAPER) return MEANDER_INVALID_ARGUMENT;
+  meander_flow_options o{};
+  o.struct_size = sizeof(meander_flow_options);
+  o.preset = preset;
+  o.medial_weight = 1;
+  o.threads = 0;
+  if (preset == MEANDER_PRESET_PAPER) {
+    o.length_weight = 1;
+    o.bending_weight = 0;
+    o.step = 1;
+    o.growth_coarsening = 1;
+    o.polish = 0;
+    o.stop_rule = MEANDER_STOP_PAPER;
+    o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
+    o.iteration_limit = 300;
+  } else {
+    o.length_weight = 0;
+    o.bending_weight = 1;
+    o.step = 1.5;
+    o.growth_coarsening = 2;
+    o.polish = 1;
+    o.stop_rule = MEANDER_STOP_SETTLED;
+    o.polish_bending_weight = 0.6;
+    o.polish_length_offset = -0.1;
+    o.polish_length_gain = 1;
+    o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
+    o.iteration_limit = 600;
+  }
+  *options = o;
+  return MEANDER_OK;
+}
+
+meander_status meander_flow_create(const meander_surface* surface, const meander_seed* seed, const double* density,
+                                   const meander_flow_options* options, meander_flow** flow, meander_error* error) {
+  return guard(error, [&] {
+    require(surface != nullptr, "The surface is NULL.");
+    require(flow != nullptr, "The pointer for the flow is NULL.");
+    require_struct(options, "meander_flow_options");
+    const FlowSettings settings = checked_settings(*options, *surface->surface);
+    const std::vector<double> densities = checked_density(density, *surface->surface);
+    SeedStrands strands;
+    if (seed) {
+      require_struct(seed, "meander_seed");
+      strands = checked_seed(*seed);
+    }
+    auto made = std::make_unique<meander_flow>();
+    made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings);
+    *flow = made.release();
+    return MEANDER_OK;
+  });
+}
+
+void meander_flow_destroy(meander_flow* flow) { delete flow; }
+
+meander_status meander_flow_step(meander_flow* flow, meander_context* context, meander_error* error) {
+  return guard(error, [&]() -> meander_status {
+    require(flow != nullptr, "The flow is NULL.");
+    if (flow->flow->step([&] { return context && context->cancelled.load(); })) return MEANDER_OK;
+    report(error, MEANDER_CANCELLED, "The step was cancelled.");
+    return MEANDER_CANCELLED;
+  });
+}
+
+meander_status meander_flow_run(meander_flow* flow, meander_context* context, meander_error* error) {
+  return guard(error, [&]() -> meander_status {
+    require(flow != nullptr, "The flow is NULL.");
+    if (context) context->progress = 0;
+    const StopReason reason = flow->flow->run([&] { return context && context->cancelled.load(); },
+                                              [&](double p) {
+                                                if (context) context->progress = p;
+                                              });
+    if (reason != StopReason::kCancelled) return MEANDER_OK;
+    report(error, MEANDER_CANCELLED, "The run was cancelled.");
+    return MEANDER_CANCELLED;
+  });
+}
+
+uint32_t meander_flow_stop_reason(const meander_flow* flow) {
+  return flow ? public_reason(flow->flow->stop_reason()) : static_cast<uint32_t>(MEANDER_RUNNING);
+}
+
+meander_status meander_flow_get_statistics(meander_flow* flow, meander_flow_statistics* statistics,
+                                           meander_error* error) {
+  return guard(error, [&] {
+    require(flow != nullptr, "The flow is NULL.");
+    require_struct(statistics, "meander_flow_statistics");
+    Flow& f = *flow->flow;
+    const double scale = f.surface().scale();
+    const Flow::Measure m = f.measure();
+    statistics->stop_reason = public_reason(f.stop_reason());
+    statistics->iterations = static_cast<uint32_t>(f.history().size());
+    statistics->nodes = f.curve().size();
+    statistics->strands = static_cast<uint32_t>(f.curve().strands.size());
+    statistics->closed_strands = 0;
+    for (const Strand& s : f.curve().strands) statistics->closed_strands += s.closed;
+    statistics->crossings = static_cast<uint32_t>(m.crossings);
+    statistics->polishing = f.polishing();
+    statistics->length = m.length * scale;
+    statistics->energy = m.energy * scale;
+    statistics->mean_step = f.history().empty() ? 0 : f.history().back().mean_step * scale;
+    statistics->spacing_target = 2 * f.settings().radius * scale;
+    statistics->spacing_p05 = percentile(m.spacing, 0.05) * scale;
+    statistics->spacing_median = percentile(m.spacing, 0.5) * scale;
+    statistics->spacing_p95 = percentile(m.spacing, 0.95) * scale;
+    const FlowSeconds& s = f.seconds();
+    statistics->seconds_total = s.total;
+    statistics->seconds_medial_axis = s.medial_axis;
+    statistics->seconds_solve = s.solve;
+    statistics->seconds_retract = s.move.retract;
+    statistics->seconds_reconnect = s.move.reconnect;
+    statistics->seconds_crossings = s.move.crossings;
+    statistics->seconds_refine = s.refine;
+    return MEANDER_OK;
+  });
+}
+
+meander_status meander_flow_get_history(const meander_flow* flow, meander_iteration* records, size_t capacity,
+                                        size_t* count, meander_error* error) {
+  return guard(error, [&] {
+    require(flow != nullptr && count != nullptr, "The flow or the pointer for the count is NULL.");
+    const auto& history = flow->flow->history();
+    const double scale = flow->flow->surface().scale();
+    *count = history.size();
+    if (history.size() > capacity) return MEANDER_OK;
+    require(records != nullptr || history.empty(), "The array for the records is NULL.");
+    for (size_t i = 0; i < history.size(); ++i) {
+      const IterationRecord& h = history[i];
+      records[i] = {static_cast<uint32_t>(i + 1), h.nodes,          h.length * scale,
+                    h.mean_step * scale,          h.energy * scale, h.seconds};
+    }
+    return MEANDER_OK;
+  });
+}
+
+meander_status meander_flow_get_polylines(const meander_flow* flow, double* positions, double* normals,
+                                          size_t point_capacity, size_t* point_count, uint32_t* offsets,
+                                          uint8_t* closed, size_t strand_capacity, size_t* strand_count,
+                                          meander_error* error) {
+  return guard(error, [&] {
+    require(flow != nullptr && point_count != nullptr && strand_count != nullptr,
+            "The flow or a pointer for a count is NULL.");
+    const Flow& f = *flow->flow;
+    const Surface& surface = f.surface();
+    const Curve& curve = f.curve();
+    size_t points = curve.size();
+    for (const Path& path : curve.paths) points += path.size();
+    *point_count = points;
+    *strand_count = curve.strands.size();
+    if (points > point_capacity || curve.strands.size() > strand_capacity) return MEANDER_OK;
+    require(positions && offsets && closed, "An array for the polylines is NULL.");
+    size_t p = 0;
+    const auto put = [&](uint32_t face, const std::array<double, 3>& w) {
+      const Vec3 x = caller_point(surface, face, w);
+      std::copy(x.data(), x.data() + 3, positions + 3 * p);
+      if (normals) {
+        const Vec3 normal = f.normals().blended(face, w[0], w[1], w[2]);
+        std::copy(normal.data(), normal.data() + 3, normals + 3 * p);
+      }
+      ++p;
+    };
+    for (size_t s = 0; s < curve.strands.size(); ++s) {
+      const Strand& strand = curve.strands[s];
+      offsets[s] = static_cast<uint32_t>(p);
+      closed[s] = strand.closed;
+      for (uint32_t i = strand.first; i < strand.end(); ++i) {
+        const SurfacePoint& node = curve.nodes[i];
+        put(node.face, {node.weight(0), node.b.x, node.b.y});
+        for (const Crossing& c : curve.paths[i]) put(face_of(c.e), crossing_weights(c));
+      }
+    }
+    offsets[curve.strands.size()] = static_cast<uint32_t>(p);
+    return MEANDER_OK;
+  });
+}
+
+meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces, double* barycentrics, double* radii,
+                                      uint8_t* fixed, size_t capacity, size_t* count, meander_error* error) {
+  return guard(error, [&] {
+    require(flow != nullptr && count != nullptr, "The flow or the pointer for the count is NULL.");
+    const Flow& f = *flow->flow;
+    const Curve& curve = f.curve();
+    *count = curve.size();
+    if (curve.size() > capacity) return MEANDER_OK;
+    require(faces && barycentrics, "An array for the nodes is NULL.");
+    const double scale = f.surface().scale();
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      const SurfacePoint& node = curve.nodes[i];
+      const auto w = caller_weights(f.surface(), node.face, {node.weight(0), node.b.x, node.b.y});
+      faces[i] = node.face;
+      std::copy(w.begin(), w.end(), barycentrics + 3 * i);
+      if (radii) {
+        const Radii r = f.radii().empty() ? Radii{0, 0} : f.radii()[i];
+        radii[2 * i] = r[0] * scale;
+        radii[2 * i + 1] = r[1] * scale;
+      }
+      if (fixed) fixed[i] = curve.fixed[i];
+    }
+    return MEANDER_OK;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// When growth gives way to the polish, and when the curve has settled.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "curve.h"
+#include "parallel.h"
+
+namespace meander {
+
+/// What one iteration leaves for the decision.
+struct IterationFigures {
+  double length = 0;
+  double clamped_share = 0;   ///< of nodes with a medial radius at the clamp
+  double moved = 0;           ///< mean distance that nodes were really moved, in the local r
+  double displacement_norm = 0;  ///< |d|_2 / n of the proposed displacements, in r (the paper's rule)
+};
+
+enum class StopRule { kSettled, kPaper };
+
+class Convergence {
+ public:
+  Convergence(StopRule rule, bool polish) : rule_(rule), polish_wanted_(polish) {}
+
+  /// Takes note of an iteration and of the curve after it.
+  void note(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+            const IterationFigures& figures, Team& team);
+
+  bool polishing() const { return polishing_; }
+  bool converged() const { return converged_; }
+  bool stalled() const { return stalled_; }
+
+ private:
+  /// Lengths and curves are compared with those of this many iterations before.
+  static constexpr size_t kWindow = 10;
+
+  StopRule rule_;
+  bool polish_wanted_, polishing_ = false, converged_ = false, stalled_ = false;
+  std::vector<double> lengths_;
+  size_t phase_start_ = 0;  // iteration at which growth or polish began
+  size_t idle_ = 0;         // iterations in a row without movement
+  size_t quiet_ = 0;        // iterations in a row below the paper's limit
+  struct Picture {
+    size_t iteration = 0;
+    std::vector<Vec3> nodes;
+    std::vector<uint32_t> next, previous;
+  };
+  std::optional<Picture> picture_;
+};
+
+}  // namespace meander

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crossings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meander {
+namespace {
+
+using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+
+bool same(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
+
+/// Is c, known to lie on the line through a and b, within the closed segment?
+bool between(Vec2 a, Vec2 b, Vec2 c) {
+  return std::min(a.x, b.x) <= c.x && c.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= c.y &&
+         c.y <= std::max(a.y, b.y);
+}
+
+/// Do the closed straight pieces share a point?
+bool touch(const Piece& p, const Piece& q) {
+  const int a = orientation(p.from, p.to, q.from), b = orientation(p.from, p.to, q.to);
+  if (a * b > 0) return false;
+  const int c = orientation(q.from, q.to, p.from), d = orientation(q.from, q.to, p.to);
+  if (c * d > 0) return false;
+  if (a * b < 0 && c * d < 0) return true;
+  return (a == 0 && between(p.from, p.to, q.from)) || (b == 0 && between(p.from, p.to, q.to)) ||
+         (c == 0 && between(q.from, q.to, p.from)) || (d == 0 && between(q.from, q.to, p.to));
+}
+
+/// Do two pieces that both end in `node` share more than it?
+bool overlap(Vec2 node, Vec2 p, Vec2 q) {
+  if (same(p, node) || same(q, node)) return false;
+  if (orientation(node, p, q) != 0) return false;
+  const Vec2 u = p - node, v = q - node;
+  return dot(u, v) > 0;
+}
+
+class FaceTest {
+ public:
+  FaceTest(const Curve& curve, const std::vector<uint8_t>* changed, Pairs& found)
+      : curve_(curve), changed_(changed), found_(found) {}
+
+  void operator()(const Piece* begin, const Piece* end) {
+    const size_t count = static_cast<size_t>(end - begin);
+    if (changed_ && std::none_of(begin, end, [&](const Piece& p) { return (*changed_)[p.segment] != 0; })) {
+      return;
+    }
+    if (count <= kFew) {
+      for (const Piece* p = begin; p != end; ++p) {
+        for (const Piece* q = p + 1; q != end; ++q) test(*p, *q);
+      }
+    } else {
+      by_cells(begin, count);
+    }
+  }
+
+ private:
+  static constexpr size_t kFew = 24;
+
+  void test(const Piece& p, const Piece& q) {
+    if (std::max(p.from.x, p.to.x) < std::min(q.from.x, q.to.x) ||
+        std::max(q.from.x, q.to.x) < std::min(p.from.x, p.to.x) ||
+        std::max(p.from.y, p.to.y) < std::min(q.from.y, q.to.y) ||
+        std::max(q.from.y, q.to.y) < std::min(p.from.y, p.to.y)) {
+      return;
+    }
+    if (changed_ && !(*changed_)[p.segment] && !(*changed_)[q.segment]) return;
+    if (crossing(p, q)) found_.emplace_back(std::min(p.segment, q.segment), std::max(p.segment, q.segment));
+  }
+
+  /// Neighbouring segments share a node, where their pieces may meet if both end in it.
+  bool crossing(const Piece& p, const Piece& q) const {
+    // A path that comes back into a face (round a sharp tip) has another face in between.
+    if (p.segment == q.segment) return touch(p, q);
+    const bool p_then_q = curve_.next(p.segment) == q.segment;
+    const bool q_then_p = curve_.next(q.segment) == p.segment;
+    if (p_then_q && meets(p, q)) return overlap(p.to, p.from, q.to);
+    if (q_then_p && meets(q, p)) return overlap(q.to, q.from, p.to);
+    return touch(p, q);
+  }
+  /// Does `p` end in the node in which `q` starts?
+  bool meets(const Piece& p, const Piece& q) const {
+    const SurfacePoint& node = curve_.nodes[q.segment];
+    return node.face == q.face && same(node.b, q.from) && same(p.to, q.from);
+  }
+
+  /// Many pieces in one face: only those in the same cell of a grid are compared.
+  void by_cells(const Piece* pieces, size_t count) {
+    Vec2 low = pieces[0].from, high = low;
+    for (size_t i = 0; i < count; ++i) {
+      for (const Vec2 v : {pieces[i].from, pieces[i].to}) {
+        low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+        high = {std::max(high.x, v.x), std::max(high.y, v.y)};
+      }
+    }
+    const double side = std::ceil(std::sqrt(static_cast<double>(count)));
+    const Vec2 cell{std::max((high.x - low.x) / side, 1e-300), std::max((high.y - low.y) / side, 1e-300)};
+    const auto column = [&](double x, double from, double step) {
+      return static_cast<uint32_t>(std::clamp((x - from) / step, 0.0, side - 1));
+    };
+    entries_.clear();
+    const uint32_t width = static_cast<uint32_t>(side);
+    for (uint32_t i = 0; i < count; ++i) {
+      const Piece& p = pieces[i];
+      const uint32_t x0 = column(std::min(p.from.x, p.to.x), low.x, cell.x);
+      const uint32_t x1 = column(std::max(p.from.x, p.to.x), low.x, cell.x);
+      const uint32_t y0 = column(std::min(p.from.y, p.to.y), low.y, cell.y);
+      const uint32_t y1 = column(std::max(p.from.y, p.to.y), low.y, cell.y);
+      for (uint32_t y = y0; y <= y1; ++y) {
+        for (uint32_t x = x0; x <= x1; ++x) entries_.push_back({uint64_t{y} * width + x, i});
+      }
+    }
+    std::sort(entries_.begin(), entries_.end());
+    for (size_t i = 0; i < entries_.size(); ++i) {
+      for (size_t j = i + 1; j < entries_.size() && entries_[j].first == entries_[i].first; ++j) {
+        test(pieces[entries_[i].second], pieces[entries_[j].second]);
+      }
+    }
+  }
+
+  const Curve& curve_;
+  const std::vector<uint8_t>* changed_;
+  Pairs& found_;
+  std::vector<std::pair<uint64_t, uint32_t>> entries_;
+};
+
+}  // namespace
+
+Pairs CrossingTest::find(const Surface& surface, const Curve& curve, Team& team,
+                         const std::vector<uint8_t>* changed) {
+  curve.pieces(surface, pieces_);
+  // Counting sort by face.
+  start_.assign(surface.face_count() + 1, 0);
+  for (const Piece& p : pieces_) ++start_[p.face + 1];
+  for (size_t f = 0; f < surface.face_count(); ++f) start_[f + 1] += start_[f];
+  sorted_.resize(pieces_.size());
+  for (const Piece& p : pieces_) sorted_[start_[p.face]++] = p;  // start_[f] is now the end of f
+
+  constexpr size_t kFacesPerBlock = 1024;
+  std::vector<Pairs> found(Team::block_count(surface.face_count(), kFacesPerBlock));
+  team.for_blocks(surface.face_count(), kFacesPerBlock, [&](size_t block, size_t begin, size_t end) {
+    FaceTest test(curve, changed, found[block]);
+    for (size_t f = begin; f < end; ++f) {
+      const size_t first = f == 0 ? 0 : start_[f - 1];
+      if (start_[f] - first > 1) test(sorted_.data() + first, sorted_.data() + start_[f]);
+    }
+  });
+  Pairs all;
+  for (const Pairs& p : found) all.insert(all.end(), p.begin(), p.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace meander

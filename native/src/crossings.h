@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Do any two segments cross or touch? (section 3.3.1)
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "curve.h"
+#include "parallel.h"
+
+namespace meander {
+
+/// Finds pairs of segments that share a point other than a common node, by sign-exact predicates
+/// within each face. Keeps its memory from call to call.
+class CrossingTest {
+ public:
+  /// All crossing pairs (lower segment first, sorted, each once). Where `changed` is given (per
+  /// segment), pairs of two unchanged segments are skipped: they did not cross before.
+  std::vector<std::pair<uint32_t, uint32_t>> find(const Surface& surface, const Curve& curve, Team& team,
+                                                  const std::vector<uint8_t>* changed = nullptr);
+
+ private:
+  std::vector<Piece> pieces_, sorted_;
+  std::vector<uint32_t> start_;
+};
+
+}  // namespace meander

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curve: strands of nodes, joined by geodesic segments.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geodesic_path.h"
+#include "surface_point.h"
+
+namespace meander {
+
+/// The edges that a segment crosses between its two nodes.
+using Path = std::vector<Crossing>;
+
+/// Nodes first .. first + count - 1, in order. A closed strand also joins the last to the first.
+struct Strand {
+  uint32_t first = 0;
+  uint32_t count = 0;
+  bool closed = true;
+
+  uint32_t end() const { return first + count; }
+  uint32_t segment_count() const { return closed ? count : count - 1; }
+};
+
+/// A straight piece of a segment inside one face, ends in barycentric (b.x, b.y) coordinates.
+struct Piece {
+  uint32_t face;
+  uint32_t segment;
+  Vec2 from, to;
+};
+
+/// Segment i joins node i to next(i); the last node of an open strand has none (an empty path).
+class Curve {
+ public:
+  std::vector<SurfacePoint> nodes;
+  std::vector<uint8_t> fixed;    ///< per node: 1 never moves
+  std::vector<Strand> strands;   ///< consecutive, covering all nodes
+  std::vector<Path> paths;       ///< per segment: the edges it crosses, in order
+  std::vector<PathShape> shapes; ///< per segment
+
+  uint32_t size() const { return static_cast<uint32_t>(nodes.size()); }
+  uint32_t next(uint32_t i) const { return next_[i]; }      ///< kNone at an open end
+  uint32_t previous(uint32_t i) const { return previous_[i]; }
+  bool has_segment(uint32_t i) const { return next_[i] != kNone; }
+
+  /// Recomputes next and previous from the strands; call after they changed.
+  void link();
+
+  /// The straight pieces of all segments, in order.
+  void pieces(const Surface& surface, std::vector<Piece>& out) const;
+
+  double length() const;
+
+ private:
+  std::vector<uint32_t> next_, previous_;
+};
+
+}  // namespace meander

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "energy.h"
+
+#include <algorithm>
+
+namespace meander {
+namespace {
+
+/// Segments this short (in r) would make 1 / l meaningless; refinement removes them right after.
+constexpr double kShortest = 1e-6;
+
+double segment_length(const Curve& curve, uint32_t i, double r) {
+  return std::max(curve.shapes[i].length, kShortest * r);
+}
+
+}  // namespace
+
+void StrandSystem::resize(size_t n) {
+  diagonal.assign(n, 0);
+  first.assign(n, 0);
+  second.assign(n, 0);
+  right.assign(n, Vec2{});
+  frame.assign(n, Vec2{1, 0});
+}
+
+void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
+              const std::vector<double>& local_radius, const Weights& weights, StrandSystem& system) {
+  const uint32_t n = strand.count, s = strand.first;
+  system.closed = strand.closed;
+  system.resize(n);
+
+  // The frame of node k, and the direction u of segment k in it.
+  std::vector<Vec2> direction(n);
+  Vec2 frame{1, 0};
+  for (uint32_t k = 0; k < n; ++k) {
+    system.frame[k] = frame;
+    if (!curve.has_segment(s + k)) break;
+    const PathShape& shape = curve.shapes[s + k];
+    direction[k] = shape.leaving * conj(frame);
+    frame = unit(shape.arriving * conj(direction[k]));
+  }
+  // After the join the frame has become `frame` where the first node's was (1, 0).
+  system.holonomy = strand.closed ? unit(system.frame[0] * conj(frame)) : Vec2{1, 0};
+
+  // Terms of neighbours a and b = a + step; past the join b's unknown is holonomy * z.
+  const auto couple = [&](uint32_t k, uint32_t steps, double value) {
+    (steps == 1 ? system.first : system.second)[k] += value;
+  };
+  const auto wrapped = [&](uint32_t k) { return k >= n ? k - n : k; };
+  // Adds to the gradient of node k (unwrapped) a vector of the frame that continues past the join.
+  const auto add_gradient = [&](uint32_t k, Vec2 g) {
+    if (k >= n) g = conj(system.holonomy) * g;
+    Vec2& right = system.right[wrapped(k)];
+    right = right - g;
+  };
+
+  const uint32_t segments = strand.segment_count();
+  for (uint32_t k = 0; k < segments; ++k) {
+    const uint32_t i = s + k, j = s + wrapped(k + 1);
+    const double l = segment_length(curve, i, local_radius[i]);
+    const double t = 0.5 * (weights.length[i] + weights.length[j]);
+    const double stiffness = 2 * std::max(t, kLeastLengthStiffness) / l;
+    system.diagonal[k] += stiffness;
+    system.diagonal[wrapped(k + 1)] += stiffness;
+    couple(k, 1, -stiffness);
+    add_gradient(k, -2 * t * direction[k]);
+    add_gradient(k + 1, 2 * t * direction[k]);
+  }
+
+  for (uint32_t k = 0; k < n; ++k) {
+    const uint32_t i = s + k, before = curve.previous(i);
+    const double r = local_radius[i];
+    const double w = 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
+                            (before != kNone ? segment_length(curve, before, r) : 0));
+    const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
+    system.diagonal[k] += 4 * alpha * w;
+    const Vec2 b = frames.bitangent2[i] * conj(system.frame[k]);
+    add_gradient(k, -2 * alpha * w * (radii[i][0] - radii[i][1]) * b);
+  }
+
+  // Bending at the node between segments k and k + 1, nodes k, k + 1, k + 2.
+  for (uint32_t k = 0; k + (strand.closed ? 0 : 1) < segments; ++k) {
+    const uint32_t middle = wrapped(k + 1);
+    const uint32_t i = s + middle;
+    const double r = local_radius[i];
+    const double l0 = segment_length(curve, s + k, r), l1 = segment_length(curve, i, r);
+    const double stiffness = 2 * weights.bending[i] * r * r / (0.5 * (l0 + l1));
+    if (stiffness == 0) continue;
+    const double c[3] = {1 / l0, -(1 / l0 + 1 / l1), 1 / l1};
+    const uint32_t node[3] = {k, k + 1, k + 2};
+    // Past the join the direction is stored in the first node's frame.
+    const Vec2 u1 = k + 1 >= n ? system.holonomy * direction[middle] : direction[middle];
+    const Vec2 turn = u1 - direction[k];
+    for (int a = 0; a < 3; ++a) {
+      add_gradient(node[a], stiffness * c[a] * turn);
+      system.diagonal[wrapped(node[a])] += stiffness * c[a] * c[a];
+    }
+    couple(wrapped(k), 1, stiffness * c[0] * c[1]);
+    couple(middle, 1, stiffness * c[1] * c[2]);
+    couple(wrapped(k), 2, stiffness * c[0] * c[2]);
+  }
+
+  for (uint32_t k = 0; k < n; ++k) {
+    if (!curve.fixed[s + k]) continue;
+    system.diagonal[k] = 1;
+    system.right[k] = Vec2{};
+    system.first[k] = system.second[k] = 0;
+    if (strand.closed || k >= 1) system.first[(k + n - 1) % n] = 0;
+    if (strand.closed || k >= 2) system.second[(k + 2 * n - 2) % n] = 0;
+  }
+}
+
+double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
+              const Weights& weights) {
+  double sum = 0;
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    const uint32_t before = curve.previous(i);
+    const double r = local_radius[i];
+    const double l0 = before != kNone ? curve.shapes[before].length : 0;
+    const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
+    const double w = 0.5 * (l0 + l1);
+    const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
+    sum += weights.length[i] * w + alpha * w * (radii[i][0] * radii[i][0] + radii[i][1] * radii[i][1]);
+    if (l0 > 0 && l1 > 0) {
+      const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
+      sum += weights.bending[i] * r * r * dot(turn, turn) / w;
+    }
+  }
+  return sum;
+}
+
+}  // namespace meander

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The quadratic model of one step (eqs. 5, 7, 9 and 12) as a banded system per strand.
+//
+// The paper writes the model for positions in space, 3 n x 3 n. Here the unknown of a node is its
+// displacement z in the tangent plane, a complex number in a frame that is carried parallel along
+// the strand. The normal part of the right-hand side is zero, since the medial centres lie in the
+// tangent plane, so nothing is lost; and in that frame every coefficient is real:
+//
+//   length   (eq. 5)   t_i / l_i |z_i - z_(i+1) - l_i u_i|^2
+//   medial   (eq. 7)   alpha_i w_i (|z_i - r+ B_i|^2 + |z_i + r- B_i|^2),  w_i = (l_(i-1) + l_i) / 2
+//   bending  (eq. 12)  b r_i^2 / w_i |(u_i - (z_i - z_(i+1)) / l_i) - (u_(i-1) - (z_(i-1) - z_i) / l_(i-1))|^2
+//
+// with u_i the unit direction of segment i. So the Hessian is a real symmetric band of width 2 for
+// both components. A closed strand meets itself again after a turn: its frame then differs from the
+// first by a unit complex number, the holonomy, which multiplies the couplings across the join.
+#pragma once
+
+#include <vector>
+
+#include "frames.h"
+#include "medial_axis.h"
+
+namespace meander {
+
+/// alpha r^2 of the paper's relation between weight and spacing (Fig. 17: r = 1.68 / sqrt(alpha)).
+inline constexpr double kAlphaRadiusSquared = 2.8284271247461903;  // 2 sqrt(2)
+
+/// The Hessian of a pure length weight must stay positive; where the gradient's weight is below this
+/// (it may be negative, to let a strand grow), the Hessian uses this.
+inline constexpr double kLeastLengthStiffness = 0.05;
+
+/// Weights of the model; the arrays have one entry a node.
+struct Weights {
+  std::vector<double> length;   ///< t; may be negative in the gradient
+  std::vector<double> bending;  ///< b
+  double medial = 1;            ///< factor on alpha
+};
+
+/// H z = -g of one strand: entry k of `first` couples nodes k and k + 1, of `second` k and k + 2. In
+/// a closed strand the couplings that pass the join (k + 1 or k + 2 at or beyond count) apply to
+/// `holonomy` times the unknown of the node after the join.
+struct StrandSystem {
+  bool closed = false;
+  std::vector<double> diagonal, first, second;
+  std::vector<Vec2> right;  ///< -g
+  std::vector<Vec2> frame;  ///< carries z into the plane of the node's face
+  Vec2 holonomy{1, 0};
+
+  void resize(size_t n);
+};
+
+/// Builds the system of one strand. Fixed nodes are eliminated: z = 0.
+void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
+              const std::vector<double>& local_radius, const Weights& weights, StrandSystem& system);
+
+/// The energy of the curve as it is: t L + alpha E_M + b r^2 sum |u_i - u_(i-1)|^2 / w_i (eqs. 1, 2).
+double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
+              const Weights& weights);
+
+}  // namespace meander

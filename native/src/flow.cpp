@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solve.h"
+#include "stopwatch.h"
+
+namespace meander {
+namespace {
+
+/// A node may move this share of its medial radius on the side to which it moves, so that it cannot
+/// leap over the strand beside it.
+constexpr double kMostOfRadius = 0.9;
+
+/// A medial radius this near the clamp (relative) is one that found nothing.
+constexpr double kClamped = 1 - 1e-9;
+
+/// Closed strands shorter than a circle of this radius (in r) are not bent or shortened yet: they
+/// would collapse before they have grown.
+constexpr double kYoung = 1.5;
+
+/// Length weight where both sides of a strand are empty.
+constexpr double kIntoEmpty = -1;
+
+/// The spacing that the polish follows is smoothed along the curve over this many r.
+constexpr double kSmoothing = 2;
+
+std::vector<double> radii_of_vertices(const Surface& surface, double radius, const std::vector<double>& density) {
+  std::vector<double> r(surface.vertex_count(), radius);
+  for (size_t v = 0; v < density.size(); ++v) r[v] = radius / std::sqrt(density[v]);
+  return r;
+}
+
+}  // namespace
+
+Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const std::vector<double>& density,
+           const FlowSettings& settings)
+    : surface_(std::move(surface)),
+      settings_(settings),
+      vertex_radius_(radii_of_vertices(*surface_, settings.radius, density)),
+      normals_(*surface_, settings.radius),
+      boundary_(*surface_, 0.5 * settings.segment_length),
+      team_(settings.threads),
+      curve_(seed ? lay_seed(*surface_, *seed, vertex_radius_, team_)
+                  : face_loops(*surface_, vertex_radius_, settings.widen_loops, team_)),
+      convergence_(settings.stop_rule, settings.polish) {
+  refine();
+}
+
+StopReason Flow::stop_reason() const {
+  if (cancelled_) return StopReason::kCancelled;
+  if (convergence_.converged()) return StopReason::kConverged;
+  if (convergence_.stalled()) return StopReason::kStalled;
+  if (history_.size() >= settings_.iteration_limit) return StopReason::kIterationLimit;
+  return StopReason::kRunning;
+}
+
+bool Flow::step(const std::function<bool()>& cancelled) {
+  cancelled_ = !iterate(cancelled);
+  return !cancelled_;
+}
+
+bool Flow::iterate(const std::function<bool()>& cancelled) {
+  if (cancelled()) return false;
+  Stopwatch total, watch;
+  find_local_radii();
+  compute_frames(*surface_, curve_, local_radius_, team_, frames_);
+  compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, team_, radii_);
+  seconds_.medial_axis += watch.lap();
+  if (cancelled()) return false;
+
+  choose_weights();
+  const std::vector<Vec2> displacement = displacements();
+  seconds_.solve += watch.lap();
+  if (cancelled()) return false;
+
+  IterationFigures figures;
+  const double n = curve_.size();
+  double sum = 0, squares = 0, clamped = 0;
+  for (uint32_t i = 0; i < curve_.size(); ++i) {
+    const double d = norm(displacement[i]);
+    sum += d;
+    squares += d * d;
+    clamped += std::max(radii_[i][0], radii_[i][1]) >= kClamped * max_radius_[i];
+  }
+  figures.clamped_share = clamped / n;
+  figures.displacement_norm = std::sqrt(squares) / n / settings_.radius;
+
+  IterationRecord record;
+  record.mean_step = sum / n;
+  record.energy = energy(curve_, radii_, local_radius_, weights_);
+  const double held = retraction_.move(*surface_, curve_, displacement, team_, seconds_.move);
+  figures.moved = held < 1 ? record.mean_step / settings_.radius : 0;
+  watch.lap();
+  refine();
+  seconds_.refine += watch.lap();
+
+  find_local_radii();
+  figures.length = record.length = curve_.length();
+  record.nodes = curve_.size();
+  convergence_.note(*surface_, curve_, local_radius_, figures, team_);
+  record.seconds = total.lap();
+  seconds_.total += record.seconds;
+  history_.push_back(record);
+  return true;
+}
+
+StopReason Flow::run(const std::function<bool()>& cancelled, const std::function<void(double)>& progress) {
+  cancelled_ = false;
+  while (stop_reason() == StopReason::kRunning && step(cancelled)) {
+    progress(static_cast<double>(history_.size()) / settings_.iteration_limit);
+  }
+  progress(1);
+  return stop_reason();
+}
+
+Flow::Measure Flow::measure() {
+  find_local_radii();
+  compute_frames(*surface_, curve_, local_radius_, team_, frames_);
+  compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, team_, radii_);
+  choose_weights();
+  Measure m;
+  m.length = curve_.length();
+  m.energy = energy(curve_, radii_, local_radius_, weights_);
+  for (uint32_t i = 0; i < curve_.size(); ++i) {
+    for (const double r : radii_[i]) m.spacing.push_back(2 * settings_.radius * r / local_radius_[i]);
+  }
+  std::sort(m.spacing.begin(), m.spacing.end());
+  CrossingTest test;
+  m.crossings = test.find(*surface_, curve_, team_).size();
+  return m;
+}
+
+/// r and r_max at every node.
+void Flow::find_local_radii() {
+  local_radius_.resize(curve_.size());
+  max_radius_.resize(curve_.size());
+  const double clamp = settings_.max_radius / settings_.radius;
+  for (uint32_t i = 0; i < curve_.size(); ++i) {
+    const SurfacePoint& p = curve_.nodes[i];
+    const Triangle& t = surface_->face(p.face);
+    local_radius_[i] =
+        p.weight(0) * vertex_radius_[t[0]] + p.b.x * vertex_radius_[t[1]] + p.b.y * vertex_radius_[t[2]];
+    max_radius_[i] = clamp * local_radius_[i];
+  }
+}
+
+void Flow::choose_weights() {
+  const uint32_t n = curve_.size();
+  weights_.medial = settings_.medial_weight;
+  weights_.length.assign(n, settings_.length_weight);
+  weights_.bending.assign(n, convergence_.polishing() ? settings_.polish_bending_weight : settings_.bending_weight);
+  if (convergence_.polishing()) follow_spacing();
+  if (settings_.grow_into_empty) {
+    for (uint32_t i = 0; i < n; ++i) {
+      if (std::min(radii_[i][0], radii_[i][1]) >= kClamped * max_radius_[i]) weights_.length[i] = kIntoEmpty;
+    }
+  }
+  soften_young_strands();
+}
+
+void Flow::soften_young_strands() {
+  for (const Strand& strand : curve_.strands) {
+    if (!strand.closed) continue;
+    double length = 0, r = 0;
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      length += curve_.shapes[i].length;
+      r += local_radius_[i];
+    }
+    r /= strand.count;
+    if (length >= 2 * std::numbers::pi * kYoung * r) continue;
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      weights_.bending[i] = 0;
+      weights_.length[i] = std::min(weights_.length[i], 0.0);
+    }
+  }
+}
+
+/// Length weights of the polish: where strands are too far apart they may grow, where they are too
+/// near they are drawn together.
+void Flow::follow_spacing() {
+  StrandSystem system;
+  for (const Strand& strand : curve_.strands) {
+    const uint32_t n = strand.count;
+    system.resize(n);
+    system.closed = strand.closed;
+    system.holonomy = {1, 0};
+    // Implicit smoothing of u along the strand: (1 - (2 r)^2 d^2 / ds^2) u = raw u.
+    for (uint32_t k = 0; k < n; ++k) {
+      const uint32_t i = strand.first + k;
+      const double r = local_radius_[i];
+      const double raw = 0.5 * (std::min(radii_[i][0], 2 * r) + std::min(radii_[i][1], 2 * r)) / r;
+      const uint32_t before = curve_.previous(i);
+      const double l0 = before != kNone ? curve_.shapes[before].length : 0;
+      const double l1 = curve_.has_segment(i) ? curve_.shapes[i].length : 0;
+      const double w = 0.5 * (l0 + l1);
+      system.diagonal[k] += w;
+      system.right[k].x = w * raw;
+      if (!curve_.has_segment(i)) continue;
+      const double stiffness = kSmoothing * kSmoothing * r * r / std::max(l1, 1e-6 * r);
+      system.diagonal[k] += stiffness;
+      system.diagonal[k + 1 == n ? 0 : k + 1] += stiffness;
+      system.first[k] = -stiffness;
+    }
+    const std::vector<Vec2> u = solve(system);
+    for (uint32_t k = 0; k < n; ++k) {
+      weights_.length[strand.first + k] =
+          std::clamp(settings_.polish_length_offset - settings_.polish_length_gain * (u[k].x - 1), -1.0, 3.0);
+    }
+  }
+}
+
+/// The steps of all nodes (eq. 10) in the planes of their faces, capped by their medial radii.
+std::vector<Vec2> Flow::displacements() {
+  std::vector<Vec2> d(curve_.size());
+  team_.for_blocks(curve_.strands.size(), 1, [&](size_t, size_t begin, size_t end) {
+    StrandSystem system;
+    for (size_t s = begin; s < end; ++s) {
+      const Strand& strand = curve_.strands[s];
+      assemble(curve_, strand, frames_, radii_, local_radius_, weights_, system);
+      const std::vector<Vec2> z = solve(system);
+      for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
+    }
+  });
+  for (uint32_t i = 0; i < curve_.size(); ++i) {
+    const double length = norm(d[i]);
+    const double most = kMostOfRadius * radii_[i][dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1];
+    if (length > most) d[i] = (most / length) * d[i];
+    if (!std::isfinite(d[i].x) || !std::isfinite(d[i].y)) d[i] = {};
+  }
+  return d;
+}
+
+void Flow::refine() {
+  find_local_radii();
+  const double h = settings_.segment_length *
+                   (settings_.polish && !convergence_.polishing() ? settings_.growth_coarsening : 1);
+  std::vector<double> target(curve_.size());
+  for (uint32_t i = 0; i < curve_.size(); ++i) target[i] = h * local_radius_[i] / settings_.radius;
+  std::vector<uint32_t> origin;
+  refinement_.refine(*surface_, curve_, target, team_, origin);
+  if (!radii_.empty()) {
+    std::vector<Radii> radii(origin.size());
+    for (size_t i = 0; i < origin.size(); ++i) radii[i] = radii_[origin[i]];
+    radii_.swap(radii);
+  }
+}
+
+}  // namespace meander

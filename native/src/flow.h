@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The flow: one iteration after another until the curve fills the surface (section 3).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "convergence.h"
+#include "energy.h"
+#include "frames.h"
+#include "medial_axis.h"
+#include "parallel.h"
+#include "refine.h"
+#include "retraction.h"
+#include "seed.h"
+
+namespace meander {
+
+/// meander_flow_options, checked, lengths in the surface's own unit.
+struct FlowSettings {
+  double radius = 0;
+  double segment_length = 0;
+  double max_radius = 0;
+  double length_weight = 0, bending_weight = 0, medial_weight = 1;
+  double step = 1;
+  double growth_coarsening = 1;
+  bool polish = false;
+  double polish_bending_weight = 0, polish_length_offset = 0, polish_length_gain = 0;
+  /// Where both sides of a strand are empty no force acts on it: there it is made to grow.
+  bool grow_into_empty = false;
+  bool widen_loops = false;
+  StopRule stop_rule = StopRule::kSettled;
+  BoundaryRule boundary_rule = BoundaryRule::kCentre;
+  uint32_t iteration_limit = 1;
+  uint32_t threads = 0;
+};
+
+struct FlowSeconds {
+  double total = 0, medial_axis = 0, solve = 0, refine = 0;
+  MoveSeconds move;
+};
+
+struct IterationRecord {
+  uint32_t nodes = 0;
+  double length = 0, mean_step = 0, energy = 0, seconds = 0;
+};
+
+enum class StopReason { kRunning, kConverged, kIterationLimit, kStalled, kCancelled };
+
+class Flow {
+ public:
+  /// `seed` null: face loops. `density` per vertex, or empty. Throws Failure.
+  Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const std::vector<double>& density,
+       const FlowSettings& settings);
+
+  /// One iteration; false, with everything as before, when `cancelled` said so before the curve moved.
+  bool step(const std::function<bool()>& cancelled);
+
+  /// Steps until one of the reasons holds; `progress` is told a value in [0, 1] after each step.
+  StopReason run(const std::function<bool()>& cancelled, const std::function<void(double)>& progress);
+
+  const Surface& surface() const { return *surface_; }
+  const Curve& curve() const { return curve_; }
+  const FlowSettings& settings() const { return settings_; }
+  const NormalField& normals() const { return normals_; }
+  const std::vector<Radii>& radii() const { return radii_; }  ///< of the last medial axis, per node
+  const std::vector<IterationRecord>& history() const { return history_; }
+  const FlowSeconds& seconds() const { return seconds_; }
+  /// Why a run would end now; kCancelled after a cancelled step or run, until the next one.
+  StopReason stop_reason() const;
+  bool polishing() const { return convergence_.polishing(); }
+
+  /// Figures of the curve as it is now; brings radii() up to date, and changes nothing else.
+  struct Measure {
+    double length = 0, energy = 0;
+    std::vector<double> spacing;  ///< medial diameter over the local one, times 2 r; sorted
+    size_t crossings = 0;
+  };
+  Measure measure();
+
+ private:
+  bool iterate(const std::function<bool()>& cancelled);
+  void find_local_radii();
+  void choose_weights();
+  void soften_young_strands();
+  void follow_spacing();
+  std::vector<Vec2> displacements();
+  double target_length(uint32_t node) const;
+  void refine();
+
+  std::shared_ptr<const Surface> surface_;
+  FlowSettings settings_;
+  std::vector<double> vertex_radius_;  // local r at the vertices
+  NormalField normals_;
+  BoundaryObstacle boundary_;
+  Team team_;
+  Curve curve_;
+  std::vector<Radii> radii_;
+  std::vector<double> local_radius_, max_radius_;
+  Frames frames_;
+  Weights weights_;
+  Retraction retraction_;
+  Refinement refinement_;
+  Convergence convergence_;
+  std::vector<IterationRecord> history_;
+  FlowSeconds seconds_;
+  bool cancelled_ = false;
+};
+
+}  // namespace meander

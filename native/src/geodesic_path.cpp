@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geodesic_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace meander {
+namespace {
+
+/// Flips are taken while they shorten the path by more than rounding; each one does, so this only
+/// bounds what a degenerate mesh could make of it. The path is valid after every flip.
+constexpr int kMostFlips = 200;
+
+/// A rigid motion of the plane.
+struct Motion {
+  Vec2 turn{1, 0};
+  Vec2 shift;
+  Vec2 operator()(Vec2 p) const { return turn * p + shift; }
+};
+
+/// The motion that lays the face across e beside the face of e, itself laid by m.
+Motion across(const Surface& s, const Motion& m, HalfEdge e) {
+  const HalfEdge o = s.twin(e);
+  Motion next;
+  next.turn = m.turn * conj(s.transition(e));
+  const Vec2 end_of_edge = m(s.corner(face_of(e), next_corner(corner_of(e))));
+  next.shift = end_of_edge - next.turn * s.corner(face_of(o), corner_of(o));
+  return next;
+}
+
+}  // namespace
+
+void cancel_backtracks(const Surface& surface, std::vector<Crossing>& crossings) {
+  size_t kept = 0;
+  for (const Crossing& c : crossings) {
+    if (kept > 0 && surface.twin(crossings[kept - 1].e) == c.e) {
+      --kept;
+    } else {
+      crossings[kept++] = c;
+    }
+  }
+  crossings.resize(kept);
+}
+
+PathShape measure_path(const Surface& surface, const SurfacePoint& start, const SurfacePoint& end,
+                       std::span<const Crossing> crossings) {
+  PathShape shape;
+  Vec2 at = flat(surface, start);
+  Vec2 last;
+  const auto piece = [&](Vec2 to) {
+    const Vec2 d = to - at;
+    const double l = norm(d);
+    // A piece shorter than rounding has no direction; the one before or after it has.
+    if (l > 0) {
+      last = (1 / l) * d;
+      if (shape.length == 0) shape.leaving = last;
+      shape.length += l;
+    }
+  };
+  bool first = true;
+  Vec2 turn_back{1, 0};  // carries a direction of the present face back to the start's
+  for (const Crossing& c : crossings) {
+    const double before = shape.length;
+    piece(flat_on_edge(surface, c));
+    if (first && shape.length > before) {
+      shape.leaving = turn_back * shape.leaving;
+      first = false;
+    }
+    last = last * surface.transition(c.e);
+    turn_back = turn_back * conj(surface.transition(c.e));
+    const Crossing r = reversed(surface, c);
+    at = flat_on_edge(surface, r);
+  }
+  const double before = shape.length;
+  piece(flat(surface, end));
+  if (first && shape.length > before) shape.leaving = turn_back * shape.leaving;
+  shape.arriving = last;
+  return shape;
+}
+
+void PathShortener::unfold(const SurfacePoint& start, const SurfacePoint& end,
+                           const std::vector<Crossing>& crossings) {
+  portals_.clear();
+  Motion motion;
+  start_ = flat(surface_, start);
+  for (const Crossing& c : crossings) {
+    const uint32_t f = face_of(c.e), k = corner_of(c.e);
+    // Leaving a face across the half-edge from corner k to k + 1, corner k + 1 is on the left.
+    portals_.push_back({motion(surface_.corner(f, next_corner(k))), motion(surface_.corner(f, k)),
+                        surface_.face(f)[next_corner(k)], surface_.face(f)[k]});
+    motion = across(surface_, motion, c.e);
+  }
+  end_ = motion(flat(surface_, end));
+  end_turn_ = motion.turn;
+}
+
+/// Lee and Preparata's funnel, as the "simple stupid" loop: the apex is restarted where a side
+/// collapses over the other.
+void PathShortener::pull() {
+  bends_.clear();
+  corners_.assign(1, start_);
+  const size_t n = portals_.size();
+  Vec2 apex = start_, left = start_, right = start_;
+  size_t left_at = 0, right_at = 0;
+  bool left_open = true, right_open = true;  // a side that still is the apex itself
+  const auto restart = [&](Vec2 corner, size_t portal, bool is_left, size_t& i) {
+    bends_.push_back({portal, is_left});
+    corners_.push_back(corner);
+    apex = left = right = corner;
+    left_open = right_open = true;
+    i = portal;
+  };
+  for (size_t i = 0; i <= n; ++i) {
+    const Vec2 l = i < n ? portals_[i].left : end_;
+    const Vec2 r = i < n ? portals_[i].right : end_;
+    // Portals that share the apex vertex do not narrow the funnel.
+    if (right_open || cross(right - apex, r - apex) >= 0) {
+      if (left_open || right_open || cross(left - apex, r - apex) <= 0) {
+        if (!(r.x == apex.x && r.y == apex.y)) {
+          right = r;
+          right_at = i;
+          right_open = false;
+        }
+      } else {
+        restart(left, left_at, true, i);
+        // Skip the portals that end in the new apex.
+        while (i + 1 < n && portals_[i + 1].left_vertex == portals_[left_at].left_vertex) ++i;
+        continue;
+      }
+    }
+    if (left_open || cross(left - apex, l - apex) <= 0) {
+      if (right_open || left_open || cross(right - apex, l - apex) >= 0) {
+        if (!(l.x == apex.x && l.y == apex.y)) {
+          left = l;
+          left_at = i;
+          left_open = false;
+        }
+      } else {
+        restart(right, right_at, false, i);
+        while (i + 1 < n && portals_[i + 1].right_vertex == portals_[right_at].right_vertex) ++i;
+        continue;
+      }
+    }
+  }
+  corners_.push_back(end_);
+}
+
+/// Leads the path round the other side of the vertex where it bends, if that side is shorter.
+/// `index` is the bend's place in corners_.
+bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings) {
+  const Portal& portal = portals_[bend.portal];
+  const uint32_t v = bend.left ? portal.left_vertex : portal.right_vertex;
+  if (surface_.on_boundary(v)) return false;
+
+  // The run of portals that end in v on this side.
+  const auto ends_here = [&](const Portal& p) { return (bend.left ? p.left_vertex : p.right_vertex) == v; };
+  size_t first = bend.portal, last = bend.portal;
+  while (first > 0 && ends_here(portals_[first - 1])) --first;
+  while (last + 1 < portals_.size() && ends_here(portals_[last + 1])) ++last;
+
+  // The angle at v between the path's two pieces through the strip, face by face since it may exceed
+  // pi; what is left of the total angle is the other side's. Seen from a vertex on its left, a path
+  // goes round counter-clockwise.
+  const Vec2 corner = bend.left ? portal.left : portal.right;
+  const auto angle = [&](Vec2 from, Vec2 to) {
+    const double a = std::atan2(cross(from, to), dot(from, to));
+    return bend.left ? a : -a;
+  };
+  const auto far_end = [&](const Portal& p) { return bend.left ? p.right : p.left; };
+  const Vec2 in = corners_[index - 1] - corner, out = corners_[index + 1] - corner;
+  double inside = angle(in, far_end(portals_[first]) - corner);
+  for (size_t i = first; i < last; ++i) {
+    inside += angle(far_end(portals_[i]) - corner, far_end(portals_[i + 1]) - corner);
+  }
+  inside += angle(far_end(portals_[last]) - corner, out);
+  const double outside = surface_.total_angle(v) - inside;
+  if (!(outside < std::numbers::pi * (1 - 1e-12))) return false;
+
+  // Round v on the other side: from the face before the run to the face after it.
+  spliced_.assign(crossings.begin(), crossings.begin() + static_cast<std::ptrdiff_t>(first));
+  uint32_t f = face_of(crossings[first].e);
+  const uint32_t goal = face_of(surface_.twin(crossings[last].e));
+  while (f != goal) {
+    uint32_t k = 0;
+    while (surface_.face(f)[k] != v) ++k;
+    const HalfEdge e = 3 * f + (bend.left ? k : prev_corner(k));
+    spliced_.push_back({e, 0.5});
+    f = face_of(surface_.twin(e));
+  }
+  spliced_.insert(spliced_.end(), crossings.begin() + static_cast<std::ptrdiff_t>(last) + 1, crossings.end());
+  crossings.swap(spliced_);
+  cancel_backtracks(surface_, crossings);
+  return true;
+}
+
+PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& end,
+                                 std::vector<Crossing>& crossings) {
+  cancel_backtracks(surface_, crossings);
+  for (int flips = 0; !crossings.empty(); ++flips) {
+    unfold(start, end, crossings);
+    pull();
+    bool flipped = false;
+    if (flips < kMostFlips) {
+      for (size_t b = 0; b < bends_.size() && !flipped; ++b) flipped = flip_at(bends_[b], b + 1, crossings);
+    }
+    if (flipped) continue;
+
+    // Where the straight pieces meet the portals.
+    size_t piece = 0;
+    for (size_t i = 0; i < portals_.size(); ++i) {
+      while (piece < bends_.size() && bends_[piece].portal < i) ++piece;
+      const Portal& p = portals_[i];
+      const Vec2 a = corners_[piece], d = corners_[piece + 1] - a;
+      const double to_right = cross(d, p.right - a), to_left = cross(d, p.left - a);
+      const double span = to_left - to_right;
+      crossings[i].t = clear_of_ends(span > 0 ? -to_right / span : 0.5);
+    }
+    break;
+  }
+  return measure_path(surface_, start, end, crossings);
+}
+
+}  // namespace meander

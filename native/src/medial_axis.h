@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The implicit medial axis: on each side of a node, the largest ball that is tangent to the curve
+// there and holds no other node (section 3.2.2, eq. 6).
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "frames.h"
+#include "point_tree.h"
+
+namespace meander {
+
+/// How a ball ends at the boundary of the surface; see MEANDER_BOUNDARY_...
+enum class BoundaryRule { kCentre, kObstacle };
+
+/// r+ (on the side of the bitangent) and r- of a node.
+using Radii = std::array<double, 2>;
+
+/// The boundary of an open surface, as the medial axis needs it. Immutable; empty if closed.
+class BoundaryObstacle {
+ public:
+  /// Samples boundary *edges* at most `step` apart, so that a coarse boundary does not leak.
+  BoundaryObstacle(const Surface& surface, double step);
+
+  const std::vector<Vec3>& samples() const { return tree_.points(); }
+  const PointTree& tree() const { return tree_; }
+  bool empty() const { return tree_.points().empty(); }
+
+ private:
+  PointTree tree_;
+};
+
+/// Computes both radii of every node, exactly, by shrinking balls (Ma, Bae, Choi, "3D medial axis
+/// point approximation using nearest neighbors and the normal field", 2012): a ball through the node
+/// is replaced by the tangent ball through the node of the curve nearest to its centre, until it is
+/// empty. Tangent balls at a node are nested, so the empty one is unique.
+///
+/// `max_radius`  clamp of every node
+/// `radii`       in: radii of an earlier state (0: unknown), which only save time; out: the result
+void compute_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
+                         const BoundaryObstacle& boundary, BoundaryRule rule,
+                         const std::vector<double>& max_radius, Team& team, std::vector<Radii>& radii);
+
+}  // namespace meander

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds what makes a list of triangles unusable, and names the element, before a half-edge structure
+// sees it (OpenMesh aborts or writes out of bounds on some of these).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meander {
+
+using Triangle = std::array<uint32_t, 3>;
+
+/// Triangles that are a manifold with consistent orientation inside every component.
+struct CheckedMesh {
+  std::vector<Triangle> faces;       ///< some turned round
+  std::vector<uint8_t> turned;       ///< per face: 1 if turned round
+  std::vector<uint32_t> component;   ///< per face
+  uint32_t component_count = 0;
+  double diagonal = 0;               ///< of the bounding box of the used vertices, caller's units
+  std::array<double, 3> low{};       ///< its corner
+  uint32_t used_vertices = 0;
+};
+
+/// Checks `faces` over `vertices` (xyz xyz ...). Throws Failure(MEANDER_INVALID_MESH) that names the
+/// first element which cannot be used; see meander_surface_create for the list.
+CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces);
+
+}  // namespace meander

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nearest-point queries among points in space, on nanoflann's k-d tree.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+#include <nanoflann.hpp>
+
+namespace meander {
+
+/// Holds its own copy of the points. Queries may run on any number of threads.
+class PointTree {
+ public:
+  explicit PointTree(std::vector<Eigen::Vector3d> points)
+      : cloud_{std::move(points)}, index_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(8)) {
+    if (!cloud_.points.empty()) index_.buildIndex();
+  }
+  PointTree(const PointTree&) = delete;
+  PointTree& operator=(const PointTree&) = delete;
+
+  struct Hit {
+    uint32_t index;
+    double squared_distance;
+  };
+
+  /// The nearest point to `q` closer than sqrt(squared_bound), if there is one.
+  std::optional<Hit> nearest(const Eigen::Vector3d& q,
+                             double squared_bound = std::numeric_limits<double>::infinity()) const {
+    if (cloud_.points.empty()) return std::nullopt;
+    Best best{squared_bound};
+    index_.findNeighbors(best, q.data(), nanoflann::SearchParams(0, 0.f, false));
+    if (best.index == UINT32_MAX) return std::nullopt;
+    return Hit{best.index, best.distance};
+  }
+
+  /// The indices of all points closer than sqrt(squared_radius), sorted.
+  void within(const Eigen::Vector3d& q, double squared_radius, std::vector<uint32_t>& found) const {
+    found.clear();
+    if (cloud_.points.empty()) return;
+    All all{squared_radius, found};
+    index_.findNeighbors(all, q.data(), nanoflann::SearchParams(0, 0.f, false));
+    std::sort(found.begin(), found.end());
+  }
+
+  const std::vector<Eigen::Vector3d>& points() const { return cloud_.points; }
+
+ private:
+  struct Cloud {
+    std::vector<Eigen::Vector3d> points;
+    size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(size_t i, size_t k) const { return points[i][static_cast<Eigen::Index>(k)]; }
+    template <class Box>
+    bool kdtree_get_bbox(Box&) const {
+      return false;
+    }
+  };
+  using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, uint32_t>;
+
+  // nanoflann's result-set interface. The bound prunes the search from its start.
+  struct Best {
+    double distance;
+    uint32_t index = UINT32_MAX;
+    size_t size() const { return index != UINT32_MAX; }
+    bool full() const { return true; }
+    double worstDist() const { return distance; }
+    bool addPoint(double d, uint32_t i) {
+      if (d < distance) {
+        distance = d;
+        index = i;
+      }
+      return true;
+    }
+  };
+  struct All {
+    double bound;
+    std::vector<uint32_t>& found;
+    size_t size() const { return found.size(); }
+    bool full() const { return true; }
+    double worstDist() const { return bound; }
+    bool addPoint(double d, uint32_t i) {
+      if (d < bound) found.push_back(i);
+      return true;
+    }
+  };
+
+  Cloud cloud_;
+  Index index_;
+};
+
+}  // namespace meander

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "retraction.h"
+
+#include <algorithm>
+
+#include "geodesic_trace.h"
+#include "stopwatch.h"
+
+namespace meander {
+namespace {
+
+constexpr size_t kBlock = 256;
+
+/// After this many halvings a marked node stays where it was.
+constexpr int kHalvings = 4;
+
+}  // namespace
+
+double Retraction::move(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement,
+                        Team& team, MoveSeconds& seconds) {
+  Stopwatch watch;
+  const uint32_t n = curve.size();
+  share_.assign(n, 1);
+  for (uint32_t i = 0; i < n; ++i) {
+    if (curve.fixed[i]) share_[i] = 0;
+  }
+  next_ = curve;
+  traces_.resize(n);
+  trace(surface, curve, displacement, nullptr, team);
+  seconds.retract += watch.lap();
+  reconnect(surface, curve, nullptr, team);
+  seconds.reconnect += watch.lap();
+  auto pairs = test_.find(surface, next_, team);
+  seconds.crossings += watch.lap();
+  for (int attempt = 1; !pairs.empty(); ++attempt) {
+    back_off(curve, pairs, attempt);
+    trace(surface, curve, displacement, &node_changed_, team);
+    seconds.retract += watch.lap();
+    segment_changed_.assign(n, 0);
+    for (uint32_t i = 0; i < n; ++i) {
+      if (!node_changed_[i]) continue;
+      segment_changed_[i] = 1;
+      if (curve.previous(i) != kNone) segment_changed_[curve.previous(i)] = 1;
+    }
+    reconnect(surface, curve, &segment_changed_, team);
+    seconds.reconnect += watch.lap();
+    pairs = test_.find(surface, next_, team, &segment_changed_);
+    seconds.crossings += watch.lap();
+  }
+  std::swap(curve, next_);
+  size_t held = 0;
+  for (uint32_t i = 0; i < n; ++i) held += share_[i] == 0 && !curve.fixed[i];
+  return n > 0 ? static_cast<double>(held) / n : 0;
+}
+
+void Retraction::trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
+                       const std::vector<uint8_t>* only, Team& team) {
+  team.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (only && !(*only)[i]) continue;
+      traces_[i].clear();
+      next_.nodes[i] = share_[i] == 0
+                           ? curve.nodes[i]
+                           : trace_geodesic(surface, curve.nodes[i], share_[i] * displacement[i], traces_[i]).end;
+    }
+  });
+}
+
+void Retraction::reconnect(const Surface& surface, const Curve& old, const std::vector<uint8_t>* only,
+                           Team& team) {
+  team.for_blocks(old.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    PathShortener shortener(surface);
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
+      const uint32_t j = old.next(i);
+      if (j == kNone || (only && !(*only)[i])) continue;
+      Path& path = next_.paths[i];
+      if (share_[i] == 0 && share_[j] == 0) {
+        path = old.paths[i];
+        next_.shapes[i] = old.shapes[i];
+        continue;
+      }
+      // Back along the first node's trace, along the old path, on along the second's.
+      path.clear();
+      for (size_t k = traces_[i].size(); k-- > 0;) path.push_back(reversed(surface, traces_[i][k]));
+      path.insert(path.end(), old.paths[i].begin(), old.paths[i].end());
+      path.insert(path.end(), traces_[j].begin(), traces_[j].end());
+      next_.shapes[i] = shortener.shorten(next_.nodes[i], next_.nodes[j], path);
+    }
+  });
+}
+
+void Retraction::back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs,
+                          int attempt) {
+  // The stretch that gives way doubles with every attempt once single nodes have not helped.
+  const uint32_t reach = attempt <= 2 ? 0 : (attempt >= 32 ? UINT32_MAX : 1u << std::min(attempt - 2, 30));
+  node_changed_.assign(curve.size(), 0);
+  const auto mark = [&](uint32_t node) {
+    node_changed_[node] = 1;
+    for (const bool forward : {true, false}) {
+      uint32_t i = node;
+      for (uint32_t k = 0; k < reach; ++k) {
+        i = forward ? curve.next(i) : curve.previous(i);
+        if (i == kNone || i == node) break;
+        node_changed_[i] = 1;
+      }
+    }
+  };
+  marked_.clear();
+  for (const auto& [a, b] : pairs) {
+    for (const uint32_t segment : {a, b}) {
+      marked_.push_back(segment);
+      marked_.push_back(curve.next(segment));
+    }
+  }
+  std::sort(marked_.begin(), marked_.end());
+  marked_.erase(std::unique(marked_.begin(), marked_.end()), marked_.end());
+  for (const uint32_t node : marked_) mark(node);
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    if (node_changed_[i]) share_[i] = attempt > kHalvings ? 0 : 0.5 * share_[i];
+  }
+}
+
+}  // namespace meander

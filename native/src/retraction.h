@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Moves the nodes along geodesics, joins them again, and backs off where segments would cross
+// (sections 3.3 and 3.3.1).
+#pragma once
+
+#include <vector>
+
+#include "crossings.h"
+#include "curve.h"
+
+namespace meander {
+
+/// Wall-clock seconds that the parts of a move took.
+struct MoveSeconds {
+  double retract = 0, reconnect = 0, crossings = 0;
+};
+
+class Retraction {
+ public:
+  /// Replaces `curve`, which has no crossings, by one whose nodes have moved along `displacement`
+  /// (per node, in the plane of its face; fixed nodes stay), and which has none either.
+  ///
+  /// Where segments would cross, only their nodes and, if that does not help, a growing stretch of
+  /// the strand around them take a shorter step, down to none: one knot does not hold the others.
+  /// Nodes that do not move, and the segments between them, are kept to the last bit; that the old
+  /// curve has no crossings therefore guarantees an end.
+  /// Returns the share of nodes that were backed off to no step at all.
+  double move(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, Team& team,
+              MoveSeconds& seconds);
+
+ private:
+  void trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
+             const std::vector<uint8_t>* only, Team& team);
+  void reconnect(const Surface& surface, const Curve& old, const std::vector<uint8_t>* only, Team& team);
+  void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
+
+  CrossingTest test_;
+  Curve next_;
+  std::vector<Path> traces_;
+  std::vector<double> share_;           // of the displacement that a node takes
+  std::vector<uint8_t> node_changed_, segment_changed_;
+  std::vector<uint32_t> marked_;
+};
+
+}  // namespace meander

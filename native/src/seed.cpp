@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <queue>
+#include <string>
+#include <unordered_map>
+
+#include "closest_point.h"
+#include "crossings.h"
+#include "failure.h"
+#include "geodesic_trace.h"
+
+namespace meander {
+namespace {
+
+[[noreturn]] void refuse(const std::string& sentence, size_t point) {
+  throw Failure(MEANDER_INVALID_SEED, sentence, MEANDER_ELEMENT_SEED_POINT, static_cast<uint32_t>(point));
+}
+
+double radius_at(const Surface& surface, const std::vector<double>& radius, const SurfacePoint& p) {
+  const Triangle& t = surface.face(p.face);
+  return p.weight(0) * radius[t[0]] + p.b.x * radius[t[1]] + p.b.y * radius[t[2]];
+}
+
+/// Any sequence of edges from one face to another, by A* over face centres: near enough to a short
+/// path for PathShortener to make it one. Empty optional when they are on different components.
+bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to, Path& path) {
+  path.clear();
+  if (from == to.face) return true;
+  if (surface.component(from) != surface.component(to.face)) return false;
+  const Vec3 goal = position(surface, to);
+  const auto centre = [&](uint32_t f) {
+    const Triangle& t = surface.face(f);
+    return Vec3((surface.position(t[0]) + surface.position(t[1]) + surface.position(t[2])) / 3);
+  };
+  struct Reached {
+    double cost;
+    HalfEdge by;  // the half-edge across which the face was entered, kNone at the start
+    bool done;
+  };
+  std::unordered_map<uint32_t, Reached> reached;
+  using Entry = std::pair<double, uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  reached[from] = {0, kNone, false};
+  queue.push({0, from});
+  while (!queue.empty()) {
+    const uint32_t f = queue.top().second;
+    queue.pop();
+    Reached& here = reached[f];
+    if (here.done) continue;
+    here.done = true;
+    if (f == to.face) break;
+    const double cost = here.cost;
+    const Vec3 middle = centre(f);
+    for (uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge twin = surface.twin(3 * f + k);
+      if (twin == kNone) continue;
+      const uint32_t g = face_of(twin);
+      const double c = cost + (centre(g) - middle).norm();
+      const auto found = reached.find(g);
+      if (found != reached.end() && (found->second.done || found->second.cost <= c)) continue;
+      reached[g] = {c, 3 * f + k, false};
+      queue.push({c + (centre(g) - goal).norm(), g});
+    }
+  }
+  for (uint32_t f = to.face; f != from;) {
+    const HalfEdge e = reached[f].by;
+    path.push_back({e, 0.5});
+    f = face_of(e);
+  }
+  std::reverse(path.begin(), path.end());
+  return true;
+}
+
+void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed) {
+  curve.nodes.push_back(p);
+  curve.fixed.push_back(fixed);
+  curve.paths.emplace_back();
+  curve.shapes.emplace_back();
+}
+
+}  // namespace
+
+Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vector<double>& radius, Team& team) {
+  const ClosestPoint closest(surface);
+  Curve curve;
+  std::vector<size_t> point_of_node;
+  for (size_t s = 0; s + 1 < seed.offsets.size(); ++s) {
+    const bool closed = seed.closed[s] != 0;
+    Strand strand{curve.size(), 0, closed};
+    for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
+      const auto hit = closest(surface.to_inside(seed.points[i]));
+      const double r = radius_at(surface, radius, hit.point);
+      if (!(hit.distance <= r)) {
+        refuse("Seed point " + std::to_string(i) + " is " + std::to_string(hit.distance / r) +
+                   " radii away from the surface (at most 1 is allowed); move the seed onto the surface.",
+               i);
+      }
+      const uint8_t fixed = seed.fixed.empty() ? 0 : seed.fixed[i];
+      // A point drawn twice in a row is one node.
+      if (curve.size() > strand.first) {
+        const SurfacePoint& last = curve.nodes.back();
+        if (last.face == hit.point.face && last.b.x == hit.point.b.x && last.b.y == hit.point.b.y) {
+          curve.fixed.back() |= fixed;
+          continue;
+        }
+      }
+      add_node(curve, hit.point, fixed);
+      point_of_node.push_back(i);
+    }
+    const auto same = [&](const SurfacePoint& a, const SurfacePoint& b) {
+      return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
+    };
+    if (closed && curve.size() > strand.first + 1 && same(curve.nodes.back(), curve.nodes[strand.first])) {
+      curve.fixed[strand.first] |= curve.fixed.back();
+      curve.nodes.pop_back();
+      curve.fixed.pop_back();
+      curve.paths.pop_back();
+      curve.shapes.pop_back();
+      point_of_node.pop_back();
+    }
+    strand.count = curve.size() - strand.first;
+    if (strand.count < (closed ? 3u : 2u)) {
+      refuse("Strand " + std::to_string(s) + " of the seed has " + std::to_string(strand.count) +
+                 " different points; a closed strand needs at least 3 and an open one 2.",
+             seed.offsets[s]);
+    }
+    curve.strands.push_back(strand);
+  }
+  curve.link();
+  PathShortener shortener(surface);
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    const uint32_t j = curve.next(i);
+    if (j == kNone) continue;
+    if (!connect_faces(surface, curve.nodes[i].face, curve.nodes[j], curve.paths[i])) {
+      refuse("Seed points " + std::to_string(point_of_node[i]) + " and " + std::to_string(point_of_node[j]) +
+                 " are neighbours on one strand but lie on different components of the surface; draw one "
+                 "strand for each component.",
+             point_of_node[i]);
+    }
+    curve.shapes[i] = shortener.shorten(curve.nodes[i], curve.nodes[j], curve.paths[i]);
+  }
+  CrossingTest test;
+  const auto pairs = test.find(surface, curve, team);
+  if (!pairs.empty()) {
+    const size_t a = point_of_node[pairs[0].first], b = point_of_node[pairs[0].second];
+    refuse("The seed crosses or touches itself between points " + std::to_string(a) + " and " +
+               std::to_string(b) + " (segments after them, on the surface); untangle it there.",
+           a);
+  }
+  return curve;
+}
+
+Curve face_loops(const Surface& surface, const std::vector<double>& radius, bool widen, Team& team) {
+  constexpr double kWide = 1.5;  // of r
+  constexpr int kRays = 24;
+  constexpr double kInset = 0.02;  // keeps the outline off the face's edges
+  Curve curve;
+  std::vector<uint8_t> seen(surface.component_count(), 0);
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    if (seen[surface.component(f)]) continue;
+    seen[surface.component(f)] = 1;
+    const SurfacePoint middle = make_point(f, 1.0 / 3, 1.0 / 3, 1.0 / 3);
+    double perimeter = 0;
+    for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface.corner(f, next_corner(k)) - surface.corner(f, k));
+    Curve loop;
+    double wide = kWide * radius_at(surface, radius, middle);
+    for (; widen && perimeter < 2 * std::numbers::pi * wide; wide /= 2) {
+      loop = Curve{};
+      std::vector<Path> rays(kRays);
+      bool whole = true;
+      for (int k = 0; k < kRays && whole; ++k) {
+        const double a = 2 * std::numbers::pi * k / kRays;
+        const Trace ray = trace_geodesic(surface, middle, wide * Vec2{std::cos(a), std::sin(a)}, rays[k]);
+        whole = !ray.hit_boundary;
+        add_node(loop, ray.end, 0);
+      }
+      if (!whole) continue;
+      loop.strands.push_back({0, kRays, true});
+      loop.link();
+      PathShortener shortener(surface);
+      for (uint32_t k = 0; k < kRays; ++k) {
+        const uint32_t j = loop.next(k);
+        Path& path = loop.paths[k];
+        for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(surface, rays[k][c]));
+        path.insert(path.end(), rays[j].begin(), rays[j].end());
+        loop.shapes[k] = shortener.shorten(loop.nodes[k], loop.nodes[j], path);
+      }
+      CrossingTest test;
+      if (test.find(surface, loop, team).empty()) break;
+    }
+    if (!widen || !(perimeter < 2 * std::numbers::pi * wide)) {
+      loop = Curve{};
+      const double far = 1 - 2 * kInset;
+      for (uint32_t k = 0; k < 3; ++k) {
+        double w[3] = {kInset, kInset, kInset};
+        w[k] = far;
+        add_node(loop, make_point(f, w[0], w[1], w[2]), 0);
+      }
+      loop.strands.push_back({0, 3, true});
+      loop.link();
+      for (uint32_t k = 0; k < 3; ++k) {
+        loop.shapes[k] = measure_path(surface, loop.nodes[k], loop.nodes[loop.next(k)], {});
+      }
+    }
+    const uint32_t first = curve.size();
+    curve.strands.push_back({first, loop.size(), true});
+    for (uint32_t k = 0; k < loop.size(); ++k) {
+      add_node(curve, loop.nodes[k], 0);
+      curve.paths.back() = std::move(loop.paths[k]);
+      curve.shapes.back() = loop.shapes[k];
+    }
+  }
+  curve.link();
+  return curve;
+}
+
+}  // namespace meander

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The surface: a checked triangle mesh with a flat coordinate system in every face.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mesh_check.h"
+#include "plane.h"
+
+namespace meander {
+
+using Vec3 = Eigen::Vector3d;
+
+/// Half-edge 3 f + k runs from corner k to corner k + 1 of face f, with the face on its left.
+using HalfEdge = uint32_t;
+inline constexpr uint32_t kNone = UINT32_MAX;
+
+inline uint32_t face_of(HalfEdge e) { return e / 3; }
+inline uint32_t corner_of(HalfEdge e) { return e % 3; }
+inline uint32_t next_corner(uint32_t k) { return k == 2 ? 0 : k + 1; }
+inline uint32_t prev_corner(uint32_t k) { return k == 0 ? 2 : k - 1; }
+
+/// An oriented manifold triangle mesh, immutable after construction, so any thread may read it.
+///
+/// Inside, lengths are in units of the diagonal of the bounding box, and coordinates are rounded to
+/// 2^-30 of it: a mesh that is scaled by any factor is then the same mesh to the last bit, and so is
+/// everything that grows on it. What leaves the library is computed from the caller's own vertices.
+class Surface {
+ public:
+  /// Throws Failure(MEANDER_INVALID_MESH), see meander_surface_create.
+  Surface(std::span<const double> vertices, std::span<const uint32_t> faces);
+
+  size_t vertex_count() const { return positions_.size(); }
+  size_t face_count() const { return faces_.size(); }
+  const Triangle& face(uint32_t f) const { return faces_[f]; }
+  const Vec3& position(uint32_t v) const { return positions_[v]; }
+  bool turned(uint32_t f) const { return turned_[f] != 0; }
+  uint32_t component(uint32_t f) const { return component_[f]; }
+  uint32_t component_count() const { return component_count_; }
+  uint32_t turned_count() const { return turned_count_; }
+  uint32_t used_vertices() const { return used_vertices_; }
+  uint32_t boundary_loop_count() const { return boundary_loop_count_; }
+  const std::vector<HalfEdge>& boundary() const { return boundary_; }
+  double area() const { return area_; }
+
+  /// The caller's units for one unit in here.
+  double scale() const { return scale_; }
+  /// A vertex as the caller gave it.
+  Vec3 caller_position(uint32_t v) const {
+    return {caller_[3 * v], caller_[3 * v + 1], caller_[3 * v + 2]};
+  }
+  /// A point of the caller's space in here, rounded as the vertices are.
+  Vec3 to_inside(const Vec3& p) const;
+
+  /// The half-edge of the neighbouring face on the same edge, kNone at the boundary.
+  HalfEdge twin(HalfEdge e) const { return twin_[e]; }
+  /// Unit complex number that carries a vector of the plane of e's face to that of its twin's face
+  /// when the two are unfolded about their edge.
+  Vec2 transition(HalfEdge e) const { return transition_[e]; }
+
+  /// The corners of face f in its own plane: (0, 0), (x1, 0), (x2, y2) with y2 > 0.
+  Vec2 corner(uint32_t f, uint32_t k) const {
+    const Flat& q = flat_[f];
+    return k == 0 ? Vec2{0, 0} : (k == 1 ? Vec2{q.x1, 0} : Vec2{q.x2, q.y2});
+  }
+  /// A vector of the plane of face f, in space.
+  Vec3 to_space(uint32_t f, Vec2 v) const { return v.x * axis_[2 * f] + v.y * axis_[2 * f + 1]; }
+  const Vec3& face_normal(uint32_t f) const { return face_normal_[f]; }
+  double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
+  /// Sum of the angles of the faces around v.
+  double total_angle(uint32_t v) const { return total_angle_[v]; }
+  bool on_boundary(uint32_t v) const { return vertex_on_boundary_[v] != 0; }
+  double corner_angle(uint32_t f, uint32_t k) const;
+  double mean_edge_length() const { return mean_edge_length_; }
+
+ private:
+  struct Flat {
+    double x1, x2, y2;
+  };
+  void lay_out();
+  void connect();
+
+  std::vector<double> caller_;
+  std::vector<Vec3> positions_;
+  std::vector<Triangle> faces_;
+  std::vector<uint8_t> turned_, vertex_on_boundary_;
+  std::vector<uint32_t> component_;
+  std::vector<HalfEdge> twin_, boundary_;
+  std::vector<Vec2> transition_;
+  std::vector<Flat> flat_;
+  std::vector<Vec3> axis_, face_normal_;
+  std::vector<double> total_angle_;
+  Vec3 low_ = Vec3::Zero();
+  double scale_ = 1, area_ = 0, mean_edge_length_ = 0;
+  uint32_t component_count_ = 0, turned_count_ = 0, used_vertices_ = 0, boundary_loop_count_ = 0;
+};
+
+}  // namespace meander

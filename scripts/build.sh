@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# build.sh [TARGET]...
+#
+# Builds into build/: the targets, or without any everything: the library, the native tests, the
+# benchmark, and the add-on's zip build/meander-VERSION.zip. The packages of install_dependencies.sh
+# must be there. Options of the build are remembered in build/: docs/building.md.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+targets=("$@")
+[ ${#targets[@]} -gt 0 ] || targets=(all addon)
+
+mkdir -p build
+# Debian's Python by its full path: another one may come first on the PATH.
+if ! cmake -S . -B build -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 >build/configure.log 2>&1
+then
+  cat build/configure.log >&2
+  exit 1
+fi
+cmake --build build --target "${targets[@]}"

@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# install_dependencies.sh [--bpy VERSION]...
+#
+# Installs what building, running and testing need on Debian 12, as far as it is missing: Debian's
+# packages with apt-get (through sudo unless root), and for every --bpy a virtual environment
+# build/bpy-VERSION with Blender as a Python module, pytest and ruff from the Python index.
+# Runs again at no cost: nothing is fetched that is there.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+build_packages=(cmake ninja-build g++ python3
+  libeigen3-dev libnanoflann-dev libopenmesh-dev libgtest-dev)
+# Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
+blender_packages=(blender python3-numpy python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
+# What the wheel of Blender expects of the system and does not bring along.
+bpy_packages=(ca-certificates python3-venv
+  libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
+
+bpy_versions=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --bpy) bpy_versions+=("${2:?--bpy needs a version, such as 4.5}"); shift 2 ;;
+    *) echo "usage: $0 [--bpy VERSION]..." >&2; exit 2 ;;
+  esac
+done
+
+wanted=("${build_packages[@]}" "${blender_packages[@]}")
+[ ${#bpy_versions[@]} -eq 0 ] || wanted+=("${bpy_packages[@]}")
+
+missing=()
+for package in "${wanted[@]}"; do
+  state=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing+=("$package")
+done
+
+if [ ${#missing[@]} -gt 0 ]; then
+  as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "Missing packages: ${missing[*]}" >&2
+      echo "Run this script as root, or install sudo." >&2
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq
+  # Only what is needed: recommended packages would more than double Blender's size. The log is
+  # shown when something goes wrong, and only then.
+  log=$(mktemp)
+  if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq \
+      --no-install-recommends "${missing[@]}" >"$log" 2>&1; then
+    cat "$log" >&2
+    rm -f "$log"
+    exit 1
+  fi
+  rm -f "$log"
+fi
+
+for version in "${bpy_versions[@]}"; do
+  venv="build/bpy-$version"
+  # The mark is made last, so that an interrupted installation starts over.
+  if [ ! -e "$venv/.complete" ]; then
+    echo "Installing bpy $version into $venv (about 1 GB)"
+    rm -rf "$venv"
+    mkdir -p build
+    # The system's Python by its full path: another one may come first on the PATH, and bpy needs 3.11.
+    /usr/bin/python3 -m venv "$venv"
+    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+      "bpy==$version.*" "pytest==8.*" "ruff==0.6.*"
+    touch "$venv/.complete"
+  fi
+done

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Packs the add-on into one zip that holds one folder, the only shape that Blender 3.4 and the
+extensions of 4.2 and later both install.
+
+The same contents give the same bytes: entries are sorted, and carry a fixed time and fixed rights.
+Blender reads the add-on's version without running its code, so its copies are literals that nothing
+can derive; they are compared with the project's instead.
+"""
+
+import argparse
+import ast
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+from typing import Any
+
+FOLDER = "meander"
+# The earliest time a zip can hold.
+TIMESTAMP = (1980, 1, 1, 0, 0, 0)
+# Made by the build or by running, and never part of the sources.
+SKIPPED_FOLDERS = {"__pycache__", "native"}
+SKIPPED_SUFFIXES = {".pyc", ".pyo"}
+
+
+def literal(python_file: Path, name: str) -> Any:
+    """The literal that a module assigns to `name`, read without running the module."""
+    for statement in ast.parse(python_file.read_text(encoding="utf-8")).body:
+        if isinstance(statement, ast.Assign) and any(
+            isinstance(target, ast.Name) and target.id == name for target in statement.targets
+        ):
+            return ast.literal_eval(statement.value)
+    raise SystemExit(f"{python_file}: no {name} = ... at the top level, which Meander reads there")
+
+
+def manifest_version(manifest_file: Path) -> str:
+    with manifest_file.open("rb") as file:
+        return tomllib.load(file)["version"]
+
+
+def check_versions(addon: Path, version: str) -> None:
+    bl_info = literal(addon / "__init__.py", "bl_info")
+    found = {
+        "__init__.py": ".".join(str(part) for part in bl_info["version"]),
+        "blender_manifest.toml": manifest_version(addon / "blender_manifest.toml"),
+        "core.py": literal(addon / "core.py", "VERSION"),
+    }
+    wrong = [f"{addon / name}: {other}" for name, other in found.items() if other != version]
+    if wrong:
+        raise SystemExit(
+            "\n".join(wrong) + f"\nCMakeLists.txt says {version}: change the files above to match."
+        )
+
+
+def contents(addon: Path, native: list[Path], licences: list[Path]) -> dict[str, Path]:
+    """Name inside the zip -> file."""
+    files = {}
+    for path in addon.rglob("*"):
+        inside = path.relative_to(addon)
+        skipped = SKIPPED_FOLDERS.intersection(inside.parts) or path.suffix in SKIPPED_SUFFIXES
+        if path.is_file() and not skipped:
+            files[f"{FOLDER}/{inside.as_posix()}"] = path
+    for path in native:
+        files[f"{FOLDER}/native/{path.name}"] = path
+    for path in licences:
+        files[f"{FOLDER}/{path.name}"] = path
+    return files
+
+
+def write_zip(output: Path, files: dict[str, Path]) -> None:
+    # Written aside and renamed, so that a zip is always whole.
+    unfinished = output.with_suffix(".zip.part")
+    with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for name, path in sorted(files.items()):
+            entry = zipfile.ZipInfo(name, TIMESTAMP)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.create_system = 3  # Unix, whatever the machine: the rights below are Unix rights
+            entry.external_attr = (0o755 if path.suffix == ".so" else 0o644) << 16
+            archive.writestr(entry, path.read_bytes())
+    unfinished.replace(output)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--addon", type=Path, required=True, help="folder of the add-on's sources")
+    parser.add_argument("--version", required=True, help="the project's version")
+    parser.add_argument("--native", type=Path, action="append", default=[], help="a library")
+    parser.add_argument("--licence", type=Path, action="append", default=[], help="a text to add")
+    parser.add_argument("--output", type=Path, help="the zip to write")
+    parser.add_argument("--check-only", action="store_true", help="compare versions, write nothing")
+    arguments = parser.parse_args()
+
+    check_versions(arguments.addon, arguments.version)
+    if arguments.check_only:
+        return 0
+    if arguments.output is None:
+        parser.error("--output is needed unless --check-only is given")
+    files = contents(arguments.addon, arguments.native, arguments.licence)
+    write_zip(arguments.output, files)
+    size = arguments.output.stat().st_size / 1024
+    print(f"{arguments.output}: {len(files)} files, {size:.0f} KiB")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

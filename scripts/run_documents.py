@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the commands of README.md and docs/*.md, so that none of them goes stale.
+
+In each document the fenced blocks marked `sh` are run from the project's root, one after the
+other. A comment on the line before a block says otherwise:
+
+    <!-- not run here: REASON -->     the block is left out
+    <!-- file: PATH -->               the block, of any language, is written to PATH instead
+
+The last line is a count such as "5 passed, 0 failed".
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parents[1]
+FENCE = re.compile(
+    r"(?:<!-- (?P<remark>not run here|file): (?P<value>.+?) -->\n)?"
+    r"^```(?P<language>\w*)\n(?P<body>.*?)^```$",
+    re.MULTILINE | re.DOTALL,
+)
+
+
+class Block(NamedTuple):
+    place: str  # "README.md:12"
+    language: str
+    remark: str | None
+    value: str | None
+    body: str
+
+
+def blocks_of(document: Path) -> list[Block]:
+    text = document.read_text(encoding="utf-8")
+    return [
+        Block(
+            f"{document.relative_to(ROOT)}:{text.count(chr(10), 0, match.start()) + 1}",
+            match["language"], match["remark"], match["value"], match["body"],
+        )
+        for match in FENCE.finditer(text)
+    ]
+
+
+def run(block: Block) -> bool:
+    print(f"--- {block.place}", flush=True)
+    done = subprocess.run(["bash", "-euo", "pipefail", "-x", "-c", block.body], cwd=ROOT)
+    if done.returncode != 0:
+        print(f"--- {block.place}: exit code {done.returncode}", flush=True)
+    return done.returncode == 0
+
+
+def main() -> int:
+    passed = failed = 0
+    for document in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        for block in blocks_of(document):
+            if block.remark == "file":
+                path = ROOT / block.value
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(block.body, encoding="utf-8")
+            elif block.language == "sh" and block.remark is None:
+                if run(block):
+                    passed += 1
+                else:
+                    failed += 1
+    print(f"{passed} passed, {failed} failed")
+    return 0 if failed == 0 and passed > 0 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

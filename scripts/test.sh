@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test.sh
+#
+# Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
+# without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
+# in both, one UI test in a window, the commands of the documents, and the linter. Every suite runs
+# whatever became of the others. Logs stay in build/logs; the last line counts, and the exit code is
+# 0 only when nothing failed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+root=$PWD
+
+bash scripts/install_dependencies.sh --bpy 4.5
+bash scripts/build.sh
+
+zip=$(ls -t build/meander-*.zip | head -n 1)
+bpy_python=build/bpy-4.5/bin/python
+logs=build/logs
+rm -rf "$logs" build/profiles
+mkdir -p "$logs" build/profiles
+
+# Nothing of what the user keeps in Blender may be read or changed: every suite gets an empty home
+# and an empty profile, 3.4 by three variables, 4.2 and later by BLENDER_USER_RESOURCES.
+profile() { # NAME: sets in_profile, the beginning of a command that runs in that profile
+  local profile=$root/build/profiles/$1
+  mkdir -p "$profile/home" "$profile/config" "$profile/scripts" "$profile/datafiles"
+  in_profile=(env HOME="$profile/home" BLENDER_USER_CONFIG="$profile/config"
+    BLENDER_USER_SCRIPTS="$profile/scripts" BLENDER_USER_DATAFILES="$profile/datafiles"
+    BLENDER_USER_RESOURCES="$profile" PYTHONDONTWRITEBYTECODE=1)
+}
+
+summary=()
+passed_total=0
+failed_total=0
+
+# The number before a word in the last line that has it: "12 passed, 1 failed in 3 s".
+count_of() {
+  grep -oE "[0-9]+ $1" "$2" | tail -n 1 | grep -oE '^[0-9]+' || echo 0
+}
+
+# suite NAME SECONDS COMMAND... - a command that counts its tests
+# check NAME SECONDS COMMAND... - a command that is one test by itself
+suite() { run_counted 1 "$@"; }
+check() { run_counted 0 "$@"; }
+
+run_counted() {
+  local counts=$1 name=$2 seconds=$3 log=$logs/$2.log status=0 passed failed begin=$SECONDS
+  shift 3
+  timeout --kill-after=10 "$seconds" "$@" >"$log" 2>&1 </dev/null || status=$?
+  if [ "$counts" -eq 0 ]; then
+    passed=1 failed=0
+  elif grep -qE '^[0-9]+% tests passed' "$log"; then # ctest
+    failed=$(grep -oE '[0-9]+ tests? failed out of' "$log" | tail -n 1 | grep -oE '^[0-9]+')
+    passed=$(($(grep -oE 'failed out of [0-9]+' "$log" | tail -n 1 | grep -oE '[0-9]+$') - failed))
+  else
+    passed=$(count_of passed "$log")
+    failed=$(($(count_of failed "$log") + $(count_of 'errors?' "$log")))
+  fi
+  # Neither a bad end nor a suite in which nothing ran may look like success.
+  if [ "$status" -eq 0 ] && [ $((passed + failed)) -eq 0 ]; then status="0, but no test ran"; fi
+  if [ "$status" != 0 ] && [ "$failed" -eq 0 ]; then failed=1 passed=$((counts * passed)); fi
+  passed_total=$((passed_total + passed))
+  failed_total=$((failed_total + failed))
+  local verdict=ok
+  case "$status" in
+    0) ;;
+    124 | 137) verdict="FAILED: not done after $seconds s" ;;
+    *) verdict="FAILED: exit code $status" ;;
+  esac
+  summary+=("$(printf '%-14s %4d passed %3d failed %4d s  %s' \
+    "$name" "$passed" "$failed" $((SECONDS - begin)) "$verdict")")
+  echo "${summary[-1]}"
+  [ "$status" = 0 ] || tail -n 60 "$log"
+}
+export LIBGL_ALWAYS_SOFTWARE=1 # the same picture whether or not the machine has a graphics card
+
+suite native 600 ctest --test-dir build --output-on-failure --no-tests=error -j 2
+suite sanitized 900 bash scripts/test_sanitized.sh
+profile core
+suite core 600 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/core
+profile blender-3.4
+suite blender-3.4 600 "${in_profile[@]}" \
+  blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
+profile blender-4.5
+suite blender-4.5 600 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
+# This one makes profiles of its own.
+suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
+  /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
+profile ui
+check ui 300 "${in_profile[@]}" \
+  xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" \
+  blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
+  --python-exit-code 1 --python tests/ui/run.py
+profile documents
+suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
+check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
+
+printf '\n'
+printf '%s\n' "${summary[@]}"
+printf '\n%d passed, %d failed\n' "$passed_total" "$failed_total"
+[ "$failed_total" -eq 0 ]

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_sanitized.sh
+#
+# Builds the library and the native tests with AddressSanitizer and UndefinedBehaviorSanitizer in a
+# folder of their own, build/sanitized, and runs the tests there.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+cmake -S . -B build/sanitized -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
+  -DMEANDER_BUILD_BENCH=OFF -DMEANDER_SANITIZE=address,undefined
+cmake --build build/sanitized
+ctest --test-dir build/sanitized --output-on-failure --no-tests=error -j 2

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the tests inside Blender share: an empty scene, small surfaces, seeds, and yardsticks."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import bpy
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
+sys.path.insert(0, str(Path(__file__).parent))
+
+import meander  # noqa: E402
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    meander.register()
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    # What is still registered when the interpreter ends crashes bpy 4.5.
+    if hasattr(bpy.types.Object, "meander"):
+        meander.unregister()
+
+
+@pytest.fixture(autouse=True)
+def empty_scene() -> Iterator[None]:
+    """An empty file before every test; nothing of ours still going after it."""
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    yield
+    from meander import session
+
+    assert session.current() is None

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on as Blender sees it: registering, the manifest, what the panel shows."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from types import SimpleNamespace
+
+import bpy
+import meander
+import pytest
+from meander import panels, session
+from scenes import activate, cube, fill, poly_curve, sphere
+
+PANELS = (
+    panels.MEANDER_PT_main,
+    panels.MEANDER_PT_density,
+    panels.MEANDER_PT_options,
+    panels.MEANDER_PT_figures,
+)
+
+
+class Layout:
+    """Takes every call of a layout, notes what is shown, and checks that it exists."""
+
+    def __init__(self, shown: list[str]) -> None:
+        self.shown = shown
+
+    def prop(self, data, name, text=None, **_options) -> None:
+        known = data.bl_rna.properties[name]
+        self.shown.append(known.name if text is None else text)
+
+    def prop_search(self, data, name, source, items, text=None, **_options) -> None:
+        assert hasattr(source, items)
+        self.prop(data, name, text)
+
+    def operator(self, idname, text=None, **_options) -> SimpleNamespace:
+        kind, name = idname.split(".")
+        label = getattr(getattr(bpy.ops, kind), name).get_rna_type().name
+        self.shown.append(label if text is None else text)
+        return SimpleNamespace()
+
+    def label(self, text="", **_options) -> None:
+        self.shown.append(text)
+
+    def progress(self, text="", **_options) -> None:
+        self.shown.append(text)
+
+    def _nested(self, **_options) -> Layout:
+        return Layout(self.shown)
+
+    row = column = split = box = _nested
+
+
+def draw(panel: type[bpy.types.Panel]) -> list[str] | None:
+    """What a panel shows now; None if it is hidden."""
+    if hasattr(panel, "poll") and not panel.poll(bpy.context):
+        return None
+    shown: list[str] = []
+
+    class Drawn:
+        layout = Layout(shown)
+
+        def __getattr__(self, name):
+            return getattr(panel, name).__get__(self)
+
+    panel.draw(Drawn(), bpy.context)
+    return shown
+
+
+def test_registering_twice():
+    meander.unregister()
+    assert not hasattr(bpy.types.Object, "meander")
+    meander.register()
+    meander.unregister()
+    meander.register()
+    assert hasattr(bpy.types.Object, "meander")
+
+
+def test_manifest_and_bl_info_say_the_same():
+    folder = Path(meander.__file__).parent
+    manifest = tomllib.loads((folder / "blender_manifest.toml").read_text())
+    assert manifest["version"] == ".".join(map(str, meander.bl_info["version"]))
+    assert manifest["name"] == meander.bl_info["name"]
+    assert len(manifest["tagline"]) <= 64
+    assert not manifest["tagline"].endswith(".")
+    assert meander.bl_info["blender"] == (3, 4, 0)
+
+
+def test_labels_and_tooltips_follow_the_guidelines():
+    settings = sphere().meander
+    for name, item in settings.bl_rna.properties.items():
+        if name in {"rna_type", "name", "figures"}:
+            continue
+        assert item.description, name
+        assert not item.description.endswith("."), name
+        assert item.name == item.name.title(), name
+
+
+def test_panel_without_a_mesh_says_what_to_do():
+    assert draw(panels.MEANDER_PT_main) == ["Select a mesh to fill"]
+    activate(poly_curve("Any", [[(0, 0, 0), (1, 0, 0)]], False))
+    assert draw(panels.MEANDER_PT_main) == ["Select a mesh to fill"]
+    assert draw(panels.MEANDER_PT_density) is None
+
+
+def test_panel_on_a_mesh():
+    cube()
+    shown = draw(panels.MEANDER_PT_main)
+    assert {"Surface", "Seed", "Spacing", "Fill with Curve"} <= set(shown)
+    assert draw(panels.MEANDER_PT_figures) is None
+    assert all(draw(panel) for panel in PANELS[:3])
+
+
+def test_panel_on_a_result():
+    fill(cube(), 0.5)
+    shown = draw(panels.MEANDER_PT_main)
+    assert {"Surface", "Continue", "Start Over"} <= set(shown)
+    assert "Nodes" in draw(panels.MEANDER_PT_figures)
+
+
+@pytest.mark.parametrize("system", ["NONE", "METRIC", "IMPERIAL"])
+def test_figures_in_all_units(system):
+    bpy.context.scene.unit_settings.system = system
+    fill(cube(), 0.5)
+    assert draw(panels.MEANDER_PT_figures)
+
+
+def test_panel_while_running(monkeypatch):
+    cube()
+    plan = session.plan_run(bpy.context)
+    monkeypatch.setattr(session, "_current", session.Session(plan))
+    shown = draw(panels.MEANDER_PT_main)
+    assert "Stop" in shown and "Fill with Curve" not in shown
+    assert not bpy.ops.meander.run.poll()
+    assert bpy.ops.meander.stop.poll()
+
+
+def test_menu_entry():
+    assert bpy.ops.meander.run.get_rna_type().name == "Fill with Curve"
+    assert any(
+        getattr(entry, "__module__", "") == "meander.operators"
+        for entry in bpy.types.VIEW3D_MT_object._dyn_ui_initialize()
+    )

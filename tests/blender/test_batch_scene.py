@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The batch command on a .blend with named objects, in a Blender of its own."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+import meander
+import pytest
+from scenes import circle_points, farthest_from, length_of, poly_curve, sphere
+
+BATCH = Path(meander.__file__).parent / "batch.py"
+
+
+def run_batch(*arguments: object) -> subprocess.CompletedProcess:
+    if bpy.app.binary_path:
+        command = [bpy.app.binary_path, "--background", "--factory-startup"]
+        command += ["--python-exit-code", "1", "--python", str(BATCH), "--"]
+    else:
+        command = [sys.executable, str(BATCH), "--"]
+    return subprocess.run(
+        [*command, *map(str, arguments)], capture_output=True, text=True, timeout=120
+    )
+
+
+@pytest.fixture
+def scene(tmp_path) -> Path:
+    surface = sphere()
+    surface.name = "Ball"
+    surface.scale = (1.0, 1.5, 1.0)
+    surface.modifiers.new("Subdivision", "SUBSURF").levels = 1
+    top = [vertex.index for vertex in surface.data.vertices if vertex.co.z > 0.0]
+    surface.vertex_groups.new(name="Top").add(top, 1.0, "REPLACE")
+    poly_curve("Ring", [circle_points(0.43, 0.9)], True)
+    poly_curve("Far", [circle_points(1.0, 9.0)], True)
+    path = tmp_path / "scene.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    return path
+
+
+def test_a_scene_with_named_objects(scene, tmp_path):
+    output, report = tmp_path / "out.blend", tmp_path / "out.json"
+    done = run_batch(
+        *("--input", scene, "--object", "Ball", "--seed-object", "Ring"),
+        *("--density-group", "Top", "--spacing", 0.3),
+        *("--output", output, "--report", report, "--quiet"),
+    )
+    assert done.returncode == 0, done.stderr
+    figures = json.loads(report.read_text())
+    assert figures["converged"] and figures["crossings"] == 0
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    surface = bpy.data.objects["Ball"]
+    (curve,) = (thing for thing in surface.children if thing.type == "CURVE")
+    bpy.context.view_layer.update()
+    assert [spline.use_cyclic_u for spline in curve.data.splines] == [True]
+    assert length_of(curve) == pytest.approx(figures["length"], rel=1e-5)
+    assert farthest_from(surface, curve) < 2e-6
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        (("--object", "Nobody"), "Nobody"),
+        (("--object", "Ring"), "not a mesh"),
+        (("--object", "Ball", "--seed-object", "Ball"), "not a curve"),
+        (("--object", "Ball", "--seed-object", "Far"), "surface"),
+        (("--object", "Ball", "--density-group", "Bottom"), "Bottom"),
+    ],
+)
+def test_bad_scenes_are_refused(scene, tmp_path, arguments, word):
+    output = tmp_path / "out.blend"
+    done = run_batch("--input", scene, *arguments, "--spacing", 0.3, "--output", output)
+    assert done.returncode == 2
+    assert word in done.stderr
+    assert not output.exists()

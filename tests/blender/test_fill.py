@@ -1,0 +1,367 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The operator, as scripts and background Blender run it: execute(), from settings to the curve."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+import pytest
+from meander import blender_data, core, session
+from scenes import (
+    activate,
+    area_of,
+    circle_points,
+    counts,
+    cube,
+    farthest_from,
+    fill,
+    grid,
+    length_of,
+    matrix_of,
+    packing,
+    poly_curve,
+    sphere,
+    world_splines,
+)
+
+# Small surfaces have few strands; 1 is parallel strands at the spacing.
+PACKING = pytest.approx(1.0, abs=0.15)
+
+
+def near(thing: bpy.types.Object) -> float:
+    """How far float32 coordinates may lie from a surface."""
+    return 1e-6 * max(1.0, float(np.abs(matrix_of(thing)).max()) * 2.0)
+
+
+# -- surfaces and seeds ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("build", [sphere, cube, grid])
+def test_a_surface_is_filled_without_a_seed(build):
+    surface = build()
+    before = counts()
+    result = fill(surface, 0.3)
+    assert result.type == "CURVE"
+    assert result.parent == surface
+    assert surface.users_collection == result.users_collection
+    assert counts() == before | {
+        "objects": before["objects"] + 1,
+        "curves": before["curves"] + 1,
+    }
+    assert [cyclic for _points, cyclic in world_splines(result)] == [True]
+    assert farthest_from(surface, result) < near(surface)
+    assert packing(surface, result) == PACKING
+
+
+def test_seed_strands_keep_their_number_order_and_kind():
+    surface = sphere()
+    seed = poly_curve("Seed", [circle_points(0.45, 0.89), circle_points(0.45, -0.89)], True)
+    arc = seed.data.splines.new("POLY")
+    arc.points.add(8)
+    for i, point in enumerate(arc.points):
+        angle = 0.15 * i
+        point.co = (np.cos(angle), np.sin(angle), 0.0, 1.0)
+    result = fill(surface, 0.25, seed=seed)
+    splines = world_splines(result)
+    assert [cyclic for _points, cyclic in splines] == [True, True, False]
+    assert splines[0][0][:, 2].mean() > 0.2 and splines[1][0][:, 2].mean() < -0.2
+    assert farthest_from(surface, result) < near(surface)
+    assert packing(surface, result) == PACKING
+
+
+def test_every_part_of_a_mesh_is_filled():
+    thing = cube()
+    thing.modifiers.new("Array", "ARRAY").relative_offset_displace = (2.0, 0.0, 0.0)
+    result = fill(thing, 0.4)
+    assert len(result.data.splines) == 2
+    assert farthest_from(thing, result) < 4 * near(thing)
+
+
+@pytest.mark.parametrize("fixed", [True, False])
+def test_fixed_ends_stay_where_they_are(fixed):
+    surface = grid()
+    ends = np.array([(-0.5, 0.0, 0.0), (0.5, 0.0, 0.0)])
+    seed = poly_curve("Seed", [[(-0.5 + 0.1 * i, 0.0, 0.0) for i in range(11)]], False)
+    result = fill(surface, 0.2, seed=seed, fixed_ends=fixed)
+    ((points, cyclic),) = world_splines(result)
+    assert not cyclic
+    moved = np.abs(points[[0, -1]] - ends).max()
+    assert moved < near(surface) if fixed else moved > 0.01
+
+
+# -- transforms and modifiers ----------------------------------------------------------------------
+
+
+def test_spacing_is_in_world_units_under_non_uniform_scale():
+    surface = grid()
+    surface.scale = (3.0, 1.0, 1.0)
+    result = fill(surface, 0.3)
+    assert area_of(surface) == pytest.approx(12.0)
+    assert packing(surface, result) == PACKING
+    assert np.array_equal(matrix_of(result), matrix_of(surface))
+
+
+def test_a_sheared_mirrored_surface_is_filled_where_it_is_seen():
+    parent = bpy.data.objects.new("Parent", None)
+    bpy.context.scene.collection.objects.link(parent)
+    parent.scale = (1.0, -2.0, 0.5)
+    surface = sphere()
+    surface.parent = parent
+    surface.rotation_euler = (0.5, 0.6, 0.7)
+    result = fill(surface, 0.3)
+    assert farthest_from(surface, result) < 4 * near(surface)
+    assert packing(surface, result) == PACKING
+
+
+def test_modifiers_are_filled_as_seen():
+    surface = cube()
+    surface.modifiers.new("Subdivision", "SUBSURF").levels = 3
+    result = fill(surface, 0.25)
+    assert farthest_from(surface, result) < near(surface)
+    assert packing(surface, result) == PACKING
+    # On the rounded cube, not on the one with corners.
+    assert max(np.linalg.norm(points, axis=1).max() for points, _ in world_splines(result)) < 1.3
+
+
+def test_a_vertex_group_halves_the_spacing():
+    surface = grid(cells=40)
+    left = [vertex.index for vertex in surface.data.vertices if vertex.co.x < 0.0]
+    surface.vertex_groups.new(name="Fine").add(left, 1.0, "REPLACE")
+    result = fill(surface, 0.16, density_group="Fine", factor_0=1.0, factor_1=0.5)
+    ((points, _cyclic),) = world_splines(result)
+    following = np.roll(points, -1, axis=0)
+    lengths = np.linalg.norm(following - points, axis=1)
+    x = (points + following)[:, 0] / 2.0
+    # Away from the border and from the step between the halves.
+    fine, coarse = lengths[(x > -0.8) & (x < -0.2)].sum(), lengths[(x > 0.2) & (x < 0.8)].sum()
+    assert fine / coarse == pytest.approx(2.0, rel=0.15)
+
+
+# -- settings --------------------------------------------------------------------------------------
+
+
+def test_spacing_is_proposed_the_first_time():
+    surface = sphere()
+    result = fill(surface, 0.0, iteration_limit=3)
+    assert surface.meander.spacing == result.meander.spacing > 0.0
+    surface.meander.spacing = 0.0
+    activate(surface)
+    assert bpy.ops.meander.propose_spacing() == {"FINISHED"}
+    assert surface.meander.spacing == result.meander.spacing
+
+
+def test_the_result_knows_its_surface_settings_and_figures():
+    surface = sphere()
+    seed = poly_curve("Seed", [circle_points(0.45, 0.89)], True)
+    result = fill(surface, 0.3, seed=seed, preset="PAPER", threads=1, bevel_share=0.1)
+    settings = result.meander
+    assert (settings.surface, settings.seed) == (surface, seed)
+    assert (settings.preset, settings.threads) == ("PAPER", 1)
+    assert result.data.bevel_depth == pytest.approx(0.03)
+    for figures in (settings.figures, surface.meander.figures):
+        assert figures.stop_reason == "converged"
+        assert figures.nodes > 100 and figures.iterations > 5 and figures.seconds > 0.0
+        assert figures.length == pytest.approx(length_of(result), rel=1e-4)
+        assert figures.spacing_median == pytest.approx(0.3, rel=0.2)
+
+
+def test_the_bevel_can_be_left_out():
+    assert fill(cube(), 0.5, use_bevel=False).data.bevel_depth == 0.0
+
+
+def test_the_iteration_limit_holds():
+    result = fill(sphere(), 0.1, iteration_limit=5)
+    assert result.meander.figures.iterations == 5
+    assert result.meander.figures.stop_reason == "iteration_limit"
+
+
+def test_a_result_goes_on_from_itself():
+    surface = sphere()
+    result = fill(surface, 0.2, iteration_limit=15)
+    short = length_of(result)
+    result.meander.iteration_limit = 15
+    before = counts()
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert counts() == before
+    assert bpy.context.view_layer.objects.active == result
+    assert result.meander.surface == surface
+    assert length_of(result) > 1.2 * short
+    assert farthest_from(surface, result) < near(surface)
+
+
+def test_a_result_can_start_over():
+    surface = sphere()
+    result = fill(surface, 0.2, iteration_limit=15)
+    short = length_of(result)
+    assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
+    assert length_of(result) == pytest.approx(short, rel=1e-6)
+
+
+def test_settings_and_results_survive_the_file(tmp_path):
+    surface = sphere()
+    seed = poly_curve("Seed", [circle_points(0.45, 0.89)], True)
+    result = fill(surface, 0.4, seed=seed, factor_1=0.25)
+    name, points = result.name, world_splines(result)[0][0]
+    path = str(tmp_path / "saved.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    result = bpy.data.objects[name]
+    assert result.meander.surface.name == "Icosphere"
+    assert result.meander.seed.name == "Seed"
+    assert result.meander.spacing == pytest.approx(0.4)
+    assert result.meander.factor_1 == pytest.approx(0.25)
+    assert result.meander.figures.nodes > 0
+    assert np.array_equal(world_splines(result)[0][0], points)
+    activate(result)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+
+
+def test_weight_paint_stays_where_it_is():
+    surface = sphere()
+    bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
+    surface.meander.spacing = 0.5
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert bpy.context.view_layer.objects.active == surface
+    assert surface.mode == "WEIGHT_PAINT"
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert not bpy.ops.meander.run.poll()
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_undo_takes_the_curve_away():
+    fill(cube(), 0.5)  # so that there is something to go back to
+    bpy.ops.ed.undo_push(message="Before")
+    before = counts()
+    surface = bpy.data.objects["Cube"]
+    fill(surface, 0.5)
+    bpy.ops.ed.undo_push(message="Fill with Curve")  # in background nobody else does
+    assert counts() != before
+    bpy.ops.ed.undo()
+    assert counts() == before
+
+
+# -- a run in pieces, as a window makes it ----------------------------------------------------------
+
+
+class FakeWindow:
+    """In background there is no window to lend a timer and a status bar."""
+
+    def __init__(self, _context) -> None:
+        self.texts: list[str | None] = []
+
+    def show(self, _context, text: str, _progress: float) -> None:
+        self.texts.append(text)
+
+    def give_back(self) -> None:
+        self.texts.append(None)
+
+
+@pytest.fixture
+def windowed(monkeypatch) -> None:
+    monkeypatch.setattr(session, "_Window", FakeWindow)
+
+
+def begin(thing: bpy.types.Object, spacing: float) -> session.Session:
+    activate(thing)
+    thing.meander.spacing = spacing
+    running = session.Session(session.plan_run(bpy.context))
+    running.start(bpy.context)
+    return running
+
+
+def tick_until(running: session.Session, condition) -> None:
+    import time
+
+    end = time.monotonic() + 20.0
+    while running.tick(bpy.context) and not condition():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def test_watching_changes_nothing(windowed):
+    surface = sphere()
+    alone = fill(surface, 0.15, iteration_limit=0)
+    expected = world_splines(alone)
+    running = begin(surface, 0.15)
+    sizes = set()
+    tick_until(running, lambda: running.latest and sizes.add(running.latest.nodes))
+    result, figures = running.keep(bpy.context)
+    running.end()
+    assert len(sizes) > 1, "the run was over before it could be watched"
+    assert figures["stop_reason"] == result.meander.figures.stop_reason == "converged"
+    found = world_splines(result)
+    assert len(found) == len(expected)
+    for (points, cyclic), (expected_points, expected_cyclic) in zip(found, expected, strict=True):
+        assert cyclic == expected_cyclic
+        assert np.array_equal(points, expected_points)
+
+
+def test_a_cancelled_run_leaves_no_trace(windowed):
+    surface = sphere()
+    before = counts()
+    running = begin(surface, 0.1)
+    tick_until(running, lambda: counts() != before)
+    running.end()
+    assert counts() == before
+    assert session.current() is None
+    assert running._window.texts[-1] is None
+    running.end()  # harmless
+
+
+def test_a_cancelled_continuation_gives_the_splines_back(windowed):
+    surface = sphere()
+    result = fill(surface, 0.2, iteration_limit=10)
+    before, data, points = counts(), result.data, world_splines(result)[0][0]
+    running = begin(result, 0.05)
+    tick_until(running, lambda: running.latest is not None)
+    assert result.data != data and result.data.bevel_depth == 0.0
+    running.end()
+    assert counts() == before
+    assert result.data == data
+    assert np.array_equal(world_splines(result)[0][0], points)
+    assert result.data.bevel_depth == pytest.approx(0.04)
+
+
+def test_stop_keeps_what_has_grown(windowed):
+    running = begin(sphere(), 0.05)
+    tick_until(running, lambda: running.latest and running.latest.iterations > 0)
+    running.stop_wanted = True
+    tick_until(running, lambda: False)
+    result, figures = running.keep(bpy.context)
+    running.end()
+    assert result.meander.figures.stop_reason == "cancelled"
+    assert figures["nodes"] > 0 and len(result.data.splines) == 1
+
+
+@pytest.mark.parametrize("victim", ["surface", "preview"])
+def test_deleting_an_object_under_the_run_ends_it(windowed, victim):
+    surface = sphere()
+    before = counts()
+    running = begin(surface, 0.05)
+    tick_until(running, lambda: counts() != before)
+    bpy.data.objects.remove(surface if victim == "surface" else running._preview.find())
+    with pytest.raises(blender_data.DataError, match="deleted"):
+        running.tick(bpy.context)
+    running.end()
+    after = counts()
+    assert after["curves"] == before["curves"]
+    assert after["objects"] == before["objects"] - (victim == "surface")
+
+
+def test_an_error_of_the_worker_reaches_the_host(windowed):
+    surface = sphere()
+    surface.meander.seed = poly_curve("Far", [circle_points(1.0, 9.0)], True)
+    running = begin(surface, 0.2)
+    tick_until(running, lambda: False)
+    with pytest.raises(core.MeanderError):
+        running.keep(bpy.context)
+    running.end()
+    assert [thing.name for thing in bpy.data.objects if thing.type == "CURVE"] == ["Far"]
+
+
+def test_a_new_file_ends_the_run(windowed):
+    running = begin(sphere(), 0.05)
+    assert session.current() is running
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    assert running.ended and session.current() is None

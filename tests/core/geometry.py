@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes to test on, and checks of a curve that share nothing with the library: plain numpy.
+
+Brute force throughout, since these have to be right rather than fast.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Mesh(NamedTuple):
+    """vertices (n, 3) float64; faces (m, 3) uint32."""
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.uint32]
+
+
+def mesh(vertices: Sequence, faces: Sequence) -> Mesh:
+    """A mesh from nested lists."""
+    return Mesh(
+        np.array(vertices, dtype=np.float64).reshape(-1, 3),
+        np.array(faces, dtype=np.uint32).reshape(-1, 3),
+    )
+
+
+# ------------------------------------------------------------------------------------------------
+# Meshes
+
+
+def cube() -> Mesh:
+    """The cube [-1, 1]^3 of 12 faces: every face is far larger than a segment."""
+    corners = [[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    faces = [triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))]
+    return mesh(corners, faces)
+
+
+def icosphere(subdivisions: int) -> Mesh:
+    """A unit sphere of 20 * 4^subdivisions faces."""
+    g = (1 + 5**0.5) / 2
+    vertices = [
+        np.array(p) / np.linalg.norm(p)
+        for p in (
+            (-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
+            (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1),
+        )
+    ]  # fmt: skip
+    faces = [
+        (0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4),
+        (11, 10, 2), (10, 7, 6), (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8),
+        (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1),
+    ]  # fmt: skip
+    for _ in range(subdivisions):
+        middles: dict[tuple[int, int], int] = {}
+
+        def middle(a: int, b: int, middles: dict = middles) -> int:
+            key = (min(a, b), max(a, b))
+            if key not in middles:
+                point = vertices[a] + vertices[b]
+                vertices.append(point / np.linalg.norm(point))
+                middles[key] = len(vertices) - 1
+            return middles[key]
+
+        finer = []
+        for a, b, c in faces:
+            ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
+            finer += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
+        faces = finer
+    return mesh(vertices, faces)
+
+
+def torus(around: int, across: int, radius: float = 1.0, tube: float = 0.4) -> Mesh:
+    """A torus about the z axis of 2 * around * across faces."""
+    vertices = []
+    faces = []
+    for i in range(around):
+        for j in range(across):
+            u, v = 2 * np.pi * i / around, 2 * np.pi * j / across
+            ring = radius + tube * np.cos(v)
+            vertices.append((ring * np.cos(u), ring * np.sin(u), tube * np.sin(v)))
+            a, b = i * across + j, (i + 1) % around * across + j
+            c, d = (i + 1) % around * across + (j + 1) % across, i * across + (j + 1) % across
+            faces += [(a, b, c), (a, c, d)]
+    return mesh(vertices, faces)
+
+
+def grid(cells: int, size: float = 1.0) -> Mesh:
+    """The square [0, size]^2 in the plane z = 0 of 2 * cells^2 faces."""
+    steps = np.linspace(0.0, size, cells + 1)
+    vertices = [(x, y, 0.0) for y in steps for x in steps]
+    faces = []
+    for j in range(cells):
+        for i in range(cells):
+            a = j * (cells + 1) + i
+            faces += [(a, a + 1, a + cells + 2), (a, a + cells + 2, a + cells + 1)]
+    return mesh(vertices, faces)
+
+
+def two_spheres() -> Mesh:
+    """Two unit spheres, one unit apart."""
+    one = icosphere(2)
+    count = len(one.vertices)
+    return Mesh(
+        np.vstack([one.vertices, one.vertices + (3.0, 0.0, 0.0)]),
+        np.vstack([one.faces, one.faces + np.uint32(count)]),
+    )
+
+
+def moebius(steps: int = 12) -> Mesh:
+    """A strip with half a twist: it has one side only."""
+    vertices = []
+    for i in range(steps):
+        u = 2 * np.pi * i / steps
+        for v in (-0.3, 0.3):
+            ring = 1 + v * np.cos(u / 2)
+            vertices.append((ring * np.cos(u), ring * np.sin(u), v * np.sin(u / 2)))
+    faces = []
+    for i in range(steps):
+        a, b = 2 * i, 2 * i + 1
+        c, d = (2 * i + 2, 2 * i + 3) if i + 1 < steps else (1, 0)
+        faces += [(a, c, b), (b, c, d)]
+    return mesh(vertices, faces)
+
+
+# ------------------------------------------------------------------------------------------------
+# Curves
+
+
+def points_at(surface: Mesh, faces: NDArray, barycentrics: NDArray) -> NDArray[np.float64]:
+    """The positions (n, 3) of points given by face and barycentric coordinates."""
+    return np.einsum("nk,nkd->nd", barycentrics, surface.vertices[surface.faces[faces]])
+
+
+def pieces_of(offsets: NDArray, closed: NDArray) -> NDArray[np.int64]:
+    """The straight pieces of a curve as pairs of point indices (k, 2), closing pieces included."""
+    pieces = []
+    for start, stop, is_closed in zip(offsets[:-1], offsets[1:], closed, strict=True):
+        indices = np.arange(start, stop, dtype=np.int64)
+        after = np.roll(indices, -1)
+        pairs = np.stack([indices, after], axis=1)
+        pieces.append(pairs if is_closed else pairs[:-1])
+    return np.concatenate(pieces)
+
+
+def off_faces(surface: Mesh, points: NDArray) -> NDArray[np.float64]:
+    """How far each point is from each face, (n, m): its height over the plane of the face or, if
+    greater, how far it is outside of one of the three sides."""
+    a, b, c = (surface.vertices[surface.faces[:, corner]] for corner in range(3))
+    normal = np.cross(b - a, c - a)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    distance = np.abs(points @ normal.T - np.sum(a * normal, axis=1))
+    for start, end in ((a, b), (b, c), (c, a)):
+        outward = np.cross(end - start, normal)
+        outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+        outside = points @ outward.T - np.sum(start * outward, axis=1)
+        np.maximum(distance, outside, out=distance)
+    return distance
+
+
+def off_surface(surface: Mesh, points: NDArray) -> NDArray[np.float64]:
+    """How far each point is from the nearest face, in the sense of `off_faces`."""
+    parts = [points[start : start + 2000] for start in range(0, len(points), 2000)]
+    return np.concatenate([off_faces(surface, part).min(axis=1) for part in parts])
+
+
+def crossings(
+    surface: Mesh, positions: NDArray, offsets: NDArray, closed: NDArray
+) -> list[tuple[int, int]]:
+    """Pairs of pieces that cross inside a face, every pair in every face being tried.
+
+    A piece belongs to each face that its middle lies in. Pieces that share a point are left out.
+    """
+    pieces = pieces_of(offsets, closed)
+    start, end = positions[pieces[:, 0]], positions[pieces[:, 1]]
+    tolerance = 1e-9 * np.ptp(surface.vertices, axis=0).max()
+    inside: dict[int, list[int]] = {}
+    for first in range(0, len(pieces), 2000):
+        middles = (start[first : first + 2000] + end[first : first + 2000]) / 2
+        rows, columns = np.nonzero(off_faces(surface, middles) < tolerance)
+        for row, column in zip(rows.tolist(), columns.tolist(), strict=True):
+            inside.setdefault(column, []).append(first + row)
+    found = []
+    for face, members in inside.items():
+        origin, second, third = surface.vertices[surface.faces[face]]
+        x = (second - origin) / np.linalg.norm(second - origin)
+        normal = np.cross(x, third - origin)
+        y = np.cross(normal / np.linalg.norm(normal), x)
+        axes = np.stack([x, y], axis=1)
+        p, q = (start[members] - origin) @ axes, (end[members] - origin) @ axes
+
+        # side[i, j]: on which side of piece i the point j lies
+        direction = q - p
+        side_p = _cross(direction[:, None], p[None, :] - p[:, None])
+        side_q = _cross(direction[:, None], q[None, :] - p[:, None])
+        separates = side_p * side_q < 0
+        ends = pieces[members]
+        shares = (ends[:, None, :, None] == ends[None, :, None, :]).any(axis=(2, 3))
+        for i, j in np.argwhere(separates & separates.T & ~shares):
+            if i < j:
+                found.append((members[i], members[j]))
+    return found
+
+
+def _cross(a: NDArray, b: NDArray) -> NDArray:
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+
+def sample_surface(surface: Mesh, count: int, seed: int = 1) -> NDArray[np.float64]:
+    """Random points on a surface, evenly by area."""
+    random = np.random.default_rng(seed)
+    a, b, c = (surface.vertices[surface.faces[:, corner]] for corner in range(3))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    face = random.choice(len(area), count, p=area / area.sum())
+    u, v = random.random((2, count, 1))
+    flip = u + v > 1
+    u, v = np.where(flip, 1 - u, u), np.where(flip, 1 - v, v)
+    return a[face] + u * (b - a)[face] + v * (c - a)[face]
+
+
+def samples_of(positions: NDArray, offsets: NDArray, closed: NDArray, gap: float) -> NDArray:
+    """Points along a curve, evenly spaced by at most `gap` on each piece: (k, 3)."""
+    samples, _ = weighted_samples(positions, offsets, closed, gap)
+    return samples
+
+
+def weighted_samples(
+    positions: NDArray, offsets: NDArray, closed: NDArray, gap: float
+) -> tuple[NDArray, NDArray]:
+    """As `samples_of`, and the length of curve that each sample stands for: (k, 3), (k,)."""
+    pieces = pieces_of(offsets, closed)
+    start, end = positions[pieces[:, 0]], positions[pieces[:, 1]]
+    length = np.linalg.norm(end - start, axis=1)
+    count = np.maximum(1, np.ceil(length / gap).astype(int))
+    piece = np.repeat(np.arange(len(pieces)), count)
+    within = np.arange(len(piece)) - np.repeat(np.cumsum(count) - count, count)
+    share = ((within + 0.5) / count[piece])[:, None]
+    return start[piece] + share * (end - start)[piece], (length / count)[piece]
+
+
+def distance_to_samples(points: NDArray, samples: NDArray) -> NDArray[np.float64]:
+    """The distance of each point to the nearest sample, straight through space."""
+    nearest = []
+    for start in range(0, len(points), 500):
+        difference = points[start : start + 500, None, :] - samples[None, :, :]
+        nearest.append(np.sqrt((difference**2).sum(axis=2).min(axis=1)))
+    return np.concatenate(nearest)
+
+
+def curve_length(positions: NDArray, offsets: NDArray, closed: NDArray) -> float:
+    """The length of a curve, closing pieces included."""
+    pieces = pieces_of(offsets, closed)
+    return float(np.linalg.norm(positions[pieces[:, 1]] - positions[pieces[:, 0]], axis=1).sum())

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Handles, threads and cancelling."""
+
+from __future__ import annotations
+
+import gc
+import threading
+import time
+
+import geometry
+import numpy as np
+import pytest
+from meander import core
+
+# A machine under load may let a thread wait this long before a test calls it stuck.
+PATIENCE = 30.0
+
+
+def new_flow(cells: int = 8, radius: float = 0.03) -> core.Flow:
+    options = core.default_options()
+    options.radius = radius
+    with core.Surface(*geometry.grid(cells)) as surface:
+        return core.Flow(surface, options)  # outlives its surface
+
+
+def wait_for(condition) -> None:
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.001)
+
+
+def test_cancelled_before_a_step_changes_nothing() -> None:
+    with new_flow() as flow, core.Context() as context:
+        for _ in range(3):
+            assert flow.step(context) == "running"
+        before = flow.polylines()
+        context.cancel()
+        context.cancel()  # idempotent
+        assert flow.step(context) == "cancelled"
+        assert flow.run(context) == "cancelled"  # sticky
+        after = flow.polylines()
+        assert len(flow.history()) == 3
+        for ours, theirs in zip(before, after, strict=True):
+            assert ours.tobytes() == theirs.tobytes()
+        context.reset()
+        assert flow.step(context) == "running"
+        assert len(flow.history()) == 4
+
+
+def test_cancel_from_another_thread_stops_within_one_step() -> None:
+    context = core.Context()
+    with new_flow(16, 0.01) as flow:
+        reasons: list[str] = []
+        worker = threading.Thread(target=lambda: reasons.append(flow.run(context)))
+        worker.start()
+        wait_for(lambda: context.progress > 0 or not worker.is_alive())
+        context.cancel()
+        cancelled_at = time.monotonic()
+        worker.join(PATIENCE)
+        waited = time.monotonic() - cancelled_at
+        assert reasons == ["cancelled"]
+        assert flow.statistics()["stop_reason"] == "cancelled"
+        history = flow.history()
+        # Within one step: no longer than the slowest so far, with room for a busy machine.
+        assert waited <= 5 * max(record["seconds"] for record in history) + 1.0
+        assert flow.statistics()["crossings"] == 0
+        context.reset()
+        assert flow.step(context) in ("running", "cancelled")
+        assert len(flow.history()) == len(history) + 1
+
+
+def test_everything_can_be_asked_before_the_first_step() -> None:
+    with new_flow() as flow:
+        assert np.all(flow.nodes().radii == 0)
+        figures = flow.statistics()
+        assert figures["stop_reason"] == "running"
+        assert figures["iterations"] == figures["mean_step"] == 0
+        assert figures["crossings"] == 0 and figures["length"] > 0
+        assert flow.history() == []
+        assert len(flow.polylines().positions) >= 3
+        assert np.all(flow.nodes().radii > 0)  # of the statistics' medial axis
+
+
+def test_steps_and_a_run_give_the_same_curve() -> None:
+    with new_flow(radius=0.06) as stepped, new_flow(radius=0.06) as run:
+        reason = run.run()
+        for _ in range(run.statistics()["iterations"]):
+            assert stepped.statistics()["stop_reason"] == "running"
+            stepped.step()
+        assert stepped.statistics()["stop_reason"] == reason == "converged"
+        for ours, theirs in zip(stepped.polylines(), run.polylines(), strict=True):
+            assert ours.tobytes() == theirs.tobytes()
+
+
+def test_progress_never_falls_and_ends_at_one() -> None:
+    context = core.Context()
+    assert context.progress == 0.0
+    seen = [0.0]
+    with new_flow(radius=0.02) as flow:
+        worker = threading.Thread(target=flow.run, args=(context,))
+        worker.start()
+        while worker.is_alive():
+            seen.append(context.progress)
+            time.sleep(0.001)
+        worker.join()
+    assert np.all(np.diff(seen) >= 0)
+    assert context.progress == 1.0
+
+
+def test_iteration_limit_is_a_reason_and_not_an_error() -> None:
+    options = core.default_options()
+    options.radius = 0.03
+    options.iteration_limit = 2
+    with core.Surface(*geometry.grid(8)) as surface, core.Flow(surface, options) as flow:
+        assert flow.run() == "iteration_limit"
+        assert flow.statistics()["iterations"] == 2
+        assert flow.run() == "iteration_limit"
+        assert flow.statistics()["iterations"] == 2
+
+
+def test_flow_belongs_to_one_thread_at_a_time() -> None:
+    context = core.Context()
+    with new_flow(16, 0.01) as flow:
+        worker = threading.Thread(target=flow.run, args=(context,))
+        worker.start()
+        wait_for(lambda: context.progress > 0)
+        for call in (flow.step, flow.polylines, flow.statistics, flow.close):
+            with pytest.raises(core.MeanderError, match="another thread"):
+                call()
+        context.cancel()
+        worker.join(PATIENCE)
+        assert len(flow.polylines().positions) > 3
+
+
+def test_context_closed_during_a_run_is_freed_after_it() -> None:
+    context = core.Context()
+    with new_flow(16, 0.01) as flow:
+        worker = threading.Thread(target=flow.run, args=(context,))
+        worker.start()
+        wait_for(lambda: context.progress > 0)
+        context.cancel()
+        context.close()
+        worker.join(PATIENCE)
+        assert not worker.is_alive()
+    with pytest.raises(core.MeanderError, match="closed"):
+        context.cancel()
+
+
+def test_flows_on_two_threads_share_a_surface() -> None:
+    options = core.default_options()
+    options.radius = 0.05
+    options.iteration_limit = 20
+    results: list[bytes] = []
+    with core.Surface(*geometry.grid(8)) as surface:
+
+        def work() -> None:
+            with core.Flow(surface, options) as flow:
+                flow.run()
+                results.append(flow.polylines().positions.tobytes())
+
+        workers = [threading.Thread(target=work) for _ in range(2)]
+        for worker in workers:
+            worker.start()
+        for worker in workers:
+            worker.join(PATIENCE)
+    assert len(results) == 2 and results[0] == results[1]
+
+
+def test_closed_handles_say_so() -> None:
+    surface = core.Surface(*geometry.grid(2))
+    surface.close()
+    surface.close()
+    with pytest.raises(core.MeanderError, match="closed"):
+        surface.statistics()
+    flow = new_flow()
+    flow.close()
+    flow.close()
+    with pytest.raises(core.MeanderError, match="closed"):
+        flow.step()
+
+
+def test_forgotten_handles_are_freed() -> None:
+    surface = core.Surface(*geometry.grid(2))
+    finalizer = surface._finalizer
+    del surface
+    gc.collect()
+    assert not finalizer.alive
+
+
+def test_arrays_of_the_caller_are_not_kept() -> None:
+    mesh = geometry.grid(8)
+    vertices, faces = mesh.vertices.copy(), mesh.faces.copy()
+    options = core.default_options()
+    options.radius = 0.05
+    with core.Surface(vertices, faces) as surface:
+        vertices.fill(np.nan)
+        faces.fill(0)
+        with core.Flow(surface, options) as flow:
+            flow.step()
+            assert np.isfinite(flow.polylines().positions).all()

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What cannot be used is refused with one sentence that names the element."""
+
+from __future__ import annotations
+
+import geometry
+import numpy as np
+import pytest
+from meander import core
+from sentences import assert_sentence
+
+NAN, INF = float("nan"), float("inf")
+SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+
+
+def refused(call, *arguments, **keywords) -> core.MeanderError:
+    with pytest.raises(core.MeanderError) as caught:
+        call(*arguments, **keywords)
+    assert_sentence(str(caught.value))
+    return caught.value
+
+
+# ------------------------------------------------------------------------------------------------
+# Meshes
+
+
+# name: vertices, faces, kind of element, admissible elements
+BAD_MESHES = {
+    "no faces": (SQUARE, [], None, None),
+    "NaN": ([[0, 0, 0], [1, 0, 0], [1, NAN, 0]], [[0, 1, 2]], "vertex", [(2,)]),
+    "infinite": ([[0, 0, 0], [INF, 0, 0], [1, 1, 0]], [[0, 1, 2]], "vertex", [(1,)]),
+    "index out of range": (SQUARE, [[0, 1, 2], [0, 2, 9]], "face", [(1,)]),
+    "vertex twice in a face": (SQUARE, [[0, 1, 2], [0, 2, 2]], "face", [(1,)]),
+    "zero area": ([*SQUARE, [2, 0, 0]], [[0, 1, 2], [0, 1, 4]], "face", [(1,)]),
+    "three faces on an edge": (
+        [*SQUARE, [0.5, 0.5, 1], [0.5, 0.5, -1]],
+        [[0, 1, 2], [0, 2, 3], [0, 2, 4]],
+        "edge",
+        [(0, 2), (2, 0)],
+    ),
+    "bow-tie": (
+        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [-1, 0, 0], [-1, -1, 0]],
+        [[0, 1, 2], [0, 3, 4]],
+        "vertex",
+        [(0,)],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BAD_MESHES)
+def test_bad_mesh(name: str) -> None:
+    vertices, faces, kind, elements = BAD_MESHES[name]
+    error = refused(core.Surface, *geometry.mesh(vertices, faces))
+    assert error.status == core.Status.INVALID_MESH
+    assert error.element_kind == kind
+    if elements is not None:
+        assert error.elements in elements
+        assert all(str(index) in str(error) for index in error.elements)
+
+
+def test_moebius_strip() -> None:
+    error = refused(core.Surface, *geometry.moebius())
+    assert error.status == core.Status.INVALID_MESH
+
+
+def test_wrong_arrays() -> None:
+    good = geometry.grid(2)
+    refused(core.Surface, good.vertices[:, :2], good.faces)
+    refused(core.Surface, good.vertices, good.faces.ravel())
+    refused(core.Surface, good.vertices, good.faces.astype(np.float64))
+    # -1 must not turn into 4294967295.
+    negative = good.faces.astype(np.int64)
+    negative[0, 0] = -1
+    refused(core.Surface, good.vertices, negative)
+
+
+def test_other_integer_types_and_strides_are_taken() -> None:
+    good = geometry.grid(2)
+    surface = core.Surface(np.asfortranarray(good.vertices), good.faces.astype(np.int32)[::-1])
+    assert surface.statistics()["faces"] == len(good.faces)
+
+
+# ------------------------------------------------------------------------------------------------
+# Options and density
+
+
+@pytest.fixture(scope="module")
+def square() -> core.Surface:
+    return core.Surface(*geometry.grid(8))
+
+
+def options_with(**changes) -> core.FlowOptions:
+    options = core.default_options()
+    options.radius = 0.05
+    for name, value in changes.items():
+        setattr(options, name, value)
+    return options
+
+
+BAD_OPTIONS = [
+    {"radius": NAN},
+    {"radius": INF},
+    {"radius": 0.0},
+    {"radius": -0.1},
+    {"radius": 20.0},  # spacing larger than the surface
+    {"segment_length": -1.0},
+    {"segment_length": 0.06},  # greater than r
+    {"max_radius": 0.06},  # less than 1.5 r
+    {"length_weight": -1.0},
+    {"bending_weight": NAN},
+    {"medial_weight": 0.0},
+    {"step": 0.0},
+    {"step": 2.5},
+    {"growth_coarsening": 0.5},
+    {"iteration_limit": 0},
+    {"iteration_limit": -1},
+    {"iteration_limit": 2**40},
+    {"threads": 257},
+    {"threads": -1},
+    {"threads": 1.5},
+    {"stop_rule": 7},
+    {"boundary_rule": 7},
+    {"preset": "none"},
+    {"radius": "wide"},
+]
+
+
+@pytest.mark.parametrize("changes", BAD_OPTIONS, ids=str)
+def test_bad_option(square: core.Surface, changes: dict) -> None:
+    error = refused(core.Flow, square, options_with(**changes))
+    assert error.status == core.Status.INVALID_ARGUMENT
+
+
+def test_unknown_preset() -> None:
+    refused(core.default_options, "fast")
+
+
+@pytest.mark.parametrize("bad", [0.0, -1.0, NAN, INF, 1e9])
+def test_bad_density(square: core.Surface, bad: float) -> None:
+    density = np.ones(square.vertex_count)
+    density[5] = bad
+    refused(core.Flow, square, options_with(), density=density)
+
+
+def test_density_of_the_wrong_length(square: core.Surface) -> None:
+    refused(core.Flow, square, options_with(), density=np.ones(square.vertex_count - 1))
+    refused(core.Flow, square, options_with(), density=np.ones((square.vertex_count, 1)))
+
+
+# ------------------------------------------------------------------------------------------------
+# Seeds
+
+
+def seed_of(*strands, closed: bool = False) -> core.Seed:
+    points = np.array([point for strand in strands for point in strand], dtype=np.float64)
+    offsets = np.cumsum([0] + [len(strand) for strand in strands]).astype(np.uint32)
+    return core.Seed(points, offsets, np.full(len(strands), closed, dtype=np.uint8))
+
+
+BAD_SEEDS = {
+    "off the surface": seed_of([[0.2, 0.2, 0], [0.5, 0.5, 0.3], [0.8, 0.8, 0]]),
+    "crossing itself": seed_of([[0.2, 0.2, 0], [0.8, 0.8, 0], [0.8, 0.2, 0], [0.2, 0.8, 0]]),
+    "crossing another": seed_of([[0.2, 0.2, 0], [0.8, 0.8, 0]], [[0.2, 0.8, 0], [0.8, 0.2, 0]]),
+    "touching itself": seed_of([[0.2, 0.2, 0], [0.8, 0.2, 0], [0.8, 0.8, 0], [0.5, 0.2, 0]]),
+    "closed with two points": seed_of([[0.2, 0.2, 0], [0.8, 0.2, 0]], closed=True),
+    "open with one point": seed_of([[0.2, 0.2, 0]]),
+    "same point twice": seed_of([[0.2, 0.2, 0], [0.2, 0.2, 0]]),
+    "empty strand": seed_of([]),
+    "NaN": seed_of([[0.2, 0.2, 0], [NAN, 0.5, 0]]),
+}
+
+
+@pytest.mark.parametrize("name", BAD_SEEDS)
+def test_bad_seed(square: core.Surface, name: str) -> None:
+    if name == "empty strand":
+        BAD_SEEDS[name].points = np.empty((0, 3))
+    error = refused(core.Flow, square, options_with(), BAD_SEEDS[name])
+    assert error.status == core.Status.INVALID_SEED
+
+
+def test_seed_between_components() -> None:
+    surface = core.Surface(*geometry.two_spheres())
+    error = refused(core.Flow, surface, options_with(), seed_of([[0, 0, 1], [3, 0, 1]]))
+    assert error.status == core.Status.INVALID_SEED
+
+
+def test_seed_arrays_that_disagree(square: core.Surface) -> None:
+    points = np.array([[0.2, 0.2, 0], [0.8, 0.2, 0]])
+    for offsets, closed, fixed in (
+        ([0, 3], [0], None),  # beyond the points
+        ([0, 1], [0], None),  # short of them
+        ([1, 2], [0], None),  # not from 0
+        ([0, 2, 1, 2], [0, 0, 0], None),  # falling
+        ([0, 2], [0, 0], None),  # more strands than offsets
+        ([0], [], None),  # no strand
+        ([0, 2], [0], [1]),  # too few flags
+    ):
+        seed = core.Seed(
+            points,
+            np.array(offsets, dtype=np.uint32),
+            np.array(closed, dtype=np.uint8),
+            None if fixed is None else np.array(fixed, dtype=np.uint8),
+        )
+        error = refused(core.Flow, square, options_with(), seed)
+        assert error.status == core.Status.INVALID_SEED

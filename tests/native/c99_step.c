@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The header from C99, through the shared library, as a stranger would use it: a mesh, one step,
+ * one run, the polylines, and an error that names its element. Usage: c99_step VERSION */
+#include <meander/meander.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define CELLS 12 /* the mesh is a square of CELLS x CELLS cells, two triangles each */
+
+static int failures = 0;
+
+static void expect(int condition, const char* what) {
+  if (!condition) {
+    fprintf(stderr, "failed: %s\n", what);
+    ++failures;
+  }
+}
+
+static void expect_ok(meander_status status, const meander_error* error, const char* call) {
+  if (status != MEANDER_OK) {
+    fprintf(stderr, "failed: %s: %s: %s\n", call, meander_status_name(status), error->text);
+    exit(EXIT_FAILURE);
+  }
+}
+
+static void fill_square(double* vertices, uint32_t* faces) {
+  for (uint32_t row = 0; row <= CELLS; ++row) {
+    for (uint32_t column = 0; column <= CELLS; ++column) {
+      *vertices++ = (double)column / CELLS;
+      *vertices++ = (double)row / CELLS;
+      *vertices++ = 0.0;
+    }
+  }
+  for (uint32_t row = 0; row < CELLS; ++row) {
+    for (uint32_t column = 0; column < CELLS; ++column) {
+      const uint32_t corner = row * (CELLS + 1) + column;
+      const uint32_t above = corner + CELLS + 1;
+      *faces++ = corner;
+      *faces++ = corner + 1;
+      *faces++ = above + 1;
+      *faces++ = corner;
+      *faces++ = above + 1;
+      *faces++ = above;
+    }
+  }
+}
+
+int main(int argc, char** argv) {
+  enum { VERTICES = (CELLS + 1) * (CELLS + 1), FACES = 2 * CELLS * CELLS };
+  static double vertices[3 * VERTICES];
+  static uint32_t faces[3 * FACES];
+  meander_error error = {sizeof error, 0, 0, 0, 0, ""};
+
+  expect(meander_abi_version() == MEANDER_ABI_VERSION, "the library and the header agree");
+  if (argc > 1) {
+    expect(strcmp(meander_version(), argv[1]) == 0, "the library has the project's version");
+  }
+  fill_square(vertices, faces);
+
+  /* A square in the middle as the seed. */
+  const double points[] = {0.35, 0.35, 0.0, 0.65, 0.35, 0.0, 0.65, 0.65, 0.0, 0.35, 0.65, 0.0};
+  const uint32_t seed_offsets[] = {0, 4};
+  const uint8_t seed_closed[] = {1};
+  meander_seed seed = {sizeof seed, 1, points, seed_offsets, seed_closed, NULL};
+
+  meander_surface* surface = NULL;
+  expect_ok(meander_surface_create(vertices, VERTICES, faces, FACES, &surface, &error), &error,
+            "meander_surface_create");
+  meander_flow_options options;
+  expect_ok(meander_flow_options_init(&options, MEANDER_PRESET_EVEN), &error,
+            "meander_flow_options_init");
+  options.radius = 0.05;
+  options.iteration_limit = 20;
+
+  meander_flow* flow = NULL;
+  expect_ok(meander_flow_create(surface, &seed, NULL, &options, &flow, &error), &error,
+            "meander_flow_create");
+  meander_surface_destroy(surface); /* the flow keeps what it needs */
+  expect_ok(meander_flow_step(flow, NULL, &error), &error, "meander_flow_step");
+
+  meander_flow_statistics statistics;
+  memset(&statistics, 0, sizeof statistics);
+  statistics.struct_size = sizeof statistics;
+  expect_ok(meander_flow_get_statistics(flow, &statistics, &error), &error,
+            "meander_flow_get_statistics");
+  expect(statistics.iterations == 1, "one step is one iteration");
+  expect(statistics.crossings == 0, "no crossings after a step");
+  expect(statistics.strands == 1 && statistics.closed_strands == 1, "the strand stays closed");
+  const double length_after_a_step = statistics.length;
+
+  meander_context* context = meander_context_create();
+  expect_ok(meander_flow_run(flow, context, &error), &error, "meander_flow_run");
+  expect(meander_context_progress(context) == 1.0, "progress ends at 1");
+  expect_ok(meander_flow_get_statistics(flow, &statistics, &error), &error,
+            "meander_flow_get_statistics");
+  expect(statistics.crossings == 0, "no crossings after a run");
+  expect(statistics.length > length_after_a_step, "the curve grows");
+  meander_context_destroy(context);
+
+  /* Two-call sizing. */
+  size_t point_count = 0;
+  size_t strand_count = 0;
+  expect_ok(meander_flow_get_polylines(flow, NULL, NULL, 0, &point_count, NULL, NULL, 0,
+                                       &strand_count, &error),
+            &error, "meander_flow_get_polylines");
+  expect(point_count > 4 && strand_count == 1, "the first call tells the sizes");
+  double* positions = malloc(3 * point_count * sizeof *positions);
+  uint32_t* offsets = malloc((strand_count + 1) * sizeof *offsets);
+  uint8_t* closed = malloc(strand_count);
+  if (positions == NULL || offsets == NULL || closed == NULL) {
+    return EXIT_FAILURE;
+  }
+  expect_ok(meander_flow_get_polylines(flow, positions, NULL, point_count, &point_count, offsets,
+                                       closed, strand_count, &strand_count, &error),
+            &error, "meander_flow_get_polylines");
+  expect(offsets[0] == 0 && offsets[strand_count] == point_count && closed[0] == 1,
+         "offsets cover all points of the closed strand");
+  for (size_t i = 0; i < point_count; ++i) {
+    /* The square lies in z = 0 and its vertices are exact there. */
+    expect(fabs(positions[3 * i + 2]) < 1e-12, "points lie on the surface");
+  }
+  free(closed);
+  free(offsets);
+  free(positions);
+  meander_flow_destroy(flow);
+
+  /* An error has a status, an element and a sentence. */
+  faces[5] = VERTICES;
+  surface = NULL;
+  const meander_status status =
+      meander_surface_create(vertices, VERTICES, faces, FACES, &surface, &error);
+  expect(status == MEANDER_INVALID_MESH && surface == NULL, "a wrong index is refused");
+  expect(error.element_kind == MEANDER_ELEMENT_FACE && error.element_index == 1,
+         "the face with the wrong index is named");
+  expect(error.text[0] != '\0', "the error has a sentence");
+
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

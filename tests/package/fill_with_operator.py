@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script of test_installed.py: fills a sphere with the installed add-on's operator.
+
+    blender --background --python fill_with_operator.py -- FOUND.json
+
+Writes what it found; the test judges it.
+"""
+
+import json
+import math
+import sys
+from pathlib import Path
+
+import bpy
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+
+# Where bpy is a module of Python, importing it is what puts Blender's own modules on the path.
+import addon_utils  # isort: skip
+
+SPACING = 0.25
+
+
+def enabled_module() -> str:
+    """The add-on's module, enabled as the saved preferences have it.
+
+    Under bpy, which always starts with factory settings, the preferences are read first.
+    """
+    if not bpy.app.binary_path:
+        bpy.ops.wm.read_userpref()
+    name = "bl_ext.user_default.meander" if bpy.app.version >= (4, 2, 0) else "meander"
+    saved, loaded = addon_utils.check(name)
+    if not (saved and loaded):
+        raise SystemExit(f"{name}: in the preferences {saved}, loaded {loaded}; should be both")
+    return name
+
+
+def length_of(spline: bpy.types.Spline) -> float:
+    points = [point.co.xyz for point in spline.points]
+    if spline.use_cyclic_u:
+        points.append(points[0])
+    return sum((b - a).length for a, b in zip(points, points[1:]))
+
+
+def add_seed() -> bpy.types.Object:
+    data = bpy.data.curves.new("Seed", "CURVE")
+    data.dimensions = "3D"
+    spline = data.splines.new("POLY")
+    spline.points.add(23)
+    spline.use_cyclic_u = True
+    for i, point in enumerate(spline.points):
+        angle = 2.0 * math.pi * i / 24
+        on_sphere = Vector((0.4 * math.cos(angle), 0.4 * math.sin(angle), 1.0)).normalized()
+        point.co = (*on_sphere, 1.0)
+    seed = bpy.data.objects.new("Seed", data)
+    bpy.context.collection.objects.link(seed)
+    return seed
+
+
+def loaded_libraries() -> list[str]:
+    """Files of ours and of OpenMesh that this process has mapped."""
+    paths = {
+        line.split(maxsplit=5)[5].strip()
+        for line in Path("/proc/self/maps").read_text().splitlines()
+        if len(line.split(maxsplit=5)) == 6
+    }
+    return sorted(path for path in paths if "libmeander" in path or "libOpenMesh" in path)
+
+
+def main(report: str) -> None:
+    module = enabled_module()
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4, radius=1.0)
+    surface = bpy.context.object
+    seed = add_seed()
+    seed_length = length_of(seed.data.splines[0])
+
+    bpy.context.view_layer.objects.active = surface
+    surface.meander.seed = seed
+    surface.meander.spacing = SPACING
+    before = set(bpy.data.objects)
+    result = bpy.ops.meander.run()
+    if result != {"FINISHED"}:
+        raise SystemExit(f"the operator returned {result}")
+    (curve,) = set(bpy.data.objects) - before
+
+    tree = BVHTree.FromObject(surface, bpy.context.evaluated_depsgraph_get())
+    splines = curve.data.splines
+    found = {
+        "addon": str(Path(sys.modules[module].__file__).parent),
+        "libraries": loaded_libraries(),
+        "cyclic": [spline.use_cyclic_u for spline in splines],
+        "length": sum(length_of(spline) for spline in splines),
+        "seed_length": seed_length,
+        "spacing": SPACING,
+        "area": sum(polygon.area for polygon in surface.data.polygons),
+        "farthest_from_surface": max(
+            tree.find_nearest(point.co.xyz)[3] for spline in splines for point in spline.points
+        ),
+    }
+    Path(report).write_text(json.dumps(found, indent=1))
+    # bpy 4.5 hangs or crashes at exit while an add-on is still registered.
+    addon_utils.disable(module)
+
+
+if __name__ == "__main__":
+    main(sys.argv[sys.argv.index("--") + 1])
