@@ -17,8 +17,8 @@ SEED = "Seed"
 RESULT = "Suzanne Meander"
 DENSITY_GROUP = "Fine"
 # Radius of the tube in scene units where the weight is 0, and what it is multiplied by at weight 1:
-# a bit less than a fifth of the spacing, and as the spacing.
-TUBE_RADIUS = 0.0095
+# a fifth of the spacing, and as the spacing.
+TUBE_RADIUS = 0.0105
 FACTOR_AT_WEIGHT_1 = 0.5
 PICTURE_SIZE = (1000, 800)
 SAMPLES = 48
@@ -52,7 +52,7 @@ def add_light(name: str, location: tuple, size: float, watts: float, colour: tup
 
 def add_camera() -> None:
     data = bpy.data.cameras.new("Camera")
-    data.lens = 92.0
+    data.lens = 88.0
     camera = bpy.data.objects.new("Camera", data)
     camera.location = (2.5, -6.2, 3.6)
     aim(camera, Vector((0.03, -0.05, -0.08)))

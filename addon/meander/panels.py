@@ -101,15 +101,16 @@ class MEANDER_PT_main(_Sidebar, bpy.types.Panel):
         row = column.row()
         row.scale_y = 1.4
         row.operator(MEANDER_OT_stop.bl_idname, icon="SNAP_FACE")
-        if running.latest is not None:
-            _figures(
-                layout,
-                (
-                    ("Iteration", f"{running.latest.iterations:,}"),
-                    ("Nodes", f"{running.latest.nodes:,}"),
-                    ("Length", _length(context, running.latest.length)),
-                ),
-            )
+        # The same rows from the first moment on, so that the panel does not jump.
+        latest = running.latest
+        _figures(
+            layout,
+            (
+                ("Iteration", f"{latest.iterations:,}" if latest else ""),
+                ("Nodes", f"{latest.nodes:,}" if latest else ""),
+                ("Length", _length(context, latest.length) if latest else ""),
+            ),
+        )
 
 
 class MEANDER_PT_density(_SubPanel, bpy.types.Panel):
@@ -180,9 +181,7 @@ def _length(context: bpy.types.Context, value: float) -> str:
     unit = context.scene.unit_settings
     if unit.system == "NONE":
         return f"{value:.4g}"
-    return bpy.utils.units.to_string(
-        unit.system, "LENGTH", value * unit.scale_length, precision=4
-    )
+    return bpy.utils.units.to_string(unit.system, "LENGTH", value * unit.scale_length, precision=4)
 
 
 def _figures(layout: bpy.types.UILayout, rows: tuple[tuple[str, str], ...]) -> None:

@@ -73,9 +73,7 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
     depsgraph = context.evaluated_depsgraph_get()
     vertices, faces = blender_data.triangles_of(surface, depsgraph)
     # As stored, so that a run that proposes its spacing and one that is given it are the same.
-    spacing = settings.spacing or float(
-        np.float32(blender_data.proposed_spacing(vertices, faces))
-    )
+    spacing = settings.spacing or float(np.float32(blender_data.proposed_spacing(vertices, faces)))
     density = None
     if settings.density_group:
         weights = blender_data.vertex_group_weights(surface, depsgraph, settings.density_group)

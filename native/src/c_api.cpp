@@ -362,7 +362,7 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.polish = 1;
     o.stop_rule = MEANDER_STOP_SETTLED;
     o.polish_bending_weight = 0.6;
-    o.polish_length_offset = -0.1;
+    o.polish_length_offset = -0.2;
     o.polish_length_gain = 1;
     o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
     o.iteration_limit = 600;

@@ -241,7 +241,7 @@ def test_undo_takes_the_curve_away():
     assert counts() == before
 
 
-# -- a run in pieces, as a window makes it ----------------------------------------------------------
+# -- a run in pieces, as a window makes it ---------------------------------------------------------
 
 
 class FakeWindow:
@@ -332,6 +332,16 @@ def test_stop_keeps_what_has_grown(windowed):
     running.end()
     assert result.meander.figures.stop_reason == "cancelled"
     assert figures["nodes"] > 0 and len(result.data.splines) == 1
+
+
+def test_stopping_at_once_keeps_the_seed(windowed):
+    running = begin(sphere(), 0.05)
+    running.stepper.cancel()
+    tick_until(running, lambda: False)
+    result, figures = running.keep(bpy.context)
+    running.end()
+    assert len(result.data.splines) == 1 and len(result.data.splines[0].points) >= 3
+    assert figures["crossings"] == 0
 
 
 @pytest.mark.parametrize("victim", ["surface", "preview"])

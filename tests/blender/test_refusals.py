@@ -25,9 +25,7 @@ def without_area() -> bpy.types.Object:
 
 
 def three_on_an_edge() -> bpy.types.Object:
-    return mesh_object(
-        "Fin", [*SQUARE, (0.5, 0.5, 1)], [(0, 1, 2), (0, 2, 3), (0, 2, 4)]
-    )
+    return mesh_object("Fin", [*SQUARE, (0.5, 0.5, 1)], [(0, 1, 2), (0, 2, 3), (0, 2, 4)])
 
 
 def bow_tie() -> bpy.types.Object:

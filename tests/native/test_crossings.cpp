@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The crossing test against a comparison of all pairs in exact integers.
+#include "crossings.h"
+
+#include <gtest/gtest.h>
+
+#include "test_curves.h"
+
+namespace meander::test {
+namespace {
+
+using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+
+Pairs brute_force(const Surface& s, const Curve& c, const std::vector<uint8_t>* changed = nullptr) {
+  Pairs pairs;
+  for (const auto& p : exact_crossings(s, c)) {
+    if (!changed || (*changed)[p.first] || (*changed)[p.second]) pairs.push_back(p);
+  }
+  return pairs;
+}
+
+/// With no list of changes, with random ones, and with teams of different sizes.
+void expect_equal(const Surface& s, const Curve& curve, Rng& rng) {
+  ASSERT_TRUE(whole(s, curve));
+  CrossingTest test;
+  Team one(1), three(3);
+  const Pairs expected = brute_force(s, curve);
+  EXPECT_EQ(test.find(s, curve, one), expected);
+  EXPECT_EQ(test.find(s, curve, three), expected);
+  for (const double share : {0.0, 0.1, 0.7, 1.0}) {
+    std::vector<uint8_t> changed(curve.size());
+    for (uint8_t& c : changed) c = rng() < share;
+    EXPECT_EQ(test.find(s, curve, three, &changed), brute_force(s, curve, &changed));
+  }
+}
+
+Curve strand_in_face(const Surface& s, const std::vector<Vec2>& points, bool closed) {
+  Curve c;
+  for (const Vec2 p : points) add_node(c, {0, p});
+  c.strands.push_back({0, c.size(), closed});
+  join_in_face(s, c);
+  return c;
+}
+
+TEST(Crossings, EqualBruteForceInACrowdedFace) {
+  const Surface s = make_surface(octahedron());
+  Rng rng(21);
+  for (const uint32_t n : {3u, 10u, 24u, 25u, 60u, 400u}) {
+    for (const double step : {0.02, 0.1, 1.0}) {
+      for (const bool closed : {true, false}) {
+        std::vector<Vec2> points;
+        Vec2 at{0.3, 0.3};
+        for (uint32_t k = 0; k < n; ++k) {
+          at = {at.x + step * rng.in(-1, 1), at.y + step * rng.in(-1, 1)};
+          const SurfacePoint p = make_point(0, 1 - at.x - at.y, at.x, at.y);
+          at = p.b;
+          points.push_back(p.b);
+        }
+        expect_equal(s, strand_in_face(s, points, closed), rng);
+      }
+    }
+  }
+}
+
+/// Coordinates of an 8 x 8 lattice: most pairs touch, overlap or share corners without being neighbours.
+TEST(Crossings, EqualBruteForceWhereEverythingTouches) {
+  const Surface s = make_surface(octahedron());
+  Rng rng(22);
+  for (int round = 0; round < 300; ++round) {
+    const uint32_t n = 4 + rng.below(round % 10 == 0 ? 80 : 12);
+    std::vector<Vec2> points;
+    while (points.size() < n) {
+      const Vec2 p{(1 + rng.below(7)) / 16.0, (1 + rng.below(7)) / 16.0};
+      if (!points.empty() && points.back().x == p.x && points.back().y == p.y) continue;
+      points.push_back(p);
+    }
+    if (points.front().x == points.back().x && points.front().y == points.back().y) points.back().x += 1.0 / 32;
+    expect_equal(s, strand_in_face(s, points, round % 2 == 0), rng);
+  }
+}
+
+TEST(Crossings, EqualBruteForceAcrossManyFaces) {
+  Rng rng(23);
+  for (const Mesh& mesh : {sphere(2), torus(15, 8), cube(), bumpy_grid(8), with_noise(sphere(2), 0.3, 6)}) {
+    const Surface s = make_surface(mesh);
+    for (int round = 0; round < 6; ++round) {
+      Curve c;
+      add_walk(s, c, random_point(s, rng), 0.06, 60, 1.5, rng);
+      add_ring(s, c, random_point(s, rng), 0.1, 12, 0.3, rng);
+      add_walk(s, c, random_point(s, rng), 0.2, 10, 1.5, rng);
+      expect_equal(s, c, rng);
+    }
+  }
+}
+
+TEST(Crossings, NeighboursMayMeetInTheirNodeOnly) {
+  const Surface s = make_surface(octahedron());
+  CrossingTest test;
+  Team team(1);
+  const auto find = [&](const std::vector<Vec2>& points, bool closed = false) {
+    return test.find(s, strand_in_face(s, points, closed), team);
+  };
+  EXPECT_TRUE(find({{0.1, 0.1}, {0.3, 0.1}, {0.3, 0.4}}).empty());
+  EXPECT_TRUE(find({{0.1, 0.1}, {0.3, 0.1}, {0.3, 0.4}}, true).empty());
+  // Straight on is allowed, straight back is not.
+  EXPECT_TRUE(find({{0.125, 0.125}, {0.25, 0.25}, {0.375, 0.375}}).empty());
+  EXPECT_EQ(find({{0.125, 0.125}, {0.375, 0.375}, {0.25, 0.25}}), (Pairs{{0, 1}}));
+  // A grain beside it is.
+  EXPECT_TRUE(find({{0.125, 0.125}, {0.375, 0.375}, {0.25, 0.25 + kGrain}}).empty());
+}
+
+TEST(Crossings, TouchingCounts) {
+  const Surface s = make_surface(octahedron());
+  CrossingTest test;
+  Team team(1);
+  // The last node on the first segment, and a grain away from it.
+  for (const bool apart : {false, true}) {
+    const Vec2 last{0.25, 0.125 + (apart ? kGrain : 0)};
+    const Curve c = strand_in_face(s, {{0.125, 0.125}, {0.5, 0.125}, {0.5, 0.375}, last}, false);
+    EXPECT_EQ(test.find(s, c, team), apart ? Pairs{} : (Pairs{{0, 2}}));
+  }
+}
+
+TEST(Crossings, SegmentsThroughTheSamePointOfAnEdgeTouch) {
+  const Surface s = make_surface(flat_grid(1));
+  // The edge that the two faces share.
+  HalfEdge e = 0;
+  while (s.twin(e) == kNone) ++e;
+  CrossingTest test;
+  Team team(1);
+  for (const double gap : {0.0, kGrain}) {
+    Curve c;
+    for (const double t : {0.25, 0.75}) {
+      const uint32_t first = c.size();
+      const uint32_t f = face_of(e), g = face_of(s.twin(e));
+      add_node(c, make_point(f, 0.2 + 0.1 * t, 0.3, 0.5 - 0.1 * t));
+      add_node(c, make_point(g, 0.2 + 0.1 * t, 0.4, 0.4 - 0.1 * t));
+      c.paths[first] = {{e, 0.5 + (t > 0.5 ? gap : 0)}};
+      c.strands.push_back({first, 2, false});
+    }
+    c.link();
+    EXPECT_EQ(test.find(s, c, team), brute_force(s, c));
+    if (gap == 0) {
+      EXPECT_EQ(test.find(s, c, team), (Pairs{{0, 2}}));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace meander::test

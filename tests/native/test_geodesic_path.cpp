@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shortened paths: they hang together, nothing shortens them further, and where the shortest path is
+// known they are it.
+#include "geodesic_path.h"
+
+#include <queue>
+
+#include <gtest/gtest.h>
+
+#include "test_curves.h"
+
+namespace meander::test {
+namespace {
+
+/// A crossing keeps kClearance from the ends of its edge, so a path round a vertex is longer than the
+/// one through it by about that for every edge there; edges are at most 1 long.
+double clearing(size_t crossings) { return 4 * kClearance * (1 + static_cast<double>(crossings)); }
+
+/// A bend or a kink (in radians) that clearance and rounding explain on paths with pieces of 1e-4.
+constexpr double kKink = 1e-5;
+
+/// A share this near to the end of an edge means that the path goes round its vertex.
+constexpr double kAtVertex = 4 * kClearance;
+
+/// Any way from one face to another: a random walk, then breadth first.
+Path bad_path(const Surface& s, uint32_t from, uint32_t to, uint32_t wander, Rng& rng) {
+  Path path;
+  uint32_t f = from;
+  for (uint32_t k = 0; k < wander; ++k) {
+    const HalfEdge e = 3 * f + rng.below(3);
+    if (s.twin(e) == kNone) continue;
+    path.push_back({e, clear_of_ends(rng())});
+    f = face_of(s.twin(e));
+  }
+  std::vector<HalfEdge> by(s.face_count(), kNone);
+  std::vector<uint32_t> queue{to};
+  by[to] = 0;
+  for (size_t head = 0; head < queue.size() && by[f] == kNone; ++head) {
+    for (uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge o = s.twin(3 * queue[head] + k);
+      if (o == kNone || by[face_of(o)] != kNone) continue;
+      by[face_of(o)] = o;  // towards `to`
+      queue.push_back(face_of(o));
+    }
+  }
+  while (f != to) {
+    path.push_back({by[f], 0.5});
+    f = face_of(s.twin(by[f]));
+  }
+  return path;
+}
+
+/// The angle from the fan's first edge to the point, around the fan's vertex.
+double polar(const Surface& s, const std::vector<uint32_t>& corners, uint32_t face, Vec2 p) {
+  double sum = 0;
+  for (const uint32_t c : corners) {
+    const uint32_t f = face_of(c), k = corner_of(c);
+    if (f == face) {
+      const Vec2 a = s.corner(f, next_corner(k)) - s.corner(f, k), b = p - s.corner(f, k);
+      return sum + std::atan2(cross(a, b), dot(a, b));
+    }
+    sum += s.corner_angle(f, k);
+  }
+  ADD_FAILURE() << "the face is not at the vertex";
+  return 0;
+}
+
+/// No perturbation of a crossing, and no way round the other side of a vertex, shortens the path.
+void expect_locally_shortest(const Surface& s, const SurfacePoint& start, const SurfacePoint& end, const Path& path) {
+  const auto vertex_of = [&](const Crossing& c) {
+    const Triangle& t = s.face(face_of(c.e));
+    if (c.t < kAtVertex) return t[corner_of(c.e)];
+    if (c.t > 1 - kAtVertex) return t[next_corner(corner_of(c.e))];
+    return kNone;
+  };
+  // Points of the path: in the face that it leaves there, and in the one that it enters.
+  const size_t n = path.size();
+  const auto leaving = [&](size_t i) { return flat_on_edge(s, path[i]); };
+  const auto entering = [&](size_t i) { return flat_on_edge(s, reversed(s, path[i])); };
+  for (size_t i = 0; i < n;) {
+    const uint32_t v = vertex_of(path[i]);
+    const Vec2 before = i == 0 ? flat(s, start) : entering(i - 1);
+    const uint32_t face = face_of(path[i].e);
+    if (v == kNone) {
+      const Vec2 after = i + 1 == n ? flat(s, end) : leaving(i + 1);
+      const Vec2 in = unit(leaving(i) - before);
+      const Vec2 out = unit(after - entering(i)) * conj(s.transition(path[i].e));
+      EXPECT_NEAR(cross(in, out), 0, kKink) << "at crossing " << i << " of " << n << ", t = " << path[i].t;
+      EXPECT_GT(dot(in, out), 0);
+      ++i;
+      continue;
+    }
+    size_t last = i;
+    while (last + 1 < n && vertex_of(path[last + 1]) == v) ++last;
+    const uint32_t next_face = face_of(s.twin(path[last].e));
+    const Vec2 after = last + 1 == n ? flat(s, end) : leaving(last + 1);
+    const std::vector<uint32_t> corners = fan(s, v);
+    const double a = polar(s, corners, face, before), b = polar(s, corners, next_face, after);
+    // The vertex may lie on the left (of a path that goes round counter-clockwise) or on the right.
+    const bool on_left = s.face(face)[next_corner(corner_of(path[i].e))] == v;
+    const double total = s.total_angle(v);
+    double side = on_left ? b - a : a - b;  // on which the path runs
+    if (!s.on_boundary(v) && side < 0) side += total;
+    EXPECT_GE(side, kPi - kKink) << "short cut at vertex " << v;
+    if (!s.on_boundary(v)) {
+      EXPECT_GE(total - side, kPi - kKink) << "the other side of vertex " << v << " is shorter";
+    }
+    i = last + 1;
+  }
+}
+
+void expect_shape_is_measured(const Surface& s, const SurfacePoint& start, const SurfacePoint& end,
+                              const Path& path, const PathShape& shape) {
+  constexpr double kRounding = 1e-12;
+  double length = 0;
+  Vec3 at = position(s, start);
+  std::vector<Vec3> pieces;
+  for (const Crossing& c : path) {
+    const Vec3 to = position(s, c);
+    pieces.push_back(to - at);
+    at = to;
+  }
+  pieces.push_back(position(s, end) - at);
+  for (const Vec3& p : pieces) length += p.norm();
+  EXPECT_NEAR(shape.length, length, kRounding * (1 + length));
+  if (!(length > 0)) return;
+  EXPECT_NEAR(norm(shape.leaving), 1, kRounding);
+  EXPECT_NEAR(norm(shape.arriving), 1, kRounding);
+  // Where the first and the last piece are long enough to have a direction in space.
+  constexpr double kLong = 1e-4, kDirection = 1e-9;
+  if (pieces.front().norm() > kLong) {
+    EXPECT_NEAR((s.to_space(start.face, shape.leaving) - pieces.front().normalized()).norm(), 0, kDirection);
+  }
+  if (pieces.back().norm() > kLong) {
+    EXPECT_NEAR((s.to_space(end.face, shape.arriving) - pieces.back().normalized()).norm(), 0, kDirection);
+  }
+}
+
+struct Named {
+  const char* name;
+  Mesh mesh;
+};
+
+std::vector<Named> meshes() {
+  return {{"sphere", sphere(2)},
+          {"torus", torus(14, 8)},
+          {"noisy", with_noise(sphere(2), 0.3, 17)},
+          {"cube", cube()},
+          {"octahedron", octahedron()},
+          {"bumpy", bumpy_grid(9)},
+          {"hole", grid_with_hole(7)},
+          {"cone", cone(9, 3, 3)},
+          {"saddle", cone(12, 3, 1, true)},
+          {"flat", flat_grid(6)}};
+}
+
+TEST(Shorten, AnyPathBecomesALocallyShortestOne) {
+  for (const auto& [name, mesh] : meshes()) {
+    SCOPED_TRACE(name);
+    const Surface s = make_surface(mesh);
+    PathShortener shortener(s);
+    Rng rng(61);
+    for (int k = 0; k < 150 && !testing::Test::HasFailure(); ++k) {
+      const SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+      Path path = bad_path(s, start.face, end.face, rng.below(12), rng);
+      const double before = measure_path(s, start, end, path).length;
+      const PathShape shape = shortener.shorten(start, end, path);
+      ASSERT_TRUE(chains(s, start.face, end.face, path));
+      EXPECT_LE(shape.length, before + clearing(path.size()));
+      EXPECT_GE(shape.length, (position(s, start) - position(s, end)).norm() * (1 - 1e-12));
+      expect_shape_is_measured(s, start, end, path, shape);
+      expect_locally_shortest(s, start, end, path);
+      // No edge is crossed there and back, and a second time there is nothing left to do.
+      for (size_t c = 1; c < path.size(); ++c) EXPECT_NE(s.twin(path[c - 1].e), path[c].e);
+      const double once = shape.length;
+      Path again = path;
+      EXPECT_NEAR(shortener.shorten(start, end, again).length, once, clearing(path.size()));
+    }
+  }
+}
+
+TEST(Shorten, IsAStraightLineInThePlane) {
+  const Surface s = make_surface(flat_grid(8));
+  PathShortener shortener(s);
+  Rng rng(62);
+  for (int k = 0; k < 300; ++k) {
+    const SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+    Path path = bad_path(s, start.face, end.face, rng.below(20), rng);
+    const PathShape shape = shortener.shorten(start, end, path);
+    EXPECT_NEAR(shape.length, (position(s, start) - position(s, end)).norm(), clearing(path.size()));
+    ASSERT_TRUE(chains(s, start.face, end.face, path));
+  }
+}
+
+TEST(Shorten, NeighboursInAFaceAreJoinedInIt) {
+  const Surface s = make_surface(octahedron());
+  PathShortener shortener(s);
+  Rng rng(63);
+  for (int k = 0; k < 100; ++k) {
+    SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+    end.face = start.face;
+    // Out across an edge and back.
+    const HalfEdge e = 3 * start.face + rng.below(3);
+    Path path{{e, 0.3}, {s.twin(e), 0.4}};
+    const PathShape shape = shortener.shorten(start, end, path);
+    EXPECT_TRUE(path.empty());
+    EXPECT_NEAR(shape.length, norm(flat(s, end) - flat(s, start)), 1e-15);
+  }
+}
+
+/// Shortest way through points on the edges: `share` points an edge, each entered once.
+double dijkstra(const Surface& s, const SurfacePoint& start, const SurfacePoint& end, uint32_t share, Path& path) {
+  const size_t states = 3 * s.face_count() * share;  // point j of half-edge e, about to cross it
+  std::vector<double> cost(states, std::numeric_limits<double>::infinity());
+  std::vector<size_t> from(states, SIZE_MAX);
+  using Entry = std::pair<double, size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto crossing = [&](size_t state) {
+    return Crossing{static_cast<HalfEdge>(state / share), snap((static_cast<double>(state % share) + 0.5) / share)};
+  };
+  const auto spread = [&](uint32_t f, Vec2 at, double c, size_t previous) {
+    for (size_t state = 3 * size_t{f} * share; state < 3 * (size_t{f} + 1) * share; ++state) {
+      if (s.twin(static_cast<HalfEdge>(state / share)) == kNone) continue;
+      const double all = c + norm(flat_on_edge(s, crossing(state)) - at);
+      if (all < cost[state]) {
+        cost[state] = all;
+        from[state] = previous;
+        queue.push({all, state});
+      }
+    }
+  };
+  double best = std::numeric_limits<double>::infinity();
+  size_t last = SIZE_MAX;
+  if (start.face == end.face) best = norm(flat(s, end) - flat(s, start));
+  spread(start.face, flat(s, start), 0, SIZE_MAX);
+  while (!queue.empty()) {
+    const auto [c, state] = queue.top();
+    queue.pop();
+    if (c > cost[state]) continue;
+    if (c >= best) break;
+    const Crossing r = reversed(s, crossing(state));
+    const uint32_t f = face_of(r.e);
+    const Vec2 at = flat_on_edge(s, r);
+    if (f == end.face && c + norm(flat(s, end) - at) < best) {
+      best = c + norm(flat(s, end) - at);
+      last = state;
+    }
+    spread(f, at, c, state);
+  }
+  path.clear();
+  for (; last != SIZE_MAX; last = from[last]) path.push_back(crossing(last));
+  std::reverse(path.begin(), path.end());
+  return best;
+}
+
+TEST(Shorten, OfTheNearlyShortestPathIsTheShortest) {
+  // With points this dense on every edge, Dijkstra's paths are at most this much too long.
+  constexpr uint32_t kPoints = 12;
+  constexpr double kTooLong = 0.02;
+  for (const auto& [name, mesh] : {Named{"sphere", sphere(2)}, {"bumpy", bumpy_grid(8)}, {"cube", cube()},
+                                   {"hole", grid_with_hole(6)}, {"saddle", cone(12, 2, 1, true)}}) {
+    SCOPED_TRACE(name);
+    const Surface s = make_surface(mesh);
+    PathShortener shortener(s);
+    Rng rng(64);
+    for (int k = 0; k < 12; ++k) {
+      const SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+      Path path;
+      const double upper = dijkstra(s, start, end, kPoints, path);
+      const PathShape shape = shortener.shorten(start, end, path);
+      ASSERT_TRUE(chains(s, start.face, end.face, path));
+      EXPECT_LE(shape.length, upper + clearing(path.size()));
+      EXPECT_GE(shape.length, upper * (1 - kTooLong) - 0.3 * s.mean_edge_length() / kPoints);
+      expect_locally_shortest(s, start, end, path);
+    }
+  }
+}
+
+/// Round a corner of the cube the unfolded way over the edge is known.
+TEST(Shorten, RoundACornerOfTheCube) {
+  const Surface s = make_surface(cube());
+  PathShortener shortener(s);
+  Rng rng(65);
+  for (int k = 0; k < 200; ++k) {
+    const SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+    const Vec3 a = position(s, start) * s.scale(), b = position(s, end) * s.scale();
+    Path path = bad_path(s, start.face, end.face, 6, rng);
+    const PathShape shape = shortener.shorten(start, end, path);
+    expect_locally_shortest(s, start, end, path);
+    // On the same side of the cube a straight line is shortest; any other geodesic is longer.
+    constexpr double kGridRounding = 1e-7;
+    EXPECT_GE(shape.length * s.scale(), (a - b).norm() - kGridRounding);
+    for (const Crossing& c : path) {
+      EXPECT_GT(std::min(c.t, 1 - c.t), kAtVertex) << "no shortest path runs through a corner of less than 2 pi";
+    }
+  }
+}
+
+/// A plane with a hole: a path goes round its corners and stays on the side where it was.
+TEST(Shorten, RoundAHoleTouchesItsCorners) {
+  const Surface s = make_surface(grid_with_hole(9));
+  PathShortener shortener(s);
+  Rng rng(66);
+  int touched = 0;
+  for (int k = 0; k < 200; ++k) {
+    const SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+    Path path = bad_path(s, start.face, end.face, 25, rng);
+    shortener.shorten(start, end, path);
+    ASSERT_TRUE(chains(s, start.face, end.face, path));
+    expect_locally_shortest(s, start, end, path);
+    for (const Crossing& c : path) {
+      if (c.t > kAtVertex && c.t < 1 - kAtVertex) continue;
+      const Triangle& t = s.face(face_of(c.e));
+      EXPECT_TRUE(s.on_boundary(c.t < 0.5 ? t[corner_of(c.e)] : t[next_corner(corner_of(c.e))]));
+      ++touched;
+    }
+  }
+  EXPECT_GT(touched, 0) << "the test should meet the hole";
+}
+
+/// A straight path is what a trace along its first direction draws.
+TEST(Measure, LeavingAndArrivingAreThoseOfTheTrace) {
+  // An error of the direction by 2^-50 or so grows on the way, and each crossing is snapped.
+  constexpr double kTrace = 1e-9;
+  for (const auto& [name, mesh] : meshes()) {
+    SCOPED_TRACE(name);
+    const Surface s = make_surface(mesh);
+    PathShortener shortener(s);
+    Rng rng(67);
+    for (int k = 0; k < 60; ++k) {
+      const SurfacePoint start = random_point(s, rng);
+      Path traced, none;
+      const Trace trace = trace_geodesic(s, start, 0.3 * rng.direction(), traced);
+      if (trace.hit_boundary) continue;
+      const auto straight = [](const Path& p) {
+        constexpr double kFar = 1e-5;
+        return std::all_of(p.begin(), p.end(), [](const Crossing& c) { return c.t > kFar && c.t < 1 - kFar; });
+      };
+      Path path = traced;
+      const PathShape shape = shortener.shorten(start, trace.end, path);
+      if (path.size() != traced.size() || !straight(path)) continue;
+      const Trace along = trace_geodesic(s, start, shape.length * shape.leaving, none);
+      ASSERT_EQ(along.end.face, trace.end.face);
+      EXPECT_NEAR(norm(flat(s, along.end) - flat(s, trace.end)), 0, kTrace);
+      EXPECT_NEAR(norm(shape.arriving - trace.direction), 0, kTrace / 1e-2);
+    }
+  }
+}
+
+/// Gauss and Bonnet: round the apex of a cone the strand turns by the angle of the faces there.
+TEST(Measure, TurnsRoundAConeAddUpToItsAngle) {
+  constexpr double kGridRounding = 1e-6;
+  for (const double slope : {0.0, 0.5, 1.5, 4.0}) {
+    for (const bool saddle : {false, true}) {
+      const Surface s = make_surface(cone(10, 3, slope, saddle));
+      Curve c;
+      for (uint32_t k = 0; k < 5; ++k) {
+        for (uint32_t f = 0; f < s.face_count(); ++f) {
+          if (s.face(f)[0] == 0 && s.face(f)[1] == 1 + 2 * k) add_node(c, make_point(f, 0.5, 0.2, 0.3));
+        }
+      }
+      ASSERT_EQ(c.size(), 5u);
+      double turns = 0;
+      PathShortener shortener(s);
+      for (uint32_t k = 0; k < 5; ++k) {
+        const SurfacePoint &from = c.nodes[k], &to = c.nodes[(k + 1) % 5];
+        for (uint32_t f = from.face; f != to.face;) {
+          c.paths[k].push_back({3 * f + 2, 0.5});
+          f = face_of(s.twin(3 * f + 2));
+        }
+        c.shapes[k] = shortener.shorten(from, to, c.paths[k]);
+        ASSERT_TRUE(chains(s, from.face, to.face, c.paths[k]));
+      }
+      for (uint32_t k = 0; k < 5; ++k) {
+        const Vec2 in = c.shapes[(k + 4) % 5].arriving, out = c.shapes[k].leaving;
+        turns += std::atan2(cross(in, out), dot(in, out));
+      }
+      EXPECT_NEAR(turns, s.total_angle(0), kGridRounding) << "slope " << slope << " saddle " << saddle;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace meander::test

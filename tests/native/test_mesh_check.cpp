@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is refused, and that the right element is named; what is made of a mesh that is not.
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "failure.h"
+#include "test_meshes.h"
+
+namespace meander::test {
+namespace {
+
+/// Tries to make a surface and returns the failure; a test failure if there is none.
+Failure refusal(const Mesh& mesh) {
+  try {
+    make_surface(mesh);
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.status, MEANDER_INVALID_MESH);
+    EXPECT_GT(std::string(failure.what()).size(), 20u) << "a sentence is wanted";
+    return failure;
+  }
+  ADD_FAILURE() << "the mesh was not refused";
+  return Failure(MEANDER_OK, "");
+}
+
+void expect_refused(const Mesh& mesh, int32_t kind, uint32_t index = 0) {
+  const Failure failure = refusal(mesh);
+  EXPECT_EQ(failure.element_kind, kind) << failure.what();
+  EXPECT_EQ(failure.index, index) << failure.what();
+  if (kind != MEANDER_ELEMENT_NONE) {
+    EXPECT_NE(std::string(failure.what()).find(std::to_string(index)), std::string::npos) << failure.what();
+  }
+}
+
+TEST(Refusal, NoFaces) {
+  Mesh m = sphere(0);
+  m.faces.clear();
+  expect_refused(m, MEANDER_ELEMENT_NONE);
+  expect_refused(Mesh{}, MEANDER_ELEMENT_NONE);
+}
+
+TEST(Refusal, NumbersThatAreNotFinite) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()}) {
+    for (size_t k = 0; k < 3; ++k) {
+      Mesh m = sphere(1);
+      m.vertices[3 * 17 + k] = bad;
+      m.vertices[3 * 20 + k] = bad;
+      expect_refused(m, MEANDER_ELEMENT_VERTEX, 17);
+    }
+  }
+}
+
+TEST(Refusal, AnIndexOutOfRange) {
+  Mesh m = sphere(1);
+  m.faces[3 * 11 + 1] = m.vertex_count();
+  expect_refused(m, MEANDER_ELEMENT_FACE, 11);
+  m.faces[3 * 11 + 1] = UINT32_MAX;
+  expect_refused(m, MEANDER_ELEMENT_FACE, 11);
+}
+
+TEST(Refusal, AVertexTwiceInAFace) {
+  for (size_t k = 0; k < 3; ++k) {
+    Mesh m = sphere(1);
+    m.faces[3 * 11 + k] = m.faces[3 * 11 + (k + 1) % 3];
+    expect_refused(m, MEANDER_ELEMENT_FACE, 11);
+  }
+}
+
+TEST(Refusal, AFaceWithoutArea) {
+  Mesh m = flat_grid(4, 0);
+  const uint32_t a = m.add(0, 2, 0), b = m.add(1, 2, 0), c = m.add(3, 2, 0);
+  m.face(a, b, c);
+  expect_refused(m, MEANDER_ELEMENT_FACE, m.face_count() - 1);
+
+  // Whatever the size of the mesh, and for two corners in one place.
+  for (const double factor : {1e-6, 1.0, 1e6}) {
+    Mesh n = scaled(sphere(1), factor);
+    const uint32_t p = n.add(0, 0, 0), q = n.add(0, 0, 0), r = n.add(factor, 0, 0);
+    n.face(p, q, r);
+    expect_refused(n, MEANDER_ELEMENT_FACE, n.face_count() - 1);
+  }
+}
+
+TEST(Refusal, AllInOnePlace) {
+  Mesh m;
+  for (int k = 0; k < 3; ++k) m.add(1, 2, 3);
+  m.face(0, 1, 2);
+  EXPECT_EQ(refusal(m).status, MEANDER_INVALID_MESH);
+}
+
+TEST(Refusal, AnEdgeWithThreeFaces) {
+  Mesh m = sphere(1);
+  const uint32_t a = m.faces[3 * 9], b = m.faces[3 * 9 + 1];
+  m.face(a, b, m.add(3, 3, 3));
+  const Failure failure = refusal(m);
+  EXPECT_EQ(failure.element_kind, MEANDER_ELEMENT_EDGE);
+  EXPECT_EQ((std::set{failure.index, failure.index2}), (std::set{a, b}));
+}
+
+TEST(Refusal, ABowTie) {
+  Mesh m;
+  m.add(0, 0, 0);
+  m.add(1, 0, 0);
+  m.add(1, 1, 0);
+  m.add(-1, 0, 0);
+  m.add(-1, -1, 0);
+  m.face(0, 1, 2);
+  m.face(0, 3, 4);
+  expect_refused(m, MEANDER_ELEMENT_VERTEX, 0);
+
+  // Two closed surfaces that share a vertex.
+  Mesh n = joined(sphere(1), sphere(1), 4);
+  const uint32_t shared = 5, other = n.vertex_count() / 2 + 3;
+  for (uint32_t& v : n.faces) {
+    if (v == other) v = shared;
+  }
+  expect_refused(n, MEANDER_ELEMENT_VERTEX, shared);
+}
+
+TEST(Refusal, OneSided) {
+  for (const uint32_t around : {5u, 12u, 31u}) {
+    const Failure failure = refusal(moebius(around));
+    EXPECT_EQ(failure.element_kind, MEANDER_ELEMENT_FACE);
+    EXPECT_LT(failure.index, moebius(around).face_count());
+  }
+}
+
+/// The number of closed chains that the half-edges without a neighbour form.
+uint32_t count_loops(const Surface& s) {
+  std::map<uint32_t, uint32_t> next;
+  for (const HalfEdge e : s.boundary()) {
+    const Triangle& t = s.face(face_of(e));
+    EXPECT_TRUE(next.emplace(t[corner_of(e)], t[next_corner(corner_of(e))]).second);
+  }
+  uint32_t loops = 0;
+  while (!next.empty()) {
+    ++loops;
+    for (auto at = next.begin(); at != next.end();) {
+      const uint32_t to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+  }
+  return loops;
+}
+
+struct Expected {
+  const char* name;
+  Mesh mesh;
+  uint32_t components, loops, genus;  // genus: of all components together
+};
+
+std::vector<Expected> good_meshes() {
+  Mesh loose = sphere(1);
+  loose.add(100, 0, 0);  // used by no face
+  return {{"sphere", sphere(2), 1, 0, 0},
+          {"octahedron", octahedron(), 1, 0, 0},
+          {"cube", cube(), 1, 0, 0},
+          {"torus", torus(9, 5), 1, 0, 1},
+          {"grid", flat_grid(5), 1, 1, 0},
+          {"one_face", Mesh{{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}}, 1, 1, 0},
+          {"grid_with_hole", grid_with_hole(6), 1, 2, 0},
+          {"cylinder", cylinder(8, 3, 2), 1, 2, 0},
+          {"cone", cone(7, 3, 1), 1, 1, 0},
+          {"two_spheres", joined(sphere(1), sphere(1), 4), 2, 0, 0},
+          {"torus_and_grid", joined(torus(9, 5), flat_grid(3), 4), 2, 1, 1},
+          {"unused_vertex", loose, 1, 0, 0}};
+}
+
+TEST(GoodMesh, HasTheTopologyOfItsShape) {
+  for (const Expected& m : good_meshes()) {
+    SCOPED_TRACE(m.name);
+    const Surface s = make_surface(m.mesh);
+    EXPECT_EQ(s.component_count(), m.components);
+    EXPECT_EQ(s.boundary_loop_count(), m.loops);
+    EXPECT_EQ(count_loops(s), m.loops);
+    EXPECT_EQ(s.turned_count(), 0u);
+    std::set<uint32_t> used(m.mesh.faces.begin(), m.mesh.faces.end());
+    EXPECT_EQ(s.used_vertices(), used.size());
+    // Euler: V - E + F = 2 C - 2 g - b.
+    int64_t half_edges = 0, twice_inner = 0;
+    for (HalfEdge e = 0; e < 3 * s.face_count(); ++e) {
+      ++half_edges;
+      if (s.twin(e) == kNone) continue;
+      ++twice_inner;
+      EXPECT_EQ(s.twin(s.twin(e)), e);
+      const Triangle &a = s.face(face_of(e)), &b = s.face(face_of(s.twin(e)));
+      EXPECT_EQ(a[corner_of(e)], b[next_corner(corner_of(s.twin(e)))]);
+      EXPECT_EQ(a[next_corner(corner_of(e))], b[corner_of(s.twin(e))]);
+    }
+    const int64_t edges = half_edges - twice_inner / 2;
+    EXPECT_EQ(static_cast<int64_t>(used.size()) - edges + static_cast<int64_t>(s.face_count()),
+              int64_t{2} * m.components - int64_t{2} * m.genus - int64_t{m.loops});
+  }
+}
+
+TEST(GoodMesh, FacesAreLaidOutIsometricallyWithUnfoldingTransitions) {
+  // Lengths in the plane and in space differ by rounding of numbers of the order of 1.
+  constexpr double kRounding = 1e-14;
+  for (const Expected& m : good_meshes()) {
+    SCOPED_TRACE(m.name);
+    const Surface s = make_surface(m.mesh);
+    double area = 0;
+    for (uint32_t f = 0; f < s.face_count(); ++f) {
+      const Triangle& t = s.face(f);
+      const Vec3 u = s.position(t[1]) - s.position(t[0]), v = s.position(t[2]) - s.position(t[0]);
+      area += 0.5 * u.cross(v).norm();
+      for (uint32_t k = 0; k < 3; ++k) {
+        const Vec2 side = s.corner(f, next_corner(k)) - s.corner(f, k);
+        const Vec3 edge = s.position(t[next_corner(k)]) - s.position(t[k]);
+        EXPECT_NEAR((s.to_space(f, side) - edge).norm(), 0, kRounding);
+        const HalfEdge e = 3 * f + k, o = s.twin(e);
+        if (o == kNone) continue;
+        // The edge itself, carried across, is the same edge seen from the other face.
+        const Vec3 carried = s.to_space(face_of(o), side * s.transition(e));
+        EXPECT_NEAR((carried - edge).norm(), 0, kRounding);
+        EXPECT_NEAR(norm(s.transition(e) * s.transition(o) - Vec2{1, 0}), 0, kRounding);
+      }
+    }
+    EXPECT_NEAR(s.area(), area, kRounding * s.face_count());
+  }
+}
+
+TEST(GoodMesh, TurnedFacesAreCountedAndOriented) {
+  for (const Expected& m : good_meshes()) {
+    SCOPED_TRACE(m.name);
+    Mesh mesh = m.mesh;
+    Rng rng(mesh.face_count());
+    std::vector<uint8_t> flipped(mesh.face_count(), 0);
+    for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+      flipped[f] = rng() < 0.3;
+      if (flipped[f]) std::swap(mesh.faces[3 * f + 1], mesh.faces[3 * f + 2]);
+    }
+    const Surface s = make_surface(mesh);
+    // The first face of every component decides.
+    std::map<uint32_t, uint8_t> first;
+    for (uint32_t f = 0; f < s.face_count(); ++f) first.try_emplace(s.component(f), flipped[f]);
+    uint32_t expected = 0;
+    for (uint32_t f = 0; f < s.face_count(); ++f) {
+      const bool turned = flipped[f] != first[s.component(f)];
+      expected += turned;
+      EXPECT_EQ(s.turned(f), turned);
+      const bool swapped = s.face(f)[1] == mesh.faces[3 * f + 2];
+      EXPECT_EQ(swapped, turned);
+      for (uint32_t k = 0; k < 3; ++k) {
+        const HalfEdge o = s.twin(3 * f + k);
+        if (o != kNone) {
+          EXPECT_EQ(s.face(f)[k], s.face(face_of(o))[next_corner(corner_of(o))]);
+        }
+      }
+    }
+    EXPECT_EQ(s.turned_count(), expected);
+  }
+}
+
+TEST(GoodMesh, ScaleChangesNothingInside) {
+  for (const Expected& m : good_meshes()) {
+    SCOPED_TRACE(m.name);
+    const Surface one = make_surface(m.mesh);
+    for (const double factor : {1e-3, 1e3, 0.1, 0x1p-20, 12345.678}) {
+      const Surface other = make_surface(scaled(m.mesh, factor));
+      for (const uint32_t v : m.mesh.faces) EXPECT_EQ((one.position(v) - other.position(v)).norm(), 0) << factor;
+    }
+  }
+}
+
+TEST(GoodMesh, AnglesAroundAVertexAddUp) {
+  // Nearly exact angles; the vertices are rounded to 2^-30 of the mesh.
+  constexpr double kGrid = 1e-7;
+  const Surface flat = make_surface(flat_grid(6));
+  for (uint32_t v = 0; v < flat.vertex_count(); ++v) {
+    if (!flat.on_boundary(v)) {
+      EXPECT_NEAR(flat.total_angle(v), 2 * kPi, kGrid);
+    }
+  }
+  const Surface box = make_surface(cube());
+  for (uint32_t v = 0; v < 8; ++v) EXPECT_NEAR(box.total_angle(v), 1.5 * kPi, kGrid);
+  // Gauss and Bonnet: the missing angles of a closed surface add up to 2 pi times its Euler number.
+  for (const auto& [mesh, euler] : {std::pair{with_noise(sphere(2), 0.2, 3), 2}, {torus(9, 6), 0}}) {
+    const Surface s = make_surface(mesh);
+    double missing = 0;
+    for (uint32_t v = 0; v < s.vertex_count(); ++v) missing += 2 * kPi - s.total_angle(v);
+    EXPECT_NEAR(missing, 2 * kPi * euler, kGrid);
+  }
+}
+
+}  // namespace
+}  // namespace meander::test

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The team of threads: every block once, the same blocks for any team, exceptions passed on.
+#include "parallel.h"
+
+#include <atomic>
+#include <stdexcept>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace meander::test {
+namespace {
+
+class TeamOf : public testing::TestWithParam<unsigned> {};
+
+TEST_P(TeamOf, RunsEveryBlockOnceWithTheSameBounds) {
+  Team team(GetParam());
+  for (const size_t count : {size_t{0}, size_t{1}, size_t{7}, size_t{8}, size_t{9}, size_t{1000}}) {
+    for (const size_t grain : {size_t{1}, size_t{8}, size_t{2000}}) {
+      const size_t blocks = Team::block_count(count, grain);
+      std::vector<std::atomic<int>> calls(blocks), visits(count);
+      std::vector<std::pair<size_t, size_t>> bounds(blocks);
+      team.for_blocks(count, grain, [&](size_t block, size_t begin, size_t end) {
+        ASSERT_LT(block, blocks);
+        ++calls[block];
+        bounds[block] = {begin, end};
+        for (size_t i = begin; i < end; ++i) ++visits[i];
+      });
+      for (size_t b = 0; b < blocks; ++b) {
+        EXPECT_EQ(calls[b], 1);
+        EXPECT_EQ(bounds[b].first, b * grain);
+        EXPECT_EQ(bounds[b].second, std::min(count, (b + 1) * grain));
+      }
+      for (const auto& v : visits) EXPECT_EQ(v, 1);
+    }
+  }
+}
+
+TEST_P(TeamOf, ThrowsWhatABodyThrewAndWorksAfterwards) {
+  Team team(GetParam());
+  for (int round = 0; round < 20; ++round) {
+    const auto body = [](size_t block, size_t, size_t) {
+      if (block % 5 == 3) throw std::runtime_error("from a body");
+    };
+    EXPECT_THROW(team.for_blocks(100, 3, body), std::runtime_error);
+    std::atomic<size_t> sum{0};
+    team.for_blocks(100, 3, [&](size_t, size_t begin, size_t end) { sum += end - begin; });
+    EXPECT_EQ(sum, 100u);
+  }
+}
+
+TEST_P(TeamOf, MakesManyShortRounds) {
+  Team team(GetParam());
+  std::vector<int> values(64, 0);
+  constexpr int kRounds = 2000;
+  for (int round = 0; round < kRounds; ++round) {
+    team.for_blocks(values.size(), 4, [&](size_t, size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) ++values[i];
+    });
+  }
+  for (const int v : values) EXPECT_EQ(v, kRounds);
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, TeamOf, testing::Values(1u, 2u, 3u, 16u));
+
+TEST(Team, CountsTheCaller) {
+  EXPECT_EQ(Team(1).size(), 1u);
+  EXPECT_EQ(Team(3).size(), 3u);
+  EXPECT_GE(Team(0).size(), 1u);
+}
+
+}  // namespace
+}  // namespace meander::test

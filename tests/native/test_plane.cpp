@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The orientation predicate and the grid of coordinates, against integers of 128 bits.
+#include "plane.h"
+
+#include <gtest/gtest.h>
+
+#include "surface_point.h"
+#include "test_curves.h"
+
+namespace meander::test {
+namespace {
+
+int64_t units(double x) { return std::llround(std::ldexp(x, 50)); }
+double from_units(int64_t x) { return std::ldexp(static_cast<double>(x), -50); }
+constexpr int64_t kOne = int64_t{1} << 50;
+
+int exact(Vec2 a, Vec2 b, Vec2 c) {
+  return exact_sign(units(a.x), units(a.y), units(b.x), units(b.y), units(c.x), units(c.y));
+}
+
+Vec2 random_snapped(Rng& rng) { return {snap(rng()), snap(rng())}; }
+
+TEST(Orientation, EqualsIntegersOnRandomPoints) {
+  Rng rng(1);
+  for (int k = 0; k < 20000; ++k) {
+    const Vec2 a = random_snapped(rng), b = random_snapped(rng), c = random_snapped(rng);
+    ASSERT_EQ(orientation(a, b, c), exact(a, b, c));
+  }
+}
+
+TEST(Orientation, EqualsIntegersOnNearlyCollinearPoints) {
+  Rng rng(2);
+  int zeros = 0, differ_from_rounded = 0;
+  for (int k = 0; k < 50000; ++k) {
+    const Vec2 a = random_snapped(rng), b = random_snapped(rng);
+    const double t = rng.in(-0.2, 1.2);
+    // A point of the line, rounded, and up to two grains beside it.
+    const auto beside = [&](double x) {
+      return std::clamp(snap(x) + (static_cast<double>(rng.below(5)) - 2) * kGrain, 0.0, 1.0);
+    };
+    const Vec2 c{beside((1 - t) * a.x + t * b.x), beside((1 - t) * a.y + t * b.y)};
+    const int sign = exact(a, b, c);
+    ASSERT_EQ(orientation(a, b, c), sign);
+    ASSERT_EQ(orientation(b, a, c), -sign);
+    ASSERT_EQ(orientation(b, c, a), sign);
+    zeros += sign == 0;
+    const double rounded = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    differ_from_rounded += (rounded > 0 ? 1 : (rounded < 0 ? -1 : 0)) != sign;
+  }
+  // The test would say nothing if plain arithmetic passed it too.
+  EXPECT_GT(differ_from_rounded, 0);
+}
+
+TEST(Orientation, IsZeroExactlyOnLines) {
+  Rng rng(3);
+  for (int k = 0; k < 20000; ++k) {
+    // Steps (dx, dy) of integers, so that all three points are on one line exactly; then one off it.
+    const int64_t dx = static_cast<int64_t>(rng.below(size_t{1} << 30)) + 1;
+    const int64_t dy = static_cast<int64_t>(rng.below(size_t{1} << 30)) + 1;
+    const int64_t x = rng.below(size_t{1} << 31), y = rng.below(size_t{1} << 31);
+    const int64_t m = rng.below(1u << 18), n = rng.below(1u << 18);
+    const auto at = [&](int64_t steps, int64_t off) {
+      return Vec2{from_units(x + steps * dx), from_units(y + steps * dy + off)};
+    };
+    ASSERT_EQ(orientation(at(0, 0), at(m, 0), at(n, 0)), 0);
+    for (const int64_t off : {-1, 1}) {
+      ASSERT_EQ(orientation(at(0, 0), at(m, 0), at(n, off)), exact(at(0, 0), at(m, 0), at(n, off)));
+      ASSERT_EQ(orientation(at(0, 0), at(m, 0), at(n, off)), m == 0 ? 0 : static_cast<int>(off));
+    }
+  }
+}
+
+TEST(Grain, SnappedSharesSeenFromBothSidesAreExact) {
+  Rng rng(4);
+  for (int k = 0; k < 20000; ++k) {
+    const double t = clear_of_ends(k % 4 == 0 ? rng() * 0x1p-28 : rng());
+    ASSERT_GE(t, kClearance);
+    ASSERT_LE(t, 1 - kClearance);
+    ASSERT_EQ(units(1 - t), kOne - units(t));
+    ASSERT_EQ(1 - (1 - t), t);
+    ASSERT_EQ(snap(t), t);
+    ASSERT_EQ(from_units(units(t)), t);
+  }
+}
+
+TEST(Grain, PointsStayInsideTheirFaceWhateverTheWeights) {
+  Rng rng(5);
+  const Surface s = make_surface(octahedron());
+  for (int k = 0; k < 20000; ++k) {
+    const auto weight = [&] {
+      switch (rng.below(4)) {
+        case 0: return rng.in(-1, 2);
+        case 1: return rng.in(-4, 4) * kClearance;
+        case 2: return 0.0;
+        default: return rng();
+      }
+    };
+    const double w0 = weight(), w1 = weight(), w2 = weight();
+    const SurfacePoint p = make_point(0, w0, w1, w2);
+    ASSERT_TRUE(inside_face(s, p)) << w0 << " " << w1 << " " << w2;
+    ASSERT_EQ(units(p.weight(0)) + units(p.b.x) + units(p.b.y), kOne);
+  }
+}
+
+TEST(ComplexNumbers, ProductTurnsAndScales) {
+  Rng rng(6);
+  // Products of a few numbers below 1 round to within a few units of 2^-53.
+  constexpr double kRounding = 1e-15;
+  for (int k = 0; k < 1000; ++k) {
+    const Vec2 a = rng.direction(), b = rng.direction(), v{rng.in(-1, 1), rng.in(-1, 1)};
+    EXPECT_NEAR(norm(a * v), norm(v), kRounding);
+    EXPECT_NEAR(norm((a * b) * v - a * (b * v)), 0, 4 * kRounding);
+    EXPECT_NEAR(norm(conj(a) * (a * v) - v), 0, 4 * kRounding);
+    EXPECT_NEAR(cross(a, Vec2{0, 1} * a), 1, kRounding);
+  }
+  EXPECT_EQ(norm(unit(Vec2{})), 0);
+}
+
+}  // namespace
+}  // namespace meander::test

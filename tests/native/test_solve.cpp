@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The banded solve in parallel frames against the paper's formulation with 3 n unknowns in space.
+#include <gtest/gtest.h>
+
+#include "strand_model.h"
+
+namespace meander::test {
+namespace {
+
+/// Both sides round in units of 2^-53, magnified by the condition of the system: the stiffest term
+/// (bending, up to 1 / l^3) against the softest (the medial one).
+constexpr double kAgreement = 1e-9;
+
+struct Scene {
+  explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)) {}
+
+  /// Random weights; `length` is the range of the length weights.
+  void fill(Rng& rng, double low, double high, double bending, double fixed_share) {
+    const uint32_t n = curve.size();
+    radius.resize(n);
+    radii.resize(n);
+    weights.length.resize(n);
+    weights.bending.resize(n);
+    weights.medial = rng.in(0.3, 2);
+    for (uint32_t i = 0; i < n; ++i) {
+      radius[i] = rng.in(0.05, 0.1);
+      radii[i] = {radius[i] * rng.in(0.2, 3), radius[i] * rng.in(0.2, 3)};
+      weights.length[i] = rng.in(low, high);
+      weights.bending[i] = bending * rng.in(0.1, 1);
+      curve.fixed[i] = rng() < fixed_share;
+    }
+    Team team(1);
+    compute_frames(surface, curve, radius, team, frames);
+  }
+
+  /// Steps of all nodes in space, by the library.
+  Eigen::VectorXd banded_step() const {
+    Eigen::VectorXd d(3 * curve.size());
+    for (const Strand& strand : curve.strands) {
+      StrandSystem system;
+      assemble(curve, strand, frames, radii, radius, weights, system);
+      const std::vector<Vec2> z = solve(system);
+      for (uint32_t k = 0; k < strand.count; ++k) {
+        const uint32_t i = strand.first + k;
+        d.segment<3>(3 * i) = surface.to_space(curve.nodes[i].face, system.frame[k] * z[k]);
+      }
+    }
+    return d;
+  }
+
+  LiteralModel literal() const { return LiteralModel(surface, curve, radii, frames, radius, weights); }
+
+  Surface surface;
+  Curve curve;
+  Frames frames;
+  std::vector<Radii> radii;
+  std::vector<double> radius;
+  Weights weights;
+};
+
+std::vector<Mesh> curved_meshes() {
+  return {sphere(3), torus(20, 10), bumpy_grid(14), cone(9, 4, 1.5), cone(12, 4, 0.7, true), flat_grid(6)};
+}
+
+struct Range {
+  double low, high, bending;
+};
+constexpr Range kRanges[] = {{1, 1, 0}, {0, 0, 1}, {0.2, 2, 0.5}, {-1, 3, 0.6}, {-1, 0.1, 0}};
+
+void compare(Scene& scene, Rng& rng) {
+  for (const Range& range : kRanges) {
+    for (const double fixed_share : {0.0, 0.2}) {
+      scene.fill(rng, range.low, range.high, range.bending, fixed_share);
+      const Eigen::VectorXd expected = scene.literal().dense_step(scene.curve.fixed);
+      const Eigen::VectorXd step = scene.banded_step();
+      ASSERT_TRUE(step.allFinite());
+      ASSERT_GT(expected.norm(), 0);
+      EXPECT_NEAR((step - expected).norm() / expected.norm(), 0, kAgreement)
+          << "n = " << scene.curve.size() << ", length weight from " << range.low << " to " << range.high
+          << ", bending " << range.bending << ", fixed " << fixed_share;
+      for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+        if (scene.curve.fixed[i]) {
+          EXPECT_EQ(step.segment<3>(3 * i).norm(), 0);
+        }
+        // What is left out, the steps along the normals, is zero in the full system too.
+        const Vec3 normal = scene.surface.face_normal(scene.curve.nodes[i].face);
+        EXPECT_NEAR(normal.dot(expected.segment<3>(3 * i)) / expected.norm(), 0, kAgreement);
+      }
+    }
+  }
+}
+
+TEST(Step, OfOpenStrandsEqualsTheLiteralModel) {
+  Rng rng(41);
+  for (const Mesh& mesh : curved_meshes()) {
+    for (const uint32_t n : {2u, 3u, 4u, 5u, 6u, 7u, 50u}) {
+      Scene scene(mesh);
+      add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.03, n, 0.8, rng);
+      compare(scene, rng);
+    }
+  }
+}
+
+TEST(Step, OfClosedStrandsEqualsTheLiteralModel) {
+  Rng rng(42);
+  for (const Mesh& mesh : curved_meshes()) {
+    for (const uint32_t n : {3u, 4u, 5u, 6u, 7u, 8u, 50u}) {
+      Scene scene(mesh);
+      while (!add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.08, n, 0.2, rng)) {
+      }
+      compare(scene, rng);
+    }
+  }
+}
+
+/// Once round the apex of a cone, a frame comes back turned by the apex's missing angle.
+TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
+  Rng rng(43);
+  for (const double slope : {0.5, 1.5, 4.0}) {
+    for (const uint32_t n : {3u, 4u, 5u, 6u, 7u, 20u}) {
+      Scene scene(cone(9, 3, slope));
+      const uint32_t around = 9;
+      // Nodes on the way round, in the faces at the apex, joined across its edges.
+      for (uint32_t k = 0; k < n; ++k) {
+        const double at = around * (k + 0.5) / n;
+        const uint32_t sector = static_cast<uint32_t>(at);
+        for (uint32_t f = 0; f < scene.surface.face_count(); ++f) {
+          const Triangle& t = scene.surface.face(f);
+          if (t[0] != 0 || t[1] != 1 + sector) continue;
+          const double share = 0.1 + 0.8 * (at - sector);
+          add_node(scene.curve, make_point(f, 0.4, 0.6 * (1 - share), 0.6 * share));
+        }
+      }
+      ASSERT_EQ(scene.curve.size(), n);
+      scene.curve.strands.push_back({0, n, true});
+      scene.curve.link();
+      PathShortener shortener(scene.surface);
+      for (uint32_t k = 0; k < n; ++k) {
+        const SurfacePoint &from = scene.curve.nodes[k], &to = scene.curve.nodes[(k + 1) % n];
+        Path& path = scene.curve.paths[k];
+        for (uint32_t f = from.face; f != to.face;) {
+          const HalfEdge e = 3 * f + 2;  // towards the apex: counter-clockwise round it
+          path.push_back({e, 0.5});
+          f = face_of(scene.surface.twin(e));
+        }
+        scene.curve.shapes[k] = shortener.shorten(from, to, path);
+      }
+      ASSERT_TRUE(whole(scene.surface, scene.curve));
+      scene.fill(rng, 0.2, 1, 0.5, 0);
+      StrandSystem system;
+      assemble(scene.curve, scene.curve.strands[0], scene.frames, scene.radii, scene.radius, scene.weights, system);
+      const double angle = std::atan2(system.holonomy.y, system.holonomy.x);
+      const double missing = 2 * kPi - scene.surface.total_angle(0);
+      constexpr double kRounding = 1e-6;  // the cone's own faces are flat to 2^-30 only
+      EXPECT_NEAR(std::remainder(std::abs(angle) - std::abs(std::remainder(missing, 2 * kPi)), 2 * kPi), 0, kRounding);
+      compare(scene, rng);
+    }
+  }
+}
+
+/// Dense algebra would take too long: H d + g must vanish.
+TEST(Step, OfLongStrandsLeavesNoResidual) {
+  Rng rng(44);
+  for (const Mesh& mesh : {sphere(3), torus(20, 10)}) {
+    Scene scene(mesh);
+    add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.02, 2000, 0.8, rng);
+    add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.2, 1000, 0.02, rng);
+    add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.3, 600, 0.02, rng);
+    for (const Range& range : kRanges) {
+      scene.fill(rng, range.low, range.high, range.bending, 0.01);
+      const Eigen::VectorXd step = scene.banded_step();
+      Eigen::VectorXd magnitude;
+      const Eigen::VectorXd residual = scene.literal().gradient(step, &magnitude);
+      for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+        if (scene.curve.fixed[i]) continue;
+        EXPECT_NEAR(residual.segment<3>(3 * i).norm(), 0, kAgreement * magnitude.segment<3>(3 * i).norm());
+      }
+    }
+  }
+}
+
+TEST(Step, GoesDownhillWhereNoWeightIsNegative) {
+  Rng rng(45);
+  for (const Mesh& mesh : curved_meshes()) {
+    Scene scene(mesh);
+    add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.03, 30, 0.8, rng);
+    scene.fill(rng, 0.1, 2, 1, 0);
+    const LiteralModel model = scene.literal();
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(3 * 30), step = scene.banded_step();
+    EXPECT_LT(model.energy(step), model.energy(zero));
+    // It is the minimum.
+    for (int k = 0; k < 20; ++k) {
+      Eigen::VectorXd other = step;
+      for (double& x : other) x += 1e-3 * rng.in(-1, 1);
+      EXPECT_LE(model.energy(step), model.energy(other) * (1 + kAgreement));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace meander::test
