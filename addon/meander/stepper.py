@@ -2,16 +2,13 @@
 """One run of the flow: the same class on the caller's thread and on one of its own. No bpy here.
 
 The native calls release Python's lock, so that a host stays responsive while the worker runs.
-Between iterations nobody but the worker may touch the flow, and asking the flow after every step
-whether it has converged costs a medial axis. So the worker calls the native run, and to see the
-curve the host interrupts it: the run ends with the last whole iteration, the worker copies the
-curve out and runs on. An interrupted iteration is done again, hence the result is the same to the
-last bit, and hence interruptions are PAUSE_ITERATIONS apart.
+Nobody but the worker may touch the flow. Watched, it goes step by step, and copies the curve out
+between two steps whenever the host has taken the last copy; unwatched, it is one native run. Both
+give the same curve to the last bit.
 """
 
 from __future__ import annotations
 
-import math
 import threading
 import time
 from dataclasses import dataclass
@@ -23,8 +20,6 @@ from . import core
 
 # The least time between two copies of the curve.
 SNAPSHOT_SECONDS = 0.1
-# The least number of iterations between them: half an iteration lost in 12, about 4 %.
-PAUSE_ITERATIONS = 12
 
 
 @dataclass(frozen=True)
@@ -69,7 +64,6 @@ class Stepper:
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         self._context = core.Context()
-        self._cancelled = threading.Event()
         self._abandoned = False
         self._flow: core.Flow | None = None
         self._thread: threading.Thread | None = None
@@ -80,8 +74,6 @@ class Stepper:
         self._latest: Snapshot | None = None
         # The host has had the last copy, so that there is room for another.
         self._consumed = True
-        # Not before this moment may the run be interrupted; infinite while it is not running.
-        self._next_pause = math.inf
 
     # -- the host's side ---------------------------------------------------------------------
 
@@ -99,21 +91,15 @@ class Stepper:
     def poll(self) -> Snapshot | None:
         """The newest copy of the curve, once; None while there is none. Never waits.
 
-        Copies are made on demand: call this regularly to get the next.
+        The worker makes the next one only when this one has been taken.
         """
         snapshot, self._latest = self._latest, None
         if snapshot is not None:
             self._consumed = True
-        if self._consumed and time.monotonic() >= self._next_pause:
-            self._next_pause = math.inf
-            self._consumed = False
-            self._context.cancel()
         return snapshot
 
     def cancel(self) -> None:
         """Asks the run to end after the present iteration at the latest; does not wait."""
-        # In this order: whoever takes the context's cancel back looks at the event afterwards.
-        self._cancelled.set()
         self._context.cancel()
 
     def abandon(self) -> None:
@@ -150,8 +136,9 @@ class Stepper:
                 return
             self._flow = core.Flow(surface, problem.options, problem.seed, problem.density)
             if watched:
+                self._consumed = False
                 self._latest = self._snapshot()
-                self._stop_reason = self._run_interruptibly()
+                self._stop_reason = self._run_watched()
             else:
                 self._stop_reason = self._flow.run(self._context)
             if not self._abandoned:
@@ -159,27 +146,17 @@ class Stepper:
         except BaseException as error:  # carried to the host: result() raises it there
             self._error = error
 
-    def _run_interruptibly(self) -> str:
-        iterations = 0
-        interval = SNAPSHOT_SECONDS
+    def _run_watched(self) -> str:
+        last_copy = time.monotonic()
         while True:
-            begin = time.monotonic()
-            self._next_pause = begin + interval
-            reason = self._flow.run(self._context)
-            self._next_pause = math.inf
-            if reason != "cancelled":
+            reason = self._flow.step(self._context)
+            if reason != "running":
                 return reason
-            snapshot = self._snapshot()
-            self._latest = snapshot
-            # Where not one iteration was done in time, half of one is the guess, so that the next
-            # interval is much longer and a slow flow is never interrupted for ever.
-            done = max(snapshot.iterations - iterations, 0.5)
-            iterations = snapshot.iterations
-            each = (time.monotonic() - begin) / done
-            interval = max(SNAPSHOT_SECONDS, PAUSE_ITERATIONS * each)
-            self._context.reset()
-            if self._cancelled.is_set():
-                return reason
+            now = time.monotonic()
+            if self._consumed and now - last_copy >= SNAPSHOT_SECONDS:
+                last_copy = now
+                self._consumed = False
+                self._latest = self._snapshot()
 
     def _snapshot(self) -> Snapshot:
         polylines = self._flow.polylines()

@@ -105,6 +105,205 @@ TEST_P(EveryIteration, KeepsTheCurveWhole) {
   }
 }
 
+/// Ends of the seed, in the mesh's own space.
+struct Line {
+  std::vector<Vec3> points;
+  bool closed = false;
+  std::vector<uint8_t> fixed;
+};
+
+SeedStrands seed_of(const std::vector<Line>& lines) {
+  SeedStrands seed;
+  seed.offsets.push_back(0);
+  for (const Line& line : lines) {
+    seed.points.insert(seed.points.end(), line.points.begin(), line.points.end());
+    seed.offsets.push_back(static_cast<uint32_t>(seed.points.size()));
+    seed.closed.push_back(line.closed);
+    seed.fixed.insert(seed.fixed.end(), line.fixed.begin(), line.fixed.end());
+  }
+  return seed;
+}
+
+TEST_P(EveryIteration, KeepsStrandsAndFixedNodesAsSeeded) {
+  const std::vector<Line> lines{
+      {{{0.1, 0.1, 0}, {0.3, 0.12, 0}, {0.5, 0.1, 0}, {0.9, 0.1, 0}}, false, {1, 0, 1, 1}},
+      {{{0.1, 0.9, 0}, {0.3, 0.85, 0}, {0.5, 0.9, 0}}, false, {0, 0, 0}},
+      {{{0.1, 0.4, 0}, {0.3, 0.4, 0}, {0.2, 0.6, 0}}, true, {0, 0, 1}}};
+  for (const Mesh& mesh : {flat_grid(1), flat_grid(7), grid_with_hole(9)}) {
+    const auto surface = std::make_shared<const Surface>(make_surface(mesh));
+    const SeedStrands seed = seed_of(lines);
+    Flow flow(surface, &seed, {}, settings_of(GetParam(), *surface, 0.08));
+    std::vector<SurfacePoint> fixed;
+    const auto fixed_now = [&] {
+      std::vector<SurfacePoint> points;
+      for (uint32_t i = 0; i < flow.curve().size(); ++i) {
+        if (flow.curve().fixed[i]) points.push_back(flow.curve().nodes[i]);
+      }
+      return points;
+    };
+    fixed = fixed_now();
+    ASSERT_EQ(fixed.size(), 4u);
+    for (int k = 0; k < 30 && !HasFatalFailure(); ++k) {
+      SCOPED_TRACE("iteration " + std::to_string(k + 1));
+      ASSERT_TRUE(flow.step(kNeverCancelled));
+      expect_valid(*surface, flow.curve());
+      ASSERT_EQ(flow.curve().strands.size(), lines.size());
+      for (size_t s = 0; s < lines.size(); ++s) ASSERT_EQ(flow.curve().strands[s].closed, lines[s].closed);
+      const auto now = fixed_now();
+      ASSERT_EQ(now.size(), fixed.size());
+      for (size_t i = 0; i < now.size(); ++i) ASSERT_TRUE(same_bytes(now[i], fixed[i]));
+      // The fixed ends still are the ends.
+      const Strand& first = flow.curve().strands[0];
+      ASSERT_TRUE(flow.curve().fixed[first.first]);
+      ASSERT_TRUE(flow.curve().fixed[first.end() - 1]);
+    }
+  }
+}
+
+TEST_P(EveryIteration, GoesOnAfterConvergence) {
+  const auto surface = std::make_shared<const Surface>(make_surface(sphere(2)));
+  Flow flow(surface, nullptr, {}, settings_of(GetParam(), *surface, spacing_for(*surface, 20)));
+  const StopReason reason = flow.run(kNeverCancelled, [](double) {});
+  EXPECT_NE(reason, StopReason::kCancelled);
+  expect_valid(*surface, flow.curve());
+  for (int k = 0; k < 10; ++k) {
+    ASSERT_TRUE(flow.step(kNeverCancelled));
+    expect_valid(*surface, flow.curve());
+  }
+}
+
+/// A cancel at any question the step asks leaves the last whole iteration.
+TEST_P(EveryIteration, ACancelledStepChangesNothing) {
+  const auto surface = std::make_shared<const Surface>(make_surface(torus(14, 8)));
+  Flow flow(surface, nullptr, {}, settings_of(GetParam(), *surface, spacing_for(*surface, 30)));
+  for (int k = 0; k < 5; ++k) flow.step(kNeverCancelled);
+  int asked = 0;
+  bool whole_step = false;
+  for (int patience = 0; !whole_step && patience < 20; ++patience) {
+    const std::vector<SurfacePoint> before = flow.curve().nodes;
+    const size_t iterations = flow.history().size();
+    asked = 0;
+    whole_step = flow.step([&] { return ++asked > patience; });
+    if (whole_step) break;
+    ASSERT_EQ(flow.history().size(), iterations);
+    ASSERT_EQ(flow.curve().nodes.size(), before.size());
+    for (size_t i = 0; i < before.size(); ++i) ASSERT_TRUE(same_bytes(before[i], flow.curve().nodes[i]));
+  }
+  EXPECT_TRUE(whole_step);
+  EXPECT_GT(asked, 0);
+  // And the flow is the one that was never cancelled.
+  Flow other(surface, nullptr, {}, settings_of(GetParam(), *surface, spacing_for(*surface, 30)));
+  for (int k = 0; k < 6; ++k) other.step(kNeverCancelled);
+  ASSERT_EQ(other.curve().size(), flow.curve().size());
+  for (uint32_t i = 0; i < flow.curve().size(); ++i) {
+    EXPECT_TRUE(same_bytes(other.curve().nodes[i], flow.curve().nodes[i]));
+  }
+}
+
+/// What a caller of the C API gets after some steps.
+struct Output {
+  std::vector<uint32_t> faces;
+  std::vector<double> barycentrics, positions;
+  std::vector<uint32_t> offsets;
+  bool operator==(const Output&) const = default;
+};
+
+Output run(const Mesh& mesh, double spacing, uint32_t preset, uint32_t threads, int steps) {
+  Output out;
+  meander_surface* surface = nullptr;
+  meander_flow* flow = nullptr;
+  meander_flow_options options;
+  meander_error error{};
+  error.struct_size = sizeof(error);
+  meander_flow_options_init(&options, preset);
+  options.radius = spacing / 2;
+  options.threads = threads;
+  EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
+                                   &surface, &error), MEANDER_OK) << error.text;
+  EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, &options, &flow, &error), MEANDER_OK) << error.text;
+  meander_surface_destroy(surface);
+  for (int k = 0; k < steps; ++k) {
+    EXPECT_EQ(meander_flow_step(flow, nullptr, &error), MEANDER_OK) << error.text;
+  }
+  size_t nodes = 0, points = 0, strands = 0;
+  meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, nullptr);
+  meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands, nullptr);
+  out.faces.resize(nodes);
+  out.barycentrics.resize(3 * nodes);
+  out.positions.resize(3 * points);
+  out.offsets.resize(strands + 1);
+  std::vector<uint8_t> closed(strands);
+  EXPECT_EQ(meander_flow_get_nodes(flow, out.faces.data(), out.barycentrics.data(), nullptr, nullptr, nodes, &nodes,
+                                   &error), MEANDER_OK);
+  EXPECT_EQ(meander_flow_get_polylines(flow, out.positions.data(), nullptr, points, &points, out.offsets.data(),
+                                       closed.data(), strands, &strands, &error), MEANDER_OK);
+  meander_flow_destroy(flow);
+  return out;
+}
+
+TEST_P(EveryIteration, GivesTheSameBytesForAnyNumberOfThreads) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const Surface s = make_surface(c.mesh);
+    const Output one = run(c.mesh, spacing_for(s, c.ratio), GetParam(), 1, 12);
+    EXPECT_FALSE(one.faces.empty());
+    for (const uint32_t threads : {2u, 5u}) {
+      EXPECT_EQ(one, run(c.mesh, spacing_for(s, c.ratio), GetParam(), threads, 12)) << threads;
+    }
+  }
+}
+
+TEST_P(EveryIteration, DoesNotDependOnScale) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const Surface s = make_surface(c.mesh);
+    const double spacing = spacing_for(s, c.ratio);
+    const Output one = run(c.mesh, spacing, GetParam(), 1, 12);
+    for (const double factor : {0.001, 1000.0, 3.3, 0x1p-8}) {
+      const Output other = run(scaled(c.mesh, factor), factor * spacing, GetParam(), 1, 12);
+      EXPECT_EQ(one.faces, other.faces) << factor;
+      EXPECT_EQ(one.barycentrics, other.barycentrics) << factor;
+    }
+  }
+}
+
+double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 n = (b - a).cross(c - a).normalized();
+  const auto to_side = [&](const Vec3& u, const Vec3& v) {
+    const double t = std::clamp((p - u).dot(v - u) / (v - u).squaredNorm(), 0.0, 1.0);
+    return (p - u - t * (v - u)).norm();
+  };
+  const bool inside = n.cross(b - a).dot(p - a) >= 0 && n.cross(c - b).dot(p - b) >= 0 && n.cross(a - c).dot(p - c) >= 0;
+  if (inside) return std::abs(n.dot(p - a));
+  return std::min({to_side(a, b), to_side(b, c), to_side(c, a)});
+}
+
+/// Every straight piece of the output lies in the mesh as the caller gave it.
+TEST_P(EveryIteration, PolylinesAreOnTheCallersMesh) {
+  // Points are sums of three products of numbers of about 1 (the meshes' size).
+  constexpr double kRounding = 4e-15;
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const Surface s = make_surface(c.mesh);
+    const Output out = run(c.mesh, spacing_for(s, 40), GetParam(), 2, 20);
+    double farthest = 0;
+    for (size_t strand = 0; strand + 1 < out.offsets.size(); ++strand) {
+      const uint32_t first = out.offsets[strand], count = out.offsets[strand + 1] - first;
+      for (uint32_t k = 0; k < count; ++k) {
+        const auto point = [&](uint32_t i) { return Vec3(out.positions.data() + 3 * (first + i % count)); };
+        const Vec3 middle = 0.5 * (point(k) + point(k + 1));
+        double nearest = std::numeric_limits<double>::infinity();
+        for (uint32_t f = 0; f < c.mesh.face_count(); ++f) {
+          const auto corner = [&](uint32_t i) { return c.mesh.at(c.mesh.faces[3 * f + i]); };
+          nearest = std::min(nearest, distance_to_triangle(middle, corner(0), corner(1), corner(2)));
+        }
+        farthest = std::max(farthest, nearest);
+      }
+    }
+    EXPECT_LE(farthest, kRounding * s.scale());
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Presets, EveryIteration,
                          testing::Values(uint32_t{MEANDER_PRESET_EVEN}, uint32_t{MEANDER_PRESET_PAPER}));
 

@@ -37,10 +37,11 @@ TEST(Trace, IsAStraightLineOnAFoldedSquare) {
     Rng rng(11);
     for (int k = 0; k < 300; ++k) {
       const SurfacePoint start = random_point(s, rng);
-      const double wanted = rng.in(0, 0.8);  // inside units are the diagonal of the box
       const Vec2 along = rng.direction();
+      const Vec2 way = rng.in(0, 0.8) * along;  // inside units are the diagonal of the box
+      const double wanted = norm(way);
       Path path;
-      const Trace trace = trace_geodesic(s, start, wanted * along, path);
+      const Trace trace = trace_geodesic(s, start, way, path);
       ASSERT_TRUE(chains(s, start.face, trace.end.face, path));
       ASSERT_TRUE(inside_face(s, trace.end));
 
@@ -81,9 +82,10 @@ TEST(Trace, HasTheLengthAskedForOnAnySurface) {
     Rng rng(12);
     for (int k = 0; k < 200; ++k) {
       const SurfacePoint start = random_point(s, rng);
-      const double wanted = rng.in(0, 2);
+      const Vec2 way = rng.in(0, 2) * rng.direction();
+      const double wanted = norm(way);
       Path path;
-      const Trace trace = trace_geodesic(s, start, wanted * rng.direction(), path);
+      const Trace trace = trace_geodesic(s, start, way, path);
       ASSERT_TRUE(chains(s, start.face, trace.end.face, path));
       EXPECT_FALSE(trace.hit_boundary);
       EXPECT_EQ(trace.length, wanted);

@@ -121,22 +121,22 @@ TEST(MedialAxis, FramesAreOrthogonalAndBisect) {
 /// A short straight strand along x through the middle of the unit square, `below` above its lower side.
 void lay_strand(Scene& scene, double below) {
   const Surface& s = scene.surface;
-  const auto at = [&](double x, double y) {
-    for (uint32_t f = 0; f < s.face_count(); ++f) {
-      const Triangle& t = s.face(f);
-      const Vec3 a = s.caller_position(t[0]), b = s.caller_position(t[1]), c = s.caller_position(t[2]);
-      const Vec2 u{b.x() - a.x(), b.y() - a.y()}, v{c.x() - a.x(), c.y() - a.y()}, p{x - a.x(), y - a.y()};
-      const double w1 = cross(p, v) / cross(u, v), w2 = cross(u, p) / cross(u, v);
-      if (w1 >= 0 && w2 >= 0 && w1 + w2 <= 1) return make_point(f, 1 - w1 - w2, w1, w2);
-    }
-    ADD_FAILURE() << "the point is outside of the square";
-    return SurfacePoint{};
+  // Weights of the corners of face f at a point of the square's plane.
+  const auto weights = [&](uint32_t f, double x, double y) {
+    const Triangle& t = s.face(f);
+    const Vec3 a = s.caller_position(t[0]), b = s.caller_position(t[1]), c = s.caller_position(t[2]);
+    const Vec2 u{b.x() - a.x(), b.y() - a.y()}, v{c.x() - a.x(), c.y() - a.y()}, p{x - a.x(), y - a.y()};
+    return Vec2{cross(p, v) / cross(u, v), cross(u, p) / cross(u, v)};
   };
-  const SurfacePoint from = at(0.5, below);
-  const SurfacePoint aim = at(0.501, below);
-  Vec2 along;
-  if (from.face == aim.face) along = unit(flat(s, aim) - flat(s, from));
-  ASSERT_GT(norm(along), 0);
+  uint32_t f = 0;
+  Vec2 w = weights(f, 0.5, below);
+  while (!(w.x >= 0 && w.y >= 0 && w.x + w.y <= 1)) {
+    ASSERT_LT(++f, s.face_count()) << "the point is outside of the square";
+    w = weights(f, 0.5, below);
+  }
+  const SurfacePoint from = make_point(f, 1 - w.x - w.y, w.x, w.y);
+  const Vec2 step = weights(f, 0.6, below) - w;
+  const Vec2 along = unit(step.x * s.corner(f, 1) + step.y * s.corner(f, 2));
   Path path;
   const Trace trace = trace_geodesic(s, from, 0.02 * along, path);
   add_node(scene.curve, from);

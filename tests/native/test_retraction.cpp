@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Moves of any size leave a curve without crossings, and one knot does not hold the rest.
+#include "retraction.h"
+
+#include <gtest/gtest.h>
+
+#include "test_curves.h"
+
+namespace meander::test {
+namespace {
+
+/// Some rings, wherever they find room, and an open strand if there still is any.
+Curve random_curve(const Surface& s, uint32_t rings, Rng& rng) {
+  Curve curve;
+  for (uint32_t k = 0; k < 10 * rings && curve.strands.size() < rings; ++k) {
+    Curve next = curve;
+    if (!add_ring(s, next, random_point(s, rng), rng.in(0.03, 0.12), 6 + rng.below(30), 0.1, rng)) continue;
+    if (exact_crossings(s, next).empty()) curve = next;
+  }
+  for (int k = 0; k < 20; ++k) {
+    Curve next = curve;
+    add_walk(s, next, random_point(s, rng), 0.02, 12, 0.4, rng);
+    if (!exact_crossings(s, next).empty()) continue;
+    curve = next;
+    break;
+  }
+  return curve;
+}
+
+std::vector<Mesh> meshes() {
+  return {sphere(2), torus(16, 8), cube(), octahedron(), with_noise(sphere(2), 0.3, 19), grid_with_hole(7),
+          cone(12, 3, 1, true), flat_grid(1)};
+}
+
+TEST(Move, OfAnySizeLeavesNoCrossings) {
+  for (const Mesh& mesh : meshes()) {
+    const Surface s = make_surface(mesh);
+    Rng rng(71);
+    Team team(2);
+    Retraction retraction;
+    MoveSeconds seconds;
+    for (const double size : {0.01, 0.1, 0.7}) {
+      Curve curve = random_curve(s, 6, rng);
+      ASSERT_TRUE(whole(s, curve));
+      ASSERT_GT(curve.size(), 0u);
+      for (uint8_t& f : curve.fixed) f = rng() < 0.1;
+      for (int round = 0; round < 4; ++round) {
+        const Curve old = curve;
+        std::vector<Vec2> d(curve.size());
+        for (Vec2& v : d) v = size * rng() * rng.direction();
+        const double held = retraction.move(s, curve, d, team, seconds);
+        EXPECT_GE(held, 0);
+        EXPECT_LE(held, 1);
+        ASSERT_TRUE(whole(s, curve));
+        ASSERT_TRUE(exact_crossings(s, curve).empty());
+        ASSERT_EQ(curve.size(), old.size());
+        for (uint32_t i = 0; i < curve.size(); ++i) {
+          ASSERT_EQ(curve.fixed[i], old.fixed[i]);
+          if (curve.fixed[i]) {
+            ASSERT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
+          }
+          if (!curve.has_segment(i)) continue;
+          const PathShape shape = measure_path(s, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
+          ASSERT_EQ(shape.length, curve.shapes[i].length);
+        }
+      }
+    }
+  }
+}
+
+TEST(Move, OneKnotDoesNotHoldTheOthers) {
+  const Surface s = make_surface(torus(24, 12));
+  Rng rng(72);
+  Curve curve;
+  ASSERT_TRUE(add_ring(s, curve, make_point(0, 0.3, 0.3, 0.4), 0.08, 40, 0, rng));
+  const uint32_t knot = curve.size();
+  ASSERT_TRUE(add_ring(s, curve, make_point(s.face_count() > 300 ? 288 : 0, 0.3, 0.3, 0.4), 0.08, 40, 0, rng));
+  ASSERT_TRUE(exact_crossings(s, curve).empty());
+  const Curve old = curve;
+  // The first ring shrinks a little, the second is thrown about.
+  std::vector<Vec2> d(curve.size());
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    const uint32_t before = curve.previous(i);
+    const Vec2 inwards = Vec2{0, 1} * unit(curve.shapes[before].arriving + curve.shapes[i].leaving);
+    d[i] = i < knot ? 0.01 * inwards : 0.2 * rng.direction();
+  }
+  Team team(2);
+  Retraction retraction;
+  MoveSeconds seconds;
+  retraction.move(s, curve, d, team, seconds);
+  ASSERT_TRUE(exact_crossings(s, curve).empty());
+  for (uint32_t i = 0; i < knot; ++i) {
+    Path path;
+    EXPECT_TRUE(same_bytes(curve.nodes[i], trace_geodesic(s, old.nodes[i], d[i], path).end));
+  }
+}
+
+TEST(Move, OfNothingChangesNothing) {
+  const Surface s = make_surface(sphere(2));
+  Rng rng(73);
+  Curve curve = random_curve(s, 5, rng);
+  const Curve old = curve;
+  Team team(1);
+  Retraction retraction;
+  MoveSeconds seconds;
+  retraction.move(s, curve, std::vector<Vec2>(curve.size()), team, seconds);
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    EXPECT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
+    EXPECT_EQ(curve.paths[i].size(), old.paths[i].size());
+  }
+  ASSERT_TRUE(exact_crossings(s, curve).empty());
+}
+
+TEST(Move, IsTheSameForAnyTeam) {
+  const Surface s = make_surface(sphere(2));
+  Rng rng(74);
+  const Curve old = random_curve(s, 8, rng);
+  std::vector<Vec2> d(old.size());
+  for (Vec2& v : d) v = 0.1 * rng.direction();
+  std::vector<Curve> results;
+  for (const unsigned threads : {1u, 2u, 5u}) {
+    Team team(threads);
+    Retraction retraction;
+    MoveSeconds seconds;
+    results.push_back(old);
+    retraction.move(s, results.back(), d, team, seconds);
+  }
+  for (const Curve& c : results) {
+    for (uint32_t i = 0; i < old.size(); ++i) {
+      EXPECT_TRUE(same_bytes(c.nodes[i], results[0].nodes[i]));
+      ASSERT_EQ(c.paths[i].size(), results[0].paths[i].size());
+      for (size_t k = 0; k < c.paths[i].size(); ++k) EXPECT_EQ(c.paths[i][k].t, results[0].paths[i][k].t);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace meander::test
