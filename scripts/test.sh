@@ -91,7 +91,7 @@ suite blender-4.5 600 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
 suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
 profile ui
-check ui 300 "${in_profile[@]}" \
+suite ui 300 "${in_profile[@]}" \
   xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" \
   blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
   --python-exit-code 1 --python tests/ui/run.py

@@ -120,6 +120,7 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   require_range(o.polish_bending_weight, 0, 1e6, "polish_bending_weight");
   require_range(o.polish_length_offset, -10, 10, "polish_length_offset");
   require_range(o.polish_length_gain, 0, 100, "polish_length_gain");
+  require_range(o.polish_medial_power, 2, 8, "polish_medial_power");
   require(o.polish <= 1, "The option polish must be 0 or 1.");
   require(o.stop_rule <= MEANDER_STOP_PAPER, "The option stop_rule is none of MEANDER_STOP_...");
   require(o.boundary_rule <= MEANDER_BOUNDARY_OBSTACLE, "The option boundary_rule is none of MEANDER_BOUNDARY_...");
@@ -135,6 +136,7 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   s.polish_bending_weight = o.polish_bending_weight;
   s.polish_length_offset = o.polish_length_offset;
   s.polish_length_gain = o.polish_length_gain;
+  s.polish_medial_power = o.polish_medial_power;
   s.grow_into_empty = s.widen_loops = o.preset != MEANDER_PRESET_PAPER;
   s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
@@ -271,7 +273,7 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
     using S = meander_flow_options;
     return give({sizeof(S), AT(struct_size), AT(preset), AT(radius), AT(segment_length), AT(max_radius),
                  AT(length_weight), AT(bending_weight), AT(medial_weight), AT(step), AT(growth_coarsening), AT(polish),
-                 AT(stop_rule), AT(polish_bending_weight), AT(polish_length_offset), AT(polish_length_gain),
+                 AT(stop_rule), AT(polish_bending_weight), AT(polish_length_offset), AT(polish_length_gain), AT(polish_medial_power),
                  AT(boundary_rule), AT(iteration_limit), AT(threads), AT(reserved)});
   }
   if (std::strcmp(name, "meander_flow_statistics") == 0) {
@@ -352,6 +354,7 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.growth_coarsening = 1;
     o.polish = 0;
     o.stop_rule = MEANDER_STOP_PAPER;
+    o.polish_medial_power = 2;
     o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
     o.iteration_limit = 300;
   } else {
@@ -361,9 +364,10 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.growth_coarsening = 2;
     o.polish = 1;
     o.stop_rule = MEANDER_STOP_SETTLED;
-    o.polish_bending_weight = 0.6;
-    o.polish_length_offset = -0.2;
+    o.polish_bending_weight = 1.5;
+    o.polish_length_offset = -0.6;
     o.polish_length_gain = 1;
+    o.polish_medial_power = 4;
     o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
     o.iteration_limit = 600;
   }

@@ -2,6 +2,7 @@
 #include "energy.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace meander {
 namespace {
@@ -11,6 +12,26 @@ constexpr double kShortest = 1e-6;
 
 double segment_length(const Curve& curve, uint32_t i, double r) {
   return std::max(curve.shapes[i].length, kShortest * r);
+}
+
+struct MedialForce {
+  double pull;       // towards +B, over 2 alpha w
+  double stiffness;  // second derivative, over 2 alpha w, of both sides together
+};
+
+/// Derivatives of eq. 13's medial term. Across the strand the second derivative is q - 1 times that
+/// along it; the larger one serves for both, so that the Hessian stays a multiple of the identity.
+MedialForce medial_force(const Radii& radii, double r, double q) {
+  if (q == 2) return {radii[0] - radii[1], 2};
+  const double a = radii[0] / r, b = radii[1] / r;
+  const double a2 = std::pow(a, q - 2), b2 = std::pow(b, q - 2);
+  return {r * (a2 * a - b2 * b), (q - 1) * (a2 + b2)};
+}
+
+/// Eq. 13's medial term over alpha w; |r+|^2 + |r-|^2 for q = 2.
+double medial_energy(const Radii& radii, double r, double q) {
+  if (q == 2) return radii[0] * radii[0] + radii[1] * radii[1];
+  return 2 / q * r * r * (std::pow(radii[0] / r, q) + std::pow(radii[1] / r, q));
 }
 
 }  // namespace
@@ -73,9 +94,10 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     const double w = 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
                             (before != kNone ? segment_length(curve, before, r) : 0));
     const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
-    system.diagonal[k] += 4 * alpha * w;
     const Vec2 b = frames.bitangent2[i] * conj(system.frame[k]);
-    add_gradient(k, -2 * alpha * w * (radii[i][0] - radii[i][1]) * b);
+    const MedialForce f = medial_force(radii[i], r, weights.medial_power);
+    system.diagonal[k] += 2 * alpha * w * f.stiffness;
+    add_gradient(k, -2 * alpha * w * f.pull * b);
   }
 
   // Bending at the node between segments k and k + 1, nodes k, k + 1, k + 2.
@@ -120,7 +142,7 @@ double energy(const Curve& curve, const std::vector<Radii>& radii, const std::ve
     const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
     const double w = 0.5 * (l0 + l1);
     const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
-    sum += weights.length[i] * w + alpha * w * (radii[i][0] * radii[i][0] + radii[i][1] * radii[i][1]);
+    sum += weights.length[i] * w + alpha * w * medial_energy(radii[i], r, weights.medial_power);
     if (l0 > 0 && l1 > 0) {
       const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
       sum += weights.bending[i] * r * r * dot(turn, turn) / w;

@@ -9,6 +9,8 @@
 //
 //   length   (eq. 5)   t_i / l_i |z_i - z_(i+1) - l_i u_i|^2
 //   medial   (eq. 7)   alpha_i w_i (|z_i - r+ B_i|^2 + |z_i + r- B_i|^2),  w_i = (l_(i-1) + l_i) / 2
+//            (eq. 13)  for a power q other than 2: alpha_i w_i r_i^2 2 / q ((|z_i - r+ B_i| / r_i)^q + ...),
+//                      whose force at a radius of r is that of q = 2, so the spacing stays the same
 //   bending  (eq. 12)  b r_i^2 / w_i |(u_i - (z_i - z_(i+1)) / l_i) - (u_(i-1) - (z_(i-1) - z_i) / l_(i-1))|^2
 //
 // with u_i the unit direction of segment i. So the Hessian is a real symmetric band of width 2 for
@@ -35,6 +37,7 @@ struct Weights {
   std::vector<double> length;   ///< t; may be negative in the gradient
   std::vector<double> bending;  ///< b
   double medial = 1;            ///< factor on alpha
+  double medial_power = 2;      ///< q
 };
 
 /// H z = -g of one strand: entry k of `first` couples nodes k and k + 1, of `second` k and k + 2. In

@@ -151,6 +151,7 @@ void Flow::find_local_radii() {
 void Flow::choose_weights() {
   const uint32_t n = curve_.size();
   weights_.medial = settings_.medial_weight;
+  weights_.medial_power = convergence_.polishing() ? settings_.polish_medial_power : 2;
   weights_.length.assign(n, settings_.length_weight);
   weights_.bending.assign(n, convergence_.polishing() ? settings_.polish_bending_weight : settings_.bending_weight);
   if (convergence_.polishing()) follow_spacing();

@@ -28,6 +28,7 @@ struct FlowSettings {
   double growth_coarsening = 1;
   bool polish = false;
   double polish_bending_weight = 0, polish_length_offset = 0, polish_length_gain = 0;
+  double polish_medial_power = 2;
   /// Where both sides of a strand are empty no force acts on it: there it is made to grow.
   bool grow_into_empty = false;
   bool widen_loops = false;

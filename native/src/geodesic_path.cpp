@@ -9,8 +9,9 @@ namespace meander {
 namespace {
 
 /// Flips are taken while they shorten the path by more than rounding; each one does, so this only
-/// bounds what a degenerate mesh could make of it. The path is valid after every flip.
-constexpr int kMostFlips = 200;
+/// bounds what a degenerate mesh could make of it. The path is valid after every flip. A way through
+/// the faces of a fine mesh takes a few flips for each of them.
+constexpr size_t kMostFlips = 200, kMostFlipsPerCrossing = 20;
 
 /// A rigid motion of the plane.
 struct Motion {
@@ -87,8 +88,16 @@ void PathShortener::unfold(const SurfacePoint& start, const SurfacePoint& end,
   for (const Crossing& c : crossings) {
     const uint32_t f = face_of(c.e), k = corner_of(c.e);
     // Leaving a face across the half-edge from corner k to k + 1, corner k + 1 is on the left.
-    portals_.push_back({motion(surface_.corner(f, next_corner(k))), motion(surface_.corner(f, k)),
-                        surface_.face(f)[next_corner(k)], surface_.face(f)[k]});
+    Portal portal{motion(surface_.corner(f, next_corner(k))), motion(surface_.corner(f, k)),
+                  surface_.face(f)[next_corner(k)], surface_.face(f)[k]};
+    // The end that it shares with the portal before must be the same to the last bit: pull() compares
+    // it with itself where an edge lies along the path.
+    if (!portals_.empty()) {
+      const Portal& before = portals_.back();
+      if (before.left_vertex == portal.left_vertex) portal.left = before.left;
+      if (before.right_vertex == portal.right_vertex) portal.right = before.right;
+    }
+    portals_.push_back(portal);
     motion = across(surface_, motion, c.e);
   }
   end_ = motion(flat(surface_, end));
@@ -146,6 +155,15 @@ void PathShortener::pull() {
   corners_.push_back(end_);
 }
 
+/// The run of portals around the bend's own that end in its vertex on its side.
+std::pair<size_t, size_t> PathShortener::run_of(const Bend& bend) const {
+  const auto vertex = [&](size_t i) { return bend.left ? portals_[i].left_vertex : portals_[i].right_vertex; };
+  size_t first = bend.portal, last = bend.portal;
+  while (first > 0 && vertex(first - 1) == vertex(bend.portal)) --first;
+  while (last + 1 < portals_.size() && vertex(last + 1) == vertex(bend.portal)) ++last;
+  return {first, last};
+}
+
 /// Leads the path round the other side of the vertex where it bends, if that side is shorter.
 /// `index` is the bend's place in corners_.
 bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings) {
@@ -153,11 +171,7 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
   const uint32_t v = bend.left ? portal.left_vertex : portal.right_vertex;
   if (surface_.on_boundary(v)) return false;
 
-  // The run of portals that end in v on this side.
-  const auto ends_here = [&](const Portal& p) { return (bend.left ? p.left_vertex : p.right_vertex) == v; };
-  size_t first = bend.portal, last = bend.portal;
-  while (first > 0 && ends_here(portals_[first - 1])) --first;
-  while (last + 1 < portals_.size() && ends_here(portals_[last + 1])) ++last;
+  const auto [first, last] = run_of(bend);
 
   // The angle at v between the path's two pieces through the strip, face by face since it may exceed
   // pi; what is left of the total angle is the other side's. Seen from a vertex on its left, a path
@@ -197,11 +211,12 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
 PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& end,
                                  std::vector<Crossing>& crossings) {
   cancel_backtracks(surface_, crossings);
-  for (int flips = 0; !crossings.empty(); ++flips) {
+  const size_t most_flips = kMostFlips + kMostFlipsPerCrossing * crossings.size();
+  for (size_t flips = 0; !crossings.empty(); ++flips) {
     unfold(start, end, crossings);
     pull();
     bool flipped = false;
-    if (flips < kMostFlips) {
+    if (flips < most_flips) {
       for (size_t b = 0; b < bends_.size() && !flipped; ++b) flipped = flip_at(bends_[b], b + 1, crossings);
     }
     if (flipped) continue;
@@ -215,6 +230,12 @@ PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& 
       const double to_right = cross(d, p.right - a), to_left = cross(d, p.left - a);
       const double span = to_left - to_right;
       crossings[i].t = clear_of_ends(span > 0 ? -to_right / span : 0.5);
+    }
+    // Round a bend the portals end in its vertex, and may turn by more than pi, where no line through
+    // either piece meets them.
+    for (const Bend& bend : bends_) {
+      const auto [first, last] = run_of(bend);
+      for (size_t i = first; i <= last; ++i) crossings[i].t = clear_of_ends(bend.left ? 1 : 0);
     }
     break;
   }

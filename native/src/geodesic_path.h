@@ -11,6 +11,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "surface_point.h"
@@ -45,6 +46,7 @@ class PathShortener {
   };
   void unfold(const SurfacePoint& start, const SurfacePoint& end, const std::vector<Crossing>& crossings);
   void pull();
+  std::pair<size_t, size_t> run_of(const Bend& bend) const;
   bool flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings);
 
   const Surface& surface_;

@@ -16,6 +16,10 @@ constexpr double kInside = 1 - 1e-9;
 /// A ball may start this much larger than the node's last one before it is known to be large enough.
 constexpr double kWarmth = 1.2;
 
+/// Balls much smaller than the clamp are no start: to one of 1e-8 of the mesh the node itself, whose
+/// distance from the centre is rounded, may seem to lie inside.
+constexpr double kTooCold = 1e-3;
+
 std::vector<Vec3> sample_boundary(const Surface& surface, double step) {
   std::vector<Vec3> samples;
   for (const HalfEdge e : surface.boundary()) {
@@ -34,7 +38,7 @@ class BallShrinker {
 
   /// The radius of the largest empty ball at x towards `b` (unit), at most `most`.
   double operator()(const Vec3& x, const Vec3& b, double most, double last) const {
-    double radius = last > 0 ? std::min(most, kWarmth * last) : most;
+    double radius = last > kTooCold * most ? std::min(most, kWarmth * last) : most;
     bool warm = radius < most;
     for (int k = 0; k < kMostBalls; ++k) {
       const double bound = kInside * radius;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The quadratic model of one step as the paper writes it: positions in space, three unknowns a node,
-// rigid motions that unroll each segment; every term a list of squares. No code in common with the
-// library's banded form in parallel frames.
+// The quadratic model of one step as the paper writes it: positions in space, three unknowns a
+// node, rigid motions that unroll each segment; every term a list of squares. No code in common
+// with the library's banded form in parallel frames.
 #pragma once
 
 #include <Eigen/Dense>
@@ -26,13 +26,14 @@ struct Rigid {
 struct Square {
   std::vector<std::pair<uint32_t, Mat3>> terms;
   Vec3 constant;
-  double weight;      ///< in the gradient
-  double stiffness;   ///< in the Hessian
+  double weight;     ///< in the gradient
+  double stiffness;  ///< in the Hessian
 };
 
-/// The rigid motion that takes the node to `origin`, the direction `along` of its face to the x-axis
-/// turned by `angle` in the plane, and the face's normal to the z-axis.
-inline Rigid lay_flat(const Surface& s, const SurfacePoint& node, Vec2 along, const Vec3& origin, double angle) {
+/// The rigid motion that takes the node to `origin`, the direction `along` of its face to the
+/// x-axis turned by `angle` in the plane, and the face's normal to the z-axis.
+inline Rigid lay_flat(const Surface& s, const SurfacePoint& node, Vec2 along, const Vec3& origin,
+                      double angle) {
   const Vec3 x = s.to_space(node.face, along), z = s.face_normal(node.face), y = z.cross(x);
   Mat3 axes;
   axes << x.transpose(), y.transpose(), z.transpose();
@@ -46,8 +47,8 @@ inline Rigid lay_flat(const Surface& s, const SurfacePoint& node, Vec2 along, co
 
 class LiteralModel {
  public:
-  LiteralModel(const Surface& s, const Curve& c, const std::vector<Radii>& radii, const Frames& frames,
-               const std::vector<double>& r, const Weights& weights)
+  LiteralModel(const Surface& s, const Curve& c, const std::vector<Radii>& radii,
+               const Frames& frames, const std::vector<double>& r, const Weights& weights)
       : n_(c.size()) {
     for (uint32_t i = 0; i < n_; ++i) {
       const uint32_t before = c.previous(i), after = c.next(i);
@@ -59,7 +60,8 @@ class LiteralModel {
         const Rigid first = lay_flat(s, c.nodes[i], c.shapes[i].leaving, Vec3::Zero(), 0);
         const Rigid second = lay_flat(s, c.nodes[after], c.shapes[i].arriving, Vec3(l1, 0, 0), 0);
         const double t = 0.5 * (weights.length[i] + weights.length[after]);
-        add({{i, first, 1}, {after, second, -1}}, s, c, t / l1, std::max(t, kLeastLengthStiffness) / l1);
+        add({{i, first, 1}, {after, second, -1}}, s, c, t / l1,
+            std::max(t, kLeastLengthStiffness) / l1);
       }
       // Eqs. 6 and 7: distances from the two medial centres, which are fixed.
       const double alpha = weights.medial * 2 * std::sqrt(2.0) / (r[i] * r[i]);
@@ -69,11 +71,12 @@ class LiteralModel {
         const double w = alpha * 0.5 * (l0 + l1);
         squares_.push_back({{{i, Mat3::Identity()}}, x - centre, w, w});
       }
-      // Eq. 12 with the weight b r^2 / w: the previous node is laid into the plane of this one's next
-      // segment, at the angle at which the strand bends here.
+      // Eq. 12 with the weight b r^2 / w: the previous node is laid into the plane of this one's
+      // next segment, at the angle at which the strand bends here.
       if (after != kNone && before != kNone) {
         const Vec2 out = c.shapes[i].leaving, in = c.shapes[before].arriving;
-        const double bend = std::atan2(cross(out, in), dot(out, in));  // of the way in, seen from the way out
+        const double bend =
+            std::atan2(cross(out, in), dot(out, in));  // of the way in, seen from the way out
         const Vec3 start = -l0 * Vec3(std::cos(bend), std::sin(bend), 0);
         const Rigid p = lay_flat(s, c.nodes[before], c.shapes[before].leaving, start, bend);
         const Rigid q = lay_flat(s, c.nodes[i], out, Vec3::Zero(), 0);
@@ -133,7 +136,8 @@ class LiteralModel {
     Rigid motion;
     double factor;
   };
-  void add(const std::vector<Part>& parts, const Surface& s, const Curve& c, double weight, double stiffness) {
+  void add(const std::vector<Part>& parts, const Surface& s, const Curve& c, double weight,
+           double stiffness) {
     Square q{{}, Vec3::Zero(), weight, stiffness};
     for (const Part& p : parts) {
       q.terms.emplace_back(p.node, p.factor * p.motion.turn);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The crossing test against a comparison of all pairs in exact integers.
-#include "crossings.h"
-
 #include <gtest/gtest.h>
 
+#include "crossings.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -63,7 +62,8 @@ TEST(Crossings, EqualBruteForceInACrowdedFace) {
   }
 }
 
-/// Coordinates of an 8 x 8 lattice: most pairs touch, overlap or share corners without being neighbours.
+/// Coordinates of an 8 x 8 lattice: most pairs touch, overlap or share corners without being
+/// neighbours.
 TEST(Crossings, EqualBruteForceWhereEverythingTouches) {
   const Surface s = make_surface(octahedron());
   Rng rng(22);
@@ -75,14 +75,16 @@ TEST(Crossings, EqualBruteForceWhereEverythingTouches) {
       if (!points.empty() && points.back().x == p.x && points.back().y == p.y) continue;
       points.push_back(p);
     }
-    if (points.front().x == points.back().x && points.front().y == points.back().y) points.back().x += 1.0 / 32;
+    if (points.front().x == points.back().x && points.front().y == points.back().y)
+      points.back().x += 1.0 / 32;
     expect_equal(s, strand_in_face(s, points, round % 2 == 0), rng);
   }
 }
 
 TEST(Crossings, EqualBruteForceAcrossManyFaces) {
   Rng rng(23);
-  for (const Mesh& mesh : {sphere(2), torus(15, 8), cube(), bumpy_grid(8), with_noise(sphere(2), 0.3, 6)}) {
+  for (const Mesh& mesh :
+       {sphere(2), torus(15, 8), cube(), bumpy_grid(8), with_noise(sphere(2), 0.3, 6)}) {
     const Surface s = make_surface(mesh);
     for (int round = 0; round < 6; ++round) {
       Curve c;

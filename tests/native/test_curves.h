@@ -4,12 +4,12 @@
 // together, and whether anything crosses, in exact integers.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstring>
 #include <set>
 #include <utility>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "curve.h"
 #include "geodesic_path.h"
@@ -32,8 +32,9 @@ inline testing::AssertionResult chains(const Surface& s, uint32_t face, uint32_t
       return testing::AssertionFailure() << "crossing " << k << " names no half-edge";
     }
     if (face_of(path[k].e) != face) {
-      return testing::AssertionFailure() << "crossing " << k << " of " << path.size() << " leaves face "
-                                         << face_of(path[k].e) << ", but the path is in face " << face;
+      return testing::AssertionFailure()
+             << "crossing " << k << " of " << path.size() << " leaves face " << face_of(path[k].e)
+             << ", but the path is in face " << face;
     }
     if (!(path[k].t >= kClearance && path[k].t <= 1 - kClearance) || path[k].t != snap(path[k].t)) {
       return testing::AssertionFailure() << "crossing " << k << " is at the share " << path[k].t;
@@ -44,7 +45,8 @@ inline testing::AssertionResult chains(const Surface& s, uint32_t face, uint32_t
     face = face_of(s.twin(path[k].e));
   }
   if (face != last) {
-    return testing::AssertionFailure() << "the path ends in face " << face << " instead of " << last;
+    return testing::AssertionFailure()
+           << "the path ends in face " << face << " instead of " << last;
   }
   return testing::AssertionSuccess();
 }
@@ -54,8 +56,8 @@ inline testing::AssertionResult inside_face(const Surface& s, const SurfacePoint
       1 - p.b.x - p.b.y >= kClearance && p.b.x == snap(p.b.x) && p.b.y == snap(p.b.y)) {
     return testing::AssertionSuccess();
   }
-  return testing::AssertionFailure() << "face " << p.face << " weights " << p.weight(0) << " " << p.b.x
-                                     << " " << p.b.y;
+  return testing::AssertionFailure()
+         << "face " << p.face << " weights " << p.weight(0) << " " << p.b.x << " " << p.b.y;
 }
 
 /// Everything that must hold of a curve at any time, but for crossings.
@@ -67,7 +69,8 @@ inline testing::AssertionResult whole(const Surface& s, const Curve& c) {
   uint32_t first = 0;
   for (const Strand& strand : c.strands) {
     if (strand.first != first) return testing::AssertionFailure() << "strands are not consecutive";
-    if (strand.count < (strand.closed ? 3u : 2u)) return testing::AssertionFailure() << "a strand is too short";
+    if (strand.count < (strand.closed ? 3u : 2u))
+      return testing::AssertionFailure() << "a strand is too short";
     first = strand.end();
     for (uint32_t k = 0; k < strand.count; ++k) {
       const uint32_t i = strand.first + k;
@@ -108,8 +111,12 @@ inline bool exact_touch(const ExactPiece& p, const ExactPiece& q) {
            x <= std::max(s.ax, s.bx) && std::min(s.ay, s.by) <= y && y <= std::max(s.ay, s.by);
   };
   if (on(p, q.ax, q.ay) || on(p, q.bx, q.by) || on(q, p.ax, p.ay) || on(q, p.bx, p.by)) return true;
-  return exact_sign(p.ax, p.ay, p.bx, p.by, q.ax, q.ay) * exact_sign(p.ax, p.ay, p.bx, p.by, q.bx, q.by) < 0 &&
-         exact_sign(q.ax, q.ay, q.bx, q.by, p.ax, p.ay) * exact_sign(q.ax, q.ay, q.bx, q.by, p.bx, p.by) < 0;
+  return exact_sign(p.ax, p.ay, p.bx, p.by, q.ax, q.ay) *
+                 exact_sign(p.ax, p.ay, p.bx, p.by, q.bx, q.by) <
+             0 &&
+         exact_sign(q.ax, q.ay, q.bx, q.by, p.ax, p.ay) *
+                 exact_sign(q.ax, q.ay, q.bx, q.by, p.bx, p.by) <
+             0;
 }
 
 /// Do the pieces share a point that is not a common node of their segments?
@@ -119,21 +126,28 @@ inline bool exact_crossing(const ExactPiece& p, const ExactPiece& q) {
     return exact_sign(cx, cy, px, py, qx, qy) == 0 && along > 0;
   };
   if (p.segment != q.segment) {
-    if (p.to_node != kNone && p.to_node == q.from_node) return beyond(q.ax, q.ay, p.ax, p.ay, q.bx, q.by);
-    if (q.to_node != kNone && q.to_node == p.from_node) return beyond(p.ax, p.ay, q.ax, q.ay, p.bx, p.by);
+    if (p.to_node != kNone && p.to_node == q.from_node)
+      return beyond(q.ax, q.ay, p.ax, p.ay, q.bx, q.by);
+    if (q.to_node != kNone && q.to_node == p.from_node)
+      return beyond(p.ax, p.ay, q.ax, q.ay, p.bx, p.by);
   }
   return exact_touch(p, q);
 }
 
 /// All pairs of segments that cross or touch, by comparing every two pieces of every face.
-inline std::set<std::pair<uint32_t, uint32_t>> exact_crossings(const Surface& s, const Curve& curve) {
+inline std::set<std::pair<uint32_t, uint32_t>> exact_crossings(const Surface& s,
+                                                               const Curve& curve) {
   std::map<uint32_t, std::vector<ExactPiece>> faces;
-  const auto whole_number = [](double x) { return static_cast<int64_t>(std::llround(std::ldexp(x, 50))); };
+  const auto whole_number = [](double x) {
+    return static_cast<int64_t>(std::llround(std::ldexp(x, 50)));
+  };
   constexpr int64_t kOne = int64_t{1} << 50;
   for (uint32_t i = 0; i < curve.size(); ++i) {
     const uint32_t j = curve.next(i);
     if (j == kNone) continue;
-    const auto node = [&](const SurfacePoint& p) { return std::array{whole_number(p.b.x), whole_number(p.b.y)}; };
+    const auto node = [&](const SurfacePoint& p) {
+      return std::array{whole_number(p.b.x), whole_number(p.b.y)};
+    };
     // Weights of corners 1 and 2 at a share of a half-edge.
     const auto share = [&](HalfEdge e, int64_t t) {
       std::array<int64_t, 3> w{0, 0, 0};
@@ -159,7 +173,8 @@ inline std::set<std::pair<uint32_t, uint32_t>> exact_crossings(const Surface& s,
   for (const auto& [face, pieces] : faces) {
     for (size_t a = 0; a < pieces.size(); ++a) {
       for (size_t b = a + 1; b < pieces.size(); ++b) {
-        if (exact_crossing(pieces[a], pieces[b])) found.insert(std::minmax(pieces[a].segment, pieces[b].segment));
+        if (exact_crossing(pieces[a], pieces[b]))
+          found.insert(std::minmax(pieces[a].segment, pieces[b].segment));
       }
     }
   }
@@ -177,7 +192,8 @@ inline void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed = 0) {
 inline void join_in_face(const Surface& s, Curve& curve) {
   curve.link();
   for (uint32_t i = 0; i < curve.size(); ++i) {
-    if (curve.next(i) != kNone) curve.shapes[i] = measure_path(s, curve.nodes[i], curve.nodes[curve.next(i)], {});
+    if (curve.next(i) != kNone)
+      curve.shapes[i] = measure_path(s, curve.nodes[i], curve.nodes[curve.next(i)], {});
   }
 }
 
@@ -209,7 +225,8 @@ inline bool add_ring(const Surface& s, Curve& curve, const SurfacePoint& centre,
   return true;
 }
 
-/// An open strand: a walk from `start` with steps of about `step`, turning by up to `turn` at a node.
+/// An open strand: a walk from `start` with steps of about `step`, turning by up to `turn` at a
+/// node.
 inline void add_walk(const Surface& s, Curve& curve, const SurfacePoint& start, double step,
                      uint32_t count, double turn, Rng& rng) {
   const uint32_t first = curve.size();

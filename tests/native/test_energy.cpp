@@ -42,7 +42,8 @@ TEST(Energy, IsTheModelWhereNothingMoves) {
     const Scene s(mesh, 51);
     const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.radius, s.weights);
     const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
-    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights), expected, kRounding * std::abs(expected));
+    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights), expected,
+                kRounding * std::abs(expected));
   }
 }
 
@@ -52,11 +53,13 @@ TEST(Energy, OfLengthAloneIsTheLength) {
     s.weights.length.assign(s.curve.size(), 1);
     s.weights.bending.assign(s.curve.size(), 0);
     s.radii.assign(s.curve.size(), Radii{0, 0});
-    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights), s.curve.length(), kRounding * s.curve.length());
+    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights), s.curve.length(),
+                kRounding * s.curve.length());
   }
 }
 
-/// The right-hand side of the library's system is minus the derivative of the energy, along any way.
+/// The right-hand side of the library's system is minus the derivative of the energy, along any
+/// way.
 TEST(Energy, DerivativeIsTheSystemsRightHandSide) {
   // The model is quadratic, so central differences are exact but for rounding.
   constexpr double kStep = 1e-3, kDifference = 1e-8;
@@ -70,7 +73,8 @@ TEST(Energy, DerivativeIsTheSystemsRightHandSide) {
         const uint32_t i = strand.first + k;
         const Vec2 way = s.rng.direction();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(3 * s.curve.size());
-        d.segment<3>(3 * i) = kStep * s.surface.to_space(s.curve.nodes[i].face, system.frame[k] * way);
+        d.segment<3>(3 * i) =
+            kStep * s.surface.to_space(s.curve.nodes[i].face, system.frame[k] * way);
         const double slope = (model.energy(d) - model.energy(-d)) / (2 * kStep);
         EXPECT_NEAR(-dot(system.right[k], way), slope, kDifference * (1 + std::abs(slope)));
       }

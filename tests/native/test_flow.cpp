@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The flow as a whole: what must hold after every iteration on any surface, with either preset.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "flow.h"
 #include "meander/meander.h"
@@ -32,6 +32,7 @@ FlowSettings settings_of(uint32_t preset, const Surface& surface, double spacing
   s.polish_bending_weight = o.polish_bending_weight;
   s.polish_length_offset = o.polish_length_offset;
   s.polish_length_gain = o.polish_length_gain;
+  s.polish_medial_power = o.polish_medial_power;
   s.grow_into_empty = s.widen_loops = preset != MEANDER_PRESET_PAPER;
   s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = BoundaryRule::kCentre;
@@ -51,7 +52,8 @@ void expect_valid(const Surface& s, const Curve& c) {
   ASSERT_TRUE(whole(s, c));
   const auto crossings = exact_crossings(s, c);
   ASSERT_TRUE(crossings.empty()) << crossings.size() << " crossings, first: segments "
-                                 << crossings.begin()->first << " and " << crossings.begin()->second;
+                                 << crossings.begin()->first << " and "
+                                 << crossings.begin()->second;
 }
 
 struct Case {
@@ -98,7 +100,8 @@ TEST_P(EveryIteration, KeepsTheCurveWhole) {
     // Shapes are those of the paths, so that lengths and directions in the next step are right.
     const Curve& curve = flow.curve();
     for (uint32_t i = 0; i < curve.size(); ++i) {
-      const PathShape shape = measure_path(*surface, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
+      const PathShape shape =
+          measure_path(*surface, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
       EXPECT_EQ(shape.length, curve.shapes[i].length);
     }
     EXPECT_EQ(flow.measure().crossings, 0u);
@@ -148,7 +151,8 @@ TEST_P(EveryIteration, KeepsStrandsAndFixedNodesAsSeeded) {
       ASSERT_TRUE(flow.step(kNeverCancelled));
       expect_valid(*surface, flow.curve());
       ASSERT_EQ(flow.curve().strands.size(), lines.size());
-      for (size_t s = 0; s < lines.size(); ++s) ASSERT_EQ(flow.curve().strands[s].closed, lines[s].closed);
+      for (size_t s = 0; s < lines.size(); ++s)
+        ASSERT_EQ(flow.curve().strands[s].closed, lines[s].closed);
       const auto now = fixed_now();
       ASSERT_EQ(now.size(), fixed.size());
       for (size_t i = 0; i < now.size(); ++i) ASSERT_TRUE(same_bytes(now[i], fixed[i]));
@@ -187,7 +191,8 @@ TEST_P(EveryIteration, ACancelledStepChangesNothing) {
     if (whole_step) break;
     ASSERT_EQ(flow.history().size(), iterations);
     ASSERT_EQ(flow.curve().nodes.size(), before.size());
-    for (size_t i = 0; i < before.size(); ++i) ASSERT_TRUE(same_bytes(before[i], flow.curve().nodes[i]));
+    for (size_t i = 0; i < before.size(); ++i)
+      ASSERT_TRUE(same_bytes(before[i], flow.curve().nodes[i]));
   }
   EXPECT_TRUE(whole_step);
   EXPECT_GT(asked, 0);
@@ -218,25 +223,32 @@ Output run(const Mesh& mesh, double spacing, uint32_t preset, uint32_t threads, 
   meander_flow_options_init(&options, preset);
   options.radius = spacing / 2;
   options.threads = threads;
-  EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   &surface, &error), MEANDER_OK) << error.text;
-  EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, &options, &flow, &error), MEANDER_OK) << error.text;
+  EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
+                                   mesh.face_count(), &surface, &error),
+            MEANDER_OK)
+      << error.text;
+  EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, &options, &flow, &error), MEANDER_OK)
+      << error.text;
   meander_surface_destroy(surface);
   for (int k = 0; k < steps; ++k) {
     EXPECT_EQ(meander_flow_step(flow, nullptr, &error), MEANDER_OK) << error.text;
   }
   size_t nodes = 0, points = 0, strands = 0;
   meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, nullptr);
-  meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands, nullptr);
+  meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands,
+                             nullptr);
   out.faces.resize(nodes);
   out.barycentrics.resize(3 * nodes);
   out.positions.resize(3 * points);
   out.offsets.resize(strands + 1);
   std::vector<uint8_t> closed(strands);
-  EXPECT_EQ(meander_flow_get_nodes(flow, out.faces.data(), out.barycentrics.data(), nullptr, nullptr, nodes, &nodes,
-                                   &error), MEANDER_OK);
-  EXPECT_EQ(meander_flow_get_polylines(flow, out.positions.data(), nullptr, points, &points, out.offsets.data(),
-                                       closed.data(), strands, &strands, &error), MEANDER_OK);
+  EXPECT_EQ(meander_flow_get_nodes(flow, out.faces.data(), out.barycentrics.data(), nullptr,
+                                   nullptr, nodes, &nodes, &error),
+            MEANDER_OK);
+  EXPECT_EQ(
+      meander_flow_get_polylines(flow, out.positions.data(), nullptr, points, &points,
+                                 out.offsets.data(), closed.data(), strands, &strands, &error),
+      MEANDER_OK);
   meander_flow_destroy(flow);
   return out;
 }
@@ -273,7 +285,8 @@ double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const V
     const double t = std::clamp((p - u).dot(v - u) / (v - u).squaredNorm(), 0.0, 1.0);
     return (p - u - t * (v - u)).norm();
   };
-  const bool inside = n.cross(b - a).dot(p - a) >= 0 && n.cross(c - b).dot(p - b) >= 0 && n.cross(a - c).dot(p - c) >= 0;
+  const bool inside = n.cross(b - a).dot(p - a) >= 0 && n.cross(c - b).dot(p - b) >= 0 &&
+                      n.cross(a - c).dot(p - c) >= 0;
   if (inside) return std::abs(n.dot(p - a));
   return std::min({to_side(a, b), to_side(b, c), to_side(c, a)});
 }
@@ -290,12 +303,15 @@ TEST_P(EveryIteration, PolylinesAreOnTheCallersMesh) {
     for (size_t strand = 0; strand + 1 < out.offsets.size(); ++strand) {
       const uint32_t first = out.offsets[strand], count = out.offsets[strand + 1] - first;
       for (uint32_t k = 0; k < count; ++k) {
-        const auto point = [&](uint32_t i) { return Vec3(out.positions.data() + 3 * (first + i % count)); };
+        const auto point = [&](uint32_t i) {
+          return Vec3(out.positions.data() + 3 * (first + i % count));
+        };
         const Vec3 middle = 0.5 * (point(k) + point(k + 1));
         double nearest = std::numeric_limits<double>::infinity();
         for (uint32_t f = 0; f < c.mesh.face_count(); ++f) {
           const auto corner = [&](uint32_t i) { return c.mesh.at(c.mesh.faces[3 * f + i]); };
-          nearest = std::min(nearest, distance_to_triangle(middle, corner(0), corner(1), corner(2)));
+          nearest =
+              std::min(nearest, distance_to_triangle(middle, corner(0), corner(1), corner(2)));
         }
         farthest = std::max(farthest, nearest);
       }
@@ -305,7 +321,8 @@ TEST_P(EveryIteration, PolylinesAreOnTheCallersMesh) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, EveryIteration,
-                         testing::Values(uint32_t{MEANDER_PRESET_EVEN}, uint32_t{MEANDER_PRESET_PAPER}));
+                         testing::Values(uint32_t{MEANDER_PRESET_EVEN},
+                                         uint32_t{MEANDER_PRESET_PAPER}));
 
 }  // namespace
 }  // namespace meander::test

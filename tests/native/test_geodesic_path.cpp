@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shortened paths: they hang together, nothing shortens them further, and where the shortest path is
-// known they are it.
-#include "geodesic_path.h"
+// Shortened paths: they hang together, nothing shortens them further, and where the shortest path
+// is known they are it.
+#include <gtest/gtest.h>
 
 #include <queue>
 
-#include <gtest/gtest.h>
-
+#include "geodesic_path.h"
 #include "test_curves.h"
 
 namespace meander::test {
 namespace {
 
-/// A crossing keeps kClearance from the ends of its edge, so a path round a vertex is longer than the
-/// one through it by about that for every edge there; edges are at most 1 long.
+/// A crossing keeps kClearance from the ends of its edge, so a path round a vertex is longer than
+/// the one through it by about that for every edge there; edges are at most 1 long.
 double clearing(size_t crossings) { return 4 * kClearance * (1 + static_cast<double>(crossings)); }
 
 /// A bend or a kink (in radians) that clearance and rounding explain on paths with pieces of 1e-4.
@@ -67,7 +66,8 @@ double polar(const Surface& s, const std::vector<uint32_t>& corners, uint32_t fa
 }
 
 /// No perturbation of a crossing, and no way round the other side of a vertex, shortens the path.
-void expect_locally_shortest(const Surface& s, const SurfacePoint& start, const SurfacePoint& end, const Path& path) {
+void expect_locally_shortest(const Surface& s, const SurfacePoint& start, const SurfacePoint& end,
+                             const Path& path) {
   const auto vertex_of = [&](const Crossing& c) {
     const Triangle& t = s.face(face_of(c.e));
     if (c.t < kAtVertex) return t[corner_of(c.e)];
@@ -86,7 +86,8 @@ void expect_locally_shortest(const Surface& s, const SurfacePoint& start, const 
       const Vec2 after = i + 1 == n ? flat(s, end) : leaving(i + 1);
       const Vec2 in = unit(leaving(i) - before);
       const Vec2 out = unit(after - entering(i)) * conj(s.transition(path[i].e));
-      EXPECT_NEAR(cross(in, out), 0, kKink) << "at crossing " << i << " of " << n << ", t = " << path[i].t;
+      EXPECT_NEAR(cross(in, out), 0, kKink)
+          << "at crossing " << i << " of " << n << ", t = " << path[i].t;
       EXPECT_GT(dot(in, out), 0);
       ++i;
       continue;
@@ -130,10 +131,12 @@ void expect_shape_is_measured(const Surface& s, const SurfacePoint& start, const
   // Where the first and the last piece are long enough to have a direction in space.
   constexpr double kLong = 1e-4, kDirection = 1e-9;
   if (pieces.front().norm() > kLong) {
-    EXPECT_NEAR((s.to_space(start.face, shape.leaving) - pieces.front().normalized()).norm(), 0, kDirection);
+    EXPECT_NEAR((s.to_space(start.face, shape.leaving) - pieces.front().normalized()).norm(), 0,
+                kDirection);
   }
   if (pieces.back().norm() > kLong) {
-    EXPECT_NEAR((s.to_space(end.face, shape.arriving) - pieces.back().normalized()).norm(), 0, kDirection);
+    EXPECT_NEAR((s.to_space(end.face, shape.arriving) - pieces.back().normalized()).norm(), 0,
+                kDirection);
   }
 }
 
@@ -188,7 +191,8 @@ TEST(Shorten, IsAStraightLineInThePlane) {
     const SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
     Path path = bad_path(s, start.face, end.face, rng.below(20), rng);
     const PathShape shape = shortener.shorten(start, end, path);
-    EXPECT_NEAR(shape.length, (position(s, start) - position(s, end)).norm(), clearing(path.size()));
+    EXPECT_NEAR(shape.length, (position(s, start) - position(s, end)).norm(),
+                clearing(path.size()));
     ASSERT_TRUE(chains(s, start.face, end.face, path));
   }
 }
@@ -210,14 +214,16 @@ TEST(Shorten, NeighboursInAFaceAreJoinedInIt) {
 }
 
 /// Shortest way through points on the edges: `share` points an edge, each entered once.
-double dijkstra(const Surface& s, const SurfacePoint& start, const SurfacePoint& end, uint32_t share, Path& path) {
+double dijkstra(const Surface& s, const SurfacePoint& start, const SurfacePoint& end,
+                uint32_t share, Path& path) {
   const size_t states = 3 * s.face_count() * share;  // point j of half-edge e, about to cross it
   std::vector<double> cost(states, std::numeric_limits<double>::infinity());
   std::vector<size_t> from(states, SIZE_MAX);
   using Entry = std::pair<double, size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto crossing = [&](size_t state) {
-    return Crossing{static_cast<HalfEdge>(state / share), snap((static_cast<double>(state % share) + 0.5) / share)};
+    return Crossing{static_cast<HalfEdge>(state / share),
+                    snap((static_cast<double>(state % share) + 0.5) / share)};
   };
   const auto spread = [&](uint32_t f, Vec2 at, double c, size_t previous) {
     for (size_t state = 3 * size_t{f} * share; state < 3 * (size_t{f} + 1) * share; ++state) {
@@ -258,14 +264,18 @@ TEST(Shorten, OfTheNearlyShortestPathIsTheShortest) {
   // A shortest path, moved to the nearest of these points on every edge that it crosses, becomes
   // longer by at most the gap between them at each crossing (half a gap before it, half after).
   constexpr uint32_t kPoints = 12;
-  for (const auto& [name, mesh] : {Named{"sphere", sphere(2)}, {"bumpy", bumpy_grid(8)}, {"cube", cube()},
-                                   {"hole", grid_with_hole(6)}, {"saddle", cone(12, 2, 1, true)}}) {
+  for (const auto& [name, mesh] : {Named{"sphere", sphere(2)},
+                                   {"bumpy", bumpy_grid(8)},
+                                   {"cube", cube()},
+                                   {"hole", grid_with_hole(6)},
+                                   {"saddle", cone(12, 2, 1, true)}}) {
     SCOPED_TRACE(name);
     const Surface s = make_surface(mesh);
     PathShortener shortener(s);
     double edge = 0;  // the longest
     for (HalfEdge e = 0; e < 3 * s.face_count(); ++e) {
-      edge = std::max(edge, norm(s.corner(face_of(e), next_corner(corner_of(e))) - s.corner(face_of(e), corner_of(e))));
+      edge = std::max(edge, norm(s.corner(face_of(e), next_corner(corner_of(e))) -
+                                 s.corner(face_of(e), corner_of(e))));
     }
     Rng rng(64);
     for (int k = 0; k < 12; ++k) {
@@ -296,7 +306,8 @@ TEST(Shorten, RoundACornerOfTheCube) {
     constexpr double kGridRounding = 1e-7;
     EXPECT_GE(shape.length * s.scale(), (a - b).norm() - kGridRounding);
     for (const Crossing& c : path) {
-      EXPECT_GT(std::min(c.t, 1 - c.t), kAtVertex) << "no shortest path runs through a corner of less than 2 pi";
+      EXPECT_GT(std::min(c.t, 1 - c.t), kAtVertex)
+          << "no shortest path runs through a corner of less than 2 pi";
     }
   }
 }
@@ -323,6 +334,20 @@ TEST(Shorten, RoundAHoleTouchesItsCorners) {
   EXPECT_GT(touched, 0) << "the test should meet the hole";
 }
 
+/// However many faces the way crosses (a seed of few points on a fine mesh): one call is enough.
+TEST(Shorten, ALongPathOnAFineMeshIsStraightAtOnce) {
+  const Surface s = make_surface(sphere(5));
+  PathShortener shortener(s);
+  Rng rng(68);
+  for (int k = 0; k < 10; ++k) {
+    const SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+    Path path = bad_path(s, start.face, end.face, 0, rng);
+    const PathShape shape = shortener.shorten(start, end, path);
+    EXPECT_NEAR(shortener.shorten(start, end, path).length, shape.length, clearing(path.size()));
+    expect_locally_shortest(s, start, end, path);
+  }
+}
+
 /// A straight path is what a trace along its first direction draws.
 TEST(Measure, LeavingAndArrivingAreThoseOfTheTrace) {
   // An error of the direction by 2^-50 or so grows on the way, and each crossing is snapped.
@@ -339,7 +364,8 @@ TEST(Measure, LeavingAndArrivingAreThoseOfTheTrace) {
       if (trace.hit_boundary) continue;
       const auto straight = [](const Path& p) {
         constexpr double kFar = 1e-5;
-        return std::all_of(p.begin(), p.end(), [](const Crossing& c) { return c.t > kFar && c.t < 1 - kFar; });
+        return std::all_of(p.begin(), p.end(),
+                           [](const Crossing& c) { return c.t > kFar && c.t < 1 - kFar; });
       };
       Path path = traced;
       const PathShape shape = shortener.shorten(start, trace.end, path);
@@ -361,7 +387,8 @@ TEST(Measure, TurnsRoundAConeAddUpToItsAngle) {
       Curve c;
       for (uint32_t k = 0; k < 5; ++k) {
         for (uint32_t f = 0; f < s.face_count(); ++f) {
-          if (s.face(f)[0] == 0 && s.face(f)[1] == 1 + 2 * k) add_node(c, make_point(f, 0.5, 0.2, 0.3));
+          if (s.face(f)[0] == 0 && s.face(f)[1] == 1 + 2 * k)
+            add_node(c, make_point(f, 0.5, 0.2, 0.3));
         }
       }
       ASSERT_EQ(c.size(), 5u);
@@ -382,7 +409,8 @@ TEST(Measure, TurnsRoundAConeAddUpToItsAngle) {
         const Vec2 in = c.shapes[(k + 4) % 5].arriving, out = c.shapes[k].leaving;
         turns += std::atan2(cross(in, out), dot(in, out));
       }
-      EXPECT_NEAR(turns, s.total_angle(0), kGridRounding) << "slope " << slope << " saddle " << saddle;
+      EXPECT_NEAR(turns, s.total_angle(0), kGridRounding)
+          << "slope " << slope << " saddle " << saddle;
     }
   }
 }

@@ -13,10 +13,13 @@ constexpr double kGridRounding = 16 * 0x1p-30;
 
 /// The square of n x n cells folded like an accordion along its lines of equal x; `fold` 0 is flat.
 Mesh folded(uint32_t n, double fold) {
-  return grid(n, 0, [=](double x, double y) {
-    const double cells = x * n, down = std::abs(std::fmod(cells, 2) - 1) / n;
-    return Vec3(x * std::cos(fold), y, down * std::sin(fold));
-  }, no_hole);
+  return grid(
+      n, 0,
+      [=](double x, double y) {
+        const double cells = x * n, down = std::abs(std::fmod(cells, 2) - 1) / n;
+        return Vec3(x * std::cos(fold), y, down * std::sin(fold));
+      },
+      no_hole);
 }
 
 /// Where a point of the folded square lies in the unfolded one, by the corners of its face.
@@ -46,7 +49,9 @@ TEST(Trace, IsAStraightLineOnAFoldedSquare) {
       ASSERT_TRUE(inside_face(s, trace.end));
 
       // The direction in the unfolded square: of a short way inside the first face.
-      const auto weights = [](const SurfacePoint& p) { return std::array{p.weight(0), p.b.x, p.b.y}; };
+      const auto weights = [](const SurfacePoint& p) {
+        return std::array{p.weight(0), p.b.x, p.b.y};
+      };
       const Vec2 from = unfolded(s, flat, start.face, weights(start));
       const Vec2 c1 = s.corner(start.face, 1), c2 = s.corner(start.face, 2);
       const double w2 = along.y / c2.y, w1 = (along.x - w2 * c2.x) / c1.x;
@@ -67,17 +72,20 @@ TEST(Trace, IsAStraightLineOnAFoldedSquare) {
         EXPECT_NEAR(inside, 0, kGridRounding);
       } else {
         EXPECT_EQ(trace.length, wanted);
-        EXPECT_NEAR(norm(to - from), wanted * s.scale(), kGridRounding * (1 + static_cast<double>(path.size())));
+        EXPECT_NEAR(norm(to - from), wanted * s.scale(),
+                    kGridRounding * (1 + static_cast<double>(path.size())));
       }
     }
   }
 }
 
-/// Clearance and snapping of the crossings move a path by at most this in each face (edges are at most 1).
+/// Clearance and snapping of the crossings move a path by at most this in each face (edges are at
+/// most 1).
 constexpr double kClearing = 2 * kClearance;
 
 TEST(Trace, HasTheLengthAskedForOnAnySurface) {
-  for (const Mesh& mesh : {sphere(3), torus(20, 10), cube(), octahedron(), with_noise(sphere(2), 0.3, 5)}) {
+  for (const Mesh& mesh :
+       {sphere(3), torus(20, 10), cube(), octahedron(), with_noise(sphere(2), 0.3, 5)}) {
     const Surface s = make_surface(mesh);
     Rng rng(12);
     for (int k = 0; k < 200; ++k) {
@@ -121,7 +129,8 @@ TEST(Trace, IsAHelixOnACylinder) {
   const Surface s = make_surface(cylinder(kSides, 10, kHeight));
   const double around = kSides * 2 * std::sin(kPi / kSides);  // of the prism
   const SurfacePoint start = make_point(0, 0.4, 0.3, 0.3);
-  // Three times round while climbing half the height, in the plane of face 0: its first edge runs round.
+  // Three times round while climbing half the height, in the plane of face 0: its first edge runs
+  // round.
   const double climb = 0.5 * kHeight;
   const Vec2 way = (1 / s.scale()) * Vec2{3 * around, climb};
   Path path;

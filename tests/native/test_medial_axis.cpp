@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Medial radii against the smallest tangent ball over all points, and the two rules at the boundary.
-#include "medial_axis.h"
-
+// Medial radii against the smallest tangent ball over all points, and the two rules at the
+// boundary.
 #include <gtest/gtest.h>
 
+#include "medial_axis.h"
 #include "test_curves.h"
 
 namespace meander::test {
 namespace {
 
 /// The library calls a ball empty when no point is nearer to its centre than (1 - 1e-9) radii. By
-/// |q - x|^2 = 2 rho (q - x).B that lets its radius R exceed the smallest, rho, by at most this share
-/// of R^2 / ((q - x).B): much for points almost beside the node, 1e-9 for those ahead.
+/// |q - x|^2 = 2 rho (q - x).B that lets its radius R exceed the smallest, rho, by at most this
+/// share of R^2 / ((q - x).B): much for points almost beside the node, 1e-9 for those ahead.
 constexpr double kEmpty = 1.1e-9;
 
 struct Smallest {
@@ -51,7 +51,8 @@ struct Scene {
 };
 
 TEST(MedialAxis, EqualsBruteForceFromAnyStart) {
-  for (const Mesh& mesh : {sphere(3), torus(20, 10), cube(), with_noise(sphere(2), 0.3, 5), joined(sphere(1), cube(), 3)}) {
+  for (const Mesh& mesh : {sphere(3), torus(20, 10), cube(), with_noise(sphere(2), 0.3, 5),
+                           joined(sphere(1), cube(), 3)}) {
     Scene scene(mesh);
     Rng rng(31);
     for (int k = 0; k < 6; ++k) {
@@ -74,7 +75,8 @@ TEST(MedialAxis, EqualsBruteForceFromAnyStart) {
       for (uint32_t i = 0; i < n; ++i) {
         for (int side = 0; side < 2; ++side) {
           const Vec3& b = scene.frames.outward[i][side];
-          const Smallest best = brute_force(scene.frames.position, scene.frames.position[i], b, most);
+          const Smallest best =
+              brute_force(scene.frames.position, scene.frames.position[i], b, most);
           const auto check = [&](const Radii& r) {
             EXPECT_LE(r[side], most);
             EXPECT_GE(r[side], best.radius * (1 - kEmpty));
@@ -107,7 +109,8 @@ TEST(MedialAxis, FramesAreOrthogonalAndBisect) {
       EXPECT_LT(f.to_boundary[i][side], 0) << "there is no boundary";
       if (before == kNone || !scene.curve.has_segment(i)) continue;
       // Normal to the curve in space, whose tangent is the mean of the chords' directions.
-      const Vec3 x = f.position[i], last = f.position[before], next = f.position[scene.curve.next(i)];
+      const Vec3 x = f.position[i], last = f.position[before],
+                 next = f.position[scene.curve.next(i)];
       const Vec3 tangent = (x - last).normalized() + (next - x).normalized();
       EXPECT_NEAR(f.outward[i][side].dot(tangent), 0, kRounding);
     }
@@ -118,14 +121,17 @@ TEST(MedialAxis, FramesAreOrthogonalAndBisect) {
   }
 }
 
-/// A short straight strand along x through the middle of the unit square, `below` above its lower side.
+/// A short straight strand along x through the middle of the unit square, `below` above its lower
+/// side.
 void lay_strand(Scene& scene, double below) {
   const Surface& s = scene.surface;
   // Weights of the corners of face f at a point of the square's plane.
   const auto weights = [&](uint32_t f, double x, double y) {
     const Triangle& t = s.face(f);
-    const Vec3 a = s.caller_position(t[0]), b = s.caller_position(t[1]), c = s.caller_position(t[2]);
-    const Vec2 u{b.x() - a.x(), b.y() - a.y()}, v{c.x() - a.x(), c.y() - a.y()}, p{x - a.x(), y - a.y()};
+    const Vec3 a = s.caller_position(t[0]), b = s.caller_position(t[1]),
+               c = s.caller_position(t[2]);
+    const Vec2 u{b.x() - a.x(), b.y() - a.y()}, v{c.x() - a.x(), c.y() - a.y()},
+        p{x - a.x(), y - a.y()};
     return Vec2{cross(p, v) / cross(u, v), cross(u, p) / cross(u, v)};
   };
   uint32_t f = 0;
@@ -160,7 +166,8 @@ TEST(Boundary, ABallsCentreStopsThere) {
       for (uint32_t i = 0; i < 2; ++i) {
         // The bitangent is on the right: below a strand that runs along x.
         EXPECT_NEAR(radii[i][0], below / scene.surface.scale(), kGridRounding);
-        EXPECT_NEAR(radii[i][1], std::min(most, (1 - below) / scene.surface.scale()), kGridRounding);
+        EXPECT_NEAR(radii[i][1], std::min(most, (1 - below) / scene.surface.scale()),
+                    kGridRounding);
       }
     }
   }

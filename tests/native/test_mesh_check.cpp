@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is refused, and that the right element is named; what is made of a mesh that is not.
+#include <gtest/gtest.h>
+
 #include <limits>
 #include <set>
-
-#include <gtest/gtest.h>
 
 #include "failure.h"
 #include "test_meshes.h"
@@ -30,7 +30,8 @@ void expect_refused(const Mesh& mesh, int32_t kind, uint32_t index = 0) {
   EXPECT_EQ(failure.element_kind, kind) << failure.what();
   EXPECT_EQ(failure.index, index) << failure.what();
   if (kind != MEANDER_ELEMENT_NONE) {
-    EXPECT_NE(std::string(failure.what()).find(std::to_string(index)), std::string::npos) << failure.what();
+    EXPECT_NE(std::string(failure.what()).find(std::to_string(index)), std::string::npos)
+        << failure.what();
   }
 }
 
@@ -42,8 +43,9 @@ TEST(Refusal, NoFaces) {
 }
 
 TEST(Refusal, NumbersThatAreNotFinite) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-                           -std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
     for (size_t k = 0; k < 3; ++k) {
       Mesh m = sphere(1);
       m.vertices[3 * 17 + k] = bad;
@@ -220,7 +222,7 @@ TEST(GoodMesh, FacesAreLaidOutIsometricallyWithUnfoldingTransitions) {
         EXPECT_NEAR(norm(s.transition(e) * s.transition(o) - Vec2{1, 0}), 0, kRounding);
       }
     }
-    EXPECT_NEAR(s.area(), area, kRounding * s.face_count());
+    EXPECT_NEAR(s.area(), area, kRounding * static_cast<double>(s.face_count()));
   }
 }
 
@@ -262,7 +264,8 @@ TEST(GoodMesh, ScaleChangesNothingInside) {
     const Surface one = make_surface(m.mesh);
     for (const double factor : {1e-3, 1e3, 0.1, 0x1p-20, 12345.678}) {
       const Surface other = make_surface(scaled(m.mesh, factor));
-      for (const uint32_t v : m.mesh.faces) EXPECT_EQ((one.position(v) - other.position(v)).norm(), 0) << factor;
+      for (const uint32_t v : m.mesh.faces)
+        EXPECT_EQ((one.position(v) - other.position(v)).norm(), 0) << factor;
     }
   }
 }
@@ -279,7 +282,8 @@ TEST(GoodMesh, AnglesAroundAVertexAddUp) {
   const Surface box = make_surface(cube());
   for (uint32_t v = 0; v < 8; ++v) EXPECT_NEAR(box.total_angle(v), 1.5 * kPi, kGrid);
   // Gauss and Bonnet: the missing angles of a closed surface add up to 2 pi times its Euler number.
-  for (const auto& [mesh, euler] : {std::pair{with_noise(sphere(2), 0.2, 3), 2}, {torus(9, 6), 0}}) {
+  for (const auto& [mesh, euler] :
+       {std::pair{with_noise(sphere(2), 0.2, 3), 2}, {torus(9, 6), 0}}) {
     const Surface s = make_surface(mesh);
     double missing = 0;
     for (uint32_t v = 0; v < s.vertex_count(); ++v) missing += 2 * kPi - s.total_angle(v);

@@ -3,6 +3,7 @@
 // Meshes that the tests make for themselves, and reproducible random numbers.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,8 +13,6 @@
 #include <random>
 #include <span>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "surface.h"
 #include "surface_point.h"
@@ -141,7 +140,8 @@ inline Mesh sphere(int levels) {
 /// Every vertex moved at random by up to `amount` mean edge lengths.
 inline Mesh with_noise(Mesh m, double amount, uint64_t seed) {
   double sum = 0;
-  for (size_t f = 0; f < m.faces.size(); f += 3) sum += (m.at(m.faces[f]) - m.at(m.faces[f + 1])).norm();
+  for (size_t f = 0; f < m.faces.size(); f += 3)
+    sum += (m.at(m.faces[f]) - m.at(m.faces[f + 1])).norm();
   const double reach = amount * sum / m.face_count() / std::sqrt(3.0);
   Rng rng(seed);
   for (double& x : m.vertices) x += rng.in(-reach, reach);
@@ -168,7 +168,8 @@ inline Mesh torus(uint32_t around, uint32_t across, double big = 1, double small
 }
 
 /// n x n cells over the unit square, inner vertices moved in the plane by up to `jitter` cells, the
-/// square's outline kept. place(x, y) is the point in space; cells for which hole(i, j) are left out.
+/// square's outline kept. place(x, y) is the point in space; cells for which hole(i, j) are left
+/// out.
 template <class Place, class Hole>
 Mesh grid(uint32_t n, double jitter, Place place, Hole hole) {
   Rng rng(n);
@@ -204,16 +205,18 @@ inline Mesh flat_grid(uint32_t n, double jitter = 0.25) {
 }
 
 inline Mesh bumpy_grid(uint32_t n) {
-  return grid(n, 0.2, [](double x, double y) {
-    return Vec3(x, y, 0.1 * std::sin(7 * x) * std::cos(6 * y));
-  }, no_hole);
+  return grid(
+      n, 0.2,
+      [](double x, double y) { return Vec3(x, y, 0.1 * std::sin(7 * x) * std::cos(6 * y)); },
+      no_hole);
 }
 
 /// The unit square without its middle (about a third of its width).
 inline Mesh grid_with_hole(uint32_t n) {
   const uint32_t a = n / 3, b = n - n / 3;
-  return grid(n, 0.2, [](double x, double y) { return Vec3(x, y, 0); },
-              [=](uint32_t i, uint32_t j) { return i >= a && i < b && j >= a && j < b; });
+  return grid(
+      n, 0.2, [](double x, double y) { return Vec3(x, y, 0); },
+      [=](uint32_t i, uint32_t j) { return i >= a && i < b && j >= a && j < b; });
 }
 
 /// The cube [0, 1]^3 of 12 faces.
@@ -249,7 +252,8 @@ inline Mesh cylinder(uint32_t around, uint32_t along, double height) {
 }
 
 /// An apex (vertex 0) and `rings` rings of `around` vertices; ring j has radius j and height
-/// slope j (odd vertices: of opposite sign where `saddle`), so faces between rings are flat or nearly.
+/// slope j (odd vertices: of opposite sign where `saddle`), so faces between rings are flat or
+/// nearly.
 inline Mesh cone(uint32_t around, uint32_t rings, double slope, bool saddle = false) {
   Mesh m;
   m.add(0, 0, 0);
@@ -294,8 +298,8 @@ inline SurfacePoint random_point(const Surface& s, Rng& rng) {
   return make_point(rng.below(s.face_count()), a / sum, b / sum, c / sum);
 }
 
-/// The faces' corners around vertex v, counter-clockwise; from the first to the last where v lies on
-/// the boundary. Each entry is 3 * face + corner.
+/// The faces' corners around vertex v, counter-clockwise; from the first to the last where v lies
+/// on the boundary. Each entry is 3 * face + corner.
 inline std::vector<uint32_t> fan(const Surface& s, uint32_t v) {
   uint32_t start = kNone;
   for (uint32_t f = 0; f < s.face_count() && start == kNone; ++f) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The team of threads: every block once, the same blocks for any team, exceptions passed on.
-#include "parallel.h"
+#include <gtest/gtest.h>
 
 #include <atomic>
 #include <stdexcept>
 #include <utility>
 
-#include <gtest/gtest.h>
+#include "parallel.h"
 
 namespace meander::test {
 namespace {

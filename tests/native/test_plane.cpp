@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The orientation predicate and the grid of coordinates, against integers of 128 bits.
-#include "plane.h"
-
 #include <gtest/gtest.h>
 
+#include "plane.h"
 #include "surface_point.h"
 #include "test_curves.h"
 
@@ -55,7 +54,8 @@ TEST(Orientation, EqualsIntegersOnNearlyCollinearPoints) {
 TEST(Orientation, IsZeroExactlyOnLines) {
   Rng rng(3);
   for (int k = 0; k < 20000; ++k) {
-    // Steps (dx, dy) of integers, so that all three points are on one line exactly; then one off it.
+    // Steps (dx, dy) of integers, so that all three points are on one line exactly; then one off
+    // it.
     const int64_t dx = static_cast<int64_t>(rng.below(size_t{1} << 30)) + 1;
     const int64_t dy = static_cast<int64_t>(rng.below(size_t{1} << 30)) + 1;
     const int64_t x = rng.below(size_t{1} << 31), y = rng.below(size_t{1} << 31);
@@ -90,10 +90,14 @@ TEST(Grain, PointsStayInsideTheirFaceWhateverTheWeights) {
   for (int k = 0; k < 20000; ++k) {
     const auto weight = [&] {
       switch (rng.below(4)) {
-        case 0: return rng.in(-1, 2);
-        case 1: return rng.in(-4, 4) * kClearance;
-        case 2: return 0.0;
-        default: return rng();
+        case 0:
+          return rng.in(-1, 2);
+        case 1:
+          return rng.in(-4, 4) * kClearance;
+        case 2:
+          return 0.0;
+        default:
+          return rng();
       }
     };
     const double w0 = weight(), w1 = weight(), w2 = weight();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Moves of any size leave a curve without crossings, and one knot does not hold the rest.
-#include "retraction.h"
-
 #include <gtest/gtest.h>
 
+#include "retraction.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -15,7 +14,8 @@ Curve random_curve(const Surface& s, uint32_t rings, Rng& rng) {
   Curve curve;
   for (uint32_t k = 0; k < 10 * rings && curve.strands.size() < rings; ++k) {
     Curve next = curve;
-    if (!add_ring(s, next, random_point(s, rng), rng.in(0.03, 0.12), 6 + rng.below(30), 0.1, rng)) continue;
+    if (!add_ring(s, next, random_point(s, rng), rng.in(0.03, 0.12), 6 + rng.below(30), 0.1, rng))
+      continue;
     if (exact_crossings(s, next).empty()) curve = next;
   }
   for (int k = 0; k < 20; ++k) {
@@ -29,8 +29,14 @@ Curve random_curve(const Surface& s, uint32_t rings, Rng& rng) {
 }
 
 std::vector<Mesh> meshes() {
-  return {sphere(2), torus(16, 8), cube(), octahedron(), with_noise(sphere(2), 0.3, 19), grid_with_hole(7),
-          cone(12, 3, 1, true), flat_grid(1)};
+  return {sphere(2),
+          torus(16, 8),
+          cube(),
+          octahedron(),
+          with_noise(sphere(2), 0.3, 19),
+          grid_with_hole(7),
+          cone(12, 3, 1, true),
+          flat_grid(1)};
 }
 
 TEST(Move, OfAnySizeLeavesNoCrossings) {
@@ -61,7 +67,8 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
             ASSERT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
           }
           if (!curve.has_segment(i)) continue;
-          const PathShape shape = measure_path(s, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
+          const PathShape shape =
+              measure_path(s, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
           ASSERT_EQ(shape.length, curve.shapes[i].length);
         }
       }
@@ -75,7 +82,8 @@ TEST(Move, OneKnotDoesNotHoldTheOthers) {
   Curve curve;
   ASSERT_TRUE(add_ring(s, curve, make_point(0, 0.3, 0.3, 0.4), 0.08, 40, 0, rng));
   const uint32_t knot = curve.size();
-  ASSERT_TRUE(add_ring(s, curve, make_point(s.face_count() > 300 ? 288 : 0, 0.3, 0.3, 0.4), 0.08, 40, 0, rng));
+  ASSERT_TRUE(add_ring(s, curve, make_point(s.face_count() > 300 ? 288 : 0, 0.3, 0.3, 0.4), 0.08,
+                       40, 0, rng));
   ASSERT_TRUE(exact_crossings(s, curve).empty());
   const Curve old = curve;
   // The first ring shrinks a little, the second is thrown about.
@@ -130,7 +138,8 @@ TEST(Move, IsTheSameForAnyTeam) {
     for (uint32_t i = 0; i < old.size(); ++i) {
       EXPECT_TRUE(same_bytes(c.nodes[i], results[0].nodes[i]));
       ASSERT_EQ(c.paths[i].size(), results[0].paths[i].size());
-      for (size_t k = 0; k < c.paths[i].size(); ++k) EXPECT_EQ(c.paths[i][k].t, results[0].paths[i][k].t);
+      for (size_t k = 0; k < c.paths[i].size(); ++k)
+        EXPECT_EQ(c.paths[i][k].t, results[0].paths[i][k].t);
     }
   }
 }

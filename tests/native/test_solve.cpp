@@ -49,7 +49,9 @@ struct Scene {
     return d;
   }
 
-  LiteralModel literal() const { return LiteralModel(surface, curve, radii, frames, radius, weights); }
+  LiteralModel literal() const {
+    return LiteralModel(surface, curve, radii, frames, radius, weights);
+  }
 
   Surface surface;
   Curve curve;
@@ -60,7 +62,8 @@ struct Scene {
 };
 
 std::vector<Mesh> curved_meshes() {
-  return {sphere(3), torus(20, 10), bumpy_grid(14), cone(9, 4, 1.5), cone(12, 4, 0.7, true), flat_grid(6)};
+  return {sphere(3),       torus(20, 10),          bumpy_grid(14),
+          cone(9, 4, 1.5), cone(12, 4, 0.7, true), flat_grid(6)};
 }
 
 struct Range {
@@ -76,8 +79,8 @@ void compare(Scene& scene, Rng& rng) {
       const Eigen::VectorXd step = scene.banded_step();
       ASSERT_TRUE(step.allFinite());
       EXPECT_LE((step - expected).norm(), kAgreement * expected.norm())
-          << "n = " << scene.curve.size() << ", length weight from " << range.low << " to " << range.high
-          << ", bending " << range.bending << ", fixed " << fixed_share;
+          << "n = " << scene.curve.size() << ", length weight from " << range.low << " to "
+          << range.high << ", bending " << range.bending << ", fixed " << fixed_share;
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         if (scene.curve.fixed[i]) {
           EXPECT_EQ(step.segment<3>(3 * i).norm(), 0);
@@ -106,7 +109,8 @@ TEST(Step, OfClosedStrandsEqualsTheLiteralModel) {
   for (const Mesh& mesh : curved_meshes()) {
     for (const uint32_t n : {3u, 4u, 5u, 6u, 7u, 8u, 50u}) {
       Scene scene(mesh);
-      while (!add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.08, n, 0.2, rng)) {
+      while (!add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.08, n, 0.2,
+                       rng)) {
       }
       compare(scene, rng);
     }
@@ -148,11 +152,14 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
       ASSERT_TRUE(whole(scene.surface, scene.curve));
       scene.fill(rng, 0.2, 1, 0.5, 0);
       StrandSystem system;
-      assemble(scene.curve, scene.curve.strands[0], scene.frames, scene.radii, scene.radius, scene.weights, system);
+      assemble(scene.curve, scene.curve.strands[0], scene.frames, scene.radii, scene.radius,
+               scene.weights, system);
       const double angle = std::atan2(system.holonomy.y, system.holonomy.x);
       const double missing = 2 * kPi - scene.surface.total_angle(0);
       constexpr double kRounding = 1e-6;  // the cone's own faces are flat to 2^-30 only
-      EXPECT_NEAR(std::remainder(std::abs(angle) - std::abs(std::remainder(missing, 2 * kPi)), 2 * kPi), 0, kRounding);
+      EXPECT_NEAR(
+          std::remainder(std::abs(angle) - std::abs(std::remainder(missing, 2 * kPi)), 2 * kPi), 0,
+          kRounding);
       compare(scene, rng);
     }
   }
@@ -173,7 +180,8 @@ TEST(Step, OfLongStrandsLeavesNoResidual) {
       const Eigen::VectorXd residual = scene.literal().gradient(step, &magnitude);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         if (scene.curve.fixed[i]) continue;
-        EXPECT_NEAR(residual.segment<3>(3 * i).norm(), 0, kAgreement * magnitude.segment<3>(3 * i).norm());
+        EXPECT_NEAR(residual.segment<3>(3 * i).norm(), 0,
+                    kAgreement * magnitude.segment<3>(3 * i).norm());
       }
     }
   }

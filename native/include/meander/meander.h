@@ -217,6 +217,8 @@ typedef struct meander_flow_options {
   double polish_bending_weight; /* b in the polish */
   double polish_length_offset;  /* t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the */
   double polish_length_gain;    /* medial radius in units of r, smoothed along the curve over 2 r */
+  double polish_medial_power;   /* q of eq. 13 in the polish, in [2, 8]: larger values weigh the worst gaps
+                                   more; the force at the wanted radius is that of q = 2 */
   uint32_t boundary_rule;   /* MEANDER_BOUNDARY_... */
   uint32_t iteration_limit; /* of meander_flow_run, counted over the life of the flow; >= 1 */
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is measured: surfaces, spacings, presets and threads.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "mesh.h"
+
+namespace meander::bench {
+
+struct Case {
+  std::string group;  ///< models, generated, mesh, scaling or threads
+  std::string name;   ///< of the surface, with what is special about it: "bunny", "bunny_x4"
+  std::string preset;
+  uint32_t threads = 1;
+  double radius = 0;  ///< 0: chosen for about this many nodes
+  double nodes = 0;
+  std::function<Mesh()> mesh;
+};
+
+/// Every case there is, with the models of `folder` as far as they are there; none if it is empty.
+/// `threads` is used where the group does not vary them.
+std::vector<Case> all_cases(const std::string& folder, uint32_t threads);
+
+}  // namespace meander::bench

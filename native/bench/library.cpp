@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "library.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "version.h"
+
+namespace meander::bench {
+
+template <class Function>
+void Library::find(Function& function, const char* name) {
+  void* symbol = dlsym(handle_, name);
+  if (!symbol) throw std::runtime_error(std::string("the library has no ") + name);
+  function = reinterpret_cast<Function>(symbol);
+}
+
+Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+  if (!handle_) throw std::runtime_error(std::string("cannot load the library: ") + dlerror());
+  find(abi_version, "meander_abi_version");
+  if (abi_version() != MEANDER_ABI_VERSION) {
+    throw std::runtime_error(path +
+                             " has another ABI: measure it with the benchmark of its own build");
+  }
+  find(version, "meander_version");
+  find(surface_create, "meander_surface_create");
+  find(surface_destroy, "meander_surface_destroy");
+  find(flow_options_init, "meander_flow_options_init");
+  find(flow_create, "meander_flow_create");
+  find(flow_destroy, "meander_flow_destroy");
+  find(flow_step, "meander_flow_step");
+  find(flow_run, "meander_flow_run");
+  find(flow_get_statistics, "meander_flow_get_statistics");
+  find(flow_get_history, "meander_flow_get_history");
+  find(flow_get_polylines, "meander_flow_get_polylines");
+  find(flow_get_nodes, "meander_flow_get_nodes");
+}
+
+std::string library_of_this_build() {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  return (program.parent_path() / "lib" / ("libmeander-" MEANDER_VERSION ".so")).string();
+}
+
+}  // namespace meander::bench

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <type_traits>
+
+#include "clock.h"
+#include "library.h"
+
+namespace meander::bench {
+namespace {
+
+static_assert(std::is_trivially_copyable_v<Measurement>);
+
+constexpr size_t kLastIterations = 10;
+constexpr int kExtraIterations = 5;
+
+/// Nodes are between h and 2 h apart, in the mean about 1.3 h with h = 0.2 r, and the length is
+/// A / (2 r): a curve of n nodes has this n r^2 / A.
+constexpr double kNodesPerArea = 1.92;
+
+/// The kernel's high-water mark of this process's resident memory, in bytes.
+uint64_t peak_memory() {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word) {
+    uint64_t kilobytes = 0;
+    if (word == "VmHWM:" && status >> kilobytes) return 1024 * kilobytes;
+  }
+  return 0;
+}
+
+uint64_t fingerprint(const Polylines& curve) {
+  uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+  const auto take = [&](const auto& values) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+    const size_t size = values.size() * sizeof(values[0]);
+    for (size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3;
+  };
+  take(curve.points);
+  take(curve.offsets);
+  take(curve.closed);
+  return hash;
+}
+
+class Session {
+ public:
+  explicit Session(const Library& library) : library_(library) {
+    error_.struct_size = sizeof error_;
+  }
+  ~Session() {
+    library_.flow_destroy(flow_);
+    library_.surface_destroy(surface_);
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void create(const Mesh& mesh, const meander_flow_options& options) {
+    check(library_.surface_create(mesh.vertices[0].data(), mesh.vertices.size(),
+                                  mesh.faces[0].data(), mesh.faces.size(), &surface_, &error_));
+    check(library_.flow_create(surface_, nullptr, nullptr, &options, &flow_, &error_));
+  }
+  void run() { check(library_.flow_run(flow_, nullptr, &error_)); }
+  void step() { check(library_.flow_step(flow_, nullptr, &error_)); }
+
+  meander_flow_statistics statistics() {
+    meander_flow_statistics s{};
+    s.struct_size = sizeof s;
+    check(library_.flow_get_statistics(flow_, &s, &error_));
+    return s;
+  }
+  std::vector<meander_iteration> history() {
+    size_t count = 0;
+    check(library_.flow_get_history(flow_, nullptr, 0, &count, &error_));
+    std::vector<meander_iteration> records(count);
+    check(library_.flow_get_history(flow_, records.data(), count, &count, &error_));
+    return records;
+  }
+  Polylines polylines() {
+    size_t points = 0, strands = 0;
+    check(library_.flow_get_polylines(flow_, nullptr, nullptr, 0, &points, nullptr, nullptr, 0,
+                                      &strands, &error_));
+    Polylines curve;
+    curve.points.resize(points);
+    curve.offsets.resize(strands + 1);
+    curve.closed.resize(strands);
+    check(library_.flow_get_polylines(flow_, curve.points[0].data(), nullptr, points, &points,
+                                      curve.offsets.data(), curve.closed.data(), strands, &strands,
+                                      &error_));
+    return curve;
+  }
+  Nodes nodes() {
+    size_t count = 0;
+    check(library_.flow_get_nodes(flow_, nullptr, nullptr, nullptr, nullptr, 0, &count, &error_));
+    Nodes nodes;
+    nodes.faces.resize(count);
+    nodes.barycentrics.resize(count);
+    nodes.radii.resize(count);
+    check(library_.flow_get_nodes(flow_, nodes.faces.data(), nodes.barycentrics[0].data(),
+                                  nodes.radii[0].data(), nullptr, count, &count, &error_));
+    return nodes;
+  }
+
+ private:
+  void check(meander_status status) const {
+    if (status != MEANDER_OK) throw std::runtime_error(error_.text);
+  }
+
+  const Library& library_;
+  meander_error error_{};
+  meander_surface* surface_ = nullptr;
+  meander_flow* flow_ = nullptr;
+};
+
+StageSeconds stages_of(const meander_flow_statistics& s) {
+  return {s.seconds_total,     s.seconds_medial_axis, s.seconds_solve, s.seconds_retract,
+          s.seconds_reconnect, s.seconds_crossings,   s.seconds_refine};
+}
+
+StageSeconds mean_between(const StageSeconds& a, const StageSeconds& b, int count) {
+  return {(b.total - a.total) / count,         (b.medial_axis - a.medial_axis) / count,
+          (b.solve - a.solve) / count,         (b.retract - a.retract) / count,
+          (b.reconnect - a.reconnect) / count, (b.crossings - a.crossings) / count,
+          (b.refine - a.refine) / count};
+}
+
+double median_of_last(const std::vector<meander_iteration>& history) {
+  std::vector<double> seconds;
+  for (size_t i = history.size() - std::min(history.size(), kLastIterations); i < history.size();
+       ++i) {
+    seconds.push_back(history[i].seconds);
+  }
+  if (seconds.empty()) return 0;
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+void measure(const std::string& path, const Case& which, uint32_t iteration_limit, Measurement& m) {
+  const Library library(path);
+  std::snprintf(m.version, sizeof m.version, "%s", library.version());
+  const Mesh mesh = which.mesh();
+  if (mesh.faces.empty()) throw std::runtime_error("the mesh has no faces");
+  m.faces = static_cast<uint32_t>(mesh.faces.size());
+  m.radius = which.radius > 0 ? which.radius : std::sqrt(kNodesPerArea * area(mesh) / which.nodes);
+
+  meander_flow_options options;
+  const uint32_t preset = which.preset == "paper" ? MEANDER_PRESET_PAPER : MEANDER_PRESET_EVEN;
+  if (library.flow_options_init(&options, preset) != MEANDER_OK)
+    throw std::runtime_error("no such preset");
+  options.radius = m.radius;
+  options.threads = which.threads;
+  if (iteration_limit > 0) options.iteration_limit = iteration_limit;
+
+  Session session(library);
+  m.memory_before = peak_memory();
+  const Clock clock;
+  const ProcessorClock processor;
+  session.create(mesh, options);
+  m.setup_seconds = clock.seconds();
+  session.run();
+  m.seconds = clock.seconds();
+  m.cpu_seconds = processor.seconds();
+  m.memory = peak_memory();  // before the judgement takes some of its own
+
+  const meander_flow_statistics s = session.statistics();
+  m.nodes = s.nodes;
+  m.strands = s.strands;
+  m.iterations = s.iterations;
+  m.stop_reason = s.stop_reason;
+  m.crossings = s.crossings;
+  m.stages = stages_of(s);
+  m.iteration_seconds = median_of_last(session.history());
+  const Nodes nodes = session.nodes();
+  {
+    const Polylines curve = session.polylines();
+    m.fingerprint = fingerprint(curve);
+    m.quality = judge(mesh, curve, nodes, m.radius);
+  }
+  const ProcessorClock extra;
+  for (int k = 0; k < kExtraIterations; ++k) session.step();
+  m.iteration_cpu_seconds = extra.seconds() / kExtraIterations;
+  m.last_stages = mean_between(m.stages, stages_of(session.statistics()), kExtraIterations);
+  m.floor = measure_floor(mesh, nodes, m.radius);
+}
+
+}  // namespace
+
+Measurement measure_apart(const std::string& library, const Case& which, uint32_t iteration_limit) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("cannot make a pipe");
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("cannot start a process");
+  if (child == 0) {
+    close(ends[0]);
+    Measurement m;
+    try {
+      measure(library, which, iteration_limit, m);
+    } catch (const std::exception& e) {
+      std::snprintf(m.error, sizeof m.error, "%s", e.what());
+    }
+    // Less than PIPE_BUF, so one write takes it whole.
+    const bool written = write(ends[1], &m, sizeof m) == static_cast<ssize_t>(sizeof m);
+    _exit(written ? 0 : 1);
+  }
+  close(ends[1]);
+  Measurement m;
+  const ssize_t got = read(ends[0], &m, sizeof m);
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (got != static_cast<ssize_t>(sizeof m)) {
+    m = {};
+    if (WIFSIGNALED(status)) {
+      std::snprintf(m.error, sizeof m.error, "the case was ended by signal %d", WTERMSIG(status));
+    } else {
+      std::snprintf(m.error, sizeof m.error, "the case ended without a result");
+    }
+  }
+  return m;
+}
+
+}  // namespace meander::bench
