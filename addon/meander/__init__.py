@@ -2,7 +2,7 @@
 """Meander: grow a curve on a mesh until it fills the surface at an even spacing.
 
 core        the native library, numpy in and numpy out        (no bpy)
-stepper     one run of the flow, on a thread or not           (no bpy)
+stepper     one run of the flow, watched or in one go         (no bpy)
 blender_data    meshes, curves and weights in, curves out
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore

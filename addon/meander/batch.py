@@ -17,8 +17,8 @@ import argparse
 import importlib.util
 import math
 import os
+import signal
 import sys
-import threading
 import time
 import traceback
 from collections.abc import Iterator, Sequence
@@ -65,6 +65,8 @@ from . import core, mesh_files, report  # noqa: E402
 # A line of progress for every so many iterations, or seconds.
 _PROGRESS_ITERATIONS = 10
 _PROGRESS_SECONDS = 10.0
+# The longest time between two looks at a run, in seconds.
+_LONGEST_PAUSE = 0.1
 
 
 class BadInput(Exception):
@@ -471,44 +473,33 @@ def _saved_settings() -> Iterator[None]:
 def _run(flow: core.Flow, iteration_limit: int, quiet: bool) -> str:
     """Runs the flow to its end and returns the stop reason.
 
-    The run has a thread of its own, so that this one can print and hear an interruption; asking
-    the flow itself between steps would cost a medial axis each time.
+    The library runs it on a thread of its own, so that this one can print and hear an interruption;
+    asking the flow itself between steps would cost a medial axis each time.
     """
-    outcome: list[str] = []
-    failures: list[BaseException] = []
-    context = core.Context()
-
-    def work() -> None:
-        try:
-            outcome.append(flow.run(context))
-        except BaseException as problem:  # raised again below, on the thread that can tell of it
-            failures.append(problem)
-
     started = time.monotonic()
     printed, printed_at = 0.0, started
     interval = _PROGRESS_ITERATIONS / iteration_limit
-    worker = threading.Thread(target=work, name="meander")
-    worker.start()
-    try:
-        while worker.is_alive():
-            worker.join(0.1)
-            progress, now = context.progress, time.monotonic()
-            due = progress >= printed + interval or now >= printed_at + _PROGRESS_SECONDS
-            if due and worker.is_alive() and not quiet:
-                print(
-                    f"meander: {progress:.1%} of at most {iteration_limit} iterations after "
-                    f"{now - started:.1f} s",
-                    flush=True,
-                )
-                printed, printed_at = progress, now
-    except KeyboardInterrupt:
-        context.cancel()
-        raise
-    finally:
-        worker.join()
-    if failures:
-        raise failures[0]
-    return outcome[0]
+    pause = 0.001
+    with core.Context() as context:
+        flow.start(context)
+        try:
+            while flow.running:
+                time.sleep(pause)
+                pause = min(2 * pause, _LONGEST_PAUSE)  # a short run is not waited for
+                progress, now = context.progress, time.monotonic()
+                due = progress >= printed + interval or now >= printed_at + _PROGRESS_SECONDS
+                if due and not quiet and flow.running:
+                    print(
+                        f"meander: {progress:.1%} of at most {iteration_limit} iterations after "
+                        f"{now - started:.1f} s",
+                        flush=True,
+                    )
+                    printed, printed_at = progress, now
+        except BaseException:  # an interruption from the keyboard, above all
+            context.cancel()
+            flow.wait()
+            raise
+        return flow.wait()
 
 
 def _summary(reason: str, figures: dict[str, Any]) -> str:
@@ -591,12 +582,14 @@ def _process(argv: Sequence[str]) -> None:
         figures = flow.statistics()
         figures["stop_reason"] = reason
         history = flow.history()
+        gaps = flow.gaps()
         curve = flow.polylines()
     record = report.build_report(
         core.library_version(),
         surface_figures,
         figures,
         history,
+        gaps,
         _echo(arguments, options, problem),
     )
     _write_outputs(arguments, problem, curve, record)
@@ -628,4 +621,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
+    # Without a window Blender takes Ctrl-C for its renderer, and Python never hears of it.
+    if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     sys.exit(main())

@@ -11,11 +11,17 @@ and every prototype stands beside the C line that it mirrors, and the tests comp
     flow.run(context)                            context.cancel() from any thread
     curve = flow.polylines()
 
+    flow.start(context)                          the same run on a thread of the library's
+    while flow.running:
+        preview = flow.preview()                 the curve as it grows; None: nothing new
+    reason = flow.wait()
+
 Lengths are in the units of the vertices; indices are zero-based. Everything that goes wrong is a
 `MeanderError` whose text is one sentence for people. Calls into the library release the GIL.
 
 Threads: a surface may be shared, a flow belongs to one thread at a time (a second thread gets a
-`MeanderError`), a context may be touched from any thread at any time.
+`MeanderError`), a context may be touched from any thread at any time. A host that must not have a
+Python thread of its own starts the flow, and the library runs it on one that knows no Python.
 """
 
 from __future__ import annotations
@@ -222,6 +228,19 @@ class _Iteration(Structure):
     ]
 
 
+class _Preview(Structure):
+    """typedef struct meander_preview"""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # uint32_t struct_size;
+        ("serial", c_uint32),  # uint32_t serial;
+        ("iterations", c_uint32),  # uint32_t iterations;
+        ("nodes", c_uint32),  # uint32_t nodes;
+        ("length", c_double),  # double length;
+        ("seconds", c_double),  # double seconds;
+    ]
+
+
 _STRUCTS: dict[str, type[Structure]] = {
     "meander_error": _Error,
     "meander_surface_statistics": _SurfaceStatistics,
@@ -229,6 +248,7 @@ _STRUCTS: dict[str, type[Structure]] = {
     "meander_flow_options": _FlowOptions,
     "meander_flow_statistics": _FlowStatistics,
     "meander_iteration": _Iteration,
+    "meander_preview": _Preview,
 }
 
 
@@ -294,6 +314,33 @@ _PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     # meander_status meander_flow_run(meander_flow* flow, meander_context* context,
     #     meander_error* error);
     "meander_flow_run": (c_int32, (c_void_p, c_void_p, POINTER(_Error))),
+    # meander_status meander_flow_start(meander_flow* flow, meander_context* context,
+    #     meander_error* error);
+    "meander_flow_start": (c_int32, (c_void_p, c_void_p, POINTER(_Error))),
+    # uint32_t meander_flow_is_running(const meander_flow* flow);
+    "meander_flow_is_running": (c_uint32, (c_void_p,)),
+    # meander_status meander_flow_wait(meander_flow* flow, meander_error* error);
+    "meander_flow_wait": (c_int32, (c_void_p, POINTER(_Error))),
+    # meander_status meander_flow_get_preview(meander_flow* flow, meander_preview* preview,
+    #     double* positions, double* normals, size_t point_capacity, size_t* point_count,
+    #     uint32_t* offsets, uint8_t* closed, size_t strand_capacity, size_t* strand_count,
+    #     meander_error* error);
+    "meander_flow_get_preview": (
+        c_int32,
+        (
+            c_void_p,
+            POINTER(_Preview),
+            c_void_p,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            c_void_p,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            POINTER(_Error),
+        ),
+    ),
     # uint32_t meander_flow_stop_reason(const meander_flow* flow);
     "meander_flow_stop_reason": (c_uint32, (c_void_p,)),
     # meander_status meander_flow_get_statistics(meander_flow* flow,
@@ -333,6 +380,23 @@ _PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_int32,
         (
             c_void_p,
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            POINTER(_Error),
+        ),
+    ),
+    # meander_status meander_flow_get_gaps(meander_flow* flow, double least_size,
+    #     double* positions, double* radii, double* sizes, uint32_t* faces, size_t capacity,
+    #     size_t* count, meander_error* error);
+    "meander_flow_get_gaps": (
+        c_int32,
+        (
+            c_void_p,
+            c_double,
             c_void_p,
             c_void_p,
             c_void_p,
@@ -616,7 +680,7 @@ class Context(_Handle):
 
     @property
     def progress(self) -> float:
-        """How far the present `Flow.run` is, from 0 to 1; never falls during one run."""
+        """How far the present run of a flow is, from 0 to 1; never falls during one run."""
         with self._use() as pointer:
             return _library().meander_context_progress(pointer)
 
@@ -800,6 +864,22 @@ class Polylines(NamedTuple):
     closed: NDArray[np.uint8]
 
 
+class Preview(NamedTuple):
+    """The curve of a started run between two iterations.
+
+    iterations  over the life of the flow
+    nodes       of the curve
+    length      of the curve
+    seconds     of all iterations
+    """
+
+    polylines: Polylines
+    iterations: int
+    nodes: int
+    length: float
+    seconds: float
+
+
 class Nodes(NamedTuple):
     """The nodes of the curve as points of the mesh, strand after strand.
 
@@ -813,6 +893,29 @@ class Nodes(NamedTuple):
     barycentrics: NDArray[np.float64]
     radii: NDArray[np.float64]
     fixed: NDArray[np.uint8]
+
+
+@dataclass(frozen=True)
+class Gaps:
+    """Places that a curve leaves empty, the largest first.
+
+    positions  (n, 3) float64, on the surface
+    radii      (n,) float64, distance from each position to the curve, in the surface's units
+    sizes      (n,) float64, the same in units of the local r: 1 between well spaced strands
+    faces      (n,) uint32, the face of each position, as passed to Surface
+    """
+
+    positions: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    sizes: NDArray[np.float64]
+    faces: NDArray[np.uint32]
+
+    def __len__(self) -> int:
+        return len(self.sizes)
+
+
+# Room for gaps that is offered at once: asking for the number first would search twice.
+_GAP_ROOM = 256
 
 
 class Flow(_Handle):
@@ -864,6 +967,7 @@ class Flow(_Handle):
             _raise(status, error)
         super().__init__(pointer.value, library.meander_flow_destroy)
         self._busy = threading.Lock()
+        self._seen = 0  # serial of the last preview handed out
 
     @contextmanager
     def _use(self) -> Iterator[int]:
@@ -881,7 +985,10 @@ class Flow(_Handle):
             self._busy.release()
 
     def close(self) -> None:
-        """Frees the flow; raises MeanderError while another thread is using it."""
+        """Frees the flow; raises MeanderError while another thread is using it.
+
+        A started run is cancelled and waited for: an iteration at most.
+        """
         if self._pointer is not None:
             with self._use():
                 super().close()
@@ -911,11 +1018,100 @@ class Flow(_Handle):
             else:
                 with context._use() as context_pointer:
                     status = function(pointer, context_pointer, byref(error))
-            if status == Status.CANCELLED:
-                return "cancelled"
+            return self._reason(pointer, status, error)
+
+    def _reason(self, pointer: int, status: int, error: _Error) -> str:
+        if status == Status.CANCELLED:
+            return "cancelled"
+        if status != Status.OK:
+            _raise(status, error)
+        return STOP_REASONS[_library().meander_flow_stop_reason(pointer)]
+
+    def start(self, context: Context | None = None) -> None:
+        """Begins `run` on a thread of the library's and returns at once; the curve is the same.
+
+        Until `wait`, everything but `running`, `preview`, `wait` and `close` raises MeanderError.
+        The context may be closed meanwhile, but then the run can only be ended by `close`.
+        """
+        function = _library().meander_flow_start
+        error = _new_error()
+        with self._use() as pointer:
+            if context is None:
+                status = function(pointer, None, byref(error))
+            else:
+                with context._use() as context_pointer:
+                    status = function(pointer, context_pointer, byref(error))
             if status != Status.OK:
                 _raise(status, error)
-            return STOP_REASONS[_library().meander_flow_stop_reason(pointer)]
+            self._seen = 0
+            # The interpreter must not go while the library computes; no other thread of Python's
+            # can be inside the flow but in `wait`, which takes this back.
+            self._finalizer.atexit = True
+
+    @property
+    def running(self) -> bool:
+        """Whether a started run is still going. Any thread; costs nothing."""
+        return bool(_library().meander_flow_is_running(self._alive()))
+
+    def wait(self) -> str:
+        """Waits for the end of a started run; returns or raises what `run` would have.
+
+        Raises MeanderError also when no run has been started since the last wait.
+        """
+        error = _new_error()
+        with self._use() as pointer:
+            self._finalizer.atexit = False
+            status = _library().meander_flow_wait(pointer, byref(error))
+            return self._reason(pointer, status, error)
+
+    def preview(self) -> Preview | None:
+        """The newest copy of the curve of a started run, once; None while there is no newer one.
+
+        The first is of the curve at the start; the run makes the next one, after its present
+        iteration, when this one has been taken. Raises MeanderError before `start` and after
+        `wait`.
+        """
+        function = _library().meander_flow_get_preview
+        error = _new_error()
+        figures = _Preview(struct_size=sizeof(_Preview))
+        points, strands = c_size_t(), c_size_t()
+        with self._use() as pointer:
+            status = function(
+                pointer,
+                byref(figures),
+                None,
+                None,
+                0,
+                byref(points),
+                None,
+                None,
+                0,
+                byref(strands),
+                byref(error),
+            )
+            if status != Status.OK:
+                _raise(status, error)
+            if figures.serial == self._seen:
+                return None
+            curve = _empty_polylines(points.value, strands.value)
+            # The copy has not been taken yet, so that it is still the newest, of the same sizes.
+            status = function(
+                pointer,
+                byref(figures),
+                _address(curve.positions),
+                _address(curve.normals),
+                points.value,
+                byref(points),
+                _address(curve.offsets),
+                _address(curve.closed),
+                strands.value,
+                byref(strands),
+                byref(error),
+            )
+            if status != Status.OK:
+                _raise(status, error)
+            self._seen = figures.serial
+        return Preview(curve, figures.iterations, figures.nodes, figures.length, figures.seconds)
 
     def _statistics(self, pointer: int) -> _FlowStatistics:
         record = _FlowStatistics(struct_size=sizeof(_FlowStatistics))
@@ -970,12 +1166,7 @@ class Flow(_Handle):
             )
             if status != Status.OK:
                 _raise(status, error)
-            curve = Polylines(
-                np.empty((points.value, 3)),
-                np.empty((points.value, 3)),
-                np.zeros(strands.value + 1, dtype=np.uint32),
-                np.empty(strands.value, dtype=np.uint8),
-            )
+            curve = _empty_polylines(points.value, strands.value)
             status = function(
                 pointer,
                 _address(curve.positions),
@@ -1017,6 +1208,51 @@ class Flow(_Handle):
             if status != Status.OK:
                 _raise(status, error)
         return nodes
+
+    def gaps(self, least_size: float = 0.0) -> Gaps:
+        """The places that the present curve leaves empty; see meander_flow_get_gaps.
+
+        least_size   how far from the curve a place must be to count, in local r, at least 1;
+                     0 leaves it to the library, which takes 1.2
+
+        Costs one medial axis and a search; the curve stays as it is. Raises MeanderError for a
+        size out of range.
+        """
+        function = _library().meander_flow_get_gaps
+        error = _new_error()
+        count = c_size_t()
+        room = _GAP_ROOM
+        with self._use() as pointer:
+            while True:
+                gaps = Gaps(
+                    np.empty((room, 3)),
+                    np.empty(room),
+                    np.empty(room),
+                    np.empty(room, dtype=np.uint32),
+                )
+                status = function(
+                    pointer,
+                    float(least_size),
+                    *(_address(getattr(gaps, field.name)) for field in fields(Gaps)),
+                    room,
+                    byref(count),
+                    byref(error),
+                )
+                if status != Status.OK:
+                    _raise(status, error)
+                if count.value <= room:
+                    break
+                room = count.value
+        return Gaps(*(getattr(gaps, field.name)[: count.value].copy() for field in fields(Gaps)))
+
+
+def _empty_polylines(points: int, strands: int) -> Polylines:
+    return Polylines(
+        np.empty((points, 3)),
+        np.empty((points, 3)),
+        np.zeros(strands + 1, dtype=np.uint32),
+        np.empty(strands, dtype=np.uint8),
+    )
 
 
 def _seed_record(seed: Seed) -> tuple[_Seed, tuple[NDArray[Any], ...]]:

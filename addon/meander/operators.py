@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons: fill, stop, propose a spacing.
+"""The buttons: fill, stop, propose a spacing, show the gaps.
 
-In a window, filling is modal: the native run has a thread of its own and a timer shows how the
-curve grows. execute() is the same run in one go, for scripts and for Blender without a window.
+In a window, filling is modal: the native library runs on a thread of its own, where no Python is,
+and a timer shows how the curve grows. execute() is the same run in one go, for scripts and for
+Blender without a window.
 """
 
 from typing import Any
 
 import bpy
+import numpy as np
 from bpy.props import BoolProperty
 
 from . import blender_data, core, properties, session
@@ -16,6 +18,10 @@ from .blender_data import DataError
 # Weight painting uses the same undo as Object Mode, and is where densities come from. Undo in the
 # edit and sculpt modes knows nothing of new objects.
 _MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
+
+# Show Gaps selects points up to this many radii of the empty place from its middle: some on every
+# side, and not yet the next strands but one.
+_GAP_REACH = 1.2
 
 
 def _sentence(error: Exception) -> str:
@@ -80,7 +86,7 @@ class MEANDER_OT_run(bpy.types.Operator):
         self._session.stepper.run()
         return self._finish(context, keep=True)
 
-    # -- in a window: a thread and a timer -----------------------------------------------------
+    # -- in a window: a background run and a timer ----------------------------------------------
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if not self._begin(context):
@@ -109,7 +115,7 @@ class MEANDER_OT_run(bpy.types.Operator):
             self.report({"ERROR"}, _sentence(error))
             return self._finish(context, keep=False)
         except BaseException:
-            # A defect of ours must not leave a timer and a thread behind.
+            # A defect of ours must not leave a timer and a run behind.
             self._finish(context, keep=False)
             raise
         if not going:
@@ -189,13 +195,65 @@ class MEANDER_OT_propose_spacing(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class MEANDER_OT_show_gaps(bpy.types.Operator):
+    """Select the points of a result around the places that its run has left empty"""
+
+    bl_idname = "meander.show_gaps"
+    bl_label = "Show Gaps"
+    bl_description = (
+        "Select the points around the places that are too far from the curve, in Edit Mode. "
+        "View Selected then shows where they are"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif active is None or active.type != "CURVE" or properties.surface_of(active) is None:
+            cls.poll_message_set("Choose a curve that Meander has made")
+        elif active.library is not None or active.data.library is not None:
+            cls.poll_message_set("The curve is linked from another file and cannot be edited")
+        elif not active.visible_get():
+            cls.poll_message_set("The curve is hidden")
+        elif context.mode not in {"OBJECT", "EDIT_CURVE"}:
+            cls.poll_message_set("Works in Object Mode and Edit Mode")
+        else:
+            return True
+        return False
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        active = context.active_object
+        figures = active.meander.figures
+        if not len(figures.gaps):
+            self.report({"INFO"}, f"{active.name}: the last run left no gaps")
+            return {"CANCELLED"}
+        if context.mode != "OBJECT":
+            bpy.ops.object.mode_set(mode="OBJECT")
+        centres = np.array([gap.position[:] for gap in figures.gaps], dtype=np.float64)
+        selected = blender_data.select_points_around(active, centres, _GAP_REACH)
+        bpy.ops.object.mode_set(mode="EDIT")
+        if not selected:
+            self.report({"WARNING"}, f"{active.name} has no points any more; fill it again")
+            return {"FINISHED"}
+        shown = len(centres)
+        of_all = f" of {figures.gap_count:,}" if figures.gap_count > shown else ""
+        self.report(
+            {"INFO"},
+            f"{active.name}: {selected:,} points around {shown:,}{of_all} gaps, the largest "
+            f"{figures.largest_gap:.2f} times as far from the curve as wanted",
+        )
+        return {"FINISHED"}
+
+
 def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
     self.layout.separator()
     self.layout.operator_context = "INVOKE_DEFAULT"
     self.layout.operator(MEANDER_OT_run.bl_idname, icon="MOD_CURVE")
 
 
-_CLASSES = (MEANDER_OT_run, MEANDER_OT_stop, MEANDER_OT_propose_spacing)
+_CLASSES = (MEANDER_OT_run, MEANDER_OT_stop, MEANDER_OT_propose_spacing, MEANDER_OT_show_gaps)
 
 
 def register() -> None:

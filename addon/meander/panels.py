@@ -7,8 +7,13 @@ import bpy
 from bpy.props import FloatProperty
 
 from . import session
-from .operators import MEANDER_OT_propose_spacing, MEANDER_OT_run, MEANDER_OT_stop
-from .properties import STOP_TEXTS, MeanderSettings, surface_of
+from .operators import (
+    MEANDER_OT_propose_spacing,
+    MEANDER_OT_run,
+    MEANDER_OT_show_gaps,
+    MEANDER_OT_stop,
+)
+from .properties import STOP_TEXTS, MeanderFigures, MeanderSettings, surface_of
 
 
 def _is_result(object: bpy.types.Object) -> bool:
@@ -162,7 +167,8 @@ class MEANDER_PT_figures(_SubPanel, bpy.types.Panel):
         return bool(active.meander.figures.stop_reason)
 
     def draw(self, context: bpy.types.Context) -> None:
-        figures = context.active_object.meander.figures
+        active = context.active_object
+        figures = active.meander.figures
         _figures(
             self.layout,
             (
@@ -172,8 +178,18 @@ class MEANDER_PT_figures(_SubPanel, bpy.types.Panel):
                 ("Nodes", f"{figures.nodes:,}"),
                 ("Iterations", f"{figures.iterations:,}"),
                 ("Time", f"{figures.seconds:.1f} s"),
+                ("Gaps", _gaps(figures)),
             ),
         )
+        if _is_result(active) and figures.gap_count:
+            self.layout.operator(MEANDER_OT_show_gaps.bl_idname, icon="RESTRICT_SELECT_OFF")
+
+
+def _gaps(figures: MeanderFigures) -> str:
+    """How many, and the largest in units of half the spacing there."""
+    if not figures.gap_count:
+        return "None"
+    return f"{figures.gap_count:,}, largest {figures.largest_gap:.2f}"
 
 
 def _length(context: bpy.types.Context, value: float) -> str:

@@ -7,8 +7,10 @@ They are saved with the file. A result is a curve object whose settings name its
 import bpy
 from bpy.props import (
     BoolProperty,
+    CollectionProperty,
     EnumProperty,
     FloatProperty,
+    FloatVectorProperty,
     IntProperty,
     PointerProperty,
     StringProperty,
@@ -31,6 +33,22 @@ def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bo
     return object.type == "CURVE" and object != settings.id_data
 
 
+class MeanderGap(bpy.types.PropertyGroup):
+    """A place that the curve leaves empty."""
+
+    position: FloatVectorProperty(
+        name="Position",
+        description="In the space of the surface, which is that of the curve",
+        subtype="TRANSLATION",
+        options=set(),
+    )
+    size: FloatProperty(
+        name="Size",
+        description="Distance to the curve over half the spacing there; 1 is as wanted",
+        options=set(),
+    )
+
+
 class MeanderFigures(bpy.types.PropertyGroup):
     """What the last run came to; shown in the panel, set by the operator."""
 
@@ -40,6 +58,10 @@ class MeanderFigures(bpy.types.PropertyGroup):
     length: FloatProperty(name="Length", unit="LENGTH", options=set())
     spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH", options=set())
     seconds: FloatProperty(name="Seconds", options=set())
+    gap_count: IntProperty(name="Gaps", options=set())
+    largest_gap: FloatProperty(name="Largest Gap", options=set())
+    # On results only, and of many gaps only the largest.
+    gaps: CollectionProperty(type=MeanderGap, options=set())
 
 
 class MeanderSettings(bpy.types.PropertyGroup):
@@ -195,7 +217,7 @@ def surface_of(object: bpy.types.Object | None) -> bpy.types.Object | None:
     return object.meander.surface if object.type == "CURVE" else None
 
 
-_CLASSES = (MeanderFigures, MeanderSettings)
+_CLASSES = (MeanderGap, MeanderFigures, MeanderSettings)
 
 
 def register() -> None:

@@ -13,10 +13,13 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
+from .core import Gaps
 from .mesh_files import atomic_output
 
 _SURFACE_KEYS = ("vertices", "faces", "components", "boundary_loops", "area")
 _HISTORY_KEYS = ("iteration", "nodes", "length", "mean_step", "energy", "seconds")
+# A report names this many gaps at most, the largest; "gap_count" counts them all.
+MOST_GAPS = 20
 _STAGES = ("total", "medial_axis", "solve", "retract", "reconnect", "crossings", "refine")
 
 
@@ -25,6 +28,7 @@ def build_report(
     surface: Mapping[str, Any],
     flow: Mapping[str, Any],
     history: Sequence[Mapping[str, Any]],
+    gaps: Gaps,
     options: Mapping[str, Any],
 ) -> dict[str, Any]:
     """The report as a dictionary that JSON can hold.
@@ -33,6 +37,8 @@ def build_report(
     surface  Surface.statistics()
     flow     Flow.statistics()
     history  Flow.history()
+    gaps     Flow.gaps(): places that the curve leaves empty, the largest first; a gap's size is its
+             radius in units of half the local spacing
     options  every option in effect, by name; echoed under "options"
 
     Lengths are in the units of the mesh, times in seconds. Numbers that are not finite become
@@ -56,6 +62,15 @@ def build_report(
             "p05": flow["spacing_p05"],
             "p95": flow["spacing_p95"],
         },
+        "gap_count": len(gaps),
+        "gaps": [
+            {"position": position, "radius": radius, "size": size}
+            for position, radius, size in zip(
+                gaps.positions[:MOST_GAPS].tolist(),
+                gaps.radii[:MOST_GAPS].tolist(),
+                gaps.sizes[:MOST_GAPS].tolist(),
+            )
+        ],
         "history": [{key: record[key] for key in _HISTORY_KEYS} for record in history],
         "seconds": {stage: flow[f"seconds_{stage}"] for stage in _STAGES},
     }

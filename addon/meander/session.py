@@ -23,6 +23,8 @@ TICKS_PER_SECOND = 10
 KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
 # How far above the surface the preview is drawn, in spacings.
 PREVIEW_LIFT = 0.05
+# So many gaps are kept with a result, the largest: a run that was stopped early has thousands.
+MOST_GAPS = 200
 
 
 @dataclass(frozen=True)
@@ -150,7 +152,7 @@ class Session:
         self._original_data = ""  # name of the data of a result that is continued
 
     def start(self, context: bpy.types.Context) -> None:
-        """Begins the run on its own thread, with a timer for tick()."""
+        """Begins the run, which goes on by itself, with a timer for tick()."""
         global _current
         _current = self
         self._window = _Window(context)
@@ -199,7 +201,7 @@ class Session:
             matrix=plan.matrix,
             bevel_depth=plan.bevel_depth,
         )
-        self._store(surface, result, statistics, stop_reason)
+        self._store(surface, result, statistics, self.stepper.gaps, stop_reason)
         _select_only(context, result)
         return result, statistics
 
@@ -214,7 +216,7 @@ class Session:
         self.ended = True
         if _current is self:
             _current = None
-        self.stepper.abandon()
+        self.stepper.cancel()
         self.stepper.join()
         if self._window is not None:
             self._window.give_back()
@@ -274,6 +276,7 @@ class Session:
         surface: bpy.types.Object,
         result: bpy.types.Object,
         statistics: dict[str, Any],
+        gaps: core.Gaps,
         stop_reason: str,
     ) -> None:
         """Writes the settings and the figures of the run to the result, and to whoever asked."""
@@ -295,6 +298,21 @@ class Session:
             figures.length = float(statistics["length"])
             figures.spacing_median = float(statistics["spacing_median"])
             figures.seconds = float(statistics["seconds_total"])
+            self._store_gaps(figures, gaps, target == result)
+
+    def _store_gaps(
+        self, figures: properties.MeanderFigures, gaps: core.Gaps, on_result: bool
+    ) -> None:
+        figures.gap_count = len(gaps)
+        figures.largest_gap = float(gaps.sizes[0]) if len(gaps) else 0.0
+        figures.gaps.clear()
+        if not on_result:  # positions mean nothing beside another object's curve
+            return
+        positions = blender_data.to_local(gaps.positions[:MOST_GAPS], self.plan.matrix)
+        for position, size in zip(positions.tolist(), gaps.sizes.tolist()):
+            gap = figures.gaps.add()
+            gap.position = position
+            gap.size = size
 
 
 def _select_only(context: bpy.types.Context, object: bpy.types.Object) -> None:

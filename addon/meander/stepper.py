@@ -1,25 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One run of the flow: the same class on the caller's thread and on one of its own. No bpy here.
+"""One run of the flow, in one go or watched while it grows. No bpy here, and no threads.
 
-The native calls release Python's lock, so that a host stays responsive while the worker runs.
-Nobody but the worker may touch the flow. Watched, it goes step by step, and copies the curve out
-between two steps whenever the host has taken the last copy; unwatched, it is one native run. Both
-give the same curve to the last bit.
+A watched run goes on a thread of the native library's, which knows nothing of Python: a Python
+thread that computes while operators run makes Blender 3.4 crash now and then. Nobody but the run
+may touch the flow until it has ended; what it shows meanwhile are copies, made only when asked for.
+Both ways give the same curve to the last bit.
 """
 
 from __future__ import annotations
 
-import threading
-import time
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from . import core
-
-# The least time between two copies of the curve.
-SNAPSHOT_SECONDS = 0.1
 
 
 @dataclass(frozen=True)
@@ -56,130 +51,101 @@ class Problem:
 class Stepper:
     """Runs one Problem.
 
-    With a thread: start(), then poll() until `finished`, then result(). Without: run(), then
-    result(). cancel() may be called at any time from any thread; the curve of the last whole
-    iteration stays available.
+    Watched: start(), then poll() until `finished`, then result(). In one go: run(), then result().
+    cancel() may be called at any time; the curve of the last whole iteration stays available.
     """
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         self._context = core.Context()
-        self._abandoned = False
         self._flow: core.Flow | None = None
-        self._thread: threading.Thread | None = None
-        self._error: BaseException | None = None
+        # From start() until its end has been waited for, the flow belongs to the run.
+        self._started = False
+        self._error: Exception | None = None
         self._stop_reason = "running"
-        self._statistics: dict[str, Any] = {}
+        self.gaps: core.Gaps | None = None  # what the curve leaves empty, once there is a result
         self._expected_length = problem.expected_length()
-        self._latest: Snapshot | None = None
-        # The host has had the last copy, so that there is room for another.
-        self._consumed = True
-
-    # -- the host's side ---------------------------------------------------------------------
 
     def start(self) -> None:
-        """Begins the run on a thread of its own."""
-        # A daemon, so that a host that dies without join() does not hang in the interpreter's exit.
-        self._thread = threading.Thread(target=self._work, name="meander", daemon=True)
-        self._thread.start()
+        """Prepares the surface and begins the run, which goes on by itself.
+
+        What goes wrong is for result() to raise: the run has then ended at once.
+        """
+        try:
+            self._prepare()
+            self._flow.start(self._context)
+            self._started = True
+        except Exception as error:
+            self._error = error
+
+    def run(self) -> None:
+        """The whole run; returns when it has ended."""
+        try:
+            self._prepare()
+            self._stop_reason = self._flow.run(self._context)
+        except Exception as error:
+            self._error = error
+
+    def _prepare(self) -> None:
+        problem = self.problem
+        with core.Surface(problem.vertices, problem.faces) as surface:
+            self._flow = core.Flow(surface, problem.options, problem.seed, problem.density)
 
     @property
     def finished(self) -> bool:
-        """Whether the worker has ended, for whatever reason."""
-        return self._thread is not None and not self._thread.is_alive()
+        """Whether the run has ended, for whatever reason."""
+        if self._started:
+            return not self._flow.running
+        return self._error is not None or self._stop_reason != "running"
 
     def poll(self) -> Snapshot | None:
         """The newest copy of the curve, once; None while there is none. Never waits.
 
-        The worker makes the next one only when this one has been taken.
+        The run makes the next one only when this one has been taken.
         """
-        snapshot, self._latest = self._latest, None
-        if snapshot is not None:
-            self._consumed = True
-        return snapshot
+        preview = self._flow.preview() if self._started else None
+        return None if preview is None else self._snapshot(*preview)
 
     def cancel(self) -> None:
         """Asks the run to end after the present iteration at the latest; does not wait."""
         self._context.cancel()
 
-    def abandon(self) -> None:
-        """cancel() by a host that will not ask for the result: nothing more is computed."""
-        self._abandoned = True
-        self.cancel()
-
     def join(self) -> None:
-        """Waits for the worker. Does nothing without one."""
-        if self._thread is not None:
-            self._thread.join()
+        """Waits for the end of the run. Does nothing when none is going."""
+        if not self._started:
+            return
+        self._started = False
+        try:
+            self._stop_reason = self._flow.wait()
+        except Exception as error:
+            self._error = error
 
     def result(self) -> tuple[Snapshot, dict[str, Any], str]:
         """Waits for the end: the last curve, the full statistics, and the reason of the stop.
 
-        Raises what the worker raised.
+        Raises what went wrong in the run. The statistics, and `gaps`, cost about an iteration each.
         """
         self.join()
         if self._error is not None:
             raise self._error
-        return self._snapshot(), self._statistics, self._stop_reason
-
-    def run(self) -> None:
-        """The whole run on the caller's thread; result() then returns at once."""
-        self._work(watched=False)
-
-    # -- the worker's side -------------------------------------------------------------------
-
-    def _work(self, watched: bool = True) -> None:
-        try:
-            problem = self.problem
-            surface = core.Surface(problem.vertices, problem.faces)
-            if self._abandoned:
-                return
-            self._flow = core.Flow(surface, problem.options, problem.seed, problem.density)
-            if watched:
-                self._consumed = False
-                self._latest = self._snapshot()
-                self._stop_reason = self._run_watched()
-            else:
-                self._stop_reason = self._flow.run(self._context)
-            if not self._abandoned:
-                self._statistics = self._flow.statistics()
-        except BaseException as error:  # carried to the host: result() raises it there
-            self._error = error
-
-    def _run_watched(self) -> str:
-        last_copy = time.monotonic()
-        while True:
-            reason = self._flow.step(self._context)
-            if reason != "running":
-                return reason
-            now = time.monotonic()
-            if self._consumed and now - last_copy >= SNAPSHOT_SECONDS:
-                last_copy = now
-                self._consumed = False
-                self._latest = self._snapshot()
-
-    def _snapshot(self) -> Snapshot:
-        polylines = self._flow.polylines()
-        history = self._flow.history()
-        last = history[-1] if len(history) else None
-        length = _length(polylines)
-        return Snapshot(
-            polylines=polylines,
-            iterations=len(history),
-            nodes=int(last["nodes"]) if last is not None else 0,
-            length=length,
-            seconds=float(sum(record["seconds"] for record in history)),
-            progress=min(1.0, length / self._expected_length),
+        statistics = self._flow.statistics()
+        self.gaps = self._flow.gaps()
+        snapshot = self._snapshot(
+            self._flow.polylines(),
+            statistics["iterations"],
+            statistics["nodes"],
+            statistics["length"],
+            statistics["seconds_total"],
         )
+        return snapshot, statistics, self._stop_reason
 
-
-def _length(polylines: core.Polylines) -> float:
-    positions = polylines.positions
-    offsets = np.asarray(polylines.offsets, dtype=np.int64)
-    pieces = np.linalg.norm(np.diff(positions, axis=0), axis=1)
-    # From the last point of a strand to the first of the next is no piece of the curve.
-    total = pieces.sum() - pieces[offsets[1:-1] - 1].sum()
-    for begin, end, closed in zip(offsets[:-1], offsets[1:], polylines.closed, strict=True):
-        if closed:
-            total += np.linalg.norm(positions[end - 1] - positions[begin])
-    return float(total)
+    def _snapshot(
+        self,
+        polylines: core.Polylines,
+        iterations: int,
+        nodes: int,
+        length: float,
+        seconds: float,
+    ) -> Snapshot:
+        progress = min(1.0, length / self._expected_length)
+        return Snapshot(polylines, iterations, nodes, length, seconds, progress)

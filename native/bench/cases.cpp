@@ -45,7 +45,7 @@ std::vector<Case> all_cases(const std::string& folder, uint32_t threads) {
   const auto add = [&](const char* group, const std::string& name, double radius,
                        const std::function<Mesh()>& mesh) {
     for (const char* preset : {"even", "paper"}) {
-      cases.push_back({group, name, preset, threads, radius, 0, mesh});
+      cases.push_back({group, name, preset, threads, radius, 0, mesh, false});
     }
   };
   const auto model_file = [&](const char* name) { return folder + "/" + name + ".obj"; };
@@ -84,7 +84,7 @@ std::vector<Case> all_cases(const std::string& folder, uint32_t threads) {
     for (const double nodes : kScalingNodes) {
       for (const char* preset : {"even", "paper"}) {
         cases.push_back({"scaling", std::string(name) + "_" + thousands(nodes), preset, threads, 0,
-                         nodes, mesh});
+                         nodes, mesh, true});
       }
     }
   };
@@ -97,10 +97,11 @@ std::vector<Case> all_cases(const std::string& folder, uint32_t threads) {
   for (const char* preset : {"even", "paper"}) {
     for (const uint32_t t : {1u, 2u}) {
       if (has("stuffedtoy")) {
-        cases.push_back({"threads", "stuffedtoy", preset, t, 0.005957, 0, model("stuffedtoy")});
-      } else {
         cases.push_back(
-            {"threads", "bumpy_sphere", preset, t, 0.025, 0, [] { return bumpy_sphere(5); }});
+            {"threads", "stuffedtoy", preset, t, 0.005957, 0, model("stuffedtoy"), false});
+      } else {
+        cases.push_back({"threads", "bumpy_sphere", preset, t, 0.025, 0,
+                         [] { return bumpy_sphere(5); }, false});
       }
     }
   }

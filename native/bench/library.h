@@ -13,12 +13,13 @@ namespace meander::bench {
 class Library {
  public:
   /// Loads the shared library, for the rest of the process. Throws std::runtime_error, also where
-  /// its ABI is not the one that this program was compiled for.
+  /// its ABI, by number or by the size of a struct, is not the one that this program knows.
   explicit Library(const std::string& path);
 
 #define MEANDER_BENCH_CALL(name) decltype(&meander_##name) name = nullptr
   MEANDER_BENCH_CALL(version);
   MEANDER_BENCH_CALL(abi_version);
+  MEANDER_BENCH_CALL(struct_layout);
   MEANDER_BENCH_CALL(surface_create);
   MEANDER_BENCH_CALL(surface_destroy);
   MEANDER_BENCH_CALL(flow_options_init);
@@ -33,6 +34,8 @@ class Library {
 #undef MEANDER_BENCH_CALL
 
  private:
+  template <class Struct>
+  void require_size(const char* name) const;
   template <class Function>
   void find(Function& function, const char* name);
   void* handle_ = nullptr;

@@ -23,9 +23,9 @@ static_assert(std::is_trivially_copyable_v<Measurement>);
 constexpr size_t kLastIterations = 10;
 constexpr int kExtraIterations = 5;
 
-/// Nodes are between h and 2 h apart, in the mean about 1.3 h with h = 0.2 r, and the length is
+/// Nodes are between h and 2 h apart, in the mean about 1.4 h with h = 0.2 r, and the length is
 /// A / (2 r): a curve of n nodes has this n r^2 / A.
-constexpr double kNodesPerArea = 1.92;
+constexpr double kNodesPerArea = 1.75;
 
 /// The kernel's high-water mark of this process's resident memory, in bytes.
 uint64_t peak_memory() {
@@ -157,6 +157,7 @@ void measure(const std::string& path, const Case& which, uint32_t iteration_limi
     throw std::runtime_error("no such preset");
   options.radius = m.radius;
   options.threads = which.threads;
+  if (which.settle) options.stop_rule = MEANDER_STOP_SETTLED;
   if (iteration_limit > 0) options.iteration_limit = iteration_limit;
 
   Session session(library);

@@ -3,6 +3,7 @@
 // Rows for programs and for people. docs/performance.md explains every key.
 #pragma once
 
+#include <cstdio>
 #include <vector>
 
 #include "measure.h"
@@ -21,7 +22,7 @@ struct Row {
 
 void print_json(const Row& row);
 
-/// An aligned line to stderr or stdout, and its heading.
+/// An aligned line, and the heading of all of them.
 void print_table_heading(std::FILE* file);
 void print_table_line(std::FILE* file, const Row& row);
 

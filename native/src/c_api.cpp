@@ -2,7 +2,6 @@
 //
 // The border: validate, catch, translate; nothing else.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -12,12 +11,13 @@
 
 #include "failure.h"
 #include "flow.h"
+#include "job.h"
 #include "meander/meander.h"
+#include "polylines.h"
 #include "version.h"
 
 struct meander_context {
-  std::atomic<bool> cancelled{false};
-  std::atomic<double> progress{0};
+  std::shared_ptr<meander::RunControl> control = std::make_shared<meander::RunControl>();
 };
 
 struct meander_surface {
@@ -26,6 +26,7 @@ struct meander_surface {
 
 struct meander_flow {
   std::unique_ptr<meander::Flow> flow;
+  meander::Job job;  // after the flow, so that it is joined before the flow goes
 };
 
 namespace {
@@ -77,6 +78,16 @@ void require_struct(const Struct* s, const char* name) {
     refuse(std::string("struct_size of ") + name + " is " + std::to_string(s->struct_size) + " but this library's is " +
            std::to_string(sizeof(Struct)) + "; the caller was built for another version.");
   }
+}
+
+/// From start to wait the flow is the worker's.
+void require_idle(const meander_flow& flow) {
+  require(!flow.job.started(),
+          "The flow has been started and belongs to its run; call meander_flow_wait first.");
+}
+
+void require_started(const meander_flow& flow) {
+  require(flow.job.started(), "No run of the flow has been started; call meander_flow_start first.");
 }
 
 void require_range(double value, double low, double high, const char* name) {
@@ -205,17 +216,11 @@ std::array<double, 3> caller_weights(const Surface& surface, uint32_t face, std:
   return w;
 }
 
-Vec3 caller_point(const Surface& surface, uint32_t face, const std::array<double, 3>& w) {
-  const Triangle& t = surface.face(face);
-  return w[0] * surface.caller_position(t[0]) + w[1] * surface.caller_position(t[1]) +
-         w[2] * surface.caller_position(t[2]);
-}
-
-std::array<double, 3> crossing_weights(const Crossing& c) {
-  std::array<double, 3> w{0, 0, 0};
-  w[corner_of(c.e)] = 1 - c.t;
-  w[next_corner(corner_of(c.e))] = c.t;
-  return w;
+/// What a run that ended so returns.
+meander_status run_status(StopReason reason, meander_error* error) {
+  if (reason != StopReason::kCancelled) return MEANDER_OK;
+  report(error, MEANDER_CANCELLED, "The run was cancelled.");
+  return MEANDER_CANCELLED;
 }
 
 double percentile(const std::vector<double>& sorted, double share) {
@@ -288,21 +293,33 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
     using S = meander_iteration;
     return give({sizeof(S), AT(iteration), AT(nodes), AT(length), AT(mean_step), AT(energy), AT(seconds)});
   }
+  if (std::strcmp(name, "meander_preview") == 0) {
+    using S = meander_preview;
+    return give({sizeof(S), AT(struct_size), AT(serial), AT(iterations), AT(nodes), AT(length), AT(seconds)});
+  }
 #undef AT
   return 0;
 }
 
-meander_context* meander_context_create(void) { return new (std::nothrow) meander_context; }
+meander_context* meander_context_create(void) {
+  try {
+    return std::make_unique<meander_context>().release();
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void meander_context_destroy(meander_context* context) { delete context; }
 void meander_context_cancel(meander_context* context) {
-  if (context) context->cancelled = true;
+  if (context) context->control->cancelled = true;
 }
 void meander_context_reset(meander_context* context) {
   if (!context) return;
-  context->cancelled = false;
-  context->progress = 0;
+  context->control->cancelled = false;
+  context->control->progress = 0;
 }
-double meander_context_progress(const meander_context* context) { return context ? context->progress.load() : 0; }
+double meander_context_progress(const meander_context* context) {
+  return context ? context->control->progress.load() : 0;
+}
 
 meander_status meander_surface_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
                                       size_t face_count, meander_surface** surface, meander_error* error) {
@@ -365,7 +382,7 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.polish = 1;
     o.stop_rule = MEANDER_STOP_SETTLED;
     o.polish_bending_weight = 1.5;
-    o.polish_length_offset = -0.6;
+    o.polish_length_offset = -0.65;
     o.polish_length_gain = 1;
     o.polish_medial_power = 4;
     o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
@@ -400,7 +417,8 @@ void meander_flow_destroy(meander_flow* flow) { delete flow; }
 meander_status meander_flow_step(meander_flow* flow, meander_context* context, meander_error* error) {
   return guard(error, [&]() -> meander_status {
     require(flow != nullptr, "The flow is NULL.");
-    if (flow->flow->step([&] { return context && context->cancelled.load(); })) return MEANDER_OK;
+    require_idle(*flow);
+    if (flow->flow->step([&] { return context && context->control->cancelled; })) return MEANDER_OK;
     report(error, MEANDER_CANCELLED, "The step was cancelled.");
     return MEANDER_CANCELLED;
   });
@@ -409,25 +427,72 @@ meander_status meander_flow_step(meander_flow* flow, meander_context* context, m
 meander_status meander_flow_run(meander_flow* flow, meander_context* context, meander_error* error) {
   return guard(error, [&]() -> meander_status {
     require(flow != nullptr, "The flow is NULL.");
-    if (context) context->progress = 0;
-    const StopReason reason = flow->flow->run([&] { return context && context->cancelled.load(); },
+    require_idle(*flow);
+    if (context) context->control->progress = 0;
+    const StopReason reason = flow->flow->run([&] { return context && context->control->cancelled; },
                                               [&](double p) {
-                                                if (context) context->progress = p;
+                                                if (context) context->control->progress = p;
                                               });
-    if (reason != StopReason::kCancelled) return MEANDER_OK;
-    report(error, MEANDER_CANCELLED, "The run was cancelled.");
-    return MEANDER_CANCELLED;
+    return run_status(reason, error);
+  });
+}
+
+meander_status meander_flow_start(meander_flow* flow, meander_context* context, meander_error* error) {
+  return guard(error, [&] {
+    require(flow != nullptr, "The flow is NULL.");
+    require_idle(*flow);
+    flow->job.start(*flow->flow, context ? context->control : nullptr);
+    return MEANDER_OK;
+  });
+}
+
+uint32_t meander_flow_is_running(const meander_flow* flow) { return flow && flow->job.running() ? 1 : 0; }
+
+meander_status meander_flow_wait(meander_flow* flow, meander_error* error) {
+  return guard(error, [&]() -> meander_status {
+    require(flow != nullptr, "The flow is NULL.");
+    require_started(*flow);
+    return run_status(flow->job.wait(), error);
+  });
+}
+
+meander_status meander_flow_get_preview(meander_flow* flow, meander_preview* preview, double* positions,
+                                        double* normals, size_t point_capacity, size_t* point_count,
+                                        uint32_t* offsets, uint8_t* closed, size_t strand_capacity,
+                                        size_t* strand_count, meander_error* error) {
+  return guard(error, [&] {
+    require(flow != nullptr && point_count != nullptr && strand_count != nullptr,
+            "The flow or a pointer for a count is NULL.");
+    require_struct(preview, "meander_preview");
+    require_started(*flow);
+    flow->job.with_preview([&](const Preview& p) {
+      const size_t points = p.polylines.point_count(), strands = p.polylines.closed.size();
+      const bool fits = points <= point_capacity && strands <= strand_capacity;
+      if (fits) require(positions && offsets && closed, "An array for the polylines is NULL.");
+      *preview = {sizeof(meander_preview), p.serial, p.iterations, p.nodes, p.length, p.seconds};
+      *point_count = points;
+      *strand_count = strands;
+      if (!fits) return false;
+      std::ranges::copy(p.polylines.positions, positions);
+      if (normals) std::ranges::copy(p.polylines.normals, normals);
+      std::ranges::copy(p.polylines.offsets, offsets);
+      std::ranges::copy(p.polylines.closed, closed);
+      return true;
+    });
+    return MEANDER_OK;
   });
 }
 
 uint32_t meander_flow_stop_reason(const meander_flow* flow) {
-  return flow ? public_reason(flow->flow->stop_reason()) : static_cast<uint32_t>(MEANDER_RUNNING);
+  if (!flow || flow->job.started()) return MEANDER_RUNNING;
+  return public_reason(flow->flow->stop_reason());
 }
 
 meander_status meander_flow_get_statistics(meander_flow* flow, meander_flow_statistics* statistics,
                                            meander_error* error) {
   return guard(error, [&] {
     require(flow != nullptr, "The flow is NULL.");
+    require_idle(*flow);
     require_struct(statistics, "meander_flow_statistics");
     Flow& f = *flow->flow;
     const double scale = f.surface().scale();
@@ -463,6 +528,7 @@ meander_status meander_flow_get_history(const meander_flow* flow, meander_iterat
                                         size_t* count, meander_error* error) {
   return guard(error, [&] {
     require(flow != nullptr && count != nullptr, "The flow or the pointer for the count is NULL.");
+    require_idle(*flow);
     const auto& history = flow->flow->history();
     const double scale = flow->flow->surface().scale();
     *count = history.size();
@@ -484,36 +550,14 @@ meander_status meander_flow_get_polylines(const meander_flow* flow, double* posi
   return guard(error, [&] {
     require(flow != nullptr && point_count != nullptr && strand_count != nullptr,
             "The flow or a pointer for a count is NULL.");
-    const Flow& f = *flow->flow;
-    const Surface& surface = f.surface();
-    const Curve& curve = f.curve();
-    size_t points = curve.size();
-    for (const Path& path : curve.paths) points += path.size();
+    require_idle(*flow);
+    const Curve& curve = flow->flow->curve();
+    const size_t points = polyline_point_count(curve);
     *point_count = points;
     *strand_count = curve.strands.size();
     if (points > point_capacity || curve.strands.size() > strand_capacity) return MEANDER_OK;
     require(positions && offsets && closed, "An array for the polylines is NULL.");
-    size_t p = 0;
-    const auto put = [&](uint32_t face, const std::array<double, 3>& w) {
-      const Vec3 x = caller_point(surface, face, w);
-      std::copy(x.data(), x.data() + 3, positions + 3 * p);
-      if (normals) {
-        const Vec3 normal = f.normals().blended(face, w[0], w[1], w[2]);
-        std::copy(normal.data(), normal.data() + 3, normals + 3 * p);
-      }
-      ++p;
-    };
-    for (size_t s = 0; s < curve.strands.size(); ++s) {
-      const Strand& strand = curve.strands[s];
-      offsets[s] = static_cast<uint32_t>(p);
-      closed[s] = strand.closed;
-      for (uint32_t i = strand.first; i < strand.end(); ++i) {
-        const SurfacePoint& node = curve.nodes[i];
-        put(node.face, {node.weight(0), node.b.x, node.b.y});
-        for (const Crossing& c : curve.paths[i]) put(face_of(c.e), crossing_weights(c));
-      }
-    }
-    offsets[curve.strands.size()] = static_cast<uint32_t>(p);
+    write_polylines(*flow->flow, positions, normals, offsets, closed);
     return MEANDER_OK;
   });
 }
@@ -522,6 +566,7 @@ meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
                                       uint8_t* fixed, size_t capacity, size_t* count, meander_error* error) {
   return guard(error, [&] {
     require(flow != nullptr && count != nullptr, "The flow or the pointer for the count is NULL.");
+    require_idle(*flow);
     const Flow& f = *flow->flow;
     const Curve& curve = f.curve();
     *count = curve.size();
@@ -539,6 +584,31 @@ meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
         radii[2 * i + 1] = r[1] * scale;
       }
       if (fixed) fixed[i] = curve.fixed[i];
+    }
+    return MEANDER_OK;
+  });
+}
+
+meander_status meander_flow_get_gaps(meander_flow* flow, double least_size, double* positions, double* radii,
+                                     double* sizes, uint32_t* faces, size_t capacity, size_t* count,
+                                     meander_error* error) {
+  return guard(error, [&] {
+    require(flow != nullptr && count != nullptr, "The flow or the pointer for the count is NULL.");
+    require_idle(*flow);
+    require_idle(*flow);
+    if (least_size != 0) require_range(least_size, 1, 1e6, "least_size (in units of the local r)");
+    Flow& f = *flow->flow;
+    const std::vector<Gap> gaps = f.gaps(least_size != 0 ? least_size : kGapSize);
+    if (gaps.size() <= capacity) require(gaps.empty() || positions, "The array for the positions is NULL.");
+    *count = gaps.size();
+    if (gaps.size() > capacity) return MEANDER_OK;
+    for (size_t k = 0; k < gaps.size(); ++k) {
+      const SurfacePoint& p = gaps[k].centre;
+      const Vec3 x = caller_point(f.surface(), p.face, {p.weight(0), p.b.x, p.b.y});
+      std::copy(x.data(), x.data() + 3, positions + 3 * k);
+      if (radii) radii[k] = gaps[k].radius * f.surface().scale();
+      if (sizes) sizes[k] = gaps[k].size;
+      if (faces) faces[k] = p.face;
     }
     return MEANDER_OK;
   });

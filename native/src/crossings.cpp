@@ -130,20 +130,34 @@ class FaceTest {
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, Team& team,
                          const std::vector<uint8_t>* changed) {
   curve.pieces(surface, pieces_);
-  // Counting sort by face.
-  start_.assign(surface.face_count() + 1, 0);
-  for (const Piece& p : pieces_) ++start_[p.face + 1];
-  for (size_t f = 0; f < surface.face_count(); ++f) start_[f + 1] += start_[f];
+  // A counting sort by face that touches only the faces which the curve runs through: a fine mesh has
+  // many more.
+  count_.resize(surface.face_count(), 0);
+  occupied_.clear();
+  for (const Piece& p : pieces_) {
+    if (count_[p.face]++ == 0) occupied_.push_back(p.face);
+  }
+  end_.resize(occupied_.size());
+  uint32_t place = 0;
+  for (const uint32_t f : occupied_) {
+    const uint32_t count = count_[f];
+    count_[f] = place;
+    place += count;
+  }
   sorted_.resize(pieces_.size());
-  for (const Piece& p : pieces_) sorted_[start_[p.face]++] = p;  // start_[f] is now the end of f
+  for (const Piece& p : pieces_) sorted_[count_[p.face]++] = p;
+  for (size_t k = 0; k < occupied_.size(); ++k) {
+    end_[k] = count_[occupied_[k]];
+    count_[occupied_[k]] = 0;
+  }
 
-  constexpr size_t kFacesPerBlock = 1024;
-  std::vector<Pairs> found(Team::block_count(surface.face_count(), kFacesPerBlock));
-  team.for_blocks(surface.face_count(), kFacesPerBlock, [&](size_t block, size_t begin, size_t end) {
+  constexpr size_t kFacesPerBlock = 256;
+  std::vector<Pairs> found(Team::block_count(occupied_.size(), kFacesPerBlock));
+  team.for_blocks(occupied_.size(), kFacesPerBlock, [&](size_t block, size_t begin, size_t end) {
     FaceTest test(curve, changed, found[block]);
-    for (size_t f = begin; f < end; ++f) {
-      const size_t first = f == 0 ? 0 : start_[f - 1];
-      if (start_[f] - first > 1) test(sorted_.data() + first, sorted_.data() + start_[f]);
+    for (size_t k = begin; k < end; ++k) {
+      const size_t first = k == 0 ? 0 : end_[k - 1];
+      if (end_[k] - first > 1) test(sorted_.data() + first, sorted_.data() + end_[k]);
     }
   });
   Pairs all;

@@ -22,7 +22,9 @@ class CrossingTest {
 
  private:
   std::vector<Piece> pieces_, sorted_;
-  std::vector<uint32_t> start_;
+  std::vector<uint32_t> count_;     // of pieces in a face; all 0 between calls
+  std::vector<uint32_t> occupied_;  // faces that hold pieces, in the order in which the curve meets them
+  std::vector<uint32_t> end_;       // per occupied face: where its pieces end in sorted_
 };
 
 }  // namespace meander

@@ -11,6 +11,9 @@
 namespace meander {
 namespace {
 
+/// Nodes that a thread takes at a time in loops that do little for each.
+constexpr size_t kBlock = 2048;
+
 /// A node may move this share of its medial radius on the side to which it moves, so that it cannot
 /// leap over the strand beside it.
 constexpr double kMostOfRadius = 0.9;
@@ -67,8 +70,8 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   if (cancelled()) return false;
   Stopwatch total, watch;
   find_local_radii();
-  compute_frames(*surface_, curve_, local_radius_, team_, frames_);
-  compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, team_, radii_);
+  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
+  find_radii();
   seconds_.medial_axis += watch.lap();
   if (cancelled()) return false;
 
@@ -91,7 +94,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
 
   IterationRecord record;
   record.mean_step = sum / n;
-  record.energy = energy(curve_, radii_, local_radius_, weights_);
+  record.energy = energy(curve_, felt_radii_, local_radius_, weights_);
   const double held = retraction_.move(*surface_, curve_, displacement, team_, seconds_.move);
   figures.moved = held < 1 ? record.mean_step / settings_.radius : 0;
   watch.lap();
@@ -119,14 +122,14 @@ StopReason Flow::run(const std::function<bool()>& cancelled, const std::function
 
 Flow::Measure Flow::measure() {
   find_local_radii();
-  compute_frames(*surface_, curve_, local_radius_, team_, frames_);
-  compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, team_, radii_);
+  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
+  find_radii();
   choose_weights();
   Measure m;
   m.length = curve_.length();
-  m.energy = energy(curve_, radii_, local_radius_, weights_);
+  m.energy = energy(curve_, felt_radii_, local_radius_, weights_);
   for (uint32_t i = 0; i < curve_.size(); ++i) {
-    for (const double r : radii_[i]) m.spacing.push_back(2 * settings_.radius * r / local_radius_[i]);
+    for (const double r : felt_radii_[i]) m.spacing.push_back(2 * settings_.radius * r / local_radius_[i]);
   }
   std::sort(m.spacing.begin(), m.spacing.end());
   CrossingTest test;
@@ -134,18 +137,44 @@ Flow::Measure Flow::measure() {
   return m;
 }
 
+std::vector<Gap> Flow::gaps(double least_size) {
+  find_local_radii();
+  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
+  find_radii();
+  return find_gaps(*surface_, curve_, frames_, radii_, vertex_radius_, least_size, team_);
+}
+
 /// r and r_max at every node.
 void Flow::find_local_radii() {
   local_radius_.resize(curve_.size());
   max_radius_.resize(curve_.size());
   const double clamp = settings_.max_radius / settings_.radius;
-  for (uint32_t i = 0; i < curve_.size(); ++i) {
-    const SurfacePoint& p = curve_.nodes[i];
-    const Triangle& t = surface_->face(p.face);
-    local_radius_[i] =
-        p.weight(0) * vertex_radius_[t[0]] + p.b.x * vertex_radius_[t[1]] + p.b.y * vertex_radius_[t[2]];
-    max_radius_[i] = clamp * local_radius_[i];
-  }
+  team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      local_radius_[i] = radius_at(*surface_, vertex_radius_, curve_.nodes[i]);
+      max_radius_[i] = clamp * local_radius_[i];
+    }
+  });
+}
+
+/// The medial radii, and what the energy makes of them.
+///
+/// Where the spacing is to vary, distances count in units of the local r: a side that runs into a
+/// finer region feels larger than it is. The distance R along a geodesic on which r grows with the
+/// slope g is then about R / (1 + g R / (2 r)), in units of the node's own r. Without this, strands
+/// that follow a density would be pulled back to equal distances, and would never come to rest.
+void Flow::find_radii() {
+  compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, team_, radii_);
+  felt_radii_.resize(radii_.size());
+  constexpr double kLeastStretch = 0.5, kMostStretch = 2;
+  team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      for (int side = 0; side < 2; ++side) {
+        const double stretch = 1 + frames_.radius_slope[i][side] * radii_[i][side] / (2 * local_radius_[i]);
+        felt_radii_[i][side] = radii_[i][side] / std::clamp(stretch, kLeastStretch, kMostStretch);
+      }
+    }
+  });
 }
 
 void Flow::choose_weights() {
@@ -193,7 +222,7 @@ void Flow::follow_spacing() {
     for (uint32_t k = 0; k < n; ++k) {
       const uint32_t i = strand.first + k;
       const double r = local_radius_[i];
-      const double raw = 0.5 * (std::min(radii_[i][0], 2 * r) + std::min(radii_[i][1], 2 * r)) / r;
+      const double raw = 0.5 * (std::min(felt_radii_[i][0], 2 * r) + std::min(felt_radii_[i][1], 2 * r)) / r;
       const uint32_t before = curve_.previous(i);
       const double l0 = before != kNone ? curve_.shapes[before].length : 0;
       const double l1 = curve_.has_segment(i) ? curve_.shapes[i].length : 0;
@@ -221,7 +250,7 @@ std::vector<Vec2> Flow::displacements() {
     StrandSystem system;
     for (size_t s = begin; s < end; ++s) {
       const Strand& strand = curve_.strands[s];
-      assemble(curve_, strand, frames_, radii_, local_radius_, weights_, system);
+      assemble(curve_, strand, frames_, felt_radii_, local_radius_, weights_, system);
       const std::vector<Vec2> z = solve(system);
       for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
     }

@@ -10,6 +10,7 @@
 #include "convergence.h"
 #include "energy.h"
 #include "frames.h"
+#include "gaps.h"
 #include "medial_axis.h"
 #include "parallel.h"
 #include "refine.h"
@@ -80,10 +81,14 @@ class Flow {
     size_t crossings = 0;
   };
   Measure measure();
+  /// Where the curve as it is now leaves the surface empty, see find_gaps; as measure(), it brings
+  /// radii() up to date and changes nothing else.
+  std::vector<Gap> gaps(double least_size);
 
  private:
   bool iterate(const std::function<bool()>& cancelled);
   void find_local_radii();
+  void find_radii();
   void choose_weights();
   void soften_young_strands();
   void follow_spacing();
@@ -98,7 +103,8 @@ class Flow {
   BoundaryObstacle boundary_;
   Team team_;
   Curve curve_;
-  std::vector<Radii> radii_;
+  std::vector<Radii> radii_;       // as they are
+  std::vector<Radii> felt_radii_;  // as the energy sees them where the density varies
   std::vector<double> local_radius_, max_radius_;
   Frames frames_;
   Weights weights_;

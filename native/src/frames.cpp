@@ -19,6 +19,12 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   return n > 0 ? Vec3(v / n) : otherwise;
 }
 
+/// From the nearest edge of the point's face.
+double distance_to_edges(const Surface& surface, const SurfacePoint& p) {
+  return std::min({p.weight(0) * surface.height(p.face, 0), p.weight(1) * surface.height(p.face, 1),
+                   p.weight(2) * surface.height(p.face, 2)});
+}
+
 }  // namespace
 
 NormalField::NormalField(const Surface& surface, double radius) : surface_(surface) {
@@ -49,30 +55,15 @@ Vec3 NormalField::blended(uint32_t f, double w0, double w1, double w2) const {
   return unit_or(w0 * normals_[t[0]] + w1 * normals_[t[1]] + w2 * normals_[t[2]], surface_.face_normal(f));
 }
 
-Vec3 NormalField::at(const SurfacePoint& p, double radius) const {
-  const Vec3& own = surface_.face_normal(p.face);
-  double nearest_edge = radius;
-  const double doubled_area = 2 * surface_.face_area(p.face);
-  for (uint32_t k = 0; k < 3; ++k) {
-    const Vec2 edge = surface_.corner(p.face, prev_corner(k)) - surface_.corner(p.face, next_corner(k));
-    nearest_edge = std::min(nearest_edge, p.weight(k) * doubled_area / norm(edge));
-  }
-  const double inner = nearest_edge / radius;
-  const Vec3 n = (1 - inner) * blended(p.face, p.weight(0), p.b.x, p.b.y) + inner * own;
-  // A blended normal that lies in the face, or beyond, would turn the bitangent over.
-  constexpr double kSteepest = 0.2;
-  const double along = n.dot(own);
-  return unit_or(along < kSteepest ? Vec3(n + (kSteepest - along) * own) : n, own);
-}
-
 void compute_frames(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
-                    Team& team, Frames& frames) {
+                    const std::vector<double>& vertex_radius, Team& team, Frames& frames) {
   const uint32_t n = curve.size();
   frames.position.resize(n);
   frames.tangent.resize(n);
   frames.bitangent2.resize(n);
   frames.outward.resize(n);
   frames.to_boundary.resize(n);
+  frames.radius_slope.resize(n);
   constexpr size_t kBlock = 512;
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) frames.position[i] = position(surface, curve.nodes[i]);
@@ -95,15 +86,26 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
       if (after != kNone) tangent += unit_or(frames.position[after] - x, Vec3::Zero());
       const Vec3 face_tangent = surface.to_space(face, t);
       tangent = unit_or(tangent, face_tangent);
+      // Far enough from all edges of its face a node needs no walk.
+      const bool inside = distance_to_edges(surface, curve.nodes[i]) > local_radius[i];
       for (int side = 0; side < 2; ++side) {
         const Vec2 flat_direction = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
         scratch.clear();
-        const Trace trace = trace_geodesic(surface, curve.nodes[i], local_radius[i] * flat_direction, scratch);
+        const Vec2 way = local_radius[i] * flat_direction;
+        Trace trace;
+        if (inside) {
+          trace.end = point_at(surface, face, flat(surface, curve.nodes[i]) + way);
+          trace.length = local_radius[i];
+        } else {
+          trace = trace_geodesic(surface, curve.nodes[i], way, scratch);
+        }
         const Vec3 face_direction = surface.to_space(face, flat_direction);
         Vec3 chord = scratch.empty() ? face_direction : unit_or(position(surface, trace.end) - x, face_direction);
         chord -= chord.dot(tangent) * tangent;
         frames.outward[i][side] = unit_or(chord, face_direction);
         frames.to_boundary[i][side] = trace.hit_boundary ? trace.length : -1;
+        frames.radius_slope[i][side] =
+            trace.length > 0 ? (radius_at(surface, vertex_radius, trace.end) - local_radius[i]) / trace.length : 0;
       }
     }
   });

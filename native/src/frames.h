@@ -11,19 +11,15 @@
 
 namespace meander {
 
-/// Surface normals as a curve of radius r sees them.
+/// Surface normals for whoever renders or follows the curve; the flow itself needs none.
 ///
-/// The paper blends vertex normals over each face. That is right where faces are about as large as r
-/// or smaller; in a face much larger than r it would tilt the tangent plane of a flat region, so the
-/// blend is confined to within r of the face's edges. Where faces are much smaller than r, vertex
-/// normals are averaged over about r / 2 first, so that noise in them does not turn the medial balls.
+/// Vertex normals, weighted by angle and, where faces are much smaller than r, averaged over about
+/// r / 2 so that noise in them does not show, blended over each face.
 class NormalField {
  public:
   NormalField(const Surface& surface, double radius);
 
-  /// Unit normal at a point; `radius` is the local r. Never against the face's own normal.
-  Vec3 at(const SurfacePoint& point, double radius) const;
-  /// The blended normal of a point given by weights of the corners of face f, for output.
+  /// The unit normal at the point of face f with these weights of its corners.
   Vec3 blended(uint32_t f, double w0, double w1, double w2) const;
 
  private:
@@ -48,10 +44,18 @@ struct Frames {
   /// How far the geodesic along +-B came before the boundary stopped it, at most r; negative where
   /// it was not stopped.
   std::vector<std::array<double, 2>> to_boundary;
+  /// How fast the local r grows along that geodesic: its change per length. 0 without density.
+  std::vector<std::array<double, 2>> radius_slope;
 };
 
-/// Fills `frames`; `local_radius` is r at every node.
+/// r at a point, from its values at the vertices.
+inline double radius_at(const Surface& surface, const std::vector<double>& vertex_radius, const SurfacePoint& p) {
+  const Triangle& t = surface.face(p.face);
+  return p.weight(0) * vertex_radius[t[0]] + p.b.x * vertex_radius[t[1]] + p.b.y * vertex_radius[t[2]];
+}
+
+/// Fills `frames`; `local_radius` is r at every node, `vertex_radius` at every vertex.
 void compute_frames(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
-                    Team& team, Frames& frames);
+                    const std::vector<double>& vertex_radius, Team& team, Frames& frames);
 
 }  // namespace meander

@@ -5,20 +5,13 @@
 #include <cmath>
 
 #include "geodesic_trace.h"
+#include "run_tree.h"
 
 namespace meander {
 namespace {
 
-/// A point counts as inside a ball when it is nearer to the centre by more than this share of the
-/// radius: the points that the ball touches are at its radius only up to rounding.
-constexpr double kInside = 1 - 1e-9;
-
 /// A ball may start this much larger than the node's last one before it is known to be large enough.
 constexpr double kWarmth = 1.2;
-
-/// Balls much smaller than the clamp are no start: to one of 1e-8 of the mesh the node itself, whose
-/// distance from the centre is rounded, may seem to lie inside.
-constexpr double kTooCold = 1e-3;
 
 std::vector<Vec3> sample_boundary(const Surface& surface, double step) {
   std::vector<Vec3> samples;
@@ -32,38 +25,13 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step) {
   return samples;
 }
 
-class BallShrinker {
- public:
-  explicit BallShrinker(const PointTree& tree) : tree_(tree) {}
-
-  /// The radius of the largest empty ball at x towards `b` (unit), at most `most`.
-  double operator()(const Vec3& x, const Vec3& b, double most, double last) const {
-    double radius = last > kTooCold * most ? std::min(most, kWarmth * last) : most;
-    bool warm = radius < most;
-    for (int k = 0; k < kMostBalls; ++k) {
-      const double bound = kInside * radius;
-      const auto hit = tree_.nearest(x + radius * b, bound * bound);
-      if (!hit) {
-        if (!warm) return radius;
-        // An empty ball that no point limits is only a lower bound: start again from the clamp.
-        radius = most;
-        warm = false;
-        continue;
-      }
-      warm = false;
-      const Vec3 u = tree_.points()[hit->index] - x;
-      const double ahead = u.dot(b);
-      const double smaller = u.squaredNorm() / (2 * ahead);
-      if (!(ahead > 0) || !(smaller < radius)) return radius;  // only rounding says it is inside
-      radius = smaller;
-    }
-    return radius;
-  }
-
- private:
-  static constexpr int kMostBalls = 60;
-  const PointTree& tree_;
-};
+/// The largest empty ball, found sooner where the last radius still is a good guess.
+double largest_ball(const RunTree& tree, const Vec3& x, const Vec3& outward, double most, double last) {
+  const double start = last > 0 ? std::min(most, kWarmth * last) : most;
+  const double radius = tree.largest_ball(x, outward, start);
+  // An empty ball that no point limits is only a lower bound: start again from the clamp.
+  return radius < start || start == most ? radius : tree.largest_ball(x, outward, most);
+}
 
 }  // namespace
 
@@ -78,8 +46,7 @@ void compute_medial_axis(const Surface& surface, const Curve& curve, const Frame
   std::vector<Vec3> obstacles = frames.position;
   const bool walls = rule == BoundaryRule::kObstacle;
   if (walls) obstacles.insert(obstacles.end(), boundary.samples().begin(), boundary.samples().end());
-  const PointTree tree(std::move(obstacles));
-  const BallShrinker shrink(tree);
+  const RunTree tree(obstacles, team);
 
   constexpr size_t kBlock = 256;
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
@@ -90,7 +57,7 @@ void compute_medial_axis(const Surface& surface, const Curve& curve, const Frame
           !walls && !boundary.empty() && boundary.tree().nearest(x, 4 * max_radius[i] * max_radius[i]).has_value();
       for (int side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1 : -1;
-        double most = max_radius[i];
+        double most = std::min(max_radius[i], RunTree::kMostRadius);
         if (near_boundary && frames.to_boundary[i][side] >= 0) {
           most = std::min(most, frames.to_boundary[i][side]);
         } else if (near_boundary) {
@@ -99,7 +66,7 @@ void compute_medial_axis(const Surface& surface, const Curve& curve, const Frame
               trace_geodesic(surface, curve.nodes[i], sign * most * frames.bitangent2[i], scratch);
           if (trace.hit_boundary) most = std::min(most, trace.length);
         }
-        radii[i][side] = most > 0 ? shrink(x, frames.outward[i][side], most, radii[i][side]) : 0;
+        radii[i][side] = most > 0 ? largest_ball(tree, x, frames.outward[i][side], most, radii[i][side]) : 0;
       }
     }
   });

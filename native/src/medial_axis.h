@@ -33,10 +33,9 @@ class BoundaryObstacle {
   PointTree tree_;
 };
 
-/// Computes both radii of every node, exactly, by shrinking balls (Ma, Bae, Choi, "3D medial axis
-/// point approximation using nearest neighbors and the normal field", 2012): a ball through the node
-/// is replaced by the tangent ball through the node of the curve nearest to its centre, until it is
-/// empty. Tangent balls at a node are nested, so the empty one is unique.
+/// Computes both radii of every node, exactly: tangent balls at a node are nested, so the largest one
+/// that is empty is the smallest of those through any other node (after Ma, Bae, Choi, "3D medial axis
+/// point approximation using nearest neighbors and the normal field", 2012; see RunTree).
 ///
 /// `max_radius`  clamp of every node
 /// `radii`       in: radii of an earlier state (0: unknown), which only save time; out: the result

@@ -72,8 +72,23 @@ void Refinement::refine(const Surface& surface, Curve& curve, const std::vector<
   for (uint32_t i = 0; i < curve.size(); ++i) origin[i] = i;
 }
 
+/// May anything at all be split or removed? Most late iterations change nothing.
+bool Refinement::any_change(const Curve& curve, const std::vector<double>& target) const {
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    const uint32_t j = curve.next(i);
+    if (j == kNone) continue;
+    const double l = curve.shapes[i].length, h = target[i];
+    if (l > 2 * h && may_split_[i]) return true;
+    if (!curve.has_segment(j) || curve.fixed[j] || !may_remove_[j]) continue;
+    const double l2 = curve.shapes[j].length;
+    if (std::min(l, l2) < h && l + l2 <= 2 * h) return true;
+  }
+  return false;
+}
+
 /// Fills next_ with the refined curve; false if there is nothing to do.
 bool Refinement::propose(const Surface& surface, const Curve& curve, const std::vector<double>& target) {
+  if (!any_change(curve, target)) return false;
   next_.nodes.clear();
   next_.fixed.clear();
   next_.strands.clear();

@@ -25,6 +25,7 @@ class Refinement {
               std::vector<uint32_t>& origin);
 
  private:
+  bool any_change(const Curve& curve, const std::vector<double>& target) const;
   bool propose(const Surface& surface, const Curve& curve, const std::vector<double>& target);
 
   CrossingTest test_;

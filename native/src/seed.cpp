@@ -11,6 +11,7 @@
 #include "closest_point.h"
 #include "crossings.h"
 #include "failure.h"
+#include "frames.h"
 #include "geodesic_trace.h"
 
 namespace meander {
@@ -18,11 +19,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& sentence, size_t point) {
   throw Failure(MEANDER_INVALID_SEED, sentence, MEANDER_ELEMENT_SEED_POINT, static_cast<uint32_t>(point));
-}
-
-double radius_at(const Surface& surface, const std::vector<double>& radius, const SurfacePoint& p) {
-  const Triangle& t = surface.face(p.face);
-  return p.weight(0) * radius[t[0]] + p.b.x * radius[t[1]] + p.b.y * radius[t[2]];
 }
 
 /// Any sequence of edges from one face to another, by A* over face centres: near enough to a short

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve.h"
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -34,18 +37,45 @@ class Pentadiagonal {
   }
 
   void solve(std::vector<Vec2>& x) const {
-    for (size_t i = 0; i < n_; ++i) {
-      if (i >= 1) x[i] = x[i] - first_[i - 1] * x[i - 1];
-      if (i >= 2) x[i] = x[i] - second_[i - 2] * x[i - 2];
-    }
-    for (size_t i = n_; i-- > 0;) {
-      x[i] = inverse_[i] * x[i];
-      if (i + 1 < n_) x[i] = x[i] - first_[i] * x[i + 1];
-      if (i + 2 < n_) x[i] = x[i] - second_[i] * x[i + 2];
-    }
+    for (size_t i = 0; i < n_; ++i) forward(x, i);
+    for (size_t i = n_; i-- > 0;) backward(x, i);
+  }
+
+  /// The same for a right-hand side that is zero but in its first two and last two entries. What
+  /// those cause dies away within some hundred nodes; beyond that it stays zero. Returns how many
+  /// entries at the front and at the back may differ from zero.
+  std::pair<size_t, size_t> solve_border(std::vector<Vec2>& x) const {
+    const double least = kNegligible * (size(x[0]) + size(x[1]) + size(x[n_ - 2]) + size(x[n_ - 1]));
+    // The back: nothing to carry forward but between the last two.
+    const Vec2 back[2] = {x[n_ - 2], x[n_ - 1]};
+    x[n_ - 2] = x[n_ - 1] = Vec2{};
+    size_t front = 0;
+    while (front < n_ && (front < 4 || size(x[front - 1]) + size(x[front - 2]) > least)) forward(x, front++);
+    for (size_t i = front; i-- > 0;) backward(x, i);
+    std::vector<Vec2> y(n_);
+    y[n_ - 2] = back[0];
+    y[n_ - 1] = back[1];
+    forward_last(y);
+    size_t first = n_;
+    while (first > 0 && (first + 4 > n_ || size(y[first]) + size(y[first + 1]) > least)) backward(y, --first);
+    for (size_t i = first; i < n_; ++i) x[i] = x[i] + y[i];
+    return {front, first};
   }
 
  private:
+  static constexpr double kNegligible = 1e-40;
+  static double size(Vec2 v) { return std::abs(v.x) + std::abs(v.y); }
+  void forward(std::vector<Vec2>& x, size_t i) const {
+    if (i >= 1) x[i] = x[i] - first_[i - 1] * x[i - 1];
+    if (i >= 2) x[i] = x[i] - second_[i - 2] * x[i - 2];
+  }
+  void forward_last(std::vector<Vec2>& x) const { x[n_ - 1] = x[n_ - 1] - first_[n_ - 2] * x[n_ - 2]; }
+  void backward(std::vector<Vec2>& x, size_t i) const {
+    x[i] = inverse_[i] * x[i];
+    if (i + 1 < n_) x[i] = x[i] - first_[i] * x[i + 1];
+    if (i + 2 < n_) x[i] = x[i] - second_[i] * x[i + 2];
+  }
+
   size_t n_;
   std::vector<double> inverse_, first_, second_;
 };
@@ -82,18 +112,17 @@ std::vector<Vec2> solve_closed(const StrandSystem& a) {
   const Vec2 rho = a.holonomy;
   const Pentadiagonal band(a, m);
   std::vector<Vec2> x(a.right.begin(), a.right.begin() + static_cast<std::ptrdiff_t>(m));
-  std::vector<Vec2> border_p(m), border_q(m);  // columns of H
-  border_p[m - 2] = {a.second[m - 2], 0};
-  border_p[m - 1] = {a.first[m - 1], 0};
-  border_p[0] = border_p[0] + a.second[p] * conj(rho);
-  border_q[m - 1] = {a.second[m - 1], 0};
-  border_q[0] = border_q[0] + a.first[q] * conj(rho);
-  border_q[1] = border_q[1] + a.second[q] * conj(rho);
+  std::vector<Vec2> yp(m), yq(m);  // first columns of H, then what the band makes of them
+  yp[m - 2] = {a.second[m - 2], 0};
+  yp[m - 1] = {a.first[m - 1], 0};
+  yp[0] = yp[0] + a.second[p] * conj(rho);
+  yq[m - 1] = {a.second[m - 1], 0};
+  yq[0] = yq[0] + a.first[q] * conj(rho);
+  yq[1] = yq[1] + a.second[q] * conj(rho);
 
-  std::vector<Vec2> yp = border_p, yq = border_q;
   band.solve(x);
-  band.solve(yp);
-  band.solve(yq);
+  const auto [front_p, back_p] = band.solve_border(yp);
+  const auto [front_q, back_q] = band.solve_border(yq);
 
   // Rows of H at p and q, applied to a vector of the banded part.
   const auto row_p = [&](const std::vector<Vec2>& v) {
@@ -110,7 +139,9 @@ std::vector<Vec2> solve_closed(const StrandSystem& a) {
   const double determinant = spp * sqq - dot(spq, spq);
   const Vec2 zp = (1 / determinant) * (sqq * rp - spq * rq);
   const Vec2 zq = (1 / determinant) * (spp * rq - conj(spq) * rp);
-  for (size_t i = 0; i < m; ++i) x[i] = x[i] - yp[i] * zp - yq[i] * zq;
+  const size_t front = std::max(front_p, front_q), back = std::max(front, std::min(back_p, back_q));
+  for (size_t i = 0; i < front; ++i) x[i] = x[i] - yp[i] * zp - yq[i] * zq;
+  for (size_t i = back; i < m; ++i) x[i] = x[i] - yp[i] * zp - yq[i] * zq;
   x.push_back(zp);
   x.push_back(zq);
   return x;

@@ -53,6 +53,7 @@ void Surface::lay_out() {
   flat_.resize(n);
   axis_.resize(2 * n);
   face_normal_.resize(n);
+  height_.resize(3 * n);
   total_angle_.assign(positions_.size(), 0.0);
   double edge_sum = 0;
   for (uint32_t f = 0; f < n; ++f) {
@@ -70,6 +71,9 @@ void Surface::lay_out() {
     axis_[2 * f + 1] = face_normal_[f].cross(e1);
     flat_[f] = {x1, v.dot(e1), normal.norm() / x1};
     area_ += face_area(f);
+    for (uint32_t k = 0; k < 3; ++k) {
+      height_[3 * f + k] = 2 * face_area(f) / norm(corner(f, prev_corner(k)) - corner(f, next_corner(k)));
+    }
     edge_sum += x1;
     for (uint32_t k = 0; k < 3; ++k) total_angle_[faces_[f][k]] += corner_angle(f, k);
   }

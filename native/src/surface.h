@@ -72,6 +72,8 @@ class Surface {
   /// A vector of the plane of face f, in space.
   Vec3 to_space(uint32_t f, Vec2 v) const { return v.x * axis_[2 * f] + v.y * axis_[2 * f + 1]; }
   const Vec3& face_normal(uint32_t f) const { return face_normal_[f]; }
+  /// Distance of corner k of face f from the line of the opposite edge.
+  double height(uint32_t f, uint32_t k) const { return height_[3 * f + k]; }
   double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
   /// Sum of the angles of the faces around v.
   double total_angle(uint32_t v) const { return total_angle_[v]; }
@@ -95,7 +97,7 @@ class Surface {
   std::vector<Vec2> transition_;
   std::vector<Flat> flat_;
   std::vector<Vec3> axis_, face_normal_;
-  std::vector<double> total_angle_;
+  std::vector<double> total_angle_, height_;
   Vec3 low_ = Vec3::Zero();
   double scale_ = 1, area_ = 0, mean_edge_length_ = 0;
   uint32_t component_count_ = 0, turned_count_ = 0, used_vertices_ = 0, boundary_loop_count_ = 0;

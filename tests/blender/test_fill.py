@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import threading
+
 import bpy
 import numpy as np
 import pytest
@@ -297,6 +299,23 @@ def test_watching_changes_nothing(windowed):
         assert np.array_equal(points, expected_points)
 
 
+def test_a_run_has_no_thread_of_pythons(windowed):
+    # Blender 3.4 crashes now and then when operators run beside a Python thread that computes.
+    before = threading.enumerate()
+    running = begin(sphere(), 0.05)
+    tick_until(running, lambda: running.latest and running.latest.iterations > 0)
+    assert not running.stepper.finished
+    assert threading.enumerate() == before
+    running.end()
+
+
+def test_the_first_preview_is_there_at_once(windowed):
+    running = begin(sphere(), 0.05)
+    assert running.tick(bpy.context)
+    assert running.latest.iterations == 0 and running.latest.nodes >= 3
+    running.end()
+
+
 def test_a_cancelled_run_leaves_no_trace(windowed):
     surface = sphere()
     before = counts()
@@ -359,7 +378,7 @@ def test_deleting_an_object_under_the_run_ends_it(windowed, victim):
     assert after["objects"] == before["objects"] - (victim == "surface")
 
 
-def test_an_error_of_the_worker_reaches_the_host(windowed):
+def test_an_error_of_the_run_reaches_the_host(windowed):
     surface = sphere()
     surface.meander.seed = poly_curve("Far", [circle_points(1.0, 9.0)], True)
     running = begin(surface, 0.2)

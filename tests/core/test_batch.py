@@ -86,7 +86,7 @@ def test_report_has_every_key(run, square: Path, tmp_path: Path) -> None:
     assert set(found["surface"]) >= {"vertices", "faces", "components", "boundary_loops", "area"}
     assert set(found) >= {
         "version", "surface", "options", "iterations", "converged", "stop_reason", "nodes",
-        "length", "crossings", "spacing", "history", "seconds",
+        "length", "crossings", "spacing", "history", "seconds", "gaps", "gap_count",
     }  # fmt: skip
     assert found["converged"] == (found["stop_reason"] == "converged")
     assert found["stop_reason"] in ("converged", "iteration_limit", "stalled")
@@ -125,6 +125,20 @@ def test_iteration_limit_is_a_success(run, square: Path, tmp_path: Path) -> None
     found = json.loads((tmp_path / "out.json").read_text())
     assert found["stop_reason"] == "iteration_limit" and found["iterations"] == 3
     assert found["converged"] is False
+
+
+def test_report_names_the_worst_gaps(run, square: Path, tmp_path: Path) -> None:
+    # A run that is cut short has many.
+    code, *_ = run(square, "--spacing", "0.04", "--iterations", "40", "--quiet")
+    assert code == 0
+    found = json.loads((tmp_path / "out.json").read_text())
+    assert len(found["gaps"]) == report.MOST_GAPS < found["gap_count"]
+    curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    samples = geometry.samples_of(curve.points, curve.offsets, curve.closed, gap=0.0005)
+    positions = np.array([gap["position"] for gap in found["gaps"]])
+    radii = [gap["radius"] for gap in found["gaps"]]
+    np.testing.assert_allclose(geometry.distance_to_samples(positions, samples), radii, rtol=1e-2)
+    assert [gap["size"] for gap in found["gaps"]] == pytest.approx([r / 0.02 for r in radii])
 
 
 def test_quiet_is_silent(run, square: Path) -> None:
@@ -280,7 +294,9 @@ def test_report_is_strict_json(tmp_path: Path) -> None:
     flow = dict.fromkeys([field[0] for field in core._FlowStatistics._fields_], np.nan)
     flow["stop_reason"] = "stalled"
     options = {"stop_rule": core.StopRule.PAPER}
-    record = report.build_report("0", surface, flow, [], options)
+    gaps = core.Gaps(np.full((1, 3), np.inf), np.ones(1), np.ones(1), np.zeros(1, np.uint32))
+    record = report.build_report("0", surface, flow, [], gaps, options)
     report.write_report(tmp_path / "r.json", record)
     found = json.loads((tmp_path / "r.json").read_text(), parse_constant=pytest.fail)
+    assert found["gaps"] == [{"position": [None] * 3, "radius": 1.0, "size": 1.0}]
     assert found["length"] is None and found["options"]["stop_rule"] == "paper"

@@ -4,13 +4,18 @@
 from __future__ import annotations
 
 import gc
+import subprocess
+import sys
 import threading
 import time
+from pathlib import Path
 
 import geometry
 import numpy as np
 import pytest
+from conftest import PACKAGE
 from meander import core
+from sentences import assert_sentence
 
 # A machine under load may let a thread wait this long before a test calls it stuck.
 PATIENCE = 30.0
@@ -199,3 +204,181 @@ def test_arrays_of_the_caller_are_not_kept() -> None:
         with core.Flow(surface, options) as flow:
             flow.step()
             assert np.isfinite(flow.polylines().positions).all()
+
+
+# ------------------------------------------------------------------------------------------------
+# Runs on a thread of the library's
+
+
+def watch(flow: core.Flow, copies: int) -> list[core.Preview]:
+    """So many previews of a started run; fewer when it ends before."""
+    previews: list[core.Preview] = []
+
+    def enough() -> bool:
+        preview = flow.preview()
+        if preview is not None:
+            previews.append(preview)
+        return len(previews) >= copies or not flow.running
+
+    wait_for(enough)
+    return previews
+
+
+def test_a_started_run_gives_the_bytes_of_a_run() -> None:
+    with new_flow(radius=0.06) as plain, new_flow(radius=0.06) as started:
+        reason = plain.run()
+        context = core.Context()
+        started.start(context)
+        while started.running:
+            started.preview()
+        assert started.wait() == reason == "converged"
+        assert context.progress == 1.0
+        for ours, theirs in zip(started.polylines(), plain.polylines(), strict=True):
+            assert ours.tobytes() == theirs.tobytes()
+
+
+def test_previews_are_whole_curves_that_grow() -> None:
+    mesh = geometry.grid(16)
+    with new_flow(16, 0.01) as flow:
+        seed = flow.polylines()
+        flow.start()
+        previews = watch(flow, 12)
+        assert flow.running, "the run was over before it could be watched"
+        flow.close()
+    assert len(previews) == 12
+    for ours, theirs in zip(previews[0].polylines, seed, strict=True):
+        assert ours.tobytes() == theirs.tobytes()
+    assert previews[0].iterations == 0
+    assert np.all(np.diff([preview.iterations for preview in previews]) > 0)
+    assert np.all(np.diff([preview.seconds for preview in previews]) > 0)
+    for preview in previews:
+        curve = preview.polylines
+        assert np.isfinite(curve.positions).all() and np.isfinite(curve.normals).all()
+        assert np.allclose(np.linalg.norm(curve.normals, axis=1), 1.0)
+        assert geometry.off_surface(mesh, curve.positions).max() <= 1e-9
+        assert curve.offsets.tolist() == [0, len(curve.positions)]
+        assert curve.closed.tolist() == [1]
+        assert 3 <= preview.nodes <= len(curve.positions)
+        length = geometry.curve_length(curve.positions, curve.offsets, curve.closed)
+        assert preview.length == pytest.approx(length, rel=1e-6)
+
+
+def test_a_preview_is_handed_out_once() -> None:
+    with new_flow() as flow, core.Context() as context:
+        context.cancel()
+        flow.start(context)
+        wait_for(lambda: not flow.running)
+        assert flow.preview().iterations == 0
+        # Cancelled before its first iteration, the run may have copied the same curve once more.
+        while (again := flow.preview()) is not None:
+            assert again.iterations == 0
+        assert flow.wait() == "cancelled"
+
+
+def test_cancel_ends_a_started_run_within_one_step() -> None:
+    context = core.Context()
+    with new_flow(16, 0.01) as flow:
+        flow.start(context)
+        wait_for(lambda: context.progress > 0)
+        context.cancel()
+        cancelled_at = time.monotonic()
+        assert flow.wait() == "cancelled"
+        waited = time.monotonic() - cancelled_at
+        assert flow.statistics()["stop_reason"] == "cancelled"
+        assert flow.statistics()["crossings"] == 0
+        history = flow.history()
+        # Within one step: no longer than the slowest so far, with room for a busy machine.
+        assert waited <= 5 * max(record["seconds"] for record in history) + 1.0
+        context.reset()
+        flow.start(context)
+        wait_for(lambda: context.progress > 0)
+        context.close()  # the run keeps what it needs of it
+        assert flow.running
+        assert watch(flow, 3)[-1].iterations > len(history)
+
+
+def test_a_started_flow_refuses_everything_else() -> None:
+    options = core.default_options()
+    options.radius = 0.03
+    options.iteration_limit = 3
+    with core.Surface(*geometry.grid(8)) as surface, core.Flow(surface, options) as flow:
+        for call in (flow.wait, flow.preview):
+            with pytest.raises(core.MeanderError, match="started") as refusal:
+                call()
+            assert_sentence(str(refusal.value))
+        assert not flow.running
+        flow.start()
+        # While it runs, and after it has ended by itself: a matter of the calls, not of luck.
+        for _ in range(2):
+            for call in (
+                flow.start,
+                flow.step,
+                flow.run,
+                flow.polylines,
+                flow.nodes,
+                flow.statistics,
+                flow.history,
+                flow.gaps,
+            ):
+                with pytest.raises(core.MeanderError, match="belongs to its run") as refusal:
+                    call()
+                assert refusal.value.status == core.Status.INVALID_ARGUMENT
+                assert_sentence(str(refusal.value))
+            wait_for(lambda: not flow.running)
+        assert flow.wait() == "iteration_limit"
+        with pytest.raises(core.MeanderError, match="started"):
+            flow.wait()
+        assert flow.statistics()["iterations"] == 3
+
+
+def test_a_running_flow_can_be_closed_and_forgotten() -> None:
+    flow = new_flow(16, 0.01)
+    flow.start(core.Context())  # which is forgotten at once
+    watch(flow, 3)
+    flow.close()
+    with pytest.raises(core.MeanderError, match="closed"):
+        assert flow.running
+    flow = new_flow(16, 0.01)
+    finalizer = flow._finalizer
+    flow.start()
+    del flow
+    gc.collect()
+    assert not finalizer.alive
+
+
+def test_two_runs_at_once() -> None:
+    options = core.default_options()
+    options.radius = 0.05
+    options.iteration_limit = 20
+    with core.Surface(*geometry.grid(8)) as surface:
+        flows = [core.Flow(surface, options) for _ in range(2)]
+    for flow in flows:
+        flow.start()
+    # In the other order, which must not matter.
+    assert [flow.wait() for flow in reversed(flows)] == ["iteration_limit"] * 2
+    one, two = (flow.polylines().positions.tobytes() for flow in flows)
+    assert one == two
+
+
+def test_the_interpreter_may_exit_under_a_run() -> None:
+    script = f"""
+import sys
+sys.path[:0] = [{str(PACKAGE.parent)!r}, {str(Path(geometry.__file__).parent)!r}]
+import geometry
+from meander import core
+options = core.default_options()
+options.radius = 0.01
+flow = core.Flow(core.Surface(*geometry.grid(16)), options)
+flow.start(core.Context())
+while flow.preview() is not None:
+    pass
+print(flow.running)
+"""
+    ended = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "True\n", "")

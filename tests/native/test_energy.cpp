@@ -23,7 +23,7 @@ struct Scene {
     }
     weights.medial = 0.7;
     Team team(1);
-    compute_frames(surface, curve, radius, team, frames);
+    compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), team, frames);
   }
 
   Surface surface;

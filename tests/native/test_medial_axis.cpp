@@ -39,7 +39,8 @@ struct Scene {
     Team team(threads);
     local_radius.assign(curve.size(), 0.05);
     max_radius.assign(curve.size(), most);
-    compute_frames(surface, curve, local_radius, team, frames);
+    const std::vector<double> vertex_radius(surface.vertex_count(), 0.05);
+    compute_frames(surface, curve, local_radius, vertex_radius, team, frames);
     compute_medial_axis(surface, curve, frames, boundary, rule, max_radius, team, radii);
   }
 

@@ -31,7 +31,7 @@ struct Scene {
       curve.fixed[i] = rng() < fixed_share;
     }
     Team team(1);
-    compute_frames(surface, curve, radius, team, frames);
+    compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), team, frames);
   }
 
   /// Steps of all nodes in space, by the library.

@@ -39,6 +39,7 @@ RESULT = "Suzanne Meander"
 
 status_texts: list[str | None] = []
 panel_draws = 0
+last_session: session.Session | None = None
 
 
 # ------------------------------------------------------------------------------------------------
@@ -71,11 +72,16 @@ def picture(name: str) -> None:
         bpy.ops.screen.screenshot(filepath=str(PICTURES / f"{name}.png"))
 
 
-def press_run() -> None:
+def press_run(restart: bool = False) -> None:
     """As the button does: from the sidebar's region, by INVOKE_DEFAULT."""
+    global last_session
     with bpy.context.temp_override(**window_override()):
-        outcome = bpy.ops.meander.run("INVOKE_DEFAULT")
-    assert outcome == {"RUNNING_MODAL"}, outcome
+        outcome = bpy.ops.meander.run("INVOKE_DEFAULT", restart=restart)
+        assert outcome == {"RUNNING_MODAL"}, outcome
+        assert not bpy.ops.meander.run.poll(), "a second run must wait"
+    last_session = session.current()
+    assert not last_session.stepper.finished
+    assert_no_python_thread()
 
 
 def show_panel() -> Iterator[float]:
@@ -155,10 +161,15 @@ def point_count(name: str = RESULT) -> int:
     return sum(len(spline.points) for spline in thing.data.splines) if thing else 0
 
 
+def assert_no_python_thread() -> None:
+    """Blender 3.4 crashes now and then when operators run beside a Python thread that computes."""
+    assert threading.enumerate() == [threading.main_thread()], threading.enumerate()
+
+
 def assert_nothing_left_over() -> None:
     assert session.current() is None
-    threads = [thread.name for thread in threading.enumerate() if thread.name == "meander"]
-    assert not threads, threads
+    assert last_session is not None and last_session.stepper.finished
+    assert_no_python_thread()
     assert status_texts and status_texts[-1] is None, status_texts[-3:]
 
 
@@ -290,9 +301,7 @@ def story() -> Iterator[float]:
     assert point_count() >= 50
 
     step("Start Over, and the Stop button")
-    with bpy.context.temp_override(**window_override()):
-        bpy.ops.meander.run("INVOKE_DEFAULT", restart=True)
-        assert not bpy.ops.meander.run.poll(), "a second run must wait"
+    press_run(restart=True)
     yield 0.5
     picture("4_start_over")
     with bpy.context.temp_override(**window_override()):

@@ -12,7 +12,9 @@
  *     meander_surface_create     mesh in; checked, copied, ready for any number of flows
  *     meander_flow_create        seed, spacing, density; nothing moves yet
  *     meander_flow_step / run    the flow; cancel from any thread through a meander_context
+ *     meander_flow_start / wait  the same run on a thread of the library's, watched by previews
  *     meander_flow_polylines     curve out, at any time between steps
+ *     meander_flow_get_gaps      where it leaves the surface empty
  *
  * Units.    Lengths are in the units of the vertices that the caller passed. Indices are zero-based.
  * Memory.   The library never keeps a pointer of the caller's after a call returns, and never hands
@@ -23,7 +25,10 @@
  *           failure outputs are untouched unless the call says otherwise. Nothing is printed,
  *           thrown, or kept in a global.
  * Threads.  A surface may be shared by flows on several threads once it is created. A flow belongs
- *           to one thread at a time. A context may be touched from any thread at any time.
+ *           to one thread at a time. A context may be touched from any thread at any time. From
+ *           meander_flow_start to meander_flow_wait a thread of the library's runs the flow: it
+ *           calls nothing of the host's, is never detached, and ends before meander_flow_wait or
+ *           meander_flow_destroy returns.
  * Results.  The same input and options give the same bytes for any number of threads.
  */
 #ifndef MEANDER_H
@@ -90,7 +95,7 @@ MEANDER_API uint32_t meander_abi_version(void);
 /* How the library lays a struct out, so that a binding can compare its own declaration.
  *
  * name      "meander_error", "meander_surface_statistics", "meander_seed", "meander_flow_options",
- *           "meander_flow_statistics" or "meander_iteration"
+ *           "meander_flow_statistics", "meander_iteration" or "meander_preview"
  * layout    receives, up to `capacity` values: sizeof(struct), then the offset of every field in
  *           the order of declaration; may be NULL when capacity is 0
  * returns   1 + the number of fields; 0 if the name is unknown. Any thread. */
@@ -104,7 +109,8 @@ typedef struct meander_context meander_context;
 /* A new context, not cancelled; NULL only when memory is exhausted. */
 MEANDER_API meander_context* meander_context_create(void);
 
-/* Frees a context; NULL is allowed. No call may be using it. */
+/* Frees a context; NULL is allowed. No call may be using it. A run that was started with it goes
+ * on, and cannot be cancelled any more but by meander_flow_destroy. */
 MEANDER_API void meander_context_destroy(meander_context* context);
 
 /* Asks every call that was given this context to return MEANDER_CANCELLED soon: within one
@@ -114,7 +120,7 @@ MEANDER_API void meander_context_cancel(meander_context* context);
 /* Takes a cancel back, so that the context can be used again. */
 MEANDER_API void meander_context_reset(meander_context* context);
 
-/* How far the present meander_flow_run is, in [0, 1]: never falling during one run, 1 when it has
+/* How far the present run of a flow is, in [0, 1]: never falling during one run, 1 when it has
  * ended, moved once an iteration. 0 before the first run, and for NULL. Any thread. */
 MEANDER_API double meander_context_progress(const meander_context* context);
 
@@ -249,7 +255,8 @@ MEANDER_API meander_status meander_flow_create(const meander_surface* surface,
                                                const meander_flow_options* options,
                                                meander_flow** flow, meander_error* error);
 
-/* Frees a flow; NULL is allowed. */
+/* Frees a flow; NULL is allowed. A started run is cancelled and joined first, which takes an
+ * iteration at most. */
 MEANDER_API void meander_flow_destroy(meander_flow* flow);
 
 /* Runs one iteration (section 3 of the paper): frames, medial axis, quadratic model, solve,
@@ -267,6 +274,60 @@ MEANDER_API meander_status meander_flow_step(meander_flow* flow, meander_context
  * the statistics say which. MEANDER_CANCELLED leaves the last whole iteration in place. */
 MEANDER_API meander_status meander_flow_run(meander_flow* flow, meander_context* context,
                                             meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: a run in the background                                                                */
+
+/* Begins meander_flow_run on a thread of the library's and returns at once. For hosts that must not
+ * lend a thread of their own, and stay responsive meanwhile; the curve is the same to the last
+ * byte.
+ *
+ * Until meander_flow_wait returns, also when the run has ended by itself, the flow belongs to the
+ * run: only meander_flow_is_running, meander_flow_get_preview, meander_flow_wait and
+ * meander_flow_destroy may be called. Everything else is refused with MEANDER_INVALID_ARGUMENT, and
+ * meander_flow_stop_reason is MEANDER_RUNNING. Afterwards it can be started again.
+ *
+ * context   NULL, or a context, which cancels the run and shows its progress
+ * returns   what keeps the run from beginning; what happens in it is for meander_flow_wait to
+ *           tell */
+MEANDER_API meander_status meander_flow_start(meander_flow* flow, meander_context* context,
+                                              meander_error* error);
+
+/* 1 while a started run is going, 0 when meander_flow_wait would return at once, before a start,
+ * and for NULL. Costs nothing. Any thread. */
+MEANDER_API uint32_t meander_flow_is_running(const meander_flow* flow);
+
+/* Waits for the end of a started run and returns what meander_flow_run would have returned, with
+ * its sentence: MEANDER_CANCELLED leaves the last whole iteration in place. Refused with
+ * MEANDER_INVALID_ARGUMENT when no run has been started since the last wait. */
+MEANDER_API meander_status meander_flow_wait(meander_flow* flow, meander_error* error);
+
+/* The figures of a copy of the curve; see meander_flow_get_preview. */
+typedef struct meander_preview {
+  uint32_t struct_size; /* set by the caller: sizeof(meander_preview) */
+  uint32_t serial;      /* 1 for the curve at the start; every later copy has a greater one */
+  uint32_t iterations;  /* over the life of the flow */
+  uint32_t nodes;
+  double length;  /* of the curve */
+  double seconds; /* of all iterations */
+} meander_preview;
+
+/* The newest copy of the curve of a started run, until meander_flow_wait. The run makes one at the
+ * start, and then one after its present iteration whenever the last one has been taken out, so that
+ * a run nobody looks at copies nothing. Never waits for an iteration, only for a copy.
+ *
+ * preview   receives the figures of the copy
+ * others    as in meander_flow_get_polylines, with the same two-call sizing
+ *
+ * A call with too little room, which includes the one that asks for sizes, leaves the copy in
+ * place: one that has not been taken out yet stays the newest, and its sizes hold for the next
+ * call. A copy may be taken out again, but by then a newer one may be there, with other sizes. */
+MEANDER_API meander_status meander_flow_get_preview(meander_flow* flow, meander_preview* preview,
+                                                    double* positions, double* normals,
+                                                    size_t point_capacity, size_t* point_count,
+                                                    uint32_t* offsets, uint8_t* closed,
+                                                    size_t strand_capacity, size_t* strand_count,
+                                                    meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: figures                                                                                */
@@ -366,6 +427,34 @@ MEANDER_API meander_status meander_flow_get_nodes(const meander_flow* flow, uint
                                                   double* barycentrics, double* radii,
                                                   uint8_t* fixed, size_t capacity, size_t* count,
                                                   meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: gaps                                                                                   */
+
+/* Finds the places that the present curve leaves empty, the largest first. The size of a place is its
+ * straight distance from the curve in units of the local r: 1 between strands at the wanted spacing.
+ * Every gap is a local maximum of it, at the boundary also of the way along the boundary; no gap's
+ * position lies within the radius of a larger one. A long furrow that is too wide gives a row of gaps.
+ *
+ * The search starts from the nodes' medial balls and from the middles of faces, so it also sees parts
+ * of the surface that no strand has reached. Their sizes are lower bounds where a place is larger than
+ * r_max. It does not see the far side of a sheet thinner than r: the strands of one side cover both.
+ *
+ * least_size  how large a place must be to count, in local r, from 1 to 1e6; 0: 1.2
+ * positions   double[3 * capacity], on the surface; may be NULL only when capacity is 0
+ * radii       double[capacity]: distance from the position to the curve, in the caller's units, or NULL
+ * sizes       double[capacity]: the same in units of the local r, not rising, or NULL
+ * faces       uint32_t[capacity]: the face of each position, as passed to meander_surface_create, or
+ *             NULL
+ * capacity    room in the arrays, in gaps
+ * count       receives the number of gaps; when it exceeds capacity nothing is copied
+ *
+ * Two-call sizing as in meander_flow_get_polylines, but every call searches anew: it costs one medial
+ * axis and a few nearest-point queries a node and face. The curve stays as it is. */
+MEANDER_API meander_status meander_flow_get_gaps(meander_flow* flow, double least_size,
+                                                 double* positions, double* radii, double* sizes,
+                                                 uint32_t* faces, size_t capacity, size_t* count,
+                                                 meander_error* error);
 
 #ifdef __cplusplus
 }

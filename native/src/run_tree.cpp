@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_tree.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace meander {
+namespace {
+
+/// Four lanes that every compiler for every processor here knows (GCC's and Clang's vector types).
+using Float4 = float __attribute__((vector_size(16)));
+
+Float4 load(const float* p) { return Float4{p[0], p[1], p[2], p[3]}; }
+Float4 all(float v) { return Float4{v, v, v, v}; }
+Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
+
+float rounded_down(double v) {
+  const float f = static_cast<float>(v);
+  return f <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
+}
+float rounded_up(double v) {
+  const float f = static_cast<float>(v);
+  return f >= v ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
+}
+
+/// Coordinates below 8 and three subtractions, squares and sums in single precision err by less than
+/// this in a distance, so a box that a ball of this much more misses is missed by the ball.
+constexpr double kSlack = 4e-6;
+
+struct Ball {
+  Float4 x, y, z;  // centre
+  float squared;   // radius, with slack
+
+  Ball(const Eigen::Vector3d& at, const Eigen::Vector3d& b, double radius)
+      : x(all(static_cast<float>(at.x() + radius * b.x()))),
+        y(all(static_cast<float>(at.y() + radius * b.y()))),
+        z(all(static_cast<float>(at.z() + radius * b.z()))) {
+    const double r = radius + kSlack * (1 + radius);
+    squared = rounded_up(r * r);
+  }
+};
+
+}  // namespace
+
+RunTree::RunTree(const std::vector<Eigen::Vector3d>& points, Team& team) : points_(points) {
+  const uint32_t count = static_cast<uint32_t>((points.size() + kRun - 1) / kRun);
+  boxes_.resize(count);
+  runs_.resize(count);
+  team.for_blocks(count, 256, [&](size_t, size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      Eigen::Vector3d low = points[k * kRun], high = low;
+      for (size_t i = k * kRun; i < std::min(points.size(), (k + 1) * kRun); ++i) {
+        low = low.cwiseMin(points[i]);
+        high = high.cwiseMax(points[i]);
+      }
+      for (int a = 0; a < 3; ++a) {
+        boxes_[k].low[a] = rounded_down(low[a]);
+        boxes_[k].high[a] = rounded_up(high[a]);
+      }
+      runs_[k] = static_cast<uint32_t>(k);
+    }
+  });
+  nodes_.reserve(count / 2 + 4);
+  if (count > 0) build(0, count);
+}
+
+/// Puts the runs that come first along the widest axis before `middle`.
+void RunTree::halve(uint32_t first, uint32_t middle, uint32_t last) {
+  const auto centre = [&](uint32_t run, int axis) { return boxes_[run].low[axis] + boxes_[run].high[axis]; };
+  int widest = 0;
+  float width = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    float low = centre(runs_[first], axis), high = low;
+    for (uint32_t i = first; i < last; ++i) {
+      low = std::min(low, centre(runs_[i], axis));
+      high = std::max(high, centre(runs_[i], axis));
+    }
+    if (high - low > width) {
+      width = high - low;
+      widest = axis;
+    }
+  }
+  std::nth_element(runs_.begin() + first, runs_.begin() + middle, runs_.begin() + last, [&](uint32_t p, uint32_t q) {
+    const float a = centre(p, widest), b = centre(q, widest);
+    return a != b ? a < b : p < q;
+  });
+}
+
+uint32_t RunTree::build(uint32_t first, uint32_t last) {
+  const uint32_t at = static_cast<uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  const uint32_t n = last - first, half = n / 2;
+  const uint32_t cuts[5] = {first, first + half / 2, first + half, first + half + (n - half) / 2, last};
+  if (n > 1) halve(cuts[0], cuts[2], cuts[4]);
+  if (half > 1) halve(cuts[0], cuts[1], cuts[2]);
+  if (n - half > 1) halve(cuts[2], cuts[3], cuts[4]);
+  Node node;
+  for (int k = 0; k < 4; ++k) {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      node.low[axis][k] = kFar;  // an empty child is nowhere
+      node.high[axis][k] = -kFar;
+      for (uint32_t i = cuts[k]; i < cuts[k + 1]; ++i) {
+        node.low[axis][k] = std::min(node.low[axis][k], boxes_[runs_[i]].low[axis]);
+        node.high[axis][k] = std::max(node.high[axis][k], boxes_[runs_[i]].high[axis]);
+      }
+    }
+    const uint32_t size = cuts[k + 1] - cuts[k];
+    node.child[k] = size == 1 ? kLeaf | runs_[cuts[k]] : (size > 1 ? build(cuts[k], cuts[k + 1]) : 0);
+  }
+  nodes_[at] = node;
+  return at;
+}
+
+double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most) const {
+  if (nodes_.empty()) return most;
+  struct Place {
+    uint32_t id;
+    float distance;  // squared, from the centre of the ball when it was seen
+  };
+  // A level leaves at most 3 places behind; 2^30 points make 15 levels.
+  constexpr int kMostPlaces = 64;
+  Place stack[kMostPlaces];
+  int top = 0;
+  stack[top++] = {0, 0};
+  double radius = most;
+  Ball ball(x, b, radius);
+  while (top > 0) {
+    const Place place = stack[--top];
+    if (place.distance >= ball.squared) continue;
+    if (place.id & kLeaf) {
+      const size_t first = size_t{place.id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_.size());
+      bool smaller = false;
+      for (size_t i = first; i < end; ++i) {
+        const double ux = points_[i].x() - x.x(), uy = points_[i].y() - x.y(), uz = points_[i].z() - x.z();
+        const double squared = ux * ux + uy * uy + uz * uz;
+        const double ahead = ux * b.x() + uy * b.y() + uz * b.z();
+        if (squared < 2 * radius * ahead) {
+          radius = squared / (2 * ahead);
+          smaller = true;
+        }
+      }
+      if (smaller) {
+        ball = Ball(x, b, radius);
+        // Distances from the old centre say nothing of the new ball.
+        for (int k = 0; k < top; ++k) stack[k].distance = 0;
+      }
+      continue;
+    }
+    const Node& n = nodes_[place.id];
+    const Float4 dx = larger(larger(load(n.low[0]) - ball.x, ball.x - load(n.high[0])), all(0));
+    const Float4 dy = larger(larger(load(n.low[1]) - ball.y, ball.y - load(n.high[1])), all(0));
+    const Float4 dz = larger(larger(load(n.low[2]) - ball.z, ball.z - load(n.high[2])), all(0));
+    const Float4 distance = dx * dx + dy * dy + dz * dz;
+    // The nearest child comes last, to be looked at first: it shrinks the ball most.
+    const int base = top;
+    for (int k = 0; k < 4; ++k) {
+      if (!(distance[k] < ball.squared)) continue;
+      int at = top++;
+      for (; at > base && stack[at - 1].distance < distance[k]; --at) stack[at] = stack[at - 1];
+      stack[at] = {n.child[k], distance[k]};
+    }
+  }
+  return radius;
+}
+
+}  // namespace meander

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Gaps against brute force: the distance of dense samples of the surface from every piece of the
+// curve.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "meander/meander.h"
+#include "test_meshes.h"
+
+namespace meander::test {
+namespace {
+
+/// The climb to a maximum ends at steps of 0.005 r. Where the best start stands at the foot of a
+/// long flat crease it may end a little below the top.
+constexpr double kMissed = 0.03;  // r
+
+/// Samples of the surface are at most this far apart along each side of a small triangle, so the
+/// greatest distance of a sample is at most this much below that of any point.
+constexpr double kSample = 0.1;  // r
+
+/// The library measures the segments of the nodes that are nearest. On noise, a path may bend so
+/// much that a segment of other nodes comes a little nearer.
+constexpr double kOtherSegment = 0.002;  // r
+
+struct Strands {
+  std::vector<double> points;
+  std::vector<uint32_t> offsets{0};
+  std::vector<uint8_t> closed;
+
+  void add(std::initializer_list<Vec3> strand, bool is_closed = false) {
+    for (const Vec3& p : strand) points.insert(points.end(), p.data(), p.data() + 3);
+    offsets.push_back(static_cast<uint32_t>(points.size() / 3));
+    closed.push_back(is_closed);
+  }
+};
+
+struct Gaps {
+  std::vector<double> positions, radii, sizes;
+  std::vector<uint32_t> faces;
+
+  size_t count() const { return sizes.size(); }
+  Vec3 position(size_t k) const { return Vec3(positions.data() + 3 * k); }
+  bool operator==(const Gaps&) const = default;
+};
+
+/// A flow through the C API.
+class FlowRun {
+ public:
+  FlowRun(const Mesh& mesh, double radius, const Strands* strands = nullptr, uint32_t threads = 2,
+          const std::vector<double>& density = {}) {
+    EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
+                                     mesh.face_count(), &surface_, nullptr),
+              MEANDER_OK);
+    meander_flow_options options;
+    EXPECT_EQ(meander_flow_options_init(&options, MEANDER_PRESET_EVEN), MEANDER_OK);
+    options.radius = radius;
+    options.growth_coarsening = 1;
+    options.threads = threads;
+    meander_seed seed{};
+    std::vector<uint8_t> fixed;
+    if (strands) {
+      fixed.assign(strands->points.size() / 3, 1);
+      seed = {sizeof(seed),           static_cast<uint32_t>(strands->closed.size()),
+              strands->points.data(), strands->offsets.data(),
+              strands->closed.data(), fixed.data()};
+    }
+    meander_error error{};
+    error.struct_size = sizeof(error);
+    EXPECT_EQ(
+        meander_flow_create(surface_, strands ? &seed : nullptr,
+                            density.empty() ? nullptr : density.data(), &options, &flow_, &error),
+        MEANDER_OK)
+        << error.text;
+  }
+  ~FlowRun() {
+    meander_flow_destroy(flow_);
+    meander_surface_destroy(surface_);
+  }
+  FlowRun(const FlowRun&) = delete;
+  FlowRun& operator=(const FlowRun&) = delete;
+
+  void steps(int count) {
+    for (int k = 0; k < count; ++k)
+      ASSERT_EQ(meander_flow_step(flow_, nullptr, nullptr), MEANDER_OK);
+  }
+
+  Gaps gaps(double least_size = 0) {
+    size_t count = 0;
+    EXPECT_EQ(meander_flow_get_gaps(flow_, least_size, nullptr, nullptr, nullptr, nullptr, 0,
+                                    &count, nullptr),
+              MEANDER_OK);
+    Gaps g;
+    g.positions.resize(3 * count);
+    g.radii.resize(count);
+    g.sizes.resize(count);
+    g.faces.resize(count);
+    size_t again = 0;
+    EXPECT_EQ(meander_flow_get_gaps(flow_, least_size, g.positions.data(), g.radii.data(),
+                                    g.sizes.data(), g.faces.data(), count, &again, nullptr),
+              MEANDER_OK);
+    EXPECT_EQ(again, count);
+    return g;
+  }
+
+  /// The straight pieces of the curve, both ends of each.
+  std::vector<Vec3> pieces() const {
+    size_t points = 0, strands = 0;
+    EXPECT_EQ(meander_flow_get_polylines(flow_, nullptr, nullptr, 0, &points, nullptr, nullptr, 0,
+                                         &strands, nullptr),
+              MEANDER_OK);
+    std::vector<double> positions(3 * points);
+    std::vector<uint32_t> offsets(strands + 1);
+    std::vector<uint8_t> closed(strands);
+    EXPECT_EQ(meander_flow_get_polylines(flow_, positions.data(), nullptr, points, &points,
+                                         offsets.data(), closed.data(), strands, &strands, nullptr),
+              MEANDER_OK);
+    std::vector<Vec3> ends;
+    for (size_t s = 0; s < strands; ++s) {
+      const uint32_t first = offsets[s], count = offsets[s + 1] - first;
+      for (uint32_t k = 0; k + 1 < count + closed[s]; ++k) {
+        ends.push_back(Vec3(positions.data() + 3 * (first + k)));
+        ends.push_back(Vec3(positions.data() + 3 * (first + (k + 1) % count)));
+      }
+    }
+    return ends;
+  }
+
+  meander_flow* flow() { return flow_; }
+
+ private:
+  meander_surface* surface_ = nullptr;
+  meander_flow* flow_ = nullptr;
+};
+
+double distance(const Vec3& p, const std::vector<Vec3>& pieces) {
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t k = 0; k < pieces.size(); k += 2) {
+    const Vec3 d = pieces[k + 1] - pieces[k];
+    const double dd = d.squaredNorm();
+    const double t = dd > 0 ? std::clamp((p - pieces[k]).dot(d) / dd, 0.0, 1.0) : 0;
+    least = std::min(least, (p - pieces[k] - t * d).squaredNorm());
+  }
+  return std::sqrt(least);
+}
+
+struct Farthest {
+  Vec3 position = Vec3::Zero();
+  double distance = 0;
+};
+
+/// The sample of the surface that is farthest from the curve.
+Farthest brute_force(const Mesh& mesh, const std::vector<Vec3>& pieces, double spacing) {
+  Farthest best;
+  for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const Vec3 a = mesh.at(mesh.faces[3 * f]), b = mesh.at(mesh.faces[3 * f + 1]),
+               c = mesh.at(mesh.faces[3 * f + 2]);
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    // Everything in the face is nearer than this, so most faces need no samples.
+    const Vec3 middle = (a + b + c) / 3;
+    const double reach = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
+    if (distance(middle, pieces) + reach <= best.distance) continue;
+    const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; i + j <= n; ++j) {
+        const Vec3 p = a + (b - a) * (double(i) / n) + (c - a) * (double(j) / n);
+        const double d = distance(p, pieces);
+        if (d > best.distance) best = {p, d};
+      }
+    }
+  }
+  return best;
+}
+
+/// What holds for any gaps of any curve.
+void expect_gaps(const Gaps& gaps, const Mesh& mesh, const std::vector<Vec3>& pieces, double radius,
+                 double least_size) {
+  for (size_t k = 0; k < gaps.count(); ++k) {
+    EXPECT_GE(gaps.sizes[k], least_size);
+    if (k > 0) {
+      EXPECT_LE(gaps.sizes[k], gaps.sizes[k - 1]);
+    }
+    EXPECT_NEAR(distance(gaps.position(k), pieces), gaps.radii[k], kOtherSegment * radius);
+    for (size_t l = 0; l < k; ++l) {
+      EXPECT_GE((gaps.position(k) - gaps.position(l)).norm(), gaps.radii[l] * (1 - 1e-9));
+    }
+    // On the face that it names.
+    ASSERT_LT(gaps.faces[k], mesh.face_count());
+    const uint32_t* t = mesh.faces.data() + 3 * gaps.faces[k];
+    const Vec3 a = mesh.at(t[0]), u = mesh.at(t[1]) - a, v = mesh.at(t[2]) - a,
+               p = gaps.position(k) - a;
+    const Vec3 n = u.cross(v);
+    EXPECT_NEAR(p.dot(n.normalized()), 0, 1e-12 * radius + 1e-15);
+    const double s = p.cross(v).dot(n) / n.squaredNorm(), w = u.cross(p).dot(n) / n.squaredNorm();
+    EXPECT_GT(std::min({s, w, 1 - s - w}), 0);
+  }
+}
+
+/// Lines 2 r apart over the unit square; the middle one has an opening of 4 r.
+Strands lines_with_an_opening() {
+  Strands strands;
+  for (const double y : {0.1, 0.3, 0.7, 0.9}) strands.add({{0.001, y, 0}, {0.999, y, 0}});
+  strands.add({{0.001, 0.5, 0}, {0.3, 0.5, 0}});
+  strands.add({{0.7, 0.5, 0}, {0.999, 0.5, 0}});
+  return strands;
+}
+
+TEST(Gaps, TheOpeningInAStrandIsTheOnlyGap) {
+  constexpr double kRadius = 0.1;
+  for (const uint32_t cells : {1u, 4u, 30u}) {
+    SCOPED_TRACE(cells);
+    const Mesh mesh = flat_grid(cells);
+    const Strands strands = lines_with_an_opening();
+    FlowRun run(mesh, kRadius, &strands);
+    const Gaps gaps = run.gaps();
+    ASSERT_EQ(gaps.count(), 1u);
+    EXPECT_NEAR(gaps.sizes[0], 2, kMissed);
+    EXPECT_NEAR(gaps.radii[0], 2 * kRadius, kMissed * kRadius);
+    EXPECT_LE((gaps.position(0) - Vec3(0.5, 0.5, 0)).norm(), kMissed * kRadius);
+    const Farthest farthest = brute_force(mesh, run.pieces(), kSample * kRadius);
+    EXPECT_NEAR(gaps.radii[0], farthest.distance, (kSample + kMissed) * kRadius);
+    expect_gaps(gaps, mesh, run.pieces(), kRadius, 1.2);
+    EXPECT_EQ(run.gaps(2.5).count(), 0u);
+  }
+}
+
+TEST(Gaps, TheLargestIsThatOfBruteForceWhileGrowing) {
+  const std::vector<std::pair<Mesh, double>> cases = {
+      {sphere(3), 0.15},      {torus(30, 15), 0.12},
+      {cube(), 0.1},          {flat_grid(1), 0.05},
+      {flat_grid(20), 0.05},  {grid_with_hole(12), 0.05},
+      {bumpy_grid(12), 0.05}, {with_noise(sphere(3), 0.2, 3), 0.15},
+  };
+  for (size_t c = 0; c < cases.size(); ++c) {
+    const auto& [mesh, radius] = cases[c];
+    FlowRun run(mesh, radius);
+    for (const int more : {12, 100}) {
+      run.steps(more);
+      SCOPED_TRACE("case " + std::to_string(c) + " after " + std::to_string(more) + " more steps");
+      constexpr double kLeast = 1.05;
+      const Gaps gaps = run.gaps(kLeast);
+      const std::vector<Vec3> pieces = run.pieces();
+      expect_gaps(gaps, mesh, pieces, radius, kLeast);
+      const Farthest farthest = brute_force(mesh, pieces, kSample * radius);
+      if (farthest.distance < (kLeast + kMissed) * radius) continue;
+      ASSERT_GE(gaps.count(), 1u);
+      EXPECT_LE(gaps.radii[0], farthest.distance + (kSample + kOtherSegment) * radius);
+      EXPECT_GE(gaps.radii[0], farthest.distance - (kMissed + kOtherSegment) * radius);
+    }
+  }
+}
+
+TEST(Gaps, AComponentWithoutAStrandIsAGap) {
+  const Mesh mesh = joined(flat_grid(8), flat_grid(1), 1.2);
+  Strands strands;
+  for (const double y : {0.1, 0.3, 0.5, 0.7, 0.9}) strands.add({{0.001, y, 0}, {0.999, y, 0}});
+  FlowRun run(mesh, 0.1, &strands);
+  const Gaps gaps = run.gaps();
+  ASSERT_GE(gaps.count(), 1u);
+  // The far side of the second square.
+  EXPECT_GE(gaps.faces[0], 2u * 8 * 8);
+  EXPECT_NEAR(gaps.position(0).x(), 2.2, 0.01);
+  for (const uint32_t face : gaps.faces) EXPECT_GE(face, 2u * 8 * 8);
+}
+
+TEST(Gaps, CornersOfTheSurfaceCount) {
+  Strands strands;
+  strands.add({{0.3, 0.3, 0}, {0.7, 0.3, 0}, {0.7, 0.7, 0}, {0.3, 0.7, 0}}, true);
+  const Mesh mesh = flat_grid(10);
+  FlowRun run(mesh, 0.15, &strands);
+  const Gaps gaps = run.gaps();
+  // Four corners, a place beside each side of the ring, and the middle of it.
+  ASSERT_EQ(gaps.count(), 9u);
+  for (size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(gaps.radii[k], 0.3 * std::sqrt(2), kMissed * 0.15);
+    EXPECT_LE(std::min(gaps.position(k).x(), 1 - gaps.position(k).x()), kMissed * 0.15);
+    EXPECT_LE(std::min(gaps.position(k).y(), 1 - gaps.position(k).y()), kMissed * 0.15);
+  }
+  for (size_t k = 4; k < 8; ++k) EXPECT_NEAR(gaps.radii[k], 0.3, kMissed * 0.15);
+  EXPECT_NEAR(gaps.radii[8], 0.2, kMissed * 0.15);
+  EXPECT_LE((gaps.position(8) - Vec3(0.5, 0.5, 0)).norm(), kMissed * 0.15);
+}
+
+TEST(Gaps, SizesAreInLocalRadii) {
+  const Mesh mesh = flat_grid(10);
+  const Strands strands = lines_with_an_opening();
+  FlowRun run(mesh, 0.2, &strands, 2, std::vector<double>(mesh.vertex_count(), 4));
+  const Gaps gaps = run.gaps();
+  ASSERT_EQ(gaps.count(), 1u);
+  EXPECT_NEAR(gaps.sizes[0], 2, kMissed);
+  EXPECT_NEAR(gaps.radii[0], 0.2, kMissed * 0.1);
+}
+
+TEST(Gaps, SameBytesForAnyNumberOfThreadsAndAtAnyScale) {
+  const Mesh mesh = torus(30, 15);
+  FlowRun one(mesh, 0.12, nullptr, 1), four(mesh, 0.12, nullptr, 4),
+      small(scaled(mesh, 0x1p-10), 0.12 * 0x1p-10);
+  for (FlowRun* run : {&one, &four, &small}) run->steps(20);
+  const Gaps gaps = one.gaps(1.1);
+  EXPECT_GE(gaps.count(), 2u);
+  EXPECT_EQ(four.gaps(1.1), gaps);
+  const Gaps scaled_gaps = small.gaps(1.1);
+  EXPECT_EQ(scaled_gaps.sizes, gaps.sizes);
+  EXPECT_EQ(scaled_gaps.faces, gaps.faces);
+}
+
+TEST(Gaps, LookingForThemChangesNothing) {
+  FlowRun looked(sphere(3), 0.15), left_alone(sphere(3), 0.15);
+  for (int k = 0; k < 20; ++k) {
+    looked.steps(1);
+    left_alone.steps(1);
+    looked.gaps();
+  }
+  EXPECT_EQ(looked.pieces(), left_alone.pieces());
+}
+
+TEST(Gaps, BadArgumentsAreRefused) {
+  FlowRun run(sphere(2), 0.3);
+  size_t count = 99;
+  EXPECT_EQ(
+      meander_flow_get_gaps(nullptr, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr),
+      MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(
+      meander_flow_get_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 0, nullptr, nullptr),
+      MEANDER_INVALID_ARGUMENT);
+  for (const double size : {0.5, -1.0, std::nan(""), HUGE_VAL}) {
+    EXPECT_EQ(meander_flow_get_gaps(run.flow(), size, nullptr, nullptr, nullptr, nullptr, 0, &count,
+                                    nullptr),
+              MEANDER_INVALID_ARGUMENT);
+  }
+  EXPECT_EQ(meander_flow_get_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 1000, &count,
+                                  nullptr),
+            MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(count, 99u) << "outputs are untouched on failure";
+  // All but the positions may be left out.
+  std::vector<double> positions(3000);
+  EXPECT_EQ(meander_flow_get_gaps(run.flow(), 0, positions.data(), nullptr, nullptr, nullptr, 1000,
+                                  &count, nullptr),
+            MEANDER_OK);
+  EXPECT_GE(count, 1u);
+  // A started flow belongs to its run.
+  ASSERT_EQ(meander_flow_start(run.flow(), nullptr, nullptr), MEANDER_OK);
+  EXPECT_EQ(
+      meander_flow_get_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr),
+      MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_wait(run.flow(), nullptr), MEANDER_OK);
+}
+
+}  // namespace
+}  // namespace meander::test

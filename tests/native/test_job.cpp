@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A run on the library's own thread, through the C API as a host uses it: the same curve as a run on
+// the caller's, previews between iterations, and every way to end it.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "meander/meander.h"
+#include "test_meshes.h"
+
+namespace meander::test {
+namespace {
+
+/// On a unit sphere a run of seconds, so that it is still going when it is looked at; what has to end by
+/// itself gets an iteration limit. The first iterations are the cheapest.
+constexpr double kSpacing = 0.05;
+/// A test of the waiting kind gives up after this; far longer than any iteration here.
+constexpr auto kPatience = std::chrono::seconds(60);
+
+struct Curve3 {
+  std::vector<double> positions, normals;
+  std::vector<uint32_t> offsets;
+  std::vector<uint8_t> closed;
+  bool operator==(const Curve3&) const = default;
+};
+
+/// A flow on a sphere, and everything that belongs to it.
+class Host {
+ public:
+  explicit Host(uint32_t iteration_limit = 0) {
+    const Mesh mesh = sphere(3);
+    meander_surface* surface = nullptr;
+    EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
+                                     mesh.face_count(), &surface, nullptr),
+              MEANDER_OK);
+    meander_flow_options options;
+    EXPECT_EQ(meander_flow_options_init(&options, MEANDER_PRESET_EVEN), MEANDER_OK);
+    options.radius = 0.5 * kSpacing;
+    options.threads = 2;
+    if (iteration_limit) options.iteration_limit = iteration_limit;
+    EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, &options, &flow, nullptr), MEANDER_OK);
+    meander_surface_destroy(surface);
+  }
+  ~Host() {
+    meander_flow_destroy(flow);
+    meander_context_destroy(context);
+  }
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  void start() { ASSERT_EQ(meander_flow_start(flow, context, &error), MEANDER_OK) << error.text; }
+
+  /// The newest copy in two calls; its curve is empty when the copy has been seen before.
+  std::pair<meander_preview, Curve3> preview() {
+    meander_preview figures{};
+    figures.struct_size = sizeof figures;
+    size_t points = 0, strands = 0;
+    Curve3 curve;
+    EXPECT_EQ(meander_flow_get_preview(flow, &figures, nullptr, nullptr, 0, &points, nullptr, nullptr, 0,
+                                       &strands, &error),
+              MEANDER_OK)
+        << error.text;
+    if (figures.serial == seen) return {figures, curve};
+    const uint32_t serial = figures.serial;
+    seen = serial;
+    resize(curve, points, strands);
+    EXPECT_EQ(meander_flow_get_preview(flow, &figures, curve.positions.data(), curve.normals.data(), points,
+                                       &points, curve.offsets.data(), curve.closed.data(), strands, &strands,
+                                       &error),
+              MEANDER_OK)
+        << error.text;
+    EXPECT_EQ(figures.serial, serial) << "a copy that was not taken must stay";
+    EXPECT_EQ(points, curve.normals.size() / 3);
+    return {figures, curve};
+  }
+
+  Curve3 curve() {
+    size_t points = 0, strands = 0;
+    Curve3 curve;
+    EXPECT_EQ(meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands,
+                                         &error),
+              MEANDER_OK)
+        << error.text;
+    resize(curve, points, strands);
+    EXPECT_EQ(meander_flow_get_polylines(flow, curve.positions.data(), curve.normals.data(), points, &points,
+                                         curve.offsets.data(), curve.closed.data(), strands, &strands, &error),
+              MEANDER_OK)
+        << error.text;
+    return curve;
+  }
+
+  size_t iterations() {
+    size_t count = 0;
+    EXPECT_EQ(meander_flow_get_history(flow, nullptr, 0, &count, &error), MEANDER_OK) << error.text;
+    return count;
+  }
+
+  /// Lets the run make this many iterations more than the curve at the start had.
+  void let_run(uint32_t iterations) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (preview().first.iterations < iterations) {
+      ASSERT_TRUE(meander_flow_is_running(flow));
+      ASSERT_LT(std::chrono::steady_clock::now(), end);
+      std::this_thread::yield();
+    }
+  }
+
+  meander_flow* flow = nullptr;
+  meander_context* context = meander_context_create();
+  meander_error error{sizeof(meander_error), 0, 0, 0, 0, ""};
+  uint32_t seen = 0;
+
+ private:
+  static void resize(Curve3& curve, size_t points, size_t strands) {
+    curve.positions.resize(3 * points);
+    curve.normals.resize(3 * points);
+    curve.offsets.resize(strands + 1);
+    curve.closed.resize(strands);
+  }
+};
+
+TEST(Job, GivesTheSameBytesAsARun) {
+  Host plain(40), watched(40), alone(40);
+  ASSERT_EQ(meander_flow_run(plain.flow, nullptr, nullptr), MEANDER_OK);
+  alone.start();
+  watched.start();  // two at once, of which one is looked at as often as can be
+  while (meander_flow_is_running(watched.flow)) watched.preview();
+  EXPECT_EQ(meander_flow_wait(watched.flow, nullptr), MEANDER_OK);
+  EXPECT_EQ(meander_flow_wait(alone.flow, nullptr), MEANDER_OK);
+  EXPECT_EQ(meander_context_progress(alone.context), 1);
+  for (Host* host : {&watched, &alone}) {
+    EXPECT_EQ(meander_flow_stop_reason(host->flow), static_cast<uint32_t>(MEANDER_ITERATION_LIMIT));
+    EXPECT_TRUE(host->curve() == plain.curve());
+  }
+}
+
+TEST(Job, ShowsWholeCurvesThatGrow) {
+  Host host;
+  const Curve3 seed = host.curve();
+  host.start();
+  const auto [first, first_curve] = host.preview();
+  EXPECT_EQ(first.serial, 1u);
+  EXPECT_EQ(first.iterations, 0u);
+  EXPECT_TRUE(first_curve == seed) << "the first copy is of the curve at the start";
+  uint32_t copies = 0, iterations = 0, serial = 1;
+  while (copies < 10 && meander_flow_is_running(host.flow)) {
+    const auto [figures, curve] = host.preview();
+    if (curve.positions.empty()) continue;
+    ++copies;
+    EXPECT_GT(figures.serial, std::exchange(serial, figures.serial));
+    EXPECT_GT(figures.iterations, std::exchange(iterations, figures.iterations));
+    EXPECT_GT(figures.seconds, 0);
+    ASSERT_EQ(curve.closed.size(), 1u);
+    ASSERT_EQ(curve.offsets.back(), curve.positions.size() / 3);
+    EXPECT_GE(curve.offsets.back(), figures.nodes);
+    double length = 0;
+    const size_t points = curve.offsets.back();
+    for (size_t i = 0; i < points; ++i) {
+      double squares = 0, size = 0;
+      for (size_t k = 0; k < 3; ++k) {
+        const double x = curve.positions[3 * i + k];
+        ASSERT_TRUE(std::isfinite(x) && std::isfinite(curve.normals[3 * i + k]));
+        size += x * x;
+        const double d = curve.positions[3 * ((i + 1) % points) + k] - x;
+        squares += d * d;
+      }
+      EXPECT_LE(size, 1 + 1e-9) << "the points are on the facets of a unit sphere";
+      EXPECT_GE(size, 0.97);
+      length += std::sqrt(squares);
+    }
+    EXPECT_NEAR(length, figures.length, 1e-6 * length) << "figures and curve are of one moment";
+  }
+  EXPECT_EQ(copies, 10u);
+  meander_context_cancel(host.context);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_CANCELLED);
+}
+
+TEST(Job, CopiesNothingForAHostThatDoesNotLook) {
+  Host host(5);
+  host.start();
+  host.preview();  // the seed, and one copy is asked for
+  while (meander_flow_is_running(host.flow)) std::this_thread::yield();
+  // On a busy machine the run may have been over before it was asked.
+  const uint32_t last = host.preview().first.serial;
+  EXPECT_LE(last, 2u);
+  EXPECT_EQ(host.preview().first.serial, last) << "nobody makes another after the end";
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_OK);
+}
+
+TEST(Job, TooLittleRoomTakesNothing) {
+  Host host;
+  host.start();
+  meander_preview figures{};
+  figures.struct_size = sizeof figures;
+  size_t points = 0, strands = 0;
+  for (int look = 0; look < 3; ++look) {
+    double position[3] = {7, 7, 7};
+    uint32_t offsets[2] = {7, 7};
+    uint8_t closed[1] = {7};
+    EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, position, nullptr, 1, &points, offsets, closed, 1,
+                                       &strands, nullptr),
+              MEANDER_OK);
+    EXPECT_EQ(figures.serial, 1u);
+    EXPECT_GT(points, 2u);
+    EXPECT_EQ(strands, 1u);
+    EXPECT_TRUE(position[0] == 7 && offsets[0] == 7 && closed[0] == 7);
+    while (meander_context_progress(host.context) == 0) std::this_thread::yield();
+  }
+  EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, points, &points, nullptr, nullptr,
+                                     strands, &strands, &host.error),
+            MEANDER_INVALID_ARGUMENT);
+  EXPECT_NE(std::strlen(host.error.text), 0u);
+}
+
+TEST(Job, IsCancelledWithinAnIterationAndGoesOn) {
+  Host host;
+  host.start();
+  host.let_run(3);
+  meander_context_cancel(host.context);
+  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_CANCELLED);
+  EXPECT_STREQ(host.error.text, "The run was cancelled.");
+  EXPECT_FALSE(meander_flow_is_running(host.flow));
+  EXPECT_EQ(meander_flow_stop_reason(host.flow), static_cast<uint32_t>(MEANDER_STOPPED));
+  const size_t iterations = host.iterations();
+  EXPECT_GE(iterations, 3u);
+  const Curve3 before = host.curve();
+  host.start();  // still cancelled: nothing happens
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_CANCELLED);
+  EXPECT_EQ(host.iterations(), iterations);
+  EXPECT_TRUE(host.curve() == before);
+  meander_context_reset(host.context);
+  host.seen = 0;
+  host.start();
+  EXPECT_EQ(host.preview().first.serial, 1u) << "every start counts anew";
+  host.let_run(static_cast<uint32_t>(iterations) + 2);
+  meander_context_cancel(host.context);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_CANCELLED);
+  EXPECT_GE(host.iterations(), iterations + 2);
+}
+
+TEST(Job, RefusesEverythingElseUntilTheWait) {
+  Host host(4);
+  size_t count = 0, strands = 0;
+  meander_flow_statistics statistics{};
+  statistics.struct_size = sizeof statistics;
+  meander_preview figures{};
+  figures.struct_size = sizeof figures;
+  host.start();
+  // While it runs, and after it has ended by itself: whether a call is refused is no matter of luck.
+  for (int round = 0; round < 2; ++round) {
+    for (const meander_status status : {
+             meander_flow_start(host.flow, nullptr, &host.error),
+             meander_flow_step(host.flow, nullptr, &host.error),
+             meander_flow_run(host.flow, nullptr, &host.error),
+             meander_flow_get_statistics(host.flow, &statistics, &host.error),
+             meander_flow_get_history(host.flow, nullptr, 0, &count, &host.error),
+             meander_flow_get_polylines(host.flow, nullptr, nullptr, 0, &count, nullptr, nullptr, 0, &strands,
+                                        &host.error),
+             meander_flow_get_nodes(host.flow, nullptr, nullptr, nullptr, nullptr, 0, &count, &host.error),
+             meander_flow_get_gaps(host.flow, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, &host.error),
+         }) {
+      EXPECT_EQ(status, MEANDER_INVALID_ARGUMENT);
+      EXPECT_STREQ(host.error.text,
+                   "The flow has been started and belongs to its run; call meander_flow_wait first.");
+    }
+    EXPECT_EQ(meander_flow_stop_reason(host.flow), static_cast<uint32_t>(MEANDER_RUNNING));
+    while (meander_flow_is_running(host.flow)) std::this_thread::yield();
+  }
+  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_OK);
+  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_INVALID_ARGUMENT);
+  EXPECT_STREQ(host.error.text, "No run of the flow has been started; call meander_flow_start first.");
+  EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
+                                     &strands, &host.error),
+            MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_get_statistics(host.flow, &statistics, &host.error), MEANDER_OK);
+  EXPECT_EQ(statistics.iterations, 4u);
+}
+
+TEST(Job, NullsAreRefusedOrIgnored) {
+  meander_preview figures{};
+  size_t count = 0;
+  EXPECT_EQ(meander_flow_start(nullptr, nullptr, nullptr), MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_wait(nullptr, nullptr), MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_is_running(nullptr), 0u);
+  Host host;
+  EXPECT_EQ(meander_flow_is_running(host.flow), 0u);
+  host.start();
+  EXPECT_EQ(meander_flow_get_preview(host.flow, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
+                                     &count, nullptr),
+            MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
+                                     &count, nullptr),
+            MEANDER_INVALID_ARGUMENT)
+      << "struct_size is 0";
+}
+
+TEST(Job, ARunningFlowCanBeDestroyed) {
+  for (const bool wait_a_little : {false, true, false}) {
+    Host host;
+    host.start();
+    if (wait_a_little) host.let_run(2);
+    // The context first, which the run must then keep alive for itself.
+    meander_context_destroy(std::exchange(host.context, nullptr));
+  }
+}
+
+TEST(Job, TellsAnyThreadWhetherItRuns) {
+  Host host(10);
+  host.start();
+  std::vector<std::thread> lookers;
+  for (int k = 0; k < 2; ++k) {
+    lookers.emplace_back([&host] {
+      while (meander_flow_is_running(host.flow)) std::this_thread::yield();
+    });
+  }
+  for (std::thread& looker : lookers) looker.join();
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_OK);
+}
+
+}  // namespace
+}  // namespace meander::test
