@@ -175,6 +175,32 @@ void Flow::find_radii() {
       }
     }
   });
+  if (settings_.grow_into_empty) stir_empty_stretches();
+}
+
+/// Where both sides of a strand are empty its radii are alike and nothing pulls it anywhere; a wide
+/// smooth loop then grows so slowly that it seems to stand still. There one side and the other are
+/// favoured in turn, so that fingers begin to grow; as soon as they see anything they are left alone.
+void Flow::stir_empty_stretches() {
+  constexpr double kWavelength = 8;  // in r: room for two fingers, one to each side
+  constexpr double kFavour = 0.3;
+  for (const Strand& strand : curve_.strands) {
+    double phase = 0;
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      if (sees_nothing(i)) {
+        const double favour = kFavour * std::sin(phase);
+        felt_radii_[i][0] *= 1 + favour;
+        felt_radii_[i][1] *= 1 - favour;
+      }
+      if (curve_.has_segment(i)) {
+        phase += 2 * std::numbers::pi / kWavelength * curve_.shapes[i].length / local_radius_[i];
+      }
+    }
+  }
+}
+
+bool Flow::sees_nothing(uint32_t node) const {
+  return std::min(radii_[node][0], radii_[node][1]) >= kClamped * max_radius_[node];
 }
 
 void Flow::choose_weights() {
@@ -186,7 +212,7 @@ void Flow::choose_weights() {
   if (convergence_.polishing()) follow_spacing();
   if (settings_.grow_into_empty) {
     for (uint32_t i = 0; i < n; ++i) {
-      if (std::min(radii_[i][0], radii_[i][1]) >= kClamped * max_radius_[i]) weights_.length[i] = kIntoEmpty;
+      if (sees_nothing(i)) weights_.length[i] = kIntoEmpty;
     }
   }
   soften_young_strands();

@@ -89,6 +89,8 @@ class Flow {
   bool iterate(const std::function<bool()>& cancelled);
   void find_local_radii();
   void find_radii();
+  void stir_empty_stretches();
+  bool sees_nothing(uint32_t node) const;
   void choose_weights();
   void soften_young_strands();
   void follow_spacing();

@@ -56,10 +56,11 @@ class Emptiness {
   Gap at(const SurfacePoint& p) const {
     const Vec3 x = position(surface_, p);
     const PointTree::Hit nearest = *tree_.nearest(x);
-    // A node is a little farther than the segment that it ends, so the nearest segment need not be one
-    // of the nearest node's.
+    // The nearest segment need not be one of the nearest node's, but one of its own nodes is at most
+    // half its length farther than it is.
     std::vector<uint32_t> near;
-    tree_.within(x, kGain * (nearest.squared_distance + longest_half_ * longest_half_), near);
+    const double reach = std::sqrt(nearest.squared_distance) + longest_half_;
+    tree_.within(x, reach * reach, near);
     double distance = std::sqrt(nearest.squared_distance);
     for (const uint32_t node : near) {
       for (const uint32_t segment : {curve_.previous(node), node}) {

@@ -23,9 +23,8 @@ constexpr double kMissed = 0.03;  // r
 /// greatest distance of a sample is at most this much below that of any point.
 constexpr double kSample = 0.1;  // r
 
-/// The library measures the segments of the nodes that are nearest. On noise, a path may bend so
-/// much that a segment of other nodes comes a little nearer.
-constexpr double kOtherSegment = 0.002;  // r
+/// Both sides measure the same segments, from points rounded differently.
+constexpr double kOtherSegment = 1e-6;  // r
 
 struct Strands {
   std::vector<double> points;
