@@ -522,10 +522,13 @@ def _summary(reason: str, figures: dict[str, Any]) -> str:
 
 
 def _write_scene(path: Path, arguments: argparse.Namespace, problem: Problem, curve: Any) -> None:
-    """Adds the curve beside its surface and saves a copy of the scene at `path`."""
+    """Adds the curve beside its surface and saves a copy of the scene at `path`.
+
+    The curve keeps what it was made with, so that Continue works on it in a window.
+    """
     import bpy
 
-    from . import blender_data
+    from . import blender_data, properties
 
     surface_object = problem.surface_object
     if surface_object is None:
@@ -536,14 +539,24 @@ def _write_scene(path: Path, arguments: argparse.Namespace, problem: Problem, cu
         mesh.update()
         surface_object = bpy.data.objects.new(name, mesh)
         bpy.context.scene.collection.objects.link(surface_object)
-    blender_data.write_curve(curve, surface_object, f"{surface_object.name} Meander")
-    try:
-        bpy.ops.wm.save_as_mainfile(filepath=str(path.absolute()), copy=True, check_existing=False)
-    except RuntimeError as failure:
-        raise BadInput(
-            f"Blender cannot save {arguments.output} ({' '.join(str(failure).split())}); choose "
-            "another place"
-        ) from failure
+    name = f"{surface_object.name} Meander"
+    curve_object = blender_data.write_curve(curve, surface_object, name)
+    with _saved_settings():
+        properties.copy_settings(surface_object.meander, curve_object.meander)
+        made_with = curve_object.meander
+        made_with.surface = surface_object
+        made_with.spacing = arguments.spacing
+        made_with.preset = arguments.preset.upper()
+        made_with.density_group = arguments.density_group or ""
+        try:
+            bpy.ops.wm.save_as_mainfile(
+                filepath=str(path.absolute()), copy=True, check_existing=False
+            )
+        except RuntimeError as failure:
+            raise BadInput(
+                f"Blender cannot save {arguments.output} ({' '.join(str(failure).split())}); "
+                "choose another place"
+            ) from failure
 
 
 def _write_outputs(

@@ -59,6 +59,10 @@ def test_a_scene_with_named_objects(scene, tmp_path):
     assert [spline.use_cyclic_u for spline in curve.data.splines] == [True]
     assert length_of(curve) == pytest.approx(figures["length"], rel=1e-5)
     assert farthest_from(surface, curve) < 2e-6
+    # What it was made with, so that Continue works on it.
+    assert curve.meander.surface == surface
+    assert curve.meander.spacing == pytest.approx(0.3)
+    assert curve.meander.density_group == "Top"
 
 
 @pytest.mark.parametrize(
