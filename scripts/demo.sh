@@ -39,7 +39,7 @@ blender_script "Setting the scene" scripts/demo_scene.py "$demo/scene.blend"
 # From the profile, as a user has it: nothing of the checkout's add-on is used.
 blender_script "Filling Suzanne" "$BLENDER_USER_SCRIPTS/addons/meander/batch.py" \
   --input "$demo/scene.blend" --object Suzanne --seed-object Seed --density-group Fine \
-  --spacing 0.055 --iterations 300 --output "$demo/suzanne.blend" --report "$demo/suzanne.json"
+  --spacing 0.055 --output "$demo/suzanne.blend" --report "$demo/suzanne.json"
 grep '^meander:' "$demo/Filling Suzanne.log" | tail -n 2
 blender_script "Rendering" scripts/demo_render.py "$demo/suzanne.blend" "$demo/suzanne.png"
 

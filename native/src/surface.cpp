@@ -69,7 +69,9 @@ void Surface::lay_out() {
     face_normal_[f] = normal.normalized();
     axis_[2 * f] = e1;
     axis_[2 * f + 1] = face_normal_[f].cross(e1);
-    flat_[f] = {x1, v.dot(e1), normal.norm() / x1};
+    flat_[f].x1 = x1;
+    flat_[f].x2 = v.dot(e1);
+    flat_[f].y2 = normal.norm() / x1;
     area_ += face_area(f);
     for (uint32_t k = 0; k < 3; ++k) {
       height_[3 * f + k] = 2 * face_area(f) / norm(corner(f, prev_corner(k)) - corner(f, next_corner(k)));
@@ -103,12 +105,12 @@ void Surface::connect() {
     while (faces_[face][k] != from) ++k;
     return 3 * face + k;
   };
-  twin_.assign(3 * faces_.size(), kNone);
+  const auto join = [&](HalfEdge a, HalfEdge b) { flat_[face_of(a)].twin[corner_of(a)] = b; };
   vertex_on_boundary_.assign(positions_.size(), 0);
   for (const auto edge : mesh.edges()) {
     const HalfEdge a = half_edge(mesh.halfedge_handle(edge, 0)), b = half_edge(mesh.halfedge_handle(edge, 1));
-    if (a != kNone) twin_[a] = b;
-    if (b != kNone) twin_[b] = a;
+    if (a != kNone) join(a, b);
+    if (b != kNone) join(b, a);
   }
   std::vector<uint8_t> visited(mesh.n_halfedges(), 0);
   for (const auto start : mesh.halfedges()) {
@@ -122,9 +124,8 @@ void Surface::connect() {
     } while (h != start);
   }
 
-  transition_.assign(twin_.size(), Vec2{1, 0});
-  for (HalfEdge e = 0; e < twin_.size(); ++e) {
-    if (twin_[e] == kNone) {
+  for (HalfEdge e = 0; e < 3 * faces_.size(); ++e) {
+    if (twin(e) == kNone) {
       boundary_.push_back(e);
       continue;
     }
@@ -132,7 +133,7 @@ void Surface::connect() {
       const uint32_t f = face_of(h), k = corner_of(h);
       return unit(corner(f, next_corner(k)) - corner(f, k));
     };
-    transition_[e] = unit(-direction(twin_[e]) * conj(direction(e)));
+    flat_[face_of(e)].transition[corner_of(e)] = unit(-direction(twin(e)) * conj(direction(e)));
   }
 }
 

@@ -59,10 +59,10 @@ class Surface {
   Vec3 to_inside(const Vec3& p) const;
 
   /// The half-edge of the neighbouring face on the same edge, kNone at the boundary.
-  HalfEdge twin(HalfEdge e) const { return twin_[e]; }
+  HalfEdge twin(HalfEdge e) const { return flat_[face_of(e)].twin[corner_of(e)]; }
   /// Unit complex number that carries a vector of the plane of e's face to that of its twin's face
   /// when the two are unfolded about their edge.
-  Vec2 transition(HalfEdge e) const { return transition_[e]; }
+  Vec2 transition(HalfEdge e) const { return flat_[face_of(e)].transition[corner_of(e)]; }
 
   /// The corners of face f in its own plane: (0, 0), (x1, 0), (x2, y2) with y2 > 0.
   Vec2 corner(uint32_t f, uint32_t k) const {
@@ -82,8 +82,12 @@ class Surface {
   double mean_edge_length() const { return mean_edge_length_; }
 
  private:
-  struct Flat {
-    double x1, x2, y2;
+  /// All that a walk needs of a face, in one place: on meshes that do not fit into the caches a walk
+  /// costs what it has to fetch.
+  struct alignas(32) Flat {
+    double x1 = 0, x2 = 0, y2 = 0;
+    std::array<HalfEdge, 3> twin{kNone, kNone, kNone};
+    std::array<Vec2, 3> transition{Vec2{1, 0}, Vec2{1, 0}, Vec2{1, 0}};
   };
   void lay_out();
   void connect();
@@ -93,8 +97,7 @@ class Surface {
   std::vector<Triangle> faces_;
   std::vector<uint8_t> turned_, vertex_on_boundary_;
   std::vector<uint32_t> component_;
-  std::vector<HalfEdge> twin_, boundary_;
-  std::vector<Vec2> transition_;
+  std::vector<HalfEdge> boundary_;
   std::vector<Flat> flat_;
   std::vector<Vec3> axis_, face_normal_;
   std::vector<double> total_angle_, height_;
