@@ -57,7 +57,9 @@ meander_status guard(meander_error* error, Call&& call) noexcept {
     report(error, MEANDER_OUT_OF_MEMORY, "There is not enough memory; use a larger spacing or a smaller mesh.");
     return MEANDER_OUT_OF_MEMORY;
   } catch (const std::exception& e) {
-    report(error, MEANDER_INTERNAL, (std::string("The library failed (") + e.what() + "); please report this.").c_str());
+    char text[sizeof(meander_error::text)];  // no allocation: this may be the last of the memory
+    std::snprintf(text, sizeof text, "The library failed (%s); please report this.", e.what());
+    report(error, MEANDER_INTERNAL, text);
     return MEANDER_INTERNAL;
   } catch (...) {
     report(error, MEANDER_INTERNAL, "The library failed in an unknown way; please report this.");
@@ -92,8 +94,8 @@ void require_started(const meander_flow& flow) {
 
 void require_range(double value, double low, double high, const char* name) {
   if (std::isfinite(value) && value >= low && value <= high) return;
-  refuse(std::string("The option ") + name + " is " + std::to_string(value) + "; it must be between " +
-         std::to_string(low) + " and " + std::to_string(high) + ".");
+  refuse(std::string("The option ") + name + " is " + number(value) + "; it must be between " +
+         number(low) + " and " + number(high) + ".");
 }
 
 /// Rounds to 40 significant bits, so that a length that was scaled together with the mesh is the same
@@ -104,22 +106,24 @@ double settle(double x) {
   return std::ldexp(std::floor(std::ldexp(mantissa, 40) + 0.38196601125), exponent - 40);
 }
 
+/// require_range for the quotient of two lengths, whose rounding must not refuse the ends themselves.
+void require_ratio(double value, double low, double high, const char* name) {
+  constexpr double kRounding = 1e-9;
+  require_range(value, low * (1 - kRounding), high * (1 + kRounding), name);
+}
+
 FlowSettings checked_settings(const meander_flow_options& o, const Surface& surface) {
   if (!(std::isfinite(o.radius) && o.radius > 0)) {
-    refuse("The spacing must be a positive number; it is " + std::to_string(2 * o.radius) + ".");
+    refuse("The spacing must be a positive number; it is " + number(2 * o.radius) + ".");
   }
   FlowSettings s;
   s.radius = settle(o.radius / surface.scale());
   if (2 * s.radius > 1 || 4 * s.radius * s.radius > surface.area()) {
-    refuse("The spacing " + std::to_string(2 * o.radius) + " is larger than the surface (its diagonal is " +
-           std::to_string(surface.scale()) + "); choose a smaller spacing.");
+    refuse("The spacing " + number(2 * o.radius) + " is larger than the surface (its diagonal is " +
+           number(surface.scale()) + "); choose a smaller spacing.");
   }
-  if (surface.area() / (2 * s.radius * s.radius) > 2e8) {
-    refuse("The spacing " + std::to_string(2 * o.radius) +
-           " is so small that the curve would need more than 500 million nodes; choose a larger spacing.");
-  }
-  if (o.segment_length != 0) require_range(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
-  if (o.max_radius != 0) require_range(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
+  if (o.segment_length != 0) require_ratio(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
+  if (o.max_radius != 0) require_ratio(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
   const double default_clamp = o.preset == MEANDER_PRESET_PAPER ? 10 : 3;
   s.segment_length = settle(o.segment_length != 0 ? o.segment_length / surface.scale() : 0.2 * s.radius);
   s.max_radius = settle(o.max_radius != 0 ? o.max_radius / surface.scale() : default_clamp * s.radius);
@@ -167,9 +171,10 @@ SeedStrands checked_seed(const meander_seed& seed) {
   SeedStrands strands;
   strands.offsets.assign(seed.offsets, seed.offsets + seed.strand_count + 1);
   strands.closed.assign(seed.closed, seed.closed + seed.strand_count);
-  if (seed.fixed) strands.fixed.assign(seed.fixed, seed.fixed + count);
+  for (uint32_t i = 0; seed.fixed && i < count; ++i) strands.fixed.push_back(seed.fixed[i] != 0);
   for (uint32_t i = 0; i < count; ++i) {
-    const Vec3 p(seed.points[3 * i], seed.points[3 * i + 1], seed.points[3 * i + 2]);
+    const double* x = seed.points + 3 * size_t{i};
+    const Vec3 p(x[0], x[1], x[2]);
     if (!p.allFinite()) {
       throw Failure(MEANDER_INVALID_SEED,
                     "Seed point " + std::to_string(i) + " has a coordinate that is not a finite number.",
@@ -194,9 +199,32 @@ std::vector<double> checked_density(const double* density, const Surface& surfac
     most = std::max(most, d[v]);
   }
   if (most > 1e4 * least) {
-    refuse("The density varies by a factor of " + std::to_string(most / least) + "; at most 10000 is allowed.");
+    refuse("The density varies by a factor of " + number(most / least) + "; at most 10000 is allowed.");
   }
   return d;
+}
+
+/// Refuses what would not fit the mesh or the machine: a curve has about one node for every 1.4 h of
+/// its length, area / (2 r), and both lengths shrink with the root of the density.
+void check_size(const Surface& surface, const FlowSettings& s, const std::vector<double>& density) {
+  constexpr double kMostNodes = 5e8;
+  double nodes = 0;
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    const Triangle& t = surface.face(f);
+    const double d = density.empty() ? 1 : (density[t[0]] + density[t[1]] + density[t[2]]) / 3;
+    nodes += surface.face_area(f) * d / (2 * s.radius * 1.4 * s.segment_length);
+  }
+  if (!(nodes <= kMostNodes)) {
+    refuse("The curve would need about " + number(nodes) +
+           " nodes, and more than 500 million are not supported; choose a larger spacing or a smaller density.");
+  }
+  for (size_t v = 0; v < density.size(); ++v) {
+    if (s.radius <= std::sqrt(density[v])) continue;
+    throw Failure(MEANDER_INVALID_ARGUMENT,
+                  "The density " + number(density[v]) + " at vertex " + std::to_string(v) +
+                      " makes the spacing there larger than the surface; choose a larger density.",
+                  MEANDER_ELEMENT_VERTEX, static_cast<uint32_t>(v));
+  }
 }
 
 uint32_t public_reason(StopReason reason) {
@@ -400,6 +428,7 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     require_struct(options, "meander_flow_options");
     const FlowSettings settings = checked_settings(*options, *surface->surface);
     const std::vector<double> densities = checked_density(density, *surface->surface);
+    check_size(*surface->surface, settings, densities);
     SeedStrands strands;
     if (seed) {
       require_struct(seed, "meander_seed");
@@ -531,9 +560,10 @@ meander_status meander_flow_get_history(const meander_flow* flow, meander_iterat
     require_idle(*flow);
     const auto& history = flow->flow->history();
     const double scale = flow->flow->surface().scale();
+    const bool fits = history.size() <= capacity;
+    if (fits) require(records != nullptr || history.empty(), "The array for the records is NULL.");
     *count = history.size();
-    if (history.size() > capacity) return MEANDER_OK;
-    require(records != nullptr || history.empty(), "The array for the records is NULL.");
+    if (!fits) return MEANDER_OK;
     for (size_t i = 0; i < history.size(); ++i) {
       const IterationRecord& h = history[i];
       records[i] = {static_cast<uint32_t>(i + 1), h.nodes,          h.length * scale,
@@ -553,10 +583,11 @@ meander_status meander_flow_get_polylines(const meander_flow* flow, double* posi
     require_idle(*flow);
     const Curve& curve = flow->flow->curve();
     const size_t points = polyline_point_count(curve);
+    const bool fits = points <= point_capacity && curve.strands.size() <= strand_capacity;
+    if (fits) require(positions && offsets && closed, "An array for the polylines is NULL.");
     *point_count = points;
     *strand_count = curve.strands.size();
-    if (points > point_capacity || curve.strands.size() > strand_capacity) return MEANDER_OK;
-    require(positions && offsets && closed, "An array for the polylines is NULL.");
+    if (!fits) return MEANDER_OK;
     write_polylines(*flow->flow, positions, normals, offsets, closed);
     return MEANDER_OK;
   });
@@ -569,9 +600,10 @@ meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
     require_idle(*flow);
     const Flow& f = *flow->flow;
     const Curve& curve = f.curve();
+    const bool fits = curve.size() <= capacity;
+    if (fits) require(faces && barycentrics, "An array for the nodes is NULL.");
     *count = curve.size();
-    if (curve.size() > capacity) return MEANDER_OK;
-    require(faces && barycentrics, "An array for the nodes is NULL.");
+    if (!fits) return MEANDER_OK;
     const double scale = f.surface().scale();
     for (uint32_t i = 0; i < curve.size(); ++i) {
       const SurfacePoint& node = curve.nodes[i];
@@ -594,7 +626,6 @@ meander_status meander_flow_get_gaps(meander_flow* flow, double least_size, doub
                                      meander_error* error) {
   return guard(error, [&] {
     require(flow != nullptr && count != nullptr, "The flow or the pointer for the count is NULL.");
-    require_idle(*flow);
     require_idle(*flow);
     if (least_size != 0) require_range(least_size, 1, 1e6, "least_size (in units of the local r)");
     Flow& f = *flow->flow;

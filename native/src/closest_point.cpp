@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -72,10 +73,13 @@ ClosestPoint::Samples ClosestPoint::sample(const Surface& surface) {
 }
 
 ClosestPoint::Result ClosestPoint::operator()(const Vec3& q) const {
-  const double bound = std::sqrt(tree_.nearest(q)->squared_distance) + reach_;
+  const auto sample = tree_.nearest(q);
+  // So far away that its square is no number.
+  if (!sample) return {make_point(0, 1, 0, 0), std::numeric_limits<double>::infinity()};
+  const double bound = std::sqrt(sample->squared_distance) + reach_;
   std::vector<uint32_t> near, faces;
   tree_.within(q, bound * bound * (1 + 1e-12), near);
-  for (const uint32_t sample : near) faces.push_back(face_[sample]);
+  for (const uint32_t i : near) faces.push_back(face_[i]);
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   double best = std::numeric_limits<double>::infinity();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "point_tree.h"
+#include "segment_distance.h"
 
 namespace meander {
 namespace {
@@ -18,13 +19,6 @@ constexpr double kSettledLength = 0.0025;
 constexpr double kSettledDistance = 0.04; // mean distance from the curve a window before, in local r
 constexpr double kIdle = 1e-9;            // nodes that move less than this (in r) do not move
 constexpr size_t kIdleIterations = 5;
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 d = b - a;
-  const double dd = d.squaredNorm();
-  const double t = dd > 0 ? std::clamp((p - a).dot(d) / dd, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -20,5 +21,12 @@ struct Failure : std::runtime_error {
   int32_t element_kind;
   uint32_t index, index2;
 };
+
+/// A number as a sentence has it: "0.25", "1e+100".
+inline std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
 
 }  // namespace meander

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "run_tree.h"
 #include "solve.h"
 #include "stopwatch.h"
 
@@ -72,6 +73,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   find_local_radii();
   compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
   find_radii();
+  if (settings_.grow_into_empty) stir_empty_stretches();
   seconds_.medial_axis += watch.lap();
   if (cancelled()) return false;
 
@@ -152,7 +154,7 @@ void Flow::find_local_radii() {
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       local_radius_[i] = radius_at(*surface_, vertex_radius_, curve_.nodes[i]);
-      max_radius_[i] = clamp * local_radius_[i];
+      max_radius_[i] = std::min(clamp * local_radius_[i], RunTree::kMostRadius);
     }
   });
 }
@@ -175,7 +177,6 @@ void Flow::find_radii() {
       }
     }
   });
-  if (settings_.grow_into_empty) stir_empty_stretches();
 }
 
 /// Where both sides of a strand are empty its radii are alike and nothing pulls it anywhere; a wide

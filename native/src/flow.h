@@ -95,7 +95,6 @@ class Flow {
   void soften_young_strands();
   void follow_spacing();
   std::vector<Vec2> displacements();
-  double target_length(uint32_t node) const;
   void refine();
 
   std::shared_ptr<const Surface> surface_;

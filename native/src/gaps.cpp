@@ -9,6 +9,7 @@
 
 #include "geodesic_trace.h"
 #include "point_tree.h"
+#include "segment_distance.h"
 
 namespace meander {
 namespace {
@@ -27,13 +28,6 @@ constexpr int kMostRounds = 200;
 
 /// Less gain than this (relative) is rounding.
 constexpr double kGain = 1 + 1e-9;
-
-double distance_to_piece(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 d = b - a;
-  const double dd = d.squaredNorm();
-  const double t = dd > 0 ? std::clamp((p - a).dot(d) / dd, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
 
 /// How empty the surface is at a point.
 class Emptiness {
@@ -65,7 +59,7 @@ class Emptiness {
     for (const uint32_t node : near) {
       for (const uint32_t segment : {curve_.previous(node), node}) {
         if (segment != kNone && curve_.has_segment(segment)) {
-          distance = std::min(distance, distance_to_segment(x, segment));
+          distance = std::min(distance, distance_to_path(x, segment));
         }
       }
     }
@@ -103,15 +97,15 @@ class Emptiness {
   }
 
  private:
-  double distance_to_segment(const Vec3& x, uint32_t segment) const {
+  double distance_to_path(const Vec3& x, uint32_t segment) const {
     double distance = std::numeric_limits<double>::infinity();
     Vec3 from = tree_.points()[segment];
     for (const Crossing& crossing : curve_.paths[segment]) {
       const Vec3 to = position(surface_, crossing);
-      distance = std::min(distance, distance_to_piece(x, from, to));
+      distance = std::min(distance, distance_to_segment(x, from, to));
       from = to;
     }
-    return std::min(distance, distance_to_piece(x, from, tree_.points()[curve_.next(segment)]));
+    return std::min(distance, distance_to_segment(x, from, tree_.points()[curve_.next(segment)]));
   }
 
   const Surface& surface_;

@@ -101,7 +101,6 @@ void PathShortener::unfold(const SurfacePoint& start, const SurfacePoint& end,
     motion = across(surface_, motion, c.e);
   }
   end_ = motion(flat(surface_, end));
-  end_turn_ = motion.turn;
 }
 
 /// Lee and Preparata's funnel, as the "simple stupid" loop: the apex is restarted where a side

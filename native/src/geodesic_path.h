@@ -54,7 +54,7 @@ class PathShortener {
   std::vector<Bend> bends_;
   std::vector<Vec2> corners_;  // of the pulled path: start, bends, end
   std::vector<Crossing> spliced_;
-  Vec2 start_, end_, end_turn_;
+  Vec2 start_, end_;
 };
 
 /// The shape of a path as it is.

@@ -57,7 +57,7 @@ void compute_medial_axis(const Surface& surface, const Curve& curve, const Frame
           !walls && !boundary.empty() && boundary.tree().nearest(x, 4 * max_radius[i] * max_radius[i]).has_value();
       for (int side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1 : -1;
-        double most = std::min(max_radius[i], RunTree::kMostRadius);
+        double most = max_radius[i];
         if (near_boundary && frames.to_boundary[i][side] >= 0) {
           most = std::min(most, frames.to_boundary[i][side]);
         } else if (near_boundary) {

@@ -37,7 +37,7 @@ class BoundaryObstacle {
 /// that is empty is the smallest of those through any other node (after Ma, Bae, Choi, "3D medial axis
 /// point approximation using nearest neighbors and the normal field", 2012; see RunTree).
 ///
-/// `max_radius`  clamp of every node
+/// `max_radius`  clamp of every node, at most RunTree::kMostRadius
 /// `radii`       in: radii of an earlier state (0: unknown), which only save time; out: the result
 void compute_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                          const BoundaryObstacle& boundary, BoundaryRule rule,

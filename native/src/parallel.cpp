@@ -7,6 +7,7 @@ namespace meander {
 
 Team::Team(unsigned threads) {
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  workers_.reserve(threads - 1);  // so that nothing but a thread can fail below
   try {
     for (unsigned k = 1; k < threads; ++k) workers_.emplace_back([this] { work(); });
   } catch (const std::system_error&) {

@@ -89,32 +89,35 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const std::
   });
 }
 
+/// Marks the nodes of a strand up to `reach` beyond a marked one, both ways: two walks each way round,
+/// since what starts before the join goes on after it.
+void Retraction::spread(const Strand& strand, uint32_t reach) {
+  if (reach == 0) return;
+  const uint32_t rounds = strand.closed ? 2 : 1;
+  marked_.assign(node_changed_.begin() + strand.first, node_changed_.begin() + strand.end());
+  for (const bool forward : {true, false}) {
+    uint32_t left = 0;  // how much farther the last marked node reaches
+    for (uint32_t k = 0; k < rounds * strand.count; ++k) {
+      const uint32_t i = forward ? k % strand.count : strand.count - 1 - k % strand.count;
+      if (marked_[i]) {
+        left = reach;
+      } else if (left > 0) {
+        node_changed_[strand.first + i] = 1;
+        --left;
+      }
+    }
+  }
+}
+
 void Retraction::back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs,
                           int attempt) {
   // The stretch that gives way doubles with every attempt once single nodes have not helped.
   const uint32_t reach = attempt <= 2 ? 0 : (attempt >= 32 ? UINT32_MAX : 1u << std::min(attempt - 2, 30));
   node_changed_.assign(curve.size(), 0);
-  const auto mark = [&](uint32_t node) {
-    node_changed_[node] = 1;
-    for (const bool forward : {true, false}) {
-      uint32_t i = node;
-      for (uint32_t k = 0; k < reach; ++k) {
-        i = forward ? curve.next(i) : curve.previous(i);
-        if (i == kNone || i == node) break;
-        node_changed_[i] = 1;
-      }
-    }
-  };
-  marked_.clear();
   for (const auto& [a, b] : pairs) {
-    for (const uint32_t segment : {a, b}) {
-      marked_.push_back(segment);
-      marked_.push_back(curve.next(segment));
-    }
+    for (const uint32_t segment : {a, b}) node_changed_[segment] = node_changed_[curve.next(segment)] = 1;
   }
-  std::sort(marked_.begin(), marked_.end());
-  marked_.erase(std::unique(marked_.begin(), marked_.end()), marked_.end());
-  for (const uint32_t node : marked_) mark(node);
+  for (const Strand& strand : curve.strands) spread(strand, reach);
   for (uint32_t i = 0; i < curve.size(); ++i) {
     if (node_changed_[i]) share_[i] = attempt > kHalvings ? 0 : 0.5 * share_[i];
   }

@@ -33,6 +33,7 @@ class Retraction {
   void trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
              const std::vector<uint8_t>* only, Team& team);
   void reconnect(const Surface& surface, const Curve& old, const std::vector<uint8_t>* only, Team& team);
+  void spread(const Strand& strand, uint32_t reach);
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
 
   CrossingTest test_;
@@ -40,7 +41,7 @@ class Retraction {
   std::vector<Path> traces_;
   std::vector<double> share_;           // of the displacement that a node takes
   std::vector<uint8_t> node_changed_, segment_changed_;
-  std::vector<uint32_t> marked_;
+  std::vector<uint8_t> marked_;
 };
 
 }  // namespace meander

@@ -21,6 +21,10 @@ namespace {
   throw Failure(MEANDER_INVALID_SEED, sentence, MEANDER_ELEMENT_SEED_POINT, static_cast<uint32_t>(point));
 }
 
+bool same(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
+}
+
 /// Any sequence of edges from one face to another, by A* over face centres: near enough to a short
 /// path for PathShortener to make it one. Empty optional when they are on different components.
 bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to, Path& path) {
@@ -91,15 +95,14 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
       const auto hit = closest(surface.to_inside(seed.points[i]));
       const double r = radius_at(surface, radius, hit.point);
       if (!(hit.distance <= r)) {
-        refuse("Seed point " + std::to_string(i) + " is " + std::to_string(hit.distance / r) +
+        refuse("Seed point " + std::to_string(i) + " is " + number(hit.distance / r) +
                    " radii away from the surface (at most 1 is allowed); move the seed onto the surface.",
                i);
       }
       const uint8_t fixed = seed.fixed.empty() ? 0 : seed.fixed[i];
       // A point drawn twice in a row is one node.
       if (curve.size() > strand.first) {
-        const SurfacePoint& last = curve.nodes.back();
-        if (last.face == hit.point.face && last.b.x == hit.point.b.x && last.b.y == hit.point.b.y) {
+        if (same(curve.nodes.back(), hit.point)) {
           curve.fixed.back() |= fixed;
           continue;
         }
@@ -107,9 +110,6 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
       add_node(curve, hit.point, fixed);
       point_of_node.push_back(i);
     }
-    const auto same = [&](const SurfacePoint& a, const SurfacePoint& b) {
-      return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
-    };
     if (closed && curve.size() > strand.first + 1 && same(curve.nodes.back(), curve.nodes[strand.first])) {
       curve.fixed[strand.first] |= curve.fixed.back();
       curve.nodes.pop_back();
@@ -163,7 +163,8 @@ Curve face_loops(const Surface& surface, const std::vector<double>& radius, bool
     double perimeter = 0;
     for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface.corner(f, next_corner(k)) - surface.corner(f, k));
     Curve loop;
-    double wide = kWide * radius_at(surface, radius, middle);
+    // Where the spacing is near the size of the surface a circle that wide would wrap round it.
+    double wide = std::min(kWide * radius_at(surface, radius, middle), 0.25);
     for (; widen && perimeter < 2 * std::numbers::pi * wide; wide /= 2) {
       loop = Curve{};
       std::vector<Path> rays(kRays);

@@ -382,3 +382,14 @@ print(flow.running)
         check=False,
     )
     assert (ended.returncode, ended.stdout, ended.stderr) == (0, "True\n", "")
+
+
+def test_spacing_is_that_of_the_medial_radii() -> None:
+    """Also of a wide loop that sees nothing, whose radii the flow changes to set it in motion."""
+    options = core.default_options()
+    options.radius = 0.02
+    with core.Flow(core.Surface(*geometry.cube()), options) as flow:
+        figures = flow.statistics()
+        radii = flow.nodes().radii
+        assert figures["spacing_p95"] <= 2 * radii.max() * (1 + 1e-12)
+        assert figures["spacing_p95"] <= 2 * 3 * 0.02 * (1 + 1e-9)

@@ -142,6 +142,40 @@ def test_bad_density(square: core.Surface, bad: float) -> None:
     refused(core.Flow, square, options_with(), density=density)
 
 
+@pytest.mark.parametrize(
+    ("level", "word"), [(1e-12, "larger than the surface"), (1e10, "nodes"), (1e14, "nodes")]
+)
+def test_density_that_the_mesh_cannot_hold(level: float, word: str) -> None:
+    """Such densities used to hang, or to fill the memory, before the first step."""
+    mesh = geometry.cube()
+    density = np.full(len(mesh.vertices), level)
+    options = options_with(radius=0.1)
+    error = refused(core.Flow, core.Surface(*mesh), options, density=density)
+    assert error.status == core.Status.INVALID_ARGUMENT
+    assert word in str(error)
+
+
+def test_the_ends_of_the_ranges_are_taken(square: core.Surface) -> None:
+    """1.5 r, computed in floating point, is not always 1.5 r again when it is divided by r."""
+    for radius in np.linspace(0.05, 0.2, 61):
+        options = options_with(radius=float(radius), max_radius=1.5 * float(radius))
+        core.Flow(square, options).close()
+        options.max_radius, options.segment_length = 1e6 * float(radius), float(radius)
+        core.Flow(square, options).close()
+
+
+@pytest.mark.parametrize("far", [1e100, 1e160, 1e300])
+def test_seed_too_far_to_measure(square: core.Surface, far: float) -> None:
+    seed = core.Seed(
+        np.array([[0.2, 0.2, 0.0], [0.8, 0.2, 0.0], [far, 0.8, 0.0]]),
+        np.array([0, 3], np.uint32),
+        np.array([1], np.uint8),
+    )
+    error = refused(core.Flow, square, options_with(radius=0.1), seed)
+    assert error.elements == (2,)
+    assert len(str(error)) < 200
+
+
 def test_density_of_the_wrong_length(square: core.Surface) -> None:
     refused(core.Flow, square, options_with(), density=np.ones(square.vertex_count - 1))
     refused(core.Flow, square, options_with(), density=np.ones((square.vertex_count, 1)))

@@ -200,29 +200,32 @@ enum {
 
 /* When a flow has converged. */
 enum {
-  MEANDER_STOP_SETTLED = 0, /* the picture has stopped changing: nodes within 0.04 r of the curve of
-                               10 iterations before, length within 0.25 % */
-  MEANDER_STOP_PAPER = 1    /* |d|_2 / n < 3e-4 r, the authors' program's own test */
+  MEANDER_STOP_SETTLED = 0, /* the picture has stopped changing: nodes are in the mean within 0.04
+                               (local) r of the curve of 10 iterations before, length within 0.25 % */
+  MEANDER_STOP_PAPER = 1    /* |d|_2 / n < 3e-4 r, the authors' program's own test, in 5 iterations
+                               in a row */
 };
 
 /* Options of one flow. Always start from meander_flow_options_init, which is the only place where
  * defaults live. Weights have no unit and mean the same at every scale and segment length. */
 typedef struct meander_flow_options {
   uint32_t struct_size;     /* set by meander_flow_options_init */
-  uint32_t preset;          /* which preset filled the struct; informative */
+  uint32_t preset;          /* which preset filled the struct; also chooses the default of max_radius
+                               and, but for MEANDER_PRESET_PAPER, how small and wide loops start to grow */
   double radius;            /* r, half the spacing; > 0; no default */
-  double segment_length;    /* h: nodes are kept between h and 2 h apart; 0: 0.2 r. At most r. */
-  double max_radius;        /* r_max, clamp of the medial radius; 0: the preset's. At least 1.5 r. */
-  double length_weight;     /* t, weight of eq. 5; >= 0 */
+  double segment_length;    /* h: nodes are kept between h and 2 h apart; 0: 0.2 r. In [0.01 r, r]. */
+  double max_radius;        /* r_max, clamp of the medial radius; 0: the preset's. In [1.5 r, 1e6 r]. */
+  double length_weight;     /* t, weight of eq. 5; in [0, 1e6], as is every bending weight */
   double bending_weight;    /* b, weight of b r^2 sum |t_i - t_(i-1)|^2 / w_i (scaled eq. 12); >= 0 */
-  double medial_weight;     /* factor on alpha = 2 sqrt(2) / r^2 of eq. 9; > 0; 1 keeps the spacing */
-  double step;              /* factor on the displacement of eq. 10; in (0, 2] */
-  double growth_coarsening; /* while growing, segments are this much longer than h; in [1, 4] */
+  double medial_weight;     /* factor on alpha = 2 sqrt(2) / r^2 of eq. 9; in [1e-6, 1e6]; 1 keeps the spacing */
+  double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
+  double growth_coarsening; /* before a polish, segments are this much longer than h; in [1, 4] */
   uint32_t polish;          /* 1: close the gaps at the end with length weights that follow the spacing */
   uint32_t stop_rule;       /* MEANDER_STOP_... */
   double polish_bending_weight; /* b in the polish */
   double polish_length_offset;  /* t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the */
-  double polish_length_gain;    /* medial radius in units of r, smoothed along the curve over 2 r */
+  double polish_length_gain;    /* medial radius in units of r, smoothed along the curve over 2 r;
+                                   in [-10, 10] and [0, 100] */
   double polish_medial_power;   /* q of eq. 13 in the polish, in [2, 8]: larger values weigh the worst gaps
                                    more; the force at the wanted radius is that of q = 2 */
   uint32_t boundary_rule;   /* MEANDER_BOUNDARY_... */
@@ -247,7 +250,8 @@ typedef struct meander_flow meander_flow;
  *           to the spacing where the faces are smaller
  * density   double[vertex_count as passed to meander_surface_create], each > 0 and finite, or NULL
  *           for 1 everywhere: alpha(v) = density(v) alpha, so the local spacing is the spacing
- *           divided by sqrt(density); at most a factor of 10,000 between the least and the greatest
+ *           divided by sqrt(density); at most a factor of 10,000 between the least and the greatest,
+ *           the local r nowhere above the mesh's diagonal, and at most 500 million nodes expected
  * options   as above
  * flow      receives the new flow; destroy it with meander_flow_destroy */
 MEANDER_API meander_status meander_flow_create(const meander_surface* surface,

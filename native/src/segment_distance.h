@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include <Eigen/Core>
+
+namespace meander {
+
+/// Distance of p from the straight segment between a and b, which may be one point.
+inline double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const Eigen::Vector3d d = b - a;
+  const double squared = d.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(d) / squared, 0.0, 1.0) : 0.0;
+  return (p - a - t * d).norm();
+}
+
+}  // namespace meander
