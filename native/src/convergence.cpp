@@ -11,7 +11,7 @@ namespace meander {
 namespace {
 
 constexpr double kPaperLimit = 3e-4;      // Table 2, of |d|_2 / n in r
-constexpr size_t kPaperIterations = 5;    // in as many iterations in a row: one quiet step is no end
+constexpr size_t kPaperIterations = 10;   // in as many iterations in a row: with few nodes one quiet step is no end
 constexpr double kGrownLength = 0.02;     // growth ends when the length changes by less in a window,
 constexpr double kGrownClamped = 0.01;    // and fewer nodes than this still see nothing beside them,
 constexpr double kGrownForSure = 0.005;   // or the length has all but stopped changing

@@ -202,7 +202,7 @@ enum {
 enum {
   MEANDER_STOP_SETTLED = 0, /* the picture has stopped changing: nodes are in the mean within 0.04
                                (local) r of the curve of 10 iterations before, length within 0.25 % */
-  MEANDER_STOP_PAPER = 1    /* |d|_2 / n < 3e-4 r, the authors' program's own test, in 5 iterations
+  MEANDER_STOP_PAPER = 1    /* |d|_2 / n < 3e-4 r, the authors' program's own test, in 10 iterations
                                in a row */
 };
 
