@@ -70,8 +70,6 @@ bool Flow::step(const std::function<bool()>& cancelled) {
 bool Flow::iterate(const std::function<bool()>& cancelled) {
   if (cancelled()) return false;
   Stopwatch total, watch;
-  find_local_radii();
-  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
   find_radii();
   if (settings_.grow_into_empty) stir_empty_stretches();
   seconds_.medial_axis += watch.lap();
@@ -123,8 +121,6 @@ StopReason Flow::run(const std::function<bool()>& cancelled, const std::function
 }
 
 Flow::Measure Flow::measure() {
-  find_local_radii();
-  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
   find_radii();
   choose_weights();
   Measure m;
@@ -140,8 +136,6 @@ Flow::Measure Flow::measure() {
 }
 
 std::vector<Gap> Flow::gaps(double least_size) {
-  find_local_radii();
-  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
   find_radii();
   return find_gaps(*surface_, curve_, frames_, radii_, vertex_radius_, least_size, team_);
 }
@@ -159,13 +153,15 @@ void Flow::find_local_radii() {
   });
 }
 
-/// The medial radii, and what the energy makes of them.
+/// Frames and medial radii of the present curve, and what the energy makes of them.
 ///
 /// Where the spacing is to vary, distances count in units of the local r: a side that runs into a
 /// finer region feels larger than it is. The distance R along a geodesic on which r grows with the
 /// slope g is then about R / (1 + g R / (2 r)), in units of the node's own r. Without this, strands
 /// that follow a density would be pulled back to equal distances, and would never come to rest.
 void Flow::find_radii() {
+  find_local_radii();
+  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
   compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, team_, radii_);
   felt_radii_.resize(radii_.size());
   constexpr double kLeastStretch = 0.5, kMostStretch = 2;
