@@ -178,18 +178,18 @@ class MEANDER_PT_figures(_SubPanel, bpy.types.Panel):
                 ("Nodes", f"{figures.nodes:,}"),
                 ("Iterations", f"{figures.iterations:,}"),
                 ("Time", f"{figures.seconds:.1f} s"),
-                ("Gaps", _gaps(figures)),
+                *_gaps(figures),
             ),
         )
         if _is_result(active) and figures.gap_count:
             self.layout.operator(MEANDER_OT_show_gaps.bl_idname, icon="RESTRICT_SELECT_OFF")
 
 
-def _gaps(figures: MeanderFigures) -> str:
-    """How many, and the largest in units of half the spacing there."""
+def _gaps(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
+    """How many, and the largest in units of half the spacing there: a row each, to fit."""
     if not figures.gap_count:
-        return "None"
-    return f"{figures.gap_count:,}, largest {figures.largest_gap:.2f}"
+        return (("Gaps", "None"),)
+    return (("Gaps", f"{figures.gap_count:,}"), ("Largest", f"{figures.largest_gap:.2f}"))
 
 
 def _length(context: bpy.types.Context, value: float) -> str:

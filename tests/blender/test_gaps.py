@@ -120,7 +120,8 @@ def test_the_panel_names_the_largest():
     result = stopped_early(surface)
     figures = result.meander.figures
     shown = draw(panels.MEANDER_PT_figures)
-    assert f"{figures.gap_count}, largest {figures.largest_gap:.2f}" in shown
+    assert f"{figures.gap_count:,}" in shown
+    assert f"{figures.largest_gap:.2f}" in shown
     assert "Show Gaps" in shown
     # The surface has the figures of the run, but no points to select.
     activate(surface)
