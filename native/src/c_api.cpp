@@ -1,164 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The border: validate, catch, translate; nothing else.
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <memory>
-#include <new>
-#include <string>
-
-#include "failure.h"
-#include "flow.h"
-#include "job.h"
-#include "meander/meander.h"
+#include "c_api.h"
 #include "polylines.h"
 #include "version.h"
 
-struct meander_context {
-  std::shared_ptr<meander::RunControl> control = std::make_shared<meander::RunControl>();
-};
-
-struct meander_surface {
-  std::shared_ptr<const meander::Surface> surface;
-};
-
-struct meander_flow {
-  std::unique_ptr<meander::Flow> flow;
-  meander::Job job;  // after the flow, so that it is joined before the flow goes
-};
-
-namespace {
-
 using namespace meander;
 
-void report(meander_error* error, meander_status status, const char* text, int32_t kind = MEANDER_ELEMENT_NONE,
-            uint32_t index = 0, uint32_t index2 = 0) noexcept {
-  if (!error || error->struct_size != sizeof(meander_error)) return;
-  error->status = status;
-  error->element_kind = kind;
-  error->element_index = index;
-  error->element_index2 = index2;
-  const size_t length = std::min(std::strlen(text), sizeof(error->text) - 1);
-  std::memcpy(error->text, text, length);
-  error->text[length] = '\0';
-}
-
-/// Runs a call; whatever it throws becomes a status and a sentence.
-template <class Call>
-meander_status guard(meander_error* error, Call&& call) noexcept {
-  try {
-    return call();
-  } catch (const Failure& failure) {
-    report(error, failure.status, failure.what(), failure.element_kind, failure.index, failure.index2);
-    return failure.status;
-  } catch (const std::bad_alloc&) {
-    report(error, MEANDER_OUT_OF_MEMORY, "There is not enough memory; use a larger spacing or a smaller mesh.");
-    return MEANDER_OUT_OF_MEMORY;
-  } catch (const std::exception& e) {
-    char text[sizeof(meander_error::text)];  // no allocation: this may be the last of the memory
-    std::snprintf(text, sizeof text, "The library failed (%s); please report this.", e.what());
-    report(error, MEANDER_INTERNAL, text);
-    return MEANDER_INTERNAL;
-  } catch (...) {
-    report(error, MEANDER_INTERNAL, "The library failed in an unknown way; please report this.");
-    return MEANDER_INTERNAL;
-  }
-}
-
-[[noreturn]] void refuse(const std::string& sentence) { throw Failure(MEANDER_INVALID_ARGUMENT, sentence); }
-
-void require(bool condition, const char* sentence) {
-  if (!condition) refuse(sentence);
-}
-
-template <class Struct>
-void require_struct(const Struct* s, const char* name) {
-  if (!s) refuse(std::string("The pointer to ") + name + " is NULL.");
-  if (s->struct_size != sizeof(Struct)) {
-    refuse(std::string("struct_size of ") + name + " is " + std::to_string(s->struct_size) + " but this library's is " +
-           std::to_string(sizeof(Struct)) + "; the caller was built for another version.");
-  }
-}
-
-/// From start to wait the flow is the worker's.
-void require_idle(const meander_flow& flow) {
-  require(!flow.job.started(),
-          "The flow has been started and belongs to its run; call meander_flow_wait first.");
-}
-
-void require_started(const meander_flow& flow) {
-  require(flow.job.started(), "No run of the flow has been started; call meander_flow_start first.");
-}
-
-void require_range(double value, double low, double high, const char* name) {
-  if (std::isfinite(value) && value >= low && value <= high) return;
-  refuse(std::string("The option ") + name + " is " + number(value) + "; it must be between " +
-         number(low) + " and " + number(high) + ".");
-}
-
-/// Rounds to 40 significant bits, so that a length that was scaled together with the mesh is the same
-/// to the last bit once it is divided by the mesh's size (see Surface). The offset avoids ties.
-double settle(double x) {
-  int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  return std::ldexp(std::floor(std::ldexp(mantissa, 40) + 0.38196601125), exponent - 40);
-}
-
-/// require_range for the quotient of two lengths, whose rounding must not refuse the ends themselves.
-void require_ratio(double value, double low, double high, const char* name) {
-  constexpr double kRounding = 1e-9;
-  require_range(value, low * (1 - kRounding), high * (1 + kRounding), name);
-}
-
-FlowSettings checked_settings(const meander_flow_options& o, const Surface& surface) {
-  if (!(std::isfinite(o.radius) && o.radius > 0)) {
-    refuse("The spacing must be a positive number; it is " + number(2 * o.radius) + ".");
-  }
-  FlowSettings s;
-  s.radius = settle(o.radius / surface.scale());
-  if (2 * s.radius > 1 || 4 * s.radius * s.radius > surface.area()) {
-    refuse("The spacing " + number(2 * o.radius) + " is larger than the surface (its diagonal is " +
-           number(surface.scale()) + "); choose a smaller spacing.");
-  }
-  if (o.segment_length != 0) require_ratio(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
-  if (o.max_radius != 0) require_ratio(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
-  const double default_clamp = o.preset == MEANDER_PRESET_PAPER ? 10 : 3;
-  s.segment_length = settle(o.segment_length != 0 ? o.segment_length / surface.scale() : 0.2 * s.radius);
-  s.max_radius = settle(o.max_radius != 0 ? o.max_radius / surface.scale() : default_clamp * s.radius);
-  require_range(o.length_weight, 0, 1e6, "length_weight");
-  require_range(o.bending_weight, 0, 1e6, "bending_weight");
-  require_range(o.medial_weight, 1e-6, 1e6, "medial_weight");
-  require_range(o.step, 1e-3, 2, "step");
-  require_range(o.growth_coarsening, 1, 4, "growth_coarsening");
-  require_range(o.polish_bending_weight, 0, 1e6, "polish_bending_weight");
-  require_range(o.polish_length_offset, -10, 10, "polish_length_offset");
-  require_range(o.polish_length_gain, 0, 100, "polish_length_gain");
-  require_range(o.polish_medial_power, 2, 8, "polish_medial_power");
-  require(o.polish <= 1, "The option polish must be 0 or 1.");
-  require(o.stop_rule <= MEANDER_STOP_PAPER, "The option stop_rule is none of MEANDER_STOP_...");
-  require(o.boundary_rule <= MEANDER_BOUNDARY_OBSTACLE, "The option boundary_rule is none of MEANDER_BOUNDARY_...");
-  require(o.preset <= MEANDER_PRESET_PAPER, "The option preset is none of MEANDER_PRESET_...");
-  require(o.iteration_limit >= 1, "The iteration limit must be at least 1.");
-  require(o.threads <= 256, "The number of threads must be between 0 (all) and 256.");
-  s.length_weight = o.length_weight;
-  s.bending_weight = o.bending_weight;
-  s.medial_weight = o.medial_weight;
-  s.step = o.step;
-  s.growth_coarsening = o.growth_coarsening;
-  s.polish = o.polish != 0;
-  s.polish_bending_weight = o.polish_bending_weight;
-  s.polish_length_offset = o.polish_length_offset;
-  s.polish_length_gain = o.polish_length_gain;
-  s.polish_medial_power = o.polish_medial_power;
-  s.grow_into_empty = s.widen_loops = o.preset != MEANDER_PRESET_PAPER;
-  s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
-  s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
-  s.iteration_limit = o.iteration_limit;
-  s.threads = o.threads;
-  return s;
-}
+namespace {
 
 SeedStrands checked_seed(const meander_seed& seed) {
   require(seed.strand_count >= 1, "The seed has no strands; draw at least one, or pass no seed.");
@@ -276,59 +125,6 @@ const char* meander_status_name(meander_status status) {
 const char* meander_version(void) { return MEANDER_VERSION; }
 
 uint32_t meander_abi_version(void) { return MEANDER_ABI_VERSION; }
-
-size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) {
-  if (!name) return 0;
-  const auto give = [&](std::initializer_list<size_t> values) {
-    size_t k = 0;
-    for (const size_t v : values) {
-      if (layout && k < capacity) layout[k] = v;
-      ++k;
-    }
-    return values.size();
-  };
-#define AT(field) offsetof(S, field)
-  if (std::strcmp(name, "meander_error") == 0) {
-    using S = meander_error;
-    return give({sizeof(S), AT(struct_size), AT(status), AT(element_kind), AT(element_index), AT(element_index2),
-                 AT(text)});
-  }
-  if (std::strcmp(name, "meander_surface_statistics") == 0) {
-    using S = meander_surface_statistics;
-    return give({sizeof(S), AT(struct_size), AT(vertices), AT(faces), AT(components), AT(boundary_loops),
-                 AT(turned_faces), AT(unused_vertices), AT(reserved), AT(area), AT(diagonal)});
-  }
-  if (std::strcmp(name, "meander_seed") == 0) {
-    using S = meander_seed;
-    return give({sizeof(S), AT(struct_size), AT(strand_count), AT(points), AT(offsets), AT(closed), AT(fixed)});
-  }
-  if (std::strcmp(name, "meander_flow_options") == 0) {
-    using S = meander_flow_options;
-    return give({sizeof(S), AT(struct_size), AT(preset), AT(radius), AT(segment_length), AT(max_radius),
-                 AT(length_weight), AT(bending_weight), AT(medial_weight), AT(step), AT(growth_coarsening), AT(polish),
-                 AT(stop_rule), AT(polish_bending_weight), AT(polish_length_offset), AT(polish_length_gain), AT(polish_medial_power),
-                 AT(boundary_rule), AT(iteration_limit), AT(threads), AT(reserved)});
-  }
-  if (std::strcmp(name, "meander_flow_statistics") == 0) {
-    using S = meander_flow_statistics;
-    return give({sizeof(S), AT(struct_size), AT(stop_reason), AT(iterations), AT(nodes), AT(strands),
-                 AT(closed_strands), AT(crossings), AT(polishing), AT(length), AT(energy), AT(mean_step),
-                 AT(spacing_target), AT(spacing_p05), AT(spacing_median), AT(spacing_p95), AT(seconds_total),
-                 AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract), AT(seconds_reconnect),
-                 AT(seconds_crossings), AT(seconds_refine)});
-  }
-  if (std::strcmp(name, "meander_iteration") == 0) {
-    using S = meander_iteration;
-    return give({sizeof(S), AT(iteration), AT(nodes), AT(length), AT(mean_step), AT(energy), AT(seconds)});
-  }
-  if (std::strcmp(name, "meander_preview") == 0) {
-    using S = meander_preview;
-    return give({sizeof(S), AT(struct_size), AT(serial), AT(iterations), AT(nodes), AT(length), AT(seconds)});
-  }
-#undef AT
-  return 0;
-}
-
 meander_context* meander_context_create(void) {
   try {
     return std::make_unique<meander_context>().release();
@@ -384,42 +180,6 @@ meander_status meander_surface_get_statistics(const meander_surface* surface, me
     return MEANDER_OK;
   });
 }
-
-meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset) {
-  if (!options || preset > MEANDER_PRESET_PAPER) return MEANDER_INVALID_ARGUMENT;
-  meander_flow_options o{};
-  o.struct_size = sizeof(meander_flow_options);
-  o.preset = preset;
-  o.medial_weight = 1;
-  o.threads = 0;
-  if (preset == MEANDER_PRESET_PAPER) {
-    o.length_weight = 1;
-    o.bending_weight = 0;
-    o.step = 1;
-    o.growth_coarsening = 1;
-    o.polish = 0;
-    o.stop_rule = MEANDER_STOP_PAPER;
-    o.polish_medial_power = 2;
-    o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
-    o.iteration_limit = 300;
-  } else {
-    o.length_weight = 0;
-    o.bending_weight = 1;
-    o.step = 1.5;
-    o.growth_coarsening = 2;
-    o.polish = 1;
-    o.stop_rule = MEANDER_STOP_SETTLED;
-    o.polish_bending_weight = 1.5;
-    o.polish_length_offset = -0.65;
-    o.polish_length_gain = 1;
-    o.polish_medial_power = 4;
-    o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
-    o.iteration_limit = 600;
-  }
-  *options = o;
-  return MEANDER_OK;
-}
-
 meander_status meander_flow_create(const meander_surface* surface, const meander_seed* seed, const double* density,
                                    const meander_flow_options* options, meander_flow** flow, meander_error* error) {
   return guard(error, [&] {

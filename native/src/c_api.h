@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the files of the border share: the handles, and how a failure becomes a status and a sentence.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "failure.h"
+#include "flow.h"
+#include "job.h"
+#include "meander/meander.h"
+
+struct meander_context {
+  std::shared_ptr<meander::RunControl> control = std::make_shared<meander::RunControl>();
+};
+
+struct meander_surface {
+  std::shared_ptr<const meander::Surface> surface;
+};
+
+struct meander_flow {
+  std::unique_ptr<meander::Flow> flow;
+  meander::Job job;  // after the flow, so that it is joined before the flow goes
+};
+
+namespace meander {
+
+inline void report(meander_error* error, meander_status status, const char* text, int32_t kind = MEANDER_ELEMENT_NONE,
+            uint32_t index = 0, uint32_t index2 = 0) noexcept {
+  if (!error || error->struct_size != sizeof(meander_error)) return;
+  error->status = status;
+  error->element_kind = kind;
+  error->element_index = index;
+  error->element_index2 = index2;
+  const size_t length = std::min(std::strlen(text), sizeof(error->text) - 1);
+  std::memcpy(error->text, text, length);
+  error->text[length] = '\0';
+}
+
+/// Runs a call; whatever it throws becomes a status and a sentence.
+template <class Call>
+meander_status guard(meander_error* error, Call&& call) noexcept {
+  try {
+    return call();
+  } catch (const Failure& failure) {
+    report(error, failure.status, failure.what(), failure.element_kind, failure.index, failure.index2);
+    return failure.status;
+  } catch (const std::bad_alloc&) {
+    report(error, MEANDER_OUT_OF_MEMORY, "There is not enough memory; use a larger spacing or a smaller mesh.");
+    return MEANDER_OUT_OF_MEMORY;
+  } catch (const std::exception& e) {
+    char text[sizeof(meander_error::text)];  // no allocation: this may be the last of the memory
+    std::snprintf(text, sizeof text, "The library failed (%s); please report this.", e.what());
+    report(error, MEANDER_INTERNAL, text);
+    return MEANDER_INTERNAL;
+  } catch (...) {
+    report(error, MEANDER_INTERNAL, "The library failed in an unknown way; please report this.");
+    return MEANDER_INTERNAL;
+  }
+}
+
+[[noreturn]] inline void refuse(const std::string& sentence) { throw Failure(MEANDER_INVALID_ARGUMENT, sentence); }
+
+inline void require(bool condition, const char* sentence) {
+  if (!condition) refuse(sentence);
+}
+
+template <class Struct>
+void require_struct(const Struct* s, const char* name) {
+  if (!s) refuse(std::string("The pointer to ") + name + " is NULL.");
+  if (s->struct_size != sizeof(Struct)) {
+    refuse(std::string("struct_size of ") + name + " is " + std::to_string(s->struct_size) + " but this library's is " +
+           std::to_string(sizeof(Struct)) + "; the caller was built for another version.");
+  }
+}
+
+/// From start to wait the flow is the worker's.
+inline void require_idle(const meander_flow& flow) {
+  require(!flow.job.started(),
+          "The flow has been started and belongs to its run; call meander_flow_wait first.");
+}
+
+inline void require_started(const meander_flow& flow) {
+  require(flow.job.started(), "No run of the flow has been started; call meander_flow_start first.");
+}
+
+inline void require_range(double value, double low, double high, const char* name) {
+  if (std::isfinite(value) && value >= low && value <= high) return;
+  refuse(std::string("The option ") + name + " is " + number(value) + "; it must be between " +
+         number(low) + " and " + number(high) + ".");
+}
+
+/// Options as the flow wants them, lengths in the surface's own unit; throws Failure.
+FlowSettings checked_settings(const meander_flow_options& options, const Surface& surface);
+
+}  // namespace meander

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The options of a flow: their defaults, the only ones there are, and their ranges.
+#include "c_api.h"
+
+namespace meander {
+namespace {
+
+/// Rounds to 40 significant bits, so that a length that was scaled together with the mesh is the same
+/// to the last bit once it is divided by the mesh's size (see Surface). The offset avoids ties.
+double settle(double x) {
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  return std::ldexp(std::floor(std::ldexp(mantissa, 40) + 0.38196601125), exponent - 40);
+}
+
+/// require_range for the quotient of two lengths, whose rounding must not refuse the ends themselves.
+void require_ratio(double value, double low, double high, const char* name) {
+  constexpr double kRounding = 1e-9;
+  require_range(value, low * (1 - kRounding), high * (1 + kRounding), name);
+}
+
+}  // namespace
+
+FlowSettings checked_settings(const meander_flow_options& o, const Surface& surface) {
+  if (!(std::isfinite(o.radius) && o.radius > 0)) {
+    refuse("The spacing must be a positive number; it is " + number(2 * o.radius) + ".");
+  }
+  FlowSettings s;
+  s.radius = settle(o.radius / surface.scale());
+  if (2 * s.radius > 1 || 4 * s.radius * s.radius > surface.area()) {
+    refuse("The spacing " + number(2 * o.radius) + " is larger than the surface (its diagonal is " +
+           number(surface.scale()) + "); choose a smaller spacing.");
+  }
+  if (o.segment_length != 0) require_ratio(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
+  if (o.max_radius != 0) require_ratio(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
+  const double default_clamp = o.preset == MEANDER_PRESET_PAPER ? 10 : 3;
+  s.segment_length = settle(o.segment_length != 0 ? o.segment_length / surface.scale() : 0.2 * s.radius);
+  s.max_radius = settle(o.max_radius != 0 ? o.max_radius / surface.scale() : default_clamp * s.radius);
+  require_range(o.length_weight, 0, 1e6, "length_weight");
+  require_range(o.bending_weight, 0, 1e6, "bending_weight");
+  require_range(o.medial_weight, 1e-6, 1e6, "medial_weight");
+  require_range(o.step, 1e-3, 2, "step");
+  require_range(o.growth_coarsening, 1, 4, "growth_coarsening");
+  require_range(o.polish_bending_weight, 0, 1e6, "polish_bending_weight");
+  require_range(o.polish_length_offset, -10, 10, "polish_length_offset");
+  require_range(o.polish_length_gain, 0, 100, "polish_length_gain");
+  require_range(o.polish_medial_power, 2, 8, "polish_medial_power");
+  require(o.polish <= 1, "The option polish must be 0 or 1.");
+  require(o.stop_rule <= MEANDER_STOP_PAPER, "The option stop_rule is none of MEANDER_STOP_...");
+  require(o.boundary_rule <= MEANDER_BOUNDARY_OBSTACLE, "The option boundary_rule is none of MEANDER_BOUNDARY_...");
+  require(o.preset <= MEANDER_PRESET_PAPER, "The option preset is none of MEANDER_PRESET_...");
+  require(o.iteration_limit >= 1, "The iteration limit must be at least 1.");
+  require(o.threads <= 256, "The number of threads must be between 0 (all) and 256.");
+  s.length_weight = o.length_weight;
+  s.bending_weight = o.bending_weight;
+  s.medial_weight = o.medial_weight;
+  s.step = o.step;
+  s.growth_coarsening = o.growth_coarsening;
+  s.polish = o.polish != 0;
+  s.polish_bending_weight = o.polish_bending_weight;
+  s.polish_length_offset = o.polish_length_offset;
+  s.polish_length_gain = o.polish_length_gain;
+  s.polish_medial_power = o.polish_medial_power;
+  s.grow_into_empty = s.widen_loops = o.preset != MEANDER_PRESET_PAPER;
+  s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
+  s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
+  s.iteration_limit = o.iteration_limit;
+  s.threads = o.threads;
+  return s;
+}
+
+}  // namespace meander
+
+meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset) {
+  if (!options || preset > MEANDER_PRESET_PAPER) return MEANDER_INVALID_ARGUMENT;
+  meander_flow_options o{};
+  o.struct_size = sizeof(meander_flow_options);
+  o.preset = preset;
+  o.medial_weight = 1;
+  o.threads = 0;
+  if (preset == MEANDER_PRESET_PAPER) {
+    o.length_weight = 1;
+    o.bending_weight = 0;
+    o.step = 1;
+    o.growth_coarsening = 1;
+    o.polish = 0;
+    o.stop_rule = MEANDER_STOP_PAPER;
+    o.polish_medial_power = 2;
+    o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
+    o.iteration_limit = 300;
+  } else {
+    o.length_weight = 0;
+    o.bending_weight = 1;
+    o.step = 1.5;
+    o.growth_coarsening = 2;
+    o.polish = 1;
+    o.stop_rule = MEANDER_STOP_SETTLED;
+    o.polish_bending_weight = 1.5;
+    o.polish_length_offset = -0.65;
+    o.polish_length_gain = 1;
+    o.polish_medial_power = 4;
+    o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
+    o.iteration_limit = 600;
+  }
+  *options = o;
+  return MEANDER_OK;
+}
