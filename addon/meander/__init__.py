@@ -6,7 +6,7 @@ stepper     one run of the flow, watched or in one go         (no bpy)
 blender_data    meshes, curves and weights in, curves out
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore
-operators, panels   buttons
+operators, sidebar, panels   buttons
 
 Nothing here imports bpy before register(), so that `meander.core` can be used without Blender.
 """
@@ -33,6 +33,7 @@ _SUBMODULES = (
     "properties",
     "session",
     "operators",
+    "sidebar",
     "panels",
 )
 _WITH_CLASSES = ("properties", "session", "operators", "panels")

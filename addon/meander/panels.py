@@ -14,33 +14,14 @@ from .operators import (
     MEANDER_OT_stop,
 )
 from .properties import STOP_TEXTS, MeanderFigures, MeanderSettings, surface_of
+from .sidebar import ORDER, Sidebar, SubPanel, columns
 
 
 def _is_result(object: bpy.types.Object) -> bool:
     return object.type == "CURVE"
 
 
-class _Sidebar:
-    bl_space_type = "VIEW_3D"
-    bl_region_type = "UI"
-    bl_category = "Meander"
-
-
-class _SubPanel(_Sidebar):
-    bl_parent_id = "MEANDER_PT_main"
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return surface_of(context.active_object) is not None
-
-
-def _columns(layout: bpy.types.UILayout) -> None:
-    layout.use_property_split = True
-    layout.use_property_decorate = False
-    layout.active = session.current() is None
-
-
-class MEANDER_PT_main(_Sidebar, bpy.types.Panel):
+class MEANDER_PT_main(Sidebar, bpy.types.Panel):
     bl_idname = "MEANDER_PT_main"
     bl_label = "Meander"
 
@@ -62,7 +43,7 @@ class MEANDER_PT_main(_Sidebar, bpy.types.Panel):
         self, layout: bpy.types.UILayout, active: bpy.types.Object, surface: bpy.types.Object
     ) -> None:
         settings: MeanderSettings = active.meander
-        _columns(layout)
+        columns(layout)
         if _is_result(active):
             # Which surface it lies on is a fact, not a choice.
             row = layout.row()
@@ -118,13 +99,14 @@ class MEANDER_PT_main(_Sidebar, bpy.types.Panel):
         )
 
 
-class MEANDER_PT_density(_SubPanel, bpy.types.Panel):
+class MEANDER_PT_density(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_density"
     bl_label = "Density"
+    bl_order = ORDER["density"]
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
-        _columns(layout)
+        columns(layout)
         active = context.active_object
         settings: MeanderSettings = active.meander
         layout.prop_search(
@@ -136,14 +118,15 @@ class MEANDER_PT_density(_SubPanel, bpy.types.Panel):
         column.prop(settings, "factor_1")
 
 
-class MEANDER_PT_options(_SubPanel, bpy.types.Panel):
+class MEANDER_PT_options(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_options"
     bl_label = "Options"
+    bl_order = ORDER["options"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
-        _columns(layout)
+        columns(layout)
         settings: MeanderSettings = context.active_object.meander
         layout.prop(settings, "preset")
         layout.prop(settings, "fixed_ends")
@@ -155,9 +138,10 @@ class MEANDER_PT_options(_SubPanel, bpy.types.Panel):
         row.prop(settings, "bevel_share")
 
 
-class MEANDER_PT_figures(_SubPanel, bpy.types.Panel):
+class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_figures"
     bl_label = "Last Run"
+    bl_order = ORDER["figures"]
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
