@@ -156,6 +156,9 @@ class _Seed(Structure):
         ("offsets", c_void_p),  # const uint32_t* offsets;
         ("closed", c_void_p),  # const uint8_t* closed;
         ("fixed", c_void_p),  # const uint8_t* fixed;
+        ("guides", c_void_p),  # const uint8_t* guides;
+        ("loops", c_uint32),  # uint32_t loops;
+        ("reserved", c_uint32),  # uint32_t reserved;
     ]
 
 
@@ -198,6 +201,8 @@ class _FlowStatistics(Structure):
         ("closed_strands", c_uint32),  # uint32_t closed_strands;
         ("crossings", c_uint32),  # uint32_t crossings;
         ("polishing", c_uint32),  # uint32_t polishing;
+        ("guides", c_uint32),  # uint32_t guides;
+        ("empty_components", c_uint32),  # uint32_t empty_components;
         ("length", c_double),  # double length;
         ("energy", c_double),  # double energy;
         ("mean_step", c_double),  # double mean_step;
@@ -372,6 +377,12 @@ _PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(c_size_t),
             POINTER(_Error),
         ),
+    ),
+    # meander_status meander_flow_get_guides(const meander_flow* flow, uint8_t* guides,
+    #     size_t capacity, size_t* count, meander_error* error);
+    "meander_flow_get_guides": (
+        c_int32,
+        (c_void_p, c_void_p, c_size_t, POINTER(c_size_t), POINTER(_Error)),
     ),
     # meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
     #     double* barycentrics, double* radii, uint8_t* fixed, size_t capacity, size_t* count,
@@ -762,12 +773,17 @@ class Seed:
     offsets  (s + 1,) uint32: strand k has the points offsets[k] .. offsets[k + 1] - 1
     closed   (s,) uint8: 1 closed (first point not repeated), 0 open
     fixed    (n,) uint8: 1 never moves; None: every point may move
+    guides   (s,) uint8: 1 for a strand that stays as it is and that the others keep away from;
+             None: none
+    loops    regions between guides, and components, without a growing strand get a small loop
     """
 
     points: NDArray[np.float64]
     offsets: NDArray[np.uint32]
     closed: NDArray[np.uint8]
     fixed: NDArray[np.uint8] | None = None
+    guides: NDArray[np.uint8] | None = None
+    loops: bool = False
 
 
 @dataclass
@@ -1183,6 +1199,21 @@ class Flow(_Handle):
                 _raise(status, error)
         return curve
 
+    def guides(self) -> NDArray[np.bool_]:
+        """(s,) bool: which strands are guides, in the order of the polylines."""
+        function = _library().meander_flow_get_guides
+        error = _new_error()
+        count = c_size_t()
+        with self._use() as pointer:
+            status = function(pointer, None, 0, byref(count), byref(error))
+            if status != Status.OK:
+                _raise(status, error)
+            flags = np.empty(count.value, dtype=np.uint8)
+            status = function(pointer, _address(flags), len(flags), byref(count), byref(error))
+            if status != Status.OK:
+                _raise(status, error)
+        return flags.astype(bool)
+
     def nodes(self) -> Nodes:
         """The present nodes, strand after strand."""
         function = _library().meander_flow_get_nodes
@@ -1282,6 +1313,15 @@ def _seed_record(seed: Seed) -> tuple[_Seed, tuple[NDArray[Any], ...]]:
             f"the seed needs one fixed flag for each of its {len(points)} points, not {len(fixed)}",
             Status.INVALID_SEED,
         )
+    guides = None
+    if seed.guides is not None:
+        guides = _array("the seed's guide flags", seed.guides, np.uint8, None)
+        if len(guides) != len(closed):
+            raise MeanderError(
+                f"the seed needs one guide flag for each of its {len(closed)} strands, "
+                f"not {len(guides)}",
+                Status.INVALID_SEED,
+            )
     record = _Seed(
         struct_size=sizeof(_Seed),
         strand_count=len(closed),
@@ -1289,6 +1329,8 @@ def _seed_record(seed: Seed) -> tuple[_Seed, tuple[NDArray[Any], ...]]:
         offsets=_address(offsets),
         closed=_address(closed),
         fixed=_address(fixed),
+        guides=_address(guides),
+        loops=int(seed.loops),
     )
-    arrays = (points, offsets, closed) if fixed is None else (points, offsets, closed, fixed)
-    return record, arrays
+    optional = tuple(array for array in (fixed, guides) if array is not None)
+    return record, (points, offsets, closed, *optional)

@@ -21,6 +21,9 @@ SeedStrands checked_seed(const meander_seed& seed) {
   strands.offsets.assign(seed.offsets, seed.offsets + seed.strand_count + 1);
   strands.closed.assign(seed.closed, seed.closed + seed.strand_count);
   for (uint32_t i = 0; seed.fixed && i < count; ++i) strands.fixed.push_back(seed.fixed[i] != 0);
+  if (seed.guides) strands.guides.assign(seed.guides, seed.guides + seed.strand_count);
+  require(seed.loops <= 1, "The field loops of the seed must be 0 or 1.");
+  strands.loops = seed.loops != 0;
   for (uint32_t i = 0; i < count; ++i) {
     const double* x = seed.points + 3 * size_t{i};
     const Vec3 p(x[0], x[1], x[2]);
@@ -98,6 +101,19 @@ meander_status run_status(StopReason reason, meander_error* error) {
   if (reason != StopReason::kCancelled) return MEANDER_OK;
   report(error, MEANDER_CANCELLED, "The run was cancelled.");
   return MEANDER_CANCELLED;
+}
+
+void count_strands(const Flow& flow, meander_flow_statistics& statistics) {
+  const Curve& curve = flow.curve();
+  std::vector<uint8_t> grown(flow.surface().component_count(), 0);
+  statistics.strands = static_cast<uint32_t>(curve.strands.size());
+  statistics.closed_strands = statistics.guides = 0;
+  for (const Strand& s : curve.strands) {
+    statistics.closed_strands += s.closed;
+    statistics.guides += s.guide;
+    if (!s.guide) grown[flow.surface().component(curve.nodes[s.first].face)] = 1;
+  }
+  statistics.empty_components = static_cast<uint32_t>(std::ranges::count(grown, 0));
 }
 
 double percentile(const std::vector<double>& sorted, double share) {
@@ -289,11 +305,9 @@ meander_status meander_flow_get_statistics(meander_flow* flow, meander_flow_stat
     statistics->stop_reason = public_reason(f.stop_reason());
     statistics->iterations = static_cast<uint32_t>(f.history().size());
     statistics->nodes = f.curve().size();
-    statistics->strands = static_cast<uint32_t>(f.curve().strands.size());
-    statistics->closed_strands = 0;
-    for (const Strand& s : f.curve().strands) statistics->closed_strands += s.closed;
     statistics->crossings = static_cast<uint32_t>(m.crossings);
     statistics->polishing = f.polishing();
+    count_strands(f, *statistics);
     statistics->length = m.length * scale;
     statistics->energy = m.energy * scale;
     statistics->mean_step = f.history().empty() ? 0 : f.history().back().mean_step * scale;

@@ -30,7 +30,8 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
   }
   if (std::strcmp(name, "meander_seed") == 0) {
     using S = meander_seed;
-    return give({sizeof(S), AT(struct_size), AT(strand_count), AT(points), AT(offsets), AT(closed), AT(fixed)});
+    return give({sizeof(S), AT(struct_size), AT(strand_count), AT(points), AT(offsets), AT(closed), AT(fixed), AT(guides),
+                 AT(loops), AT(reserved)});
   }
   if (std::strcmp(name, "meander_flow_options") == 0) {
     using S = meander_flow_options;
@@ -42,7 +43,7 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
   if (std::strcmp(name, "meander_flow_statistics") == 0) {
     using S = meander_flow_statistics;
     return give({sizeof(S), AT(struct_size), AT(stop_reason), AT(iterations), AT(nodes), AT(strands),
-                 AT(closed_strands), AT(crossings), AT(polishing), AT(length), AT(energy), AT(mean_step),
+                 AT(closed_strands), AT(crossings), AT(polishing), AT(guides), AT(empty_components), AT(length), AT(energy), AT(mean_step),
                  AT(spacing_target), AT(spacing_p05), AT(spacing_median), AT(spacing_p95), AT(seconds_total),
                  AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract), AT(seconds_reconnect),
                  AT(seconds_crossings), AT(seconds_refine)});

@@ -65,9 +65,13 @@ void Convergence::note(const Surface& surface, const Curve& curve, const std::ve
         distance[i] = d / local_radius[i];
       }
     });
-    double sum = 0;
-    for (const double d : distance) sum += d;
-    converged_ = change < kSettledLength && sum / curve.size() < kSettledDistance;
+    double sum = 0, count = 0;
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      if (curve.on_guide(i)) continue;
+      sum += distance[i];
+      ++count;
+    }
+    converged_ = change < kSettledLength && sum / count < kSettledDistance;
   }
   picture_ = std::move(present);
 }

@@ -13,7 +13,7 @@ namespace meander {
 
 /// What one iteration leaves for the decision.
 struct IterationFigures {
-  double length = 0;
+  double length = 0;          ///< of the strands that may move, as are the other figures
   double clamped_share = 0;   ///< of nodes with a medial radius at the clamp
   double moved = 0;           ///< mean distance that nodes were really moved, in the local r
   double displacement_norm = 0;  ///< |d|_2 / n of the proposed displacements, in r (the paper's rule)

@@ -17,17 +17,6 @@ bool between(Vec2 a, Vec2 b, Vec2 c) {
          c.y <= std::max(a.y, b.y);
 }
 
-/// Do the closed straight pieces share a point?
-bool touch(const Piece& p, const Piece& q) {
-  const int a = orientation(p.from, p.to, q.from), b = orientation(p.from, p.to, q.to);
-  if (a * b > 0) return false;
-  const int c = orientation(q.from, q.to, p.from), d = orientation(q.from, q.to, p.to);
-  if (c * d > 0) return false;
-  if (a * b < 0 && c * d < 0) return true;
-  return (a == 0 && between(p.from, p.to, q.from)) || (b == 0 && between(p.from, p.to, q.to)) ||
-         (c == 0 && between(q.from, q.to, p.from)) || (d == 0 && between(q.from, q.to, p.to));
-}
-
 /// Do two pieces that both end in `node` share more than it?
 bool overlap(Vec2 node, Vec2 p, Vec2 q) {
   if (same(p, node) || same(q, node)) return false;
@@ -66,6 +55,7 @@ class FaceTest {
       return;
     }
     if (changed_ && !(*changed_)[p.segment] && !(*changed_)[q.segment]) return;
+    if (curve_.on_guide(p.segment) && curve_.on_guide(q.segment)) return;
     if (crossing(p, q)) found_.emplace_back(std::min(p.segment, q.segment), std::max(p.segment, q.segment));
   }
 
@@ -126,6 +116,16 @@ class FaceTest {
 };
 
 }  // namespace
+
+bool touch(const Piece& p, const Piece& q) {
+  const int a = orientation(p.from, p.to, q.from), b = orientation(p.from, p.to, q.to);
+  if (a * b > 0) return false;
+  const int c = orientation(q.from, q.to, p.from), d = orientation(q.from, q.to, p.to);
+  if (c * d > 0) return false;
+  if (a * b < 0 && c * d < 0) return true;
+  return (a == 0 && between(p.from, p.to, q.from)) || (b == 0 && between(p.from, p.to, q.to)) ||
+         (c == 0 && between(q.from, q.to, p.from)) || (d == 0 && between(q.from, q.to, p.to));
+}
 
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, Team& team,
                          const std::vector<uint8_t>* changed) {

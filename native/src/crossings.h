@@ -11,8 +11,12 @@
 
 namespace meander {
 
+/// Do two straight pieces of one face, ends included, share a point? Exact.
+bool touch(const Piece& p, const Piece& q);
+
 /// Finds pairs of segments that share a point other than a common node, by sign-exact predicates
-/// within each face. Keeps its memory from call to call.
+/// within each face. Guides may cross and touch each other: they never move, and what grows can
+/// cross neither. Keeps its memory from call to call.
 class CrossingTest {
  public:
   /// All crossing pairs (lower segment first, sorted, each once). Where `changed` is given (per

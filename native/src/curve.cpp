@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curve.h"
 
+#include <algorithm>
+
 namespace meander {
 
 void Curve::link() {
   next_.assign(nodes.size(), kNone);
   previous_.assign(nodes.size(), kNone);
+  on_guide_.clear();
   for (const Strand& s : strands) {
     for (uint32_t i = s.first; i + 1 < s.end(); ++i) {
       next_[i] = i + 1;
@@ -14,6 +17,10 @@ void Curve::link() {
     if (s.closed && s.count > 0) {
       next_[s.end() - 1] = s.first;
       previous_[s.first] = s.end() - 1;
+    }
+    if (s.guide) {
+      on_guide_.resize(nodes.size(), 0);
+      std::fill_n(on_guide_.begin() + s.first, s.count, uint8_t{1});
     }
   }
 }
@@ -40,6 +47,15 @@ double Curve::length() const {
   double sum = 0;
   for (uint32_t i = 0; i < size(); ++i) {
     if (has_segment(i)) sum += shapes[i].length;
+  }
+  return sum;
+}
+
+double Curve::growing_length() const {
+  if (!has_guides()) return length();
+  double sum = 0;
+  for (uint32_t i = 0; i < size(); ++i) {
+    if (has_segment(i) && !on_guide(i)) sum += shapes[i].length;
   }
   return sum;
 }

@@ -15,10 +15,12 @@ namespace meander {
 using Path = std::vector<Crossing>;
 
 /// Nodes first .. first + count - 1, in order. A closed strand also joins the last to the first.
+/// All nodes of a guide are fixed, and those that are added to it are as well.
 struct Strand {
   uint32_t first = 0;
   uint32_t count = 0;
   bool closed = true;
+  bool guide = false;
 
   uint32_t end() const { return first + count; }
   uint32_t segment_count() const { return closed ? count : count - 1; }
@@ -44,17 +46,23 @@ class Curve {
   uint32_t next(uint32_t i) const { return next_[i]; }      ///< kNone at an open end
   uint32_t previous(uint32_t i) const { return previous_[i]; }
   bool has_segment(uint32_t i) const { return next_[i] != kNone; }
+  bool has_guides() const { return !on_guide_.empty(); }
+  /// Does node i, and the segment after it, belong to a guide?
+  bool on_guide(uint32_t i) const { return !on_guide_.empty() && on_guide_[i] != 0; }
 
-  /// Recomputes next and previous from the strands; call after they changed.
+  /// Recomputes next, previous and on_guide from the strands; call after they changed.
   void link();
 
   /// The straight pieces of all segments, in order.
   void pieces(const Surface& surface, std::vector<Piece>& out) const;
 
   double length() const;
+  /// Of the strands that may move.
+  double growing_length() const;
 
  private:
   std::vector<uint32_t> next_, previous_;
+  std::vector<uint8_t> on_guide_;  // empty where there are no guides
 };
 
 }  // namespace meander

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "first_curve.h"
 #include "run_tree.h"
 #include "solve.h"
 #include "stopwatch.h"
@@ -48,8 +49,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
       normals_(*surface_, settings.radius),
       boundary_(*surface_, 0.5 * settings.segment_length),
       team_(settings.threads),
-      curve_(seed ? lay_seed(*surface_, *seed, vertex_radius_, team_)
-                  : face_loops(*surface_, vertex_radius_, settings.widen_loops, team_)),
+      curve_(first_curve(*surface_, seed, vertex_radius_, settings.widen_loops, team_)),
       convergence_(settings.stop_rule, settings.polish) {
   refine();
 }
@@ -81,9 +81,10 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   if (cancelled()) return false;
 
   IterationFigures figures;
-  const double n = curve_.size();
-  double sum = 0, squares = 0, clamped = 0;
+  double n = 0, sum = 0, squares = 0, clamped = 0;
   for (uint32_t i = 0; i < curve_.size(); ++i) {
+    if (curve_.on_guide(i)) continue;
+    ++n;
     const double d = norm(displacement[i]);
     sum += d;
     squares += d * d;
@@ -102,7 +103,8 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   seconds_.refine += watch.lap();
 
   find_local_radii();
-  figures.length = record.length = curve_.length();
+  record.length = curve_.length();
+  figures.length = curve_.growing_length();
   record.nodes = curve_.size();
   convergence_.note(*surface_, curve_, local_radius_, figures, team_);
   record.seconds = total.lap();
@@ -127,6 +129,7 @@ Flow::Measure Flow::measure() {
   m.length = curve_.length();
   m.energy = energy(curve_, felt_radii_, local_radius_, weights_);
   for (uint32_t i = 0; i < curve_.size(); ++i) {
+    if (curve_.on_guide(i)) continue;
     for (const double r : felt_radii_[i]) m.spacing.push_back(2 * settings_.radius * r / local_radius_[i]);
   }
   std::sort(m.spacing.begin(), m.spacing.end());
@@ -273,6 +276,7 @@ std::vector<Vec2> Flow::displacements() {
     StrandSystem system;
     for (size_t s = begin; s < end; ++s) {
       const Strand& strand = curve_.strands[s];
+      if (strand.guide) continue;
       assemble(curve_, strand, frames_, felt_radii_, local_radius_, weights_, system);
       const std::vector<Vec2> z = solve(system);
       for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
@@ -292,7 +296,10 @@ void Flow::refine() {
   const double h = settings_.segment_length *
                    (settings_.polish && !convergence_.polishing() ? settings_.growth_coarsening : 1);
   std::vector<double> target(curve_.size());
-  for (uint32_t i = 0; i < curve_.size(); ++i) target[i] = h * local_radius_[i] / settings_.radius;
+  for (uint32_t i = 0; i < curve_.size(); ++i) {
+    // Guides are cut up once, as finely as they ever need to be, and then stay as they are.
+    target[i] = (curve_.on_guide(i) ? settings_.segment_length : h) * local_radius_[i] / settings_.radius;
+  }
   std::vector<uint32_t> origin;
   refinement_.refine(*surface_, curve_, target, team_, origin);
   if (!radii_.empty()) {

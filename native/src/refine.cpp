@@ -147,13 +147,13 @@ bool Refinement::propose(const Surface& surface, const Curve& curve, const std::
           next_.shapes.back() = measure_path(surface, from, to, pieces.paths[p]);
           next_.paths.back() = std::move(pieces.paths[p]);
           changed_.back() = 1;
-          if (p < pieces.nodes.size()) add(to, 0, i);
+          if (p < pieces.nodes.size()) add(to, strand.guide, i);
         }
       }
       ++k;
       if (j != strand.first) add(curve.nodes[j], curve.fixed[j], j);
     }
-    next_.strands.push_back({first_new, next_.size() - first_new, strand.closed});
+    next_.strands.push_back({first_new, next_.size() - first_new, strand.closed, strand.guide});
   }
   if (any) next_.link();
   return any;

@@ -2,8 +2,6 @@
 #include "seed.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <queue>
 #include <string>
 #include <unordered_map>
@@ -12,7 +10,6 @@
 #include "crossings.h"
 #include "failure.h"
 #include "frames.h"
-#include "geodesic_trace.h"
 
 namespace meander {
 namespace {
@@ -75,6 +72,12 @@ bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to
   return true;
 }
 
+size_t strand_of(const SeedStrands& seed, size_t point) {
+  size_t s = 0;
+  while (seed.offsets[s + 1] <= point) ++s;
+  return s;
+}
+
 void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed) {
   curve.nodes.push_back(p);
   curve.fixed.push_back(fixed);
@@ -89,8 +92,8 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
   Curve curve;
   std::vector<size_t> point_of_node;
   for (size_t s = 0; s + 1 < seed.offsets.size(); ++s) {
-    const bool closed = seed.closed[s] != 0;
-    Strand strand{curve.size(), 0, closed};
+    const bool closed = seed.closed[s] != 0, guide = !seed.guides.empty() && seed.guides[s];
+    Strand strand{curve.size(), 0, closed, guide};
     for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
       const auto hit = closest(surface.to_inside(seed.points[i]));
       const double r = radius_at(surface, radius, hit.point);
@@ -99,7 +102,7 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
                    " radii away from the surface (at most 1 is allowed); move the seed onto the surface.",
                i);
       }
-      const uint8_t fixed = seed.fixed.empty() ? 0 : seed.fixed[i];
+      const uint8_t fixed = guide || (!seed.fixed.empty() && seed.fixed[i]);
       // A point drawn twice in a row is one node.
       if (curve.size() > strand.first) {
         if (same(curve.nodes.back(), hit.point)) {
@@ -142,76 +145,21 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
   CrossingTest test;
   const auto pairs = test.find(surface, curve, team);
   if (!pairs.empty()) {
-    const size_t a = point_of_node[pairs[0].first], b = point_of_node[pairs[0].second];
+    auto [first, second] = pairs[0];
+    const size_t a = point_of_node[first], b = point_of_node[second];
+    if (curve.on_guide(first)) std::swap(first, second);
+    if (curve.on_guide(second)) {
+      const size_t at = point_of_node[first], on = point_of_node[second];
+      throw Failure(MEANDER_INVALID_SEED,
+                    "Strand " + std::to_string(strand_of(seed, at)) + " of the seed crosses or touches strand " +
+                        std::to_string(strand_of(seed, on)) + ", a guide (after points " + std::to_string(at) +
+                        " and " + std::to_string(on) + ", on the surface); move one of the two, or shorten it.",
+                    MEANDER_ELEMENT_SEED_POINT, static_cast<uint32_t>(at), static_cast<uint32_t>(on));
+    }
     refuse("The seed crosses or touches itself between points " + std::to_string(a) + " and " +
                std::to_string(b) + " (segments after them, on the surface); untangle it there.",
            a);
   }
-  return curve;
-}
-
-Curve face_loops(const Surface& surface, const std::vector<double>& radius, bool widen, Team& team) {
-  constexpr double kWide = 1.5;  // of r
-  constexpr int kRays = 24;
-  constexpr double kInset = 0.02;  // keeps the outline off the face's edges
-  Curve curve;
-  std::vector<uint8_t> seen(surface.component_count(), 0);
-  for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    if (seen[surface.component(f)]) continue;
-    seen[surface.component(f)] = 1;
-    const SurfacePoint middle = make_point(f, 1.0 / 3, 1.0 / 3, 1.0 / 3);
-    double perimeter = 0;
-    for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface.corner(f, next_corner(k)) - surface.corner(f, k));
-    Curve loop;
-    // Where the spacing is near the size of the surface a circle that wide would wrap round it.
-    double wide = std::min(kWide * radius_at(surface, radius, middle), 0.25);
-    for (; widen && perimeter < 2 * std::numbers::pi * wide; wide /= 2) {
-      loop = Curve{};
-      std::vector<Path> rays(kRays);
-      bool whole = true;
-      for (int k = 0; k < kRays && whole; ++k) {
-        const double a = 2 * std::numbers::pi * k / kRays;
-        const Trace ray = trace_geodesic(surface, middle, wide * Vec2{std::cos(a), std::sin(a)}, rays[k]);
-        whole = !ray.hit_boundary;
-        add_node(loop, ray.end, 0);
-      }
-      if (!whole) continue;
-      loop.strands.push_back({0, kRays, true});
-      loop.link();
-      PathShortener shortener(surface);
-      for (uint32_t k = 0; k < kRays; ++k) {
-        const uint32_t j = loop.next(k);
-        Path& path = loop.paths[k];
-        for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(surface, rays[k][c]));
-        path.insert(path.end(), rays[j].begin(), rays[j].end());
-        loop.shapes[k] = shortener.shorten(loop.nodes[k], loop.nodes[j], path);
-      }
-      CrossingTest test;
-      if (test.find(surface, loop, team).empty()) break;
-    }
-    if (!widen || !(perimeter < 2 * std::numbers::pi * wide)) {
-      loop = Curve{};
-      const double far = 1 - 2 * kInset;
-      for (uint32_t k = 0; k < 3; ++k) {
-        double w[3] = {kInset, kInset, kInset};
-        w[k] = far;
-        add_node(loop, make_point(f, w[0], w[1], w[2]), 0);
-      }
-      loop.strands.push_back({0, 3, true});
-      loop.link();
-      for (uint32_t k = 0; k < 3; ++k) {
-        loop.shapes[k] = measure_path(surface, loop.nodes[k], loop.nodes[loop.next(k)], {});
-      }
-    }
-    const uint32_t first = curve.size();
-    curve.strands.push_back({first, loop.size(), true});
-    for (uint32_t k = 0; k < loop.size(); ++k) {
-      add_node(curve, loop.nodes[k], 0);
-      curve.paths.back() = std::move(loop.paths[k]);
-      curve.shapes.back() = loop.shapes[k];
-    }
-  }
-  curve.link();
   return curve;
 }
 

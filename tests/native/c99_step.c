@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
   const double points[] = {0.35, 0.35, 0.0, 0.65, 0.35, 0.0, 0.65, 0.65, 0.0, 0.35, 0.65, 0.0};
   const uint32_t seed_offsets[] = {0, 4};
   const uint8_t seed_closed[] = {1};
-  meander_seed seed = {sizeof seed, 1, points, seed_offsets, seed_closed, NULL};
+  meander_seed seed = {sizeof seed, 1, points, seed_offsets, seed_closed, NULL, NULL, 0, 0};
 
   meander_surface* surface = NULL;
   expect_ok(meander_surface_create(vertices, VERTICES, faces, FACES, &surface, &error), &error,

@@ -64,9 +64,12 @@ class FlowRun {
     std::vector<uint8_t> fixed;
     if (strands) {
       fixed.assign(strands->points.size() / 3, 1);
-      seed = {sizeof(seed),           static_cast<uint32_t>(strands->closed.size()),
-              strands->points.data(), strands->offsets.data(),
-              strands->closed.data(), fixed.data()};
+      seed.struct_size = sizeof(seed);
+      seed.strand_count = static_cast<uint32_t>(strands->closed.size());
+      seed.points = strands->points.data();
+      seed.offsets = strands->offsets.data();
+      seed.closed = strands->closed.data();
+      seed.fixed = fixed.data();
     }
     meander_error error{};
     error.struct_size = sizeof(error);

@@ -176,7 +176,17 @@ MEANDER_API meander_status meander_surface_get_statistics(const meander_surface*
  * consecutive points are joined by geodesics. Refused with MEANDER_INVALID_SEED: a point farther
  * than the local r from the surface; strands that cross or touch themselves or each other; a closed
  * strand with fewer than 3 different points, an open one with fewer than 2; consecutive points on
- * different components. */
+ * different components.
+ *
+ * Guides are strands that stay as they are laid, while the others keep the spacing from them as from
+ * each other. They are part of the curve: they come out with it, and figures of the whole curve count
+ * them; those of the spacing and of convergence leave them out. Guides may cross and touch each other
+ * and themselves, but nothing that grows may touch one. At least one strand must grow.
+ *
+ * Guides that reach from boundary to boundary, that are closed or that form a network divide the
+ * surface into regions, and what grows in one never comes into another. `loops` gives every region
+ * and component that has no growing strand, and is not too narrow for one, a small closed strand as a
+ * flow without a seed starts from, after the seed's own strands. */
 typedef struct meander_seed {
   uint32_t struct_size;           /* set by the caller: sizeof(meander_seed) */
   uint32_t strand_count;          /* at least 1 */
@@ -184,6 +194,9 @@ typedef struct meander_seed {
   const uint32_t* offsets;        /* uint32_t[strand_count + 1], from 0, not falling */
   const uint8_t* closed;          /* uint8_t[strand_count]: 1 closed, 0 open */
   const uint8_t* fixed;           /* uint8_t[offsets[strand_count]]: 1 never moves; NULL: none */
+  const uint8_t* guides;          /* uint8_t[strand_count]: 1 is a guide; NULL: none */
+  uint32_t loops;                 /* 1: regions without a growing strand get a small closed one */
+  uint32_t reserved;
 } meander_seed;
 
 /* Presets for meander_flow_options_init. */
@@ -357,6 +370,8 @@ typedef struct meander_flow_statistics {
   uint32_t closed_strands;
   uint32_t crossings;     /* pairs of pieces that cross now, counted afresh; 0 */
   uint32_t polishing;     /* 1 once the flow closes its last gaps */
+  uint32_t guides;           /* strands that are guides */
+  uint32_t empty_components; /* of the surface, on which no strand grows */
   double length;          /* of the curve */
   double energy;          /* eq. 2 at the present curve: t L + alpha E_M, plus bending */
   double mean_step;       /* mean length of the displacements of the last iteration */
@@ -417,6 +432,17 @@ MEANDER_API meander_status meander_flow_get_polylines(const meander_flow* flow, 
                                                       size_t* point_count, uint32_t* offsets,
                                                       uint8_t* closed, size_t strand_capacity,
                                                       size_t* strand_count, meander_error* error);
+
+/* Says which strands are guides, in the order of the polylines; see meander_seed. Strands keep their
+ * places for the life of the flow.
+ *
+ * guides    uint8_t[capacity]: 1 for a guide, 0 for a strand that grows; may be NULL only when
+ *           capacity is 0
+ * capacity  room in the array, in strands
+ * count     receives the number of strands; when it exceeds capacity nothing is copied */
+MEANDER_API meander_status meander_flow_get_guides(const meander_flow* flow, uint8_t* guides,
+                                                   size_t capacity, size_t* count,
+                                                   meander_error* error);
 
 /* Copies the nodes as points of the mesh, strand after strand.
  *

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The regions into which guides divide a surface: what grows in one never reaches another.
+#pragma once
+
+#include <vector>
+
+#include "curve.h"
+
+namespace meander {
+
+struct Region {
+  SurfacePoint middle;    ///< a place for a first strand
+  double room = 0;        ///< straight distance from there to the nearest guide, where there is one
+  bool guided = false;    ///< are there guides on its component?
+  bool growing = false;   ///< does a strand that is no guide begin in it?
+};
+
+/// All regions, component by component in the order of their first faces.
+///
+/// A component without guides is one region, and its place the middle of its first face. Elsewhere
+/// samples of faces and edges, about r / 2 apart and at least as far from all guides, are joined where
+/// the straight way between them meets none: what hangs together is a region, so that gaps which no
+/// strand would go through are closed. Its place is the first sample that lies 2.5 r away from all
+/// guides, or else the farthest. What is narrower than the samples is left out: the guides cover it.
+/// `radius` is r at every vertex.
+std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius);
+
+}  // namespace meander
