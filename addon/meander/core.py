@@ -129,6 +129,21 @@ class _Error(Structure):
     ]
 
 
+class _SurfaceOptions(Structure):
+    """typedef struct meander_surface_options"""
+
+    _fields_ = [
+        ("struct_size", c_uint32),  # uint32_t struct_size;
+        ("drop_degenerate", c_uint32),  # uint32_t drop_degenerate;
+        ("split_bow_ties", c_uint32),  # uint32_t split_bow_ties;
+        ("cut_non_manifold", c_uint32),  # uint32_t cut_non_manifold;
+        ("merge_distance", c_double),  # double merge_distance;
+        ("face_mask", c_void_p),  # const uint8_t* face_mask;
+        ("vertex_mask", c_void_p),  # const double* vertex_mask;
+        ("mask_threshold", c_double),  # double mask_threshold;
+    ]
+
+
 class _SurfaceStatistics(Structure):
     """typedef struct meander_surface_statistics"""
 
@@ -140,6 +155,12 @@ class _SurfaceStatistics(Structure):
         ("boundary_loops", c_uint32),  # uint32_t boundary_loops;
         ("turned_faces", c_uint32),  # uint32_t turned_faces;
         ("unused_vertices", c_uint32),  # uint32_t unused_vertices;
+        ("merged_vertices", c_uint32),  # uint32_t merged_vertices;
+        ("dropped_faces", c_uint32),  # uint32_t dropped_faces;
+        ("split_vertices", c_uint32),  # uint32_t split_vertices;
+        ("cut_edges", c_uint32),  # uint32_t cut_edges;
+        ("masked_faces", c_uint32),  # uint32_t masked_faces;
+        ("clipped_faces", c_uint32),  # uint32_t clipped_faces;
         ("reserved", c_uint32),  # uint32_t reserved;
         ("area", c_double),  # double area;
         ("diagonal", c_double),  # double diagonal;
@@ -248,6 +269,7 @@ class _Preview(Structure):
 
 _STRUCTS: dict[str, type[Structure]] = {
     "meander_error": _Error,
+    "meander_surface_options": _SurfaceOptions,
     "meander_surface_statistics": _SurfaceStatistics,
     "meander_seed": _Seed,
     "meander_flow_options": _FlowOptions,
@@ -286,6 +308,23 @@ _PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "meander_surface_create": (
         c_int32,
         (c_void_p, c_size_t, c_void_p, c_size_t, POINTER(c_void_p), POINTER(_Error)),
+    ),
+    # meander_status meander_surface_options_init(meander_surface_options* options);
+    "meander_surface_options_init": (c_int32, (POINTER(_SurfaceOptions),)),
+    # meander_status meander_surface_create_prepared(const double* vertices, size_t vertex_count,
+    #     const uint32_t* faces, size_t face_count, const meander_surface_options* options,
+    #     meander_surface** surface, meander_error* error);
+    "meander_surface_create_prepared": (
+        c_int32,
+        (
+            c_void_p,
+            c_size_t,
+            c_void_p,
+            c_size_t,
+            POINTER(_SurfaceOptions),
+            POINTER(c_void_p),
+            POINTER(_Error),
+        ),
     ),
     # void meander_surface_destroy(meander_surface* surface);
     "meander_surface_destroy": (None, (c_void_p,)),
@@ -707,33 +746,98 @@ class Context(_Handle):
 # Surface
 
 
+@dataclass
+class SurfaceOptions:
+    """What to do with a mesh before it is checked; see meander_surface_options.
+
+    As it is made, nothing is done, and the check is strict.
+
+    merge_distance    vertices this near to another become one; 0: none
+    drop_degenerate   faces without area are dissolved, doubled ones dropped
+    split_bow_ties    a vertex where fans of faces meet becomes one for each
+    cut_non_manifold  edges with more than two faces become boundaries of each
+    face_mask         (m,) bool: faces that are False are left out; None: all are in
+    vertex_mask       (n,) float64: what lies below mask_threshold is cut away, also across faces
+    """
+
+    merge_distance: float = 0.0
+    drop_degenerate: bool = False
+    split_bow_ties: bool = False
+    cut_non_manifold: bool = False
+    face_mask: NDArray[np.bool_] | None = None
+    vertex_mask: NDArray[np.float64] | None = None
+    mask_threshold: float = 0.0
+
+
+def _surface_options_record(
+    options: SurfaceOptions, vertex_count: int, face_count: int
+) -> tuple[_SurfaceOptions, tuple[NDArray[Any], ...]]:
+    """The C struct of the options, and the arrays that it points to."""
+    record = _SurfaceOptions()
+    _library().meander_surface_options_init(byref(record))
+    record.drop_degenerate = bool(options.drop_degenerate)
+    record.split_bow_ties = bool(options.split_bow_ties)
+    record.cut_non_manifold = bool(options.cut_non_manifold)
+    record.merge_distance = float(options.merge_distance)
+    record.mask_threshold = float(options.mask_threshold)
+    arrays: list[NDArray[Any]] = []
+    for name, dtype, count, element in (
+        ("face_mask", np.uint8, face_count, "faces"),
+        ("vertex_mask", np.float64, vertex_count, "vertices"),
+    ):
+        value = getattr(options, name)
+        if value is None:
+            continue
+        array = _array(name, value, dtype, None)
+        if len(array) != count:
+            raise MeanderError(
+                f"{name} must have one value for each of the {count} {element} of the mesh, not "
+                f"{len(array)}"
+            )
+        arrays.append(array)
+        setattr(record, name, _address(array))
+    return record, tuple(arrays)
+
+
 class Surface(_Handle):
     """A triangle mesh that the library has checked and copied.
 
     vertices  (n, 3) float64, finite, in any unit
     faces     (m, 3) uint32, zero-based, each below n
+    options   how to prepare a mesh with faults, and which part of it to take; None: as it is
+
+    Whatever the options do, nodes, gaps, errors and densities speak of the vertices and faces that
+    were passed here.
 
     Raises MeanderError, naming the first element, for a mesh that cannot be used: no faces, a
     coordinate that is not finite, an index out of range, a vertex twice in a face, a face without
-    area, an edge with more than two faces, a bow-tie vertex, a component without orientation.
+    area, an edge with more than two faces, a bow-tie vertex, a component without orientation; also
+    where options leave no faces.
     """
 
     _what = "surface"
 
-    def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
+    def __init__(
+        self, vertices: ArrayLike, faces: ArrayLike, options: SurfaceOptions | None = None
+    ) -> None:
         vertex_array = _array("vertices", vertices, np.float64, 3)
         face_array = _array("faces", faces, np.uint32, 3)
         library = _library()
         pointer = c_void_p()
         error = _new_error()
-        status = library.meander_surface_create(
+        record, arrays = _surface_options_record(
+            SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
+        )
+        status = library.meander_surface_create_prepared(
             _address(vertex_array),
             len(vertex_array),
             _address(face_array),
             len(face_array),
+            byref(record),
             byref(pointer),
             byref(error),
         )
+        del arrays
         if status != Status.OK:
             _raise(status, error)
         super().__init__(pointer.value, library.meander_surface_destroy)
@@ -742,8 +846,10 @@ class Surface(_Handle):
     def statistics(self) -> dict[str, int | float]:
         """Figures of the surface, named as in meander_surface_statistics.
 
-        vertices (used ones), faces, components, boundary_loops, turned_faces, unused_vertices:
-        int; area (square units) and diagonal (of the bounding box): float.
+        vertices (used ones), faces, components, boundary_loops, turned_faces, unused_vertices, and
+        what the options did, merged_vertices, dropped_faces, split_vertices, cut_edges,
+        masked_faces, clipped_faces: int; area (square units) and diagonal (of the bounding box):
+        float.
         """
         record = _SurfaceStatistics(struct_size=sizeof(_SurfaceStatistics))
         error = _new_error()

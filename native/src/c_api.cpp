@@ -37,9 +37,10 @@ SeedStrands checked_seed(const meander_seed& seed) {
   return strands;
 }
 
-std::vector<double> checked_density(const double* density, const Surface& surface) {
+/// One value for each of the caller's vertices.
+std::vector<double> checked_density(const double* density, size_t vertex_count) {
   if (!density) return {};
-  std::vector<double> d(density, density + surface.vertex_count());
+  std::vector<double> d(density, density + vertex_count);
   double least = 0, most = 0;
   for (size_t v = 0; v < d.size(); ++v) {
     if (!(std::isfinite(d[v]) && d[v] > 0)) {
@@ -58,7 +59,8 @@ std::vector<double> checked_density(const double* density, const Surface& surfac
 
 /// Refuses what would not fit the mesh or the machine: a curve has about one node for every 1.4 h of
 /// its length, area / (2 r), and both lengths shrink with the root of the density.
-void check_size(const Surface& surface, const FlowSettings& s, const std::vector<double>& density) {
+void check_size(const Surface& surface, const FlowSettings& s, const std::vector<double>& density,
+                const MeshMap* map) {
   constexpr double kMostNodes = 5e8;
   double nodes = 0;
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -72,10 +74,11 @@ void check_size(const Surface& surface, const FlowSettings& s, const std::vector
   }
   for (size_t v = 0; v < density.size(); ++v) {
     if (s.radius <= std::sqrt(density[v])) continue;
+    const uint32_t vertex = caller_vertex(map, static_cast<uint32_t>(v));
     throw Failure(MEANDER_INVALID_ARGUMENT,
-                  "The density " + number(density[v]) + " at vertex " + std::to_string(v) +
+                  "The density " + number(density[v]) + " at vertex " + std::to_string(vertex) +
                       " makes the spacing there larger than the surface; choose a larger density.",
-                  MEANDER_ELEMENT_VERTEX, static_cast<uint32_t>(v));
+                  MEANDER_ELEMENT_VERTEX, vertex);
   }
 }
 
@@ -90,10 +93,11 @@ uint32_t public_reason(StopReason reason) {
   return MEANDER_RUNNING;
 }
 
-/// Weights of a point for the face's corners in the caller's order.
-std::array<double, 3> caller_weights(const Surface& surface, uint32_t face, std::array<double, 3> w) {
+/// Weights of a point for the corners of the caller's face, in his order.
+std::array<double, 3> caller_weights(const Surface& surface, const MeshMap* map, uint32_t face,
+                                     std::array<double, 3> w) {
   if (surface.turned(face)) std::swap(w[1], w[2]);
-  return w;
+  return map ? map->weights(face, w) : w;
 }
 
 /// What a run that ended so returns.
@@ -164,10 +168,7 @@ double meander_context_progress(const meander_context* context) {
 meander_status meander_surface_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
                                       size_t face_count, meander_surface** surface, meander_error* error) {
   return guard(error, [&] {
-    require(surface != nullptr, "The pointer for the surface is NULL.");
-    require((vertices || vertex_count == 0) && (faces || face_count == 0), "The vertices or the faces are NULL.");
-    require(vertex_count <= (size_t{1} << 30) && face_count <= (size_t{1} << 30),
-            "The mesh has more than 2^30 vertices or faces; decimate it.");
+    require_mesh(vertices, vertex_count, faces, face_count, surface);
     auto made = std::make_unique<meander_surface>();
     made->surface = std::make_shared<const Surface>(std::span(vertices, 3 * vertex_count),
                                                     std::span(faces, 3 * face_count));
@@ -184,12 +185,20 @@ meander_status meander_surface_get_statistics(const meander_surface* surface, me
     require(surface != nullptr, "The surface is NULL.");
     require_struct(statistics, "meander_surface_statistics");
     const Surface& s = *surface->surface;
+    const PrepareCounts& p = surface->prepared;
     statistics->vertices = s.used_vertices();
     statistics->faces = static_cast<uint32_t>(s.face_count());
     statistics->components = s.component_count();
     statistics->boundary_loops = s.boundary_loop_count();
     statistics->turned_faces = s.turned_count();
-    statistics->unused_vertices = static_cast<uint32_t>(s.vertex_count()) - s.used_vertices();
+    statistics->unused_vertices =
+        surface->map ? p.unused_vertices : static_cast<uint32_t>(s.vertex_count()) - s.used_vertices();
+    statistics->merged_vertices = p.merged_vertices;
+    statistics->dropped_faces = p.dropped_faces;
+    statistics->split_vertices = p.split_vertices;
+    statistics->cut_edges = p.cut_edges;
+    statistics->masked_faces = p.masked_faces;
+    statistics->clipped_faces = p.clipped_faces;
     statistics->reserved = 0;
     statistics->area = s.area() * s.scale() * s.scale();
     statistics->diagonal = s.scale();
@@ -203,8 +212,10 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     require(flow != nullptr, "The pointer for the flow is NULL.");
     require_struct(options, "meander_flow_options");
     const FlowSettings settings = checked_settings(*options, *surface->surface);
-    const std::vector<double> densities = checked_density(density, *surface->surface);
-    check_size(*surface->surface, settings, densities);
+    const MeshMap* map = surface->map.get();
+    const std::vector<double> densities =
+        surface_values(map, checked_density(density, caller_vertex_count(*surface->surface, map)));
+    check_size(*surface->surface, settings, densities, map);
     SeedStrands strands;
     if (seed) {
       require_struct(seed, "meander_seed");
@@ -212,6 +223,7 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     }
     auto made = std::make_unique<meander_flow>();
     made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings);
+    made->map = surface->map;
     *flow = made.release();
     return MEANDER_OK;
   });
@@ -381,8 +393,8 @@ meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
     const double scale = f.surface().scale();
     for (uint32_t i = 0; i < curve.size(); ++i) {
       const SurfacePoint& node = curve.nodes[i];
-      const auto w = caller_weights(f.surface(), node.face, {node.weight(0), node.b.x, node.b.y});
-      faces[i] = node.face;
+      const auto w = caller_weights(f.surface(), flow->map.get(), node.face, {node.weight(0), node.b.x, node.b.y});
+      faces[i] = caller_face(flow->map.get(), node.face);
       std::copy(w.begin(), w.end(), barycentrics + 3 * i);
       if (radii) {
         const Radii r = f.radii().empty() ? Radii{0, 0} : f.radii()[i];
@@ -413,7 +425,7 @@ meander_status meander_flow_get_gaps(meander_flow* flow, double least_size, doub
       std::copy(x.data(), x.data() + 3, positions + 3 * k);
       if (radii) radii[k] = gaps[k].radius * f.surface().scale();
       if (sizes) sizes[k] = gaps[k].size;
-      if (faces) faces[k] = p.face;
+      if (faces) faces[k] = caller_face(flow->map.get(), p.face);
     }
     return MEANDER_OK;
   });

@@ -14,6 +14,7 @@
 #include "failure.h"
 #include "flow.h"
 #include "job.h"
+#include "mesh_prepare.h"
 #include "meander/meander.h"
 
 struct meander_context {
@@ -22,10 +23,13 @@ struct meander_context {
 
 struct meander_surface {
   std::shared_ptr<const meander::Surface> surface;
+  std::shared_ptr<const meander::MeshMap> map;  // null: the surface is the caller's mesh
+  meander::PrepareCounts prepared;
 };
 
 struct meander_flow {
   std::unique_ptr<meander::Flow> flow;
+  std::shared_ptr<const meander::MeshMap> map;  // of its surface
   meander::Job job;  // after the flow, so that it is joined before the flow goes
 };
 
@@ -80,6 +84,15 @@ void require_struct(const Struct* s, const char* name) {
   }
 }
 
+/// The arguments of a call that makes a surface.
+inline void require_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count,
+                         meander_surface* const* surface) {
+  require(surface != nullptr, "The pointer for the surface is NULL.");
+  require((vertices || vertex_count == 0) && (faces || face_count == 0), "The vertices or the faces are NULL.");
+  require(vertex_count <= (size_t{1} << 30) && face_count <= (size_t{1} << 30),
+          "The mesh has more than 2^30 vertices or faces; decimate it.");
+}
+
 /// From start to wait the flow is the worker's.
 inline void require_idle(const meander_flow& flow) {
   require(!flow.job.started(),
@@ -95,6 +108,16 @@ inline void require_range(double value, double low, double high, const char* nam
   refuse(std::string("The option ") + name + " is " + number(value) + "; it must be between " +
          number(low) + " and " + number(high) + ".");
 }
+
+/// What is asked of the caller's mesh, of which the surface may be a prepared form.
+inline size_t caller_vertex_count(const Surface& surface, const MeshMap* map) {
+  return map ? map->caller_vertex_count() : surface.vertex_count();
+}
+inline std::vector<double> surface_values(const MeshMap* map, std::vector<double> of_caller_vertices) {
+  return map && !of_caller_vertices.empty() ? map->of_vertices(of_caller_vertices) : of_caller_vertices;
+}
+inline uint32_t caller_vertex(const MeshMap* map, uint32_t vertex) { return map ? map->vertex(vertex) : vertex; }
+inline uint32_t caller_face(const MeshMap* map, uint32_t face) { return map ? map->face(face) : face; }
 
 /// Options as the flow wants them, lengths in the surface's own unit; throws Failure.
 FlowSettings checked_settings(const meander_flow_options& options, const Surface& surface);

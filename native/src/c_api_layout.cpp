@@ -23,10 +23,16 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
     return give({sizeof(S), AT(struct_size), AT(status), AT(element_kind), AT(element_index), AT(element_index2),
                  AT(text)});
   }
+  if (std::strcmp(name, "meander_surface_options") == 0) {
+    using S = meander_surface_options;
+    return give({sizeof(S), AT(struct_size), AT(drop_degenerate), AT(split_bow_ties), AT(cut_non_manifold),
+                 AT(merge_distance), AT(face_mask), AT(vertex_mask), AT(mask_threshold)});
+  }
   if (std::strcmp(name, "meander_surface_statistics") == 0) {
     using S = meander_surface_statistics;
     return give({sizeof(S), AT(struct_size), AT(vertices), AT(faces), AT(components), AT(boundary_loops),
-                 AT(turned_faces), AT(unused_vertices), AT(reserved), AT(area), AT(diagonal)});
+                 AT(turned_faces), AT(unused_vertices), AT(merged_vertices), AT(dropped_faces), AT(split_vertices),
+                 AT(cut_edges), AT(masked_faces), AT(clipped_faces), AT(reserved), AT(area), AT(diagonal)});
   }
   if (std::strcmp(name, "meander_seed") == 0) {
     using S = meander_seed;

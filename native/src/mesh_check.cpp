@@ -9,15 +9,12 @@
 #include <Eigen/Geometry>
 
 #include "failure.h"
+#include "mesh_prepare.h"
 
 namespace meander {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
-
-/// A face is without area when its height over the longest side is below this share of the mesh.
-/// Twice what single precision resolves would already refuse scans that Blender shows as fine.
-constexpr double kFlat = 1e-8;
 
 [[noreturn]] void refuse(const std::string& sentence, int32_t kind = MEANDER_ELEMENT_NONE,
                          size_t index = 0, size_t index2 = 0) {
@@ -26,6 +23,13 @@ constexpr double kFlat = 1e-8;
 }
 
 std::string str(size_t i) { return std::to_string(i); }
+
+/// What the caller calls the elements of the mesh that is checked.
+struct Names {
+  const MeshMap* map;
+  uint32_t vertex(uint32_t v) const { return map ? map->vertex(v) : v; }
+  uint32_t face(size_t f) const { return map ? map->face(static_cast<uint32_t>(f)) : static_cast<uint32_t>(f); }
+};
 
 /// An edge as seen from one of its faces: corner `half_edge % 3` of face `half_edge / 3` to the next.
 struct Side {
@@ -37,30 +41,13 @@ struct Side {
   bool same_edge(const Side& o) const { return low == o.low && high == o.high; }
 };
 
-void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces) {
-  const size_t vertex_count = vertices.size() / 3;
-  if (faces.empty()) refuse("The mesh has no faces; give a mesh with at least one triangle.");
-  for (size_t v = 0; v < vertex_count; ++v) {
-    for (int k = 0; k < 3; ++k) {
-      if (!std::isfinite(vertices[3 * v + k])) {
-        refuse("Vertex " + str(v) + " has a coordinate that is not a finite number; repair or remove it.",
-               MEANDER_ELEMENT_VERTEX, v);
-      }
-    }
-  }
+void check_corners(std::span<const uint32_t> faces, const Names& names) {
   for (size_t f = 0; f < faces.size() / 3; ++f) {
-    for (int k = 0; k < 3; ++k) {
-      if (faces[3 * f + k] >= vertex_count) {
-        refuse("Face " + str(f) + " refers to vertex " + str(faces[3 * f + k]) + ", but there are only " +
-                   str(vertex_count) + " vertices (counted from 0); repair the face list.",
-               MEANDER_ELEMENT_FACE, f);
-      }
-    }
     const uint32_t a = faces[3 * f], b = faces[3 * f + 1], c = faces[3 * f + 2];
     if (a == b || b == c || c == a) {
-      refuse("Face " + str(f) + " uses vertex " + str(a == b || a == c ? a : b) +
+      refuse("Face " + str(names.face(f)) + " uses vertex " + str(names.vertex(a == b || a == c ? a : b)) +
                  " twice; remove the face or merge its vertices.",
-             MEANDER_ELEMENT_FACE, f);
+             MEANDER_ELEMENT_FACE, names.face(f));
     }
   }
 }
@@ -84,7 +71,7 @@ void measure(std::span<const double> vertices, CheckedMesh& mesh) {
   if (!(mesh.diagonal > 0)) refuse("All vertices of the mesh are in one place; it has no surface.");
 }
 
-void check_areas(std::span<const double> vertices, const CheckedMesh& mesh) {
+void check_areas(std::span<const double> vertices, const CheckedMesh& mesh, const Names& names) {
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     Vec3 p[3];
     for (int k = 0; k < 3; ++k) {
@@ -94,9 +81,9 @@ void check_areas(std::span<const double> vertices, const CheckedMesh& mesh) {
     const double longest =
         std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
     const double doubled_area = (p[1] - p[0]).cross(p[2] - p[0]).norm();
-    if (!(doubled_area > kFlat * longest)) {
-      refuse("Face " + str(f) + " has no area (its corners lie on a line); dissolve degenerate faces.",
-             MEANDER_ELEMENT_FACE, f);
+    if (!(doubled_area > kFlatFace * longest)) {
+      refuse("Face " + str(names.face(f)) + " has no area (its corners lie on a line); dissolve degenerate faces.",
+             MEANDER_ELEMENT_FACE, names.face(f));
     }
   }
 }
@@ -117,18 +104,19 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& faces) {
 constexpr uint32_t kNone = UINT32_MAX;
 
 /// Per half-edge the half-edge of the other face on the same edge, kNone at the boundary.
-std::vector<uint32_t> pair_sides(const std::vector<Triangle>& faces) {
+std::vector<uint32_t> pair_sides(const std::vector<Triangle>& faces, const Names& names) {
   const std::vector<Side> sides = sorted_sides(faces);
   std::vector<uint32_t> mate(3 * faces.size(), kNone);
   for (size_t i = 0; i < sides.size();) {
     size_t j = i + 1;
     while (j < sides.size() && sides[j].same_edge(sides[i])) ++j;
     if (j - i > 2) {
-      refuse("The edge between vertices " + str(sides[i].low) + " and " + str(sides[i].high) + " has " +
-                 str(j - i) + " faces (" + str(sides[i].half_edge / 3) + ", " +
-                 str(sides[i + 1].half_edge / 3) + ", " + str(sides[i + 2].half_edge / 3) +
-                 (j - i > 3 ? ", ..." : "") + "); a surface has at most 2 there: remove the extra ones.",
-             MEANDER_ELEMENT_EDGE, sides[i].low, sides[i].high);
+      const uint32_t low = names.vertex(sides[i].low), high = names.vertex(sides[i].high);
+      refuse("The edge between vertices " + str(low) + " and " + str(high) + " has " + str(j - i) + " faces (" +
+                 str(names.face(sides[i].half_edge / 3)) + ", " + str(names.face(sides[i + 1].half_edge / 3)) + ", " +
+                 str(names.face(sides[i + 2].half_edge / 3)) + (j - i > 3 ? ", ..." : "") +
+                 "); a surface has at most 2 there: remove the extra ones.",
+             MEANDER_ELEMENT_EDGE, low, high);
     }
     if (j - i == 2) {
       mate[sides[i].half_edge] = sides[i + 1].half_edge;
@@ -140,7 +128,7 @@ std::vector<uint32_t> pair_sides(const std::vector<Triangle>& faces) {
 }
 
 /// Numbers the components and turns faces so that neighbours agree.
-void orient(CheckedMesh& mesh, const std::vector<uint32_t>& mate) {
+void orient(CheckedMesh& mesh, const std::vector<uint32_t>& mate, const Names& names) {
   const size_t face_count = mesh.faces.size();
   mesh.turned.assign(face_count, 0);
   mesh.component.assign(face_count, kNone);
@@ -165,8 +153,8 @@ void orient(CheckedMesh& mesh, const std::vector<uint32_t>& mate) {
           queue.push_back(g);
         } else if (mesh.turned[g] != wanted) {
           refuse("The surface has only one side (it cannot be oriented, like a Moebius strip), as seen at "
-                 "face " + str(g) + "; cut it open along an edge.",
-                 MEANDER_ELEMENT_FACE, g);
+                 "face " + str(names.face(g)) + "; cut it open along an edge.",
+                 MEANDER_ELEMENT_FACE, names.face(g));
         }
       }
     }
@@ -174,7 +162,8 @@ void orient(CheckedMesh& mesh, const std::vector<uint32_t>& mate) {
 }
 
 /// A vertex whose faces form more than one fan is named.
-void check_vertices(const CheckedMesh& mesh, const std::vector<uint32_t>& mate, size_t vertex_count) {
+void check_vertices(const CheckedMesh& mesh, const std::vector<uint32_t>& mate, size_t vertex_count,
+                    const Names& names) {
   std::vector<uint32_t> corner_count(vertex_count, 0), any_corner(vertex_count, kNone);
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     for (size_t k = 0; k < 3; ++k) {
@@ -211,27 +200,51 @@ void check_vertices(const CheckedMesh& mesh, const std::vector<uint32_t>& mate, 
       if (mate[side] != kNone) break;  // came round: a closed fan
     }
     if (seen != corner_count[v]) {
-      refuse("Vertex " + str(v) + " joins parts of the surface that meet in this point only (bow-tie); "
+      refuse("Vertex " + str(names.vertex(v)) + " joins parts of the surface that meet in this point only (bow-tie); "
              "split the vertex.",
-             MEANDER_ELEMENT_VERTEX, v);
+             MEANDER_ELEMENT_VERTEX, names.vertex(v));
     }
   }
 }
 
 }  // namespace
 
-CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces) {
+void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces) {
+  const size_t vertex_count = vertices.size() / 3;
+  if (faces.empty()) refuse("The mesh has no faces; give a mesh with at least one triangle.");
+  for (size_t v = 0; v < vertex_count; ++v) {
+    for (int k = 0; k < 3; ++k) {
+      if (!std::isfinite(vertices[3 * v + k])) {
+        refuse("Vertex " + str(v) + " has a coordinate that is not a finite number; repair or remove it.",
+               MEANDER_ELEMENT_VERTEX, v);
+      }
+    }
+  }
+  for (size_t f = 0; f < faces.size() / 3; ++f) {
+    for (int k = 0; k < 3; ++k) {
+      if (faces[3 * f + k] >= vertex_count) {
+        refuse("Face " + str(f) + " refers to vertex " + str(faces[3 * f + k]) + ", but there are only " +
+                   str(vertex_count) + " vertices (counted from 0); repair the face list.",
+               MEANDER_ELEMENT_FACE, f);
+      }
+    }
+  }
+}
+
+CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, const MeshMap* map) {
+  const Names names{map};
   check_numbers(vertices, faces);
+  check_corners(faces, names);
   CheckedMesh mesh;
   mesh.faces.resize(faces.size() / 3);
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     mesh.faces[f] = {faces[3 * f], faces[3 * f + 1], faces[3 * f + 2]};
   }
   measure(vertices, mesh);
-  check_areas(vertices, mesh);
-  const std::vector<uint32_t> mate = pair_sides(mesh.faces);
-  check_vertices(mesh, mate, vertices.size() / 3);
-  orient(mesh, mate);
+  check_areas(vertices, mesh, names);
+  const std::vector<uint32_t> mate = pair_sides(mesh.faces, names);
+  check_vertices(mesh, mate, vertices.size() / 3, names);
+  orient(mesh, mate, names);
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     if (mesh.turned[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
   }

@@ -13,6 +13,12 @@ namespace meander {
 
 using Triangle = std::array<uint32_t, 3>;
 
+/// A face is without area when its height over the longest side is below this share of the mesh.
+/// Twice what single precision resolves would already refuse scans that Blender shows as fine.
+inline constexpr double kFlatFace = 1e-8;
+
+class MeshMap;
+
 /// Triangles that are a manifold with consistent orientation inside every component.
 struct CheckedMesh {
   std::vector<Triangle> faces;       ///< some turned round
@@ -24,8 +30,13 @@ struct CheckedMesh {
   uint32_t used_vertices = 0;
 };
 
+/// Refuses coordinates that are not finite, and faces that refer to vertices that do not exist.
+void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces);
+
 /// Checks `faces` over `vertices` (xyz xyz ...). Throws Failure(MEANDER_INVALID_MESH) that names the
-/// first element which cannot be used; see meander_surface_create for the list.
-CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces);
+/// first element which cannot be used; see meander_surface_create for the list. Of a prepared mesh it
+/// names the caller's elements that `map` tells.
+CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
+                       const MeshMap* map = nullptr);
 
 }  // namespace meander

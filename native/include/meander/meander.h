@@ -10,6 +10,7 @@
  * every face that it crosses. The radius r is half the wanted spacing of neighbouring strands.
  *
  *     meander_surface_create     mesh in; checked, copied, ready for any number of flows
+ *     meander_surface_create_prepared   the same for a mesh with faults, or for a part of one
  *     meander_flow_create        seed, spacing, density; nothing moves yet
  *     meander_flow_step / run    the flow; cancel from any thread through a meander_context
  *     meander_flow_start / wait  the same run on a thread of the library's, watched by previews
@@ -94,7 +95,7 @@ MEANDER_API uint32_t meander_abi_version(void);
 
 /* How the library lays a struct out, so that a binding can compare its own declaration.
  *
- * name      "meander_error", "meander_surface_statistics", "meander_seed", "meander_flow_options",
+ * name      "meander_error", "meander_surface_options", "meander_surface_statistics", "meander_seed", "meander_flow_options",
  *           "meander_flow_statistics", "meander_iteration" or "meander_preview"
  * layout    receives, up to `capacity` values: sizeof(struct), then the offset of every field in
  *           the order of declaration; may be NULL when capacity is 0
@@ -148,6 +149,48 @@ MEANDER_API meander_status meander_surface_create(const double* vertices, size_t
                                                   const uint32_t* faces, size_t face_count,
                                                   meander_surface** surface, meander_error* error);
 
+/* What to do with a mesh before it is checked. Always start from meander_surface_options_init, which
+ * sets everything to 0: nothing is done, and the check is as strict as meander_surface_create's. The
+ * work is done in the order of the fields; meander_surface_statistics counts it. */
+typedef struct meander_surface_options {
+  uint32_t struct_size;      /* set by meander_surface_options_init */
+  uint32_t drop_degenerate;  /* 1: faces without area are dissolved: those with two corners in one place
+                                shrink to an edge, those with a corner on their longest edge go, and the
+                                face beyond it is divided there; of faces with the same three vertices
+                                one is kept */
+  uint32_t split_bow_ties;   /* 1: a vertex where fans of faces meet becomes one vertex for each */
+  uint32_t cut_non_manifold; /* 1: at edges with more than two faces these are parted, so that each of
+                                them ends in a boundary there */
+  double merge_distance;     /* vertices this near to one with a lower index become that one, and faces
+                                that lose a corner by it are dropped; 0: none. Mesh units, >= 0 */
+  const uint8_t* face_mask;  /* uint8_t[face_count]: faces with 0 are left out before all else; or NULL */
+  const double* vertex_mask; /* double[vertex_count], finite: what lies below mask_threshold is cut away
+                                along straight lines across faces, after all else; or NULL */
+  double mask_threshold;     /* finite */
+} meander_surface_options;
+
+/* Fills every field. Returns MEANDER_INVALID_ARGUMENT for NULL. Any thread. */
+MEANDER_API meander_status meander_surface_options_init(meander_surface_options* options);
+
+/* As meander_surface_create, for a mesh with faults or for a part of one. Everything else keeps
+ * speaking of the mesh as passed here: faces of nodes and gaps, weights, errors, and what has one
+ * value for each vertex. A merged vertex has the values of the one that it became, so weights of faces
+ * at it give points up to merge_distance from the surface.
+ *
+ * A mask's edge is a boundary like any other; where it leaves parts that meet in a vertex these are
+ * parted there. The edge of a vertex_mask runs through a vertex that it would pass within a tenth of an
+ * edge. Where two sheets would join at an edge that is cut, because nothing else parts them at either
+ * of its ends, they stay joined.
+ *
+ * options   not NULL; its arrays are read during the call only
+ *
+ * Refused besides with MEANDER_INVALID_MESH: a mask, or merging, that leaves no faces. */
+MEANDER_API meander_status meander_surface_create_prepared(const double* vertices, size_t vertex_count,
+                                                           const uint32_t* faces, size_t face_count,
+                                                           const meander_surface_options* options,
+                                                           meander_surface** surface,
+                                                           meander_error* error);
+
 /* Frees a surface; NULL is allowed. Flows made from it stay usable. */
 MEANDER_API void meander_surface_destroy(meander_surface* surface);
 
@@ -158,7 +201,13 @@ typedef struct meander_surface_statistics {
   uint32_t components;
   uint32_t boundary_loops;
   uint32_t turned_faces;   /* faces whose orientation disagreed with their component's first face */
-  uint32_t unused_vertices;
+  uint32_t unused_vertices; /* as passed; no face uses them */
+  uint32_t merged_vertices; /* that became another vertex; this and the rest: 0 unless asked for */
+  uint32_t dropped_faces;   /* without area, doubled, or lost by merging */
+  uint32_t split_vertices;  /* added so that bow-ties are parted, those of a mask included */
+  uint32_t cut_edges;       /* that had more than two faces */
+  uint32_t masked_faces;    /* left out by a mask as a whole */
+  uint32_t clipped_faces;   /* cut by the edge of a vertex_mask */
   uint32_t reserved;
   double area;     /* square units */
   double diagonal; /* of the axis-aligned bounding box */
