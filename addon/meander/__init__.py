@@ -4,6 +4,8 @@
 core        the native library, numpy in and numpy out        (no bpy)
 stepper     one run of the flow, watched or in one go         (no bpy)
 blender_data    meshes, curves and weights in, curves out
+density     from values on a surface to the density        (no bpy)
+blender_density     what the density is chosen from: weights, attributes, colours, images
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore
 operators, sidebar, panels   buttons
@@ -30,6 +32,8 @@ _SUBMODULES = (
     "core",
     "stepper",
     "blender_data",
+    "density",
+    "blender_density",
     "properties",
     "session",
     "operators",

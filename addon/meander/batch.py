@@ -23,7 +23,7 @@ import time
 import traceback
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -60,7 +60,8 @@ if not globals().get("__package__"):
     __package__ = _containing_package()  # what relative imports go by (PEP 366)
 
 # The package has to be known first.
-from . import core, mesh_files, report  # noqa: E402
+from . import batch_density, core, mesh_files, report  # noqa: E402
+from .density import Choice  # noqa: E402
 
 # A line of progress for every so many iterations, or seconds.
 _PROGRESS_ITERATIONS = 10
@@ -81,7 +82,7 @@ class Problem:
     faces: NDArray[np.uint32]
     seed: core.Seed | None = None
     density: NDArray[np.float64] | None = None
-    spacing_factors: tuple[float, float] | None = None  # at weight 0 and 1 of the density group
+    density_choice: Choice = field(default_factory=Choice)  # what the density was made from
     fixed_ends: bool = False
     surface_object: bpy.types.Object | None = None  # None: the mesh came from an OBJ file
 
@@ -163,12 +164,6 @@ def _parser() -> argparse.ArgumentParser:
     add("--max-radius", type=_positive, metavar="RMAX", help="limit of the medial radius")
     add("--iterations", type=_count(1, 2**31 - 1), metavar="N", help="iteration limit")
     add("--medial-axis", choices=("euclidean", "geodesic"), default="euclidean")
-    add(
-        "--density-group",
-        metavar="NAME",
-        help="vertex group of the .blend's object; the spacing factors at weight 0 and 1 are those "
-        "saved with the object, else 1 and 0.5",
-    )
     add("--preset", choices=("even", "finest", "paper"), default="even")
     add("--length", type=_not_negative, metavar="W", help="weight of the curve's length")
     add(
@@ -183,6 +178,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--medial-power", type=_positive, default=2.0, metavar="Q")
     add("--threads", type=_count(0, 256), default=0, metavar="T", help="0: all; same result")
     add("--quiet", action="store_true", help="print nothing but errors")
+    batch_density.add_options(parser, _number)
     return parser
 
 
@@ -209,11 +205,9 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
             if getattr(arguments, option) is not None:
                 name = option.replace("_", "-")
                 raise BadInput(f"--{name} names an object of a .blend, but --input is {kind}")
-        if arguments.density_group is not None:
-            raise BadInput(
-                f"unknown vertex group {arguments.density_group!r}: a {kind} file has none; give "
-                "a .blend to --input"
-            )
+    density_problem = batch_density.problem_of(arguments, kind)
+    if density_problem is not None:
+        raise BadInput(density_problem)
     if arguments.seed is not None and arguments.seed_object is not None:
         raise BadInput("--seed and --seed-object are both given; choose one")
     if arguments.seed is not None and arguments.seed.suffix.lower() != ".obj":
@@ -290,8 +284,7 @@ def _echo(
         "seed_object": arguments.seed_object,
         "fixed_ends": problem.fixed_ends,
         "spacing": arguments.spacing,
-        "density_group": arguments.density_group,
-        "spacing_factors": problem.spacing_factors,
+        **batch_density.echo(arguments, problem.density_choice),
         "medial_axis": arguments.medial_axis,
         "length_power": arguments.length_power,
         "medial_power": arguments.medial_power,
@@ -392,7 +385,7 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
     """Opens a .blend and takes surface, seed and density from its objects, in world units."""
     import bpy
 
-    from . import blender_data
+    from . import blender_data, blender_density
 
     try:
         bpy.ops.wm.open_mainfile(filepath=str(arguments.input.absolute()), load_ui=False)
@@ -404,16 +397,13 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
     surface_object = _mesh_object(arguments)
     with _saved_settings():
         settings = surface_object.meander
-        spacing_factors = settings.factor_0, settings.factor_1
+        choice = batch_density.choice_of(arguments, blender_density.choice_of(settings))
         fixed_ends = settings.fixed_ends
     depsgraph = bpy.context.evaluated_depsgraph_get()
     vertices, faces = blender_data.triangles_of(surface_object, depsgraph)
     problem = Problem(vertices, faces, surface_object=surface_object)
-    if arguments.density_group is not None:
-        name = arguments.density_group
-        weights = blender_data.vertex_group_weights(surface_object, depsgraph, name)
-        problem.spacing_factors = spacing_factors
-        problem.density = blender_data.density_of_weights(weights, *spacing_factors)
+    problem.density_choice = choice
+    problem.density = blender_density.density_of(choice, surface_object, depsgraph)
     if arguments.seed_object is not None:
         seed_object = bpy.context.scene.objects.get(arguments.seed_object)
         if seed_object is None:
@@ -528,7 +518,7 @@ def _write_scene(path: Path, arguments: argparse.Namespace, problem: Problem, cu
     """
     import bpy
 
-    from . import blender_data, properties
+    from . import blender_data, blender_density, properties
 
     surface_object = problem.surface_object
     if surface_object is None:
@@ -547,7 +537,7 @@ def _write_scene(path: Path, arguments: argparse.Namespace, problem: Problem, cu
         made_with.surface = surface_object
         made_with.spacing = arguments.spacing
         made_with.preset = arguments.preset.upper()
-        made_with.density_group = arguments.density_group or ""
+        blender_density.store_choice(problem.density_choice, made_with)
         try:
             bpy.ops.wm.save_as_mainfile(
                 filepath=str(path.absolute()), copy=True, check_existing=False

@@ -102,9 +102,13 @@ def _mesh_of(
 
 
 @contextmanager
-def _surface_mesh(
+def surface_mesh(
     object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> Iterator[tuple[bpy.types.Mesh, np.ndarray]]:
+    """The evaluated mesh of a surface and its world matrix, freed after the block.
+
+    Works in Edit Mode and for hidden objects. Raises DataError for what is not a mesh.
+    """
     if object.type != "MESH":
         raise DataError(f"'{object.name}' is not a mesh; choose a mesh object as the surface")
     if object.mode == "EDIT":
@@ -131,7 +135,7 @@ def triangles_of(
     Returns vertices float64 (n, 3) and faces uint32 (m, 3). Raises DataError (a ValueError) with
     one sentence for what is not a mesh, has no faces, or is scaled to nothing.
     """
-    with _surface_mesh(object, depsgraph) as (mesh, matrix):
+    with surface_mesh(object, depsgraph) as (mesh, matrix):
         _check_invertible(object, matrix)
         mesh.calc_loop_triangles()
         # float32 as stored: asking for float64 converts one value at a time.
@@ -155,7 +159,7 @@ def vertex_group_weights(
     The order is that of the vertices of triangles_of(). A group that a Geometry Nodes modifier has
     turned into a named float attribute is found as well. Raises DataError for an unknown name.
     """
-    with _surface_mesh(object, depsgraph) as (mesh, _matrix):
+    with surface_mesh(object, depsgraph) as (mesh, _matrix):
         count = len(mesh.vertices)
         attribute = mesh.attributes.get(name)
         if attribute is not None and (attribute.domain, attribute.data_type) == ("POINT", "FLOAT"):
@@ -176,16 +180,6 @@ def vertex_group_weights(
                 if element.group == index:
                     weights[position] = element.weight
         return weights
-
-
-def density_of_weights(weights: np.ndarray, factor_0: float, factor_1: float) -> np.ndarray:
-    """The density per vertex that makes the spacing `factor` times the nominal one.
-
-    The factor runs linearly from factor_0 at weight 0 to factor_1 at weight 1; density is
-    1 / factor^2, since the local spacing is the spacing divided by sqrt(density).
-    """
-    factor = factor_0 + (factor_1 - factor_0) * np.clip(weights, 0.0, 1.0)
-    return 1.0 / (factor * factor)
 
 
 def area_of(vertices: np.ndarray, faces: np.ndarray) -> float:

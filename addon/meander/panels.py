@@ -7,6 +7,7 @@ import bpy
 from bpy.props import FloatProperty
 
 from . import session
+from .blender_density import choice_of
 from .operators import (
     MEANDER_OT_propose_spacing,
     MEANDER_OT_run,
@@ -109,13 +110,33 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         columns(layout)
         active = context.active_object
         settings: MeanderSettings = active.meander
-        layout.prop_search(
-            settings, "density_group", surface_of(active), "vertex_groups", text="Group"
-        )
+        layout.prop(settings, "density_source")
+        source = settings.density_source
+        if source == "NONE":
+            return
+        surface = surface_of(active)
+        if source == "GROUP":
+            layout.prop_search(settings, "density_group", surface, "vertex_groups", text="Group")
+        elif source == "ATTRIBUTE":
+            layout.prop(settings, "density_attribute", icon="SPREADSHEET")
+        elif source == "COLOR":
+            layout.prop(settings, "density_color", text="Color", icon="GROUP_VCOL")
+        elif source == "IMAGE":
+            layout.template_ID(settings, "density_image", open="image.open", text="Image")
+            layout.prop_search(settings, "density_uv_map", surface.data, "uv_layers")
+        self._draw_ramp(layout.column(), settings)
+
+    def _draw_ramp(self, layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
+        layout.active = choice_of(settings).varies
         column = layout.column(align=True)
-        column.active = bool(settings.density_group)
         column.prop(settings, "factor_0")
         column.prop(settings, "factor_1")
+        layout.prop(settings, "density_interpolation")
+        layout.prop(settings, "use_density_range")
+        column = layout.column(align=True)
+        column.active = settings.use_density_range
+        column.prop(settings, "density_low", text="From")
+        column.prop(settings, "density_high", text="To")
 
 
 class MEANDER_PT_options(SubPanel, bpy.types.Panel):

@@ -16,6 +16,8 @@ from bpy.props import (
     StringProperty,
 )
 
+from .blender_density import DensitySettings
+
 # What run() returns, as a user reads it.
 STOP_TEXTS = {
     "converged": "Converged",
@@ -64,8 +66,8 @@ class MeanderFigures(bpy.types.PropertyGroup):
     gaps: CollectionProperty(type=MeanderGap, options=set())
 
 
-class MeanderSettings(bpy.types.PropertyGroup):
-    """How to fill a surface."""
+class MeanderSettings(DensitySettings, bpy.types.PropertyGroup):
+    """How to fill a surface; the parts that a feature of its own needs come from its module."""
 
     surface: PointerProperty(
         type=bpy.types.Object,
@@ -96,39 +98,6 @@ class MeanderSettings(bpy.types.PropertyGroup):
         soft_max=10.0,
         precision=3,
         step=1,
-        options=set(),
-    )
-    density_group: StringProperty(
-        name="Vertex Group",
-        description=(
-            "Vertex group that varies the spacing over the surface. Empty: the same everywhere"
-        ),
-        options=set(),
-    )
-    factor_0: FloatProperty(
-        name="Weight 0",
-        description="The spacing is multiplied by this where the weight is 0",
-        default=1.0,
-        min=0.05,
-        max=5.0,
-        soft_min=0.25,
-        soft_max=2.0,
-        precision=2,
-        step=5,
-        options=set(),
-    )
-    factor_1: FloatProperty(
-        name="Weight 1",
-        description=(
-            "The spacing is multiplied by this where the weight is 1; 0.5 is twice as dense"
-        ),
-        default=0.5,
-        min=0.05,
-        max=5.0,
-        soft_min=0.25,
-        soft_max=2.0,
-        precision=2,
-        step=5,
         options=set(),
     )
     fixed_ends: BoolProperty(
@@ -190,9 +159,7 @@ class MeanderSettings(bpy.types.PropertyGroup):
 COPIED = (
     "seed",
     "spacing",
-    "density_group",
-    "factor_0",
-    "factor_1",
+    *DensitySettings.__annotations__,
     "fixed_ends",
     "preset",
     "iteration_limit",

@@ -17,6 +17,7 @@ from bpy.app.handlers import persistent
 
 from . import blender_data, core, properties
 from .blender_data import DataError
+from .blender_density import choice_of, density_of
 from .stepper import Problem, Snapshot, Stepper
 
 TICKS_PER_SECOND = 10
@@ -76,10 +77,7 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
     vertices, faces = blender_data.triangles_of(surface, depsgraph)
     # As stored, so that a run that proposes its spacing and one that is given it are the same.
     spacing = settings.spacing or float(np.float32(blender_data.proposed_spacing(vertices, faces)))
-    density = None
-    if settings.density_group:
-        weights = blender_data.vertex_group_weights(surface, depsgraph, settings.density_group)
-        density = blender_data.density_of_weights(weights, settings.factor_0, settings.factor_1)
+    density = density_of(choice_of(settings), surface, depsgraph)
     seed_object = active if active is not surface and not restart else settings.seed
     seed = None
     if seed_object is not None:

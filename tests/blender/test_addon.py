@@ -32,6 +32,9 @@ class Layout:
         assert hasattr(source, items)
         self.prop(data, name, text)
 
+    def template_ID(self, data, name, text=None, **_options) -> None:
+        self.prop(data, name, text)
+
     def operator(self, idname, text=None, **_options) -> SimpleNamespace:
         kind, name = idname.split(".")
         label = getattr(getattr(bpy.ops, kind), name).get_rna_type().name
@@ -103,7 +106,7 @@ def test_labels_and_tooltips_follow_the_guidelines():
             continue
         assert item.description, name
         assert not item.description.endswith("."), name
-        assert item.name == item.name.title(), name
+        assert item.name == item.name.title().replace("Uv", "UV"), name
 
 
 def test_panel_without_a_mesh_says_what_to_do():
@@ -120,6 +123,21 @@ def test_panel_on_a_mesh():
     assert draw(panels.MEANDER_PT_figures) is None
     assert "Group" in draw(panels.MEANDER_PT_density)
     assert "Preset" in draw(panels.MEANDER_PT_options)
+
+
+def test_density_panel_shows_what_its_source_needs():
+    settings = cube().meander
+    for source, label in (
+        ("GROUP", "Group"),
+        ("ATTRIBUTE", "Attribute"),
+        ("COLOR", "Color"),
+        ("IMAGE", "UV Map"),
+    ):
+        settings.density_source = source
+        shown = draw(panels.MEANDER_PT_density)
+        assert {"Source", label, "Factor Low", "Factor High", "Interpolation"} <= set(shown)
+    settings.density_source = "NONE"
+    assert draw(panels.MEANDER_PT_density) == ["Source"]
 
 
 def test_panel_on_a_result():

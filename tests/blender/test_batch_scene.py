@@ -35,6 +35,8 @@ def scene(tmp_path) -> Path:
     surface.modifiers.new("Subdivision", "SUBSURF").levels = 1
     top = [vertex.index for vertex in surface.data.vertices if vertex.co.z > 0.0]
     surface.vertex_groups.new(name="Top").add(top, 1.0, "REPLACE")
+    heights = surface.data.attributes.new("height", "FLOAT", "POINT")
+    heights.data.foreach_set("value", [vertex.co.z for vertex in surface.data.vertices])
     poly_curve("Ring", [circle_points(0.43, 0.9)], True)
     poly_curve("Far", [circle_points(1.0, 9.0)], True)
     path = tmp_path / "scene.blend"
@@ -65,6 +67,30 @@ def test_a_scene_with_named_objects(scene, tmp_path):
     assert curve.meander.density_group == "Top"
 
 
+def test_a_density_by_attribute_range_and_factors(scene, tmp_path):
+    output, report = tmp_path / "out.blend", tmp_path / "out.json"
+    done = run_batch(
+        *("--input", scene, "--object", "Ball", "--spacing", 0.3, "--iterations", 5),
+        *("--density-attribute", "height", "--density-range", -1, 1),
+        *("--spacing-factors", 0.5, 2, "--density-interpolation", "smooth"),
+        *("--output", output, "--report", report, "--quiet"),
+    )
+    assert done.returncode == 0, done.stderr
+    options = json.loads(report.read_text())["options"]
+    assert options["density_attribute"] == "height" and options["density_group"] is None
+    assert options["density_range"] == [-1, 1] and options["spacing_factors"] == [0.5, 2]
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    (curve,) = (thing for thing in bpy.data.objects["Ball"].children if thing.type == "CURVE")
+    made_with = curve.meander
+    assert (made_with.density_source, made_with.density_attribute) == ("ATTRIBUTE", "height")
+    assert made_with.use_density_range
+    assert (made_with.density_low, made_with.density_high) == (-1.0, 1.0)
+    assert (made_with.factor_0, made_with.factor_1) == (0.5, 2.0)
+    assert made_with.density_interpolation == "SMOOTH"
+    # The surface's own settings are the user's, not the command's.
+    assert bpy.data.objects["Ball"].meander.density_source == "GROUP"
+
+
 @pytest.mark.parametrize(
     ("arguments", "word"),
     [
@@ -73,6 +99,10 @@ def test_a_scene_with_named_objects(scene, tmp_path):
         (("--object", "Ball", "--seed-object", "Ball"), "not a curve"),
         (("--object", "Ball", "--seed-object", "Far"), "surface"),
         (("--object", "Ball", "--density-group", "Bottom"), "Bottom"),
+        (("--object", "Ball", "--density-attribute", "depth"), "it has 'height'"),
+        (("--object", "Ball", "--density-color", "height"), "needs a color attribute"),
+        (("--object", "Ball", "--density-image", "Map"), "no image 'Map'"),
+        (("--object", "Ball", "--density-group", "Top", "--spacing-factors", 0, 1), "0.05 to 5"),
     ],
 )
 def test_bad_scenes_are_refused(scene, tmp_path, arguments, word):

@@ -109,11 +109,6 @@ def test_weights_of_the_evaluated_mesh():
         blender_data.vertex_group_weights(thing, depsgraph(), "Coarse")
 
 
-def test_density_is_one_over_the_factor_squared():
-    density = blender_data.density_of_weights(np.array([0.0, 0.5, 1.0, 2.0]), 1.0, 0.5)
-    assert density.tolist() == pytest.approx([1.0, 1.0 / 0.75**2, 4.0, 4.0])
-
-
 # -- curves in -------------------------------------------------------------------------------------
 
 

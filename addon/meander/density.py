@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From values on a surface to the density of the curve: numpy in, numpy out, no bpy.
+
+A value per vertex, be it a weight, a brightness or a curvature, goes through a Ramp, which says how
+many times the spacing neighbouring strands are to be apart there. Density is one over the square of
+that factor, since the local spacing is the spacing divided by sqrt(density).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+
+INTERPOLATIONS = ("linear", "smooth", "constant")
+
+# What a display shows as bright, of linear red, green and blue (ITU-R BT.709).
+_LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
+
+
+@dataclass(frozen=True)
+class Ramp:
+    """By what the spacing is multiplied, from one value to another.
+
+    The factor goes from factor_low at the value `low` to factor_high at the value `high` and stays
+    the same beyond. `low` may be the greater one: the ramp then falls. Where both are the same it
+    is a step: factor_high above them.
+
+    interpolation   "linear"; "smooth": flat at both ends, 3 t^2 - 2 t^3; "constant": a step in the
+                    middle of the range
+    """
+
+    low: float = 0.0
+    high: float = 1.0
+    factor_low: float = 1.0
+    factor_high: float = 0.5
+    interpolation: str = "linear"
+
+    def factors(self, values: Values) -> Values:
+        if self.low == self.high:
+            t = (values > self.low).astype(np.float64)
+        else:
+            t = np.clip((values - self.low) / (self.high - self.low), 0.0, 1.0)
+        if self.interpolation == "smooth":
+            t = t * t * (3.0 - 2.0 * t)
+        elif self.interpolation == "constant":
+            t = (t >= 0.5).astype(np.float64)
+        elif self.interpolation != "linear":
+            raise ValueError(
+                f"unknown interpolation {self.interpolation!r}; choose one of "
+                f"{', '.join(INTERPOLATIONS)}"
+            )
+        return self.factor_low + (self.factor_high - self.factor_low) * t
+
+    def density(self, values: Values) -> Values:
+        """The density per vertex, as core.Flow wants it."""
+        factors = self.factors(np.asarray(values, dtype=np.float64))
+        return 1.0 / (factors * factors)
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What the spacing follows, and how: as a panel or a command line says it."""
+
+    source: str = "NONE"  # or "GROUP", "ATTRIBUTE", "COLOR", "IMAGE"
+    name: str = ""  # of the group, attribute or image
+    uv_map: str = ""  # for an image; empty: the active one
+    value_range: tuple[float, float] | None = None  # None: by the source
+    factors: tuple[float, float] = (1.0, 0.5)
+    interpolation: str = "linear"
+
+    @property
+    def varies(self) -> bool:
+        """Whether there is anything to read: an empty vertex group means even spacing."""
+        return self.source not in {"NONE", "GROUP"} or bool(self.name)
+
+    def ramp(self, values: Values) -> Ramp:
+        """The ramp with its range: the chosen one, or what suits the source."""
+        if self.value_range is not None:
+            low, high = self.value_range
+        elif self.source == "ATTRIBUTE":
+            low, high = float(values.min()), float(values.max())
+        else:
+            low, high = 0.0, 1.0
+        return Ramp(low, high, *self.factors, self.interpolation)
+
+
+def luminance(colors: NDArray[np.floating]) -> Values:
+    """The brightness of scene-linear colours (..., 1, 2, 3 or 4): grey, with alpha or without.
+
+    What the node RGB to BW of a shader gives. Alpha is left out.
+    """
+    if colors.shape[-1] < 3:
+        return colors[..., 0].astype(np.float64)
+    return colors[..., :3] @ _LUMINANCE
+
+
+def linear_of_srgb(colors: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Scene-linear values of the sRGB values that an 8-bit image holds (IEC 61966-2-1)."""
+    return np.where(
+        colors <= 0.04045, colors / 12.92, ((np.maximum(colors, 0.04045) + 0.055) / 1.055) ** 2.4
+    )
+
+
+def srgb_luminance(colors: NDArray[np.floating]) -> Values:
+    """luminance() of sRGB colours, as 8-bit images hold them."""
+    return luminance(linear_of_srgb(colors))
+
+
+def sample_repeated(
+    pixels: NDArray[np.floating],
+    uv: NDArray[np.floating],
+    value_of: Callable[[NDArray[np.floating]], Values] = luminance,
+) -> Values:
+    """An image (height, width, channels), first row at the bottom, at UV coordinates (n, 2).
+
+    Linear between the middles of pixels, and repeated beyond the unit square, as an Image Texture
+    does by default. `value_of` turns colours into values, and is asked only for pixels that count.
+    """
+    height, width = pixels.shape[:2]
+    x = np.asarray(uv[:, 0], dtype=np.float64) * width - 0.5
+    y = np.asarray(uv[:, 1], dtype=np.float64) * height - 0.5
+    left, below = np.floor(x), np.floor(y)
+    s, t = x - left, y - below
+    columns = left.astype(np.int64) % width
+    rows = below.astype(np.int64) % height
+
+    def row(j: NDArray[np.int64]) -> Values:
+        return (1.0 - s) * value_of(pixels[j, columns]) + s * value_of(
+            pixels[j, (columns + 1) % width]
+        )
+
+    return (1.0 - t) * row(rows) + t * row((rows + 1) % height)
+
+
+def mean_at_vertices(values: Values, vertices: NDArray[np.integer], count: int) -> Values:
+    """The mean over the corners of each vertex: values (n,) of corners, whose vertices are given.
+
+    Returns (count,); 0 where a vertex has no corner.
+    """
+    corners = np.bincount(vertices, minlength=count)
+    sums = np.bincount(vertices, weights=values, minlength=count)
+    return sums / np.maximum(corners, 1)

@@ -1,0 +1,272 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every source of the density against values read one by one, and a curve that follows one."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+import bpy
+import numpy as np
+import pytest
+from meander import blender_density, session
+from meander.density import Choice
+from scenes import fill, grid, mesh_object, poly_curve, refused, world_splines
+
+KINDS = [
+    ("BYTE_COLOR", "POINT"),
+    ("BYTE_COLOR", "CORNER"),
+    ("FLOAT_COLOR", "POINT"),
+    ("FLOAT_COLOR", "CORNER"),
+]
+
+
+def density(thing: bpy.types.Object, choice: Choice) -> list[float]:
+    return blender_density.density_of(
+        choice, thing, bpy.context.evaluated_depsgraph_get()
+    ).tolist()
+
+
+def factors_of(values: np.ndarray, choice: Choice) -> np.ndarray:
+    low, high = choice.value_range or (0.0, 1.0)
+    shares = [min(max((value - low) / (high - low), 0.0), 1.0) for value in values]
+    return np.array([choice.factors[0] * (1 - t) + choice.factors[1] * t for t in shares])
+
+
+def expected(values: np.ndarray, choice: Choice) -> list[float]:
+    return pytest.approx(list(factors_of(values, choice) ** -2.0), rel=1e-5)
+
+
+def folded_strip() -> bpy.types.Object:
+    """A square, a triangle and a loose vertex: corners, vertices and faces count differently."""
+    vertices = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0, 1), (9, 9, 9)]
+    return mesh_object("Strip", vertices, [(0, 1, 2, 3), (1, 4, 2)])
+
+
+def brightness(color) -> float:
+    return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]
+
+
+# -- one source at a time --------------------------------------------------------------------------
+
+
+def test_vertex_group():
+    thing = folded_strip()
+    group = thing.vertex_groups.new(name="Fine")
+    weights = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 0.0])
+    for index, weight in enumerate(weights[:-1]):
+        group.add([index], weight, "REPLACE")
+    choice = Choice("GROUP", "Fine", factors=(2.0, 0.5))
+    assert density(thing, choice) == expected(weights, choice)
+    choice = Choice("GROUP", "Fine", value_range=(0.25, 0.75))
+    assert density(thing, choice) == expected(weights, choice)
+    nothing = blender_density.density_of(
+        Choice("GROUP"), thing, bpy.context.evaluated_depsgraph_get()
+    )
+    assert nothing is None
+
+
+def test_attribute():
+    thing = folded_strip()
+    heights = thing.data.attributes.new("height", "FLOAT", "POINT")
+    values = np.array([-3.0, 1.0, 2.0, 7.0, 0.5, 0.0], dtype=np.float32)
+    heights.data.foreach_set("value", values)
+    choice = Choice("ATTRIBUTE", "height")
+    assert density(thing, choice) == expected(values, Choice(value_range=(-3.0, 7.0)))
+    choice = Choice("ATTRIBUTE", "height", value_range=(2.0, 0.0), factors=(0.3, 3.0))
+    assert density(thing, choice) == expected(values, choice)
+
+
+@pytest.mark.parametrize(("kind", "domain"), KINDS)
+def test_color_attribute(kind, domain):
+    thing = folded_strip()
+    attribute = thing.data.color_attributes.new("Paint", kind, domain)
+    rng = np.random.default_rng(3)
+    for element in attribute.data:
+        element.color = (*rng.random(3), 0.5)
+    colors = [brightness(element.color) for element in attribute.data]
+    if domain == "CORNER":
+        loops = [loop.vertex_index for loop in thing.data.loops]
+        of_vertex = [[c for c, v in zip(colors, loops) if v == vertex] for vertex in range(6)]
+        colors = [sum(corners) / len(corners) if corners else 0.0 for corners in of_vertex]
+    choice = Choice("COLOR", "Paint", factors=(1.5, 0.25))
+    assert density(thing, choice) == expected(np.array(colors), choice)
+
+
+def painted_image(is_float: bool, color_space: str) -> bpy.types.Image:
+    image = bpy.data.images.new("Map", 4, 2, float_buffer=is_float)
+    image.colorspace_settings.name = color_space
+    rng = np.random.default_rng(5)
+    pixels = rng.random((8, 4)).astype(np.float32)
+    pixels[:, 3] = 1.0
+    image.pixels.foreach_set(pixels.ravel())
+    return image
+
+
+def unwrapped() -> tuple[bpy.types.Object, list[tuple[float, float]]]:
+    """The strip with a UV map that sends every corner to the middle of a pixel of its own."""
+    thing = folded_strip()
+    thing.data.uv_layers.new(name="Other")
+    layer = thing.data.uv_layers.new(name="Flat")
+    corners = [(0.125 + 0.25 * (i % 4), 0.25 + 0.5 * (i // 4)) for i in range(7)]
+    for element, uv in zip(layer.data, corners, strict=True):
+        element.uv = uv
+    thing.data.uv_layers.active = layer
+    return thing, corners
+
+
+@pytest.mark.parametrize(
+    ("is_float", "color_space"), [(False, "sRGB"), (False, "Non-Color"), (True, "Non-Color")]
+)
+def test_image(is_float, color_space):
+    thing, corners = unwrapped()
+    image = painted_image(is_float, color_space)
+    pixels = np.array(image.pixels[:]).reshape(8, 4)[:, :3]
+    if color_space == "sRGB":
+        pixels = np.where(pixels > 0.04045, ((pixels + 0.055) / 1.055) ** 2.4, pixels / 12.92)
+    values = np.zeros(6)
+    counts = np.zeros(6)
+    for index, loop in enumerate(thing.data.loops):
+        values[loop.vertex_index] += brightness(pixels[index])
+        counts[loop.vertex_index] += 1
+    choice = Choice("IMAGE", "Map", factors=(1.0, 0.2))
+    assert density(thing, choice) == expected(values / np.maximum(counts, 1), choice)
+    # Another map of the same mesh puts every corner on one pixel.
+    for element in thing.data.uv_layers["Other"].data:
+        element.uv = (0.125, 0.25)
+    choice = Choice("IMAGE", "Map", uv_map="Other")
+    values = [brightness(pixels[0])] * 5 + [0.0]
+    assert density(thing, choice) == expected(np.array(values), choice)
+
+
+def test_an_image_from_a_packed_file_and_from_disk(tmp_path):
+    thing, _corners = unwrapped()
+    painted = painted_image(False, "sRGB")
+    before = density(thing, Choice("IMAGE", "Map"))
+    painted.filepath_raw = str(tmp_path / "map.png")
+    painted.file_format = "PNG"
+    painted.save()
+    bpy.data.images.remove(painted)
+    opened = bpy.data.images.load(str(tmp_path / "map.png"))
+    assert density(thing, Choice("IMAGE", opened.name)) == pytest.approx(before, rel=0.02)
+    opened.pack()
+    (tmp_path / "map.png").unlink()
+    assert density(thing, Choice("IMAGE", opened.name)) == pytest.approx(before, rel=0.02)
+
+
+def test_a_colour_and_an_image_of_the_same_grey_agree():
+    thing, _corners = unwrapped()
+    image = bpy.data.images.new("Grey", 2, 2)
+    image.generated_color = (0.5, 0.5, 0.5, 1.0)
+    attribute = thing.data.color_attributes.new("Grey", "BYTE_COLOR", "CORNER")
+    linear = image.pixels[0]
+    linear = ((linear + 0.055) / 1.055) ** 2.4
+    for element in attribute.data:
+        element.color = (linear, linear, linear, 1.0)
+    by_color = density(thing, Choice("COLOR", "Grey"))
+    assert by_color == pytest.approx(density(thing, Choice("IMAGE", "Grey")), rel=0.01)
+
+
+# -- in a run --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("source", ["ATTRIBUTE", "COLOR", "IMAGE"])
+def test_the_spacing_follows(source):
+    """A square whose left half is to be twice as dense: twice the length lies there."""
+    surface = grid(cells=40)
+    left = np.array([vertex.co.x < 0.0 for vertex in surface.data.vertices])
+    settings = surface.meander
+    settings.density_source = source
+    if source == "ATTRIBUTE":
+        surface.data.attributes.new("side", "FLOAT", "POINT").data.foreach_set("value", 4.0 * left)
+        settings.density_attribute = "side"
+    elif source == "COLOR":
+        colors = surface.data.color_attributes.new("side", "FLOAT_COLOR", "POINT")
+        colors.data.foreach_set("color", np.repeat(left, 4).astype(np.float32))
+        settings.density_color = "side"
+    else:
+        image = bpy.data.images.new("side", 64, 2)
+        image.pixels.foreach_set(np.repeat(np.arange(128) % 64 < 32, 4).astype(np.float32))
+        settings.density_image = image
+    result = fill(surface, 0.16, factor_0=1.0, factor_1=0.5)
+    ((points, _cyclic),) = world_splines(result)
+    following = np.roll(points, -1, axis=0)
+    lengths = np.linalg.norm(following - points, axis=1)
+    x = (points + following)[:, 0] / 2.0
+    # Away from the border and from the step between the halves.
+    fine, coarse = lengths[(x > -0.8) & (x < -0.2)].sum(), lengths[(x > 0.2) & (x < 0.8)].sum()
+    assert fine / coarse == pytest.approx(2.0, rel=0.15)
+    # The result knows what it was made with, and Continue reads the same.
+    for name in ("density_source", "density_attribute", "density_color", "density_image"):
+        assert getattr(result.meander, name) == getattr(settings, name)
+    plan = session.plan_run(bpy.context)
+    assert plan.problem.density.min() == 1.0 and plan.problem.density.max() == pytest.approx(4.0)
+
+
+def test_attributes_of_a_modifier_are_found():
+    """Subdivided points get interpolated values, and the names that are offered."""
+    thing = grid(cells=2)
+    values = thing.data.attributes.new("height", "FLOAT", "POINT")
+    values.data.foreach_set("value", np.arange(9.0))
+    thing.data.color_attributes.new("Paint", "FLOAT_COLOR", "POINT")
+    thing.data.attributes.new("faces", "FLOAT", "FACE")
+    modifier = thing.modifiers.new("Subdivision", "SUBSURF")
+    modifier.levels, modifier.subdivision_type = 1, "SIMPLE"
+    found = density(thing, Choice("ATTRIBUTE", "height", value_range=(0.0, 8.0)))
+    assert len(found) == 25
+    assert min(found) == 1.0 and max(found) == pytest.approx(4.0)
+    names = blender_density.attribute_names(thing.meander, bpy.context, "")
+    assert names == ["height"]
+    assert blender_density.color_names(thing.meander, bpy.context, "") == ["Paint"]
+    assert blender_density.color_names(poly_curve("C", [], False).meander, bpy.context, "") == []
+
+
+def test_choices_go_into_settings_and_out_again():
+    thing = grid(cells=2)
+    bpy.data.images.new("Map", 2, 2)
+    for choice in (
+        Choice(factors=(0.5, 2.0)),
+        Choice("GROUP", "Fine", interpolation="constant"),
+        Choice("ATTRIBUTE", "height", value_range=(-2.0, 4.0)),
+        Choice("COLOR", "Paint", interpolation="smooth"),
+        Choice("IMAGE", "Map", uv_map="Flat"),
+    ):
+        blender_density.store_choice(choice, thing.meander)
+        assert asdict(blender_density.choice_of(thing.meander)) == asdict(choice)
+
+
+# -- refusals --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"density_source": "ATTRIBUTE"}, "no attribute"),
+        ({"density_source": "ATTRIBUTE", "density_attribute": "x"}, "no float attribute of points"),
+        ({"density_source": "ATTRIBUTE", "density_attribute": "faces"}, "per face"),
+        ({"density_source": "ATTRIBUTE", "density_attribute": "bad"}, "finite number at vertex 3"),
+        ({"density_source": "COLOR"}, "no color attribute"),
+        ({"density_source": "COLOR", "density_color": "bad"}, "needs a color attribute"),
+        ({"density_source": "IMAGE"}, "no image"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "-".join(value.values()),
+)
+def test_what_is_missing_or_of_another_kind(settings, words):
+    thing = grid(cells=4)
+    thing.data.attributes.new("faces", "FLOAT", "FACE")
+    thing.data.attributes.new("bad", "FLOAT", "POINT").data[3].value = float("nan")
+    assert words in refused(thing, **settings)
+
+
+def test_images_that_cannot_be_read(tmp_path):
+    thing = grid(cells=4)
+    image = bpy.data.images.new("Lost", 4, 4)
+    image.filepath = str(tmp_path / "nowhere.png")
+    image.source = "FILE"
+    settings = {"density_source": "IMAGE", "density_image": image}
+    assert "'Lost' has no pixels" in refused(thing, **settings)
+    image.source = "TILED"
+    assert "tiled (UDIM)" in refused(thing, **settings)
+    other = bpy.data.images.new("Whole", 4, 4)
+    settings["density_image"] = other
+    assert "no UV map 'Nowhere'" in refused(thing, density_uv_map="Nowhere", **settings)
+    assert "unwrap it first" in refused(folded_strip(), **settings)
