@@ -203,6 +203,7 @@ class _FlowOptions(Structure):
         ("polish_length_offset", c_double),  # double polish_length_offset;
         ("polish_length_gain", c_double),  # double polish_length_gain;
         ("polish_medial_power", c_double),  # double polish_medial_power;
+        ("border_distance", c_double),  # double border_distance;
         ("boundary_rule", c_uint32),  # uint32_t boundary_rule;
         ("iteration_limit", c_uint32),  # uint32_t iteration_limit;
         ("threads", c_uint32),  # uint32_t threads;
@@ -915,6 +916,7 @@ class FlowOptions:
     polish_length_offset: float
     polish_length_gain: float
     polish_medial_power: float
+    border_distance: float
     boundary_rule: BoundaryRule
     iteration_limit: int
     threads: int

@@ -49,6 +49,10 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   require(o.polish <= 1, "The option polish must be 0 or 1.");
   require(o.stop_rule <= MEANDER_STOP_PAPER, "The option stop_rule is none of MEANDER_STOP_...");
   require(o.boundary_rule <= MEANDER_BOUNDARY_OBSTACLE, "The option boundary_rule is none of MEANDER_BOUNDARY_...");
+  require_range(o.border_distance, 0, 2, "border_distance (in spacings)");
+  require(o.boundary_rule == MEANDER_BOUNDARY_CENTRE || o.border_distance == 0.5,
+          "A border_distance other than 0.5 needs MEANDER_BOUNDARY_CENTRE; with MEANDER_BOUNDARY_OBSTACLE strands stay "
+          "a spacing away from the boundary.");
   require(o.preset <= MEANDER_PRESET_PAPER, "The option preset is none of MEANDER_PRESET_...");
   require(o.iteration_limit >= 1, "The iteration limit must be at least 1.");
   require(o.threads <= 256, "The number of threads must be between 0 (all) and 256.");
@@ -65,6 +69,7 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   s.grow_into_empty = s.widen_loops = o.preset != MEANDER_PRESET_PAPER;
   s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
+  s.border_distance = o.border_distance;
   s.iteration_limit = o.iteration_limit;
   s.threads = o.threads;
   return s;
@@ -78,6 +83,7 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
   o.struct_size = sizeof(meander_flow_options);
   o.preset = preset;
   o.medial_weight = 1;
+  o.border_distance = 0.5;
   o.threads = 0;
   if (preset == MEANDER_PRESET_PAPER) {
     o.length_weight = 1;

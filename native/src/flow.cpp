@@ -140,18 +140,32 @@ Flow::Measure Flow::measure() {
 
 std::vector<Gap> Flow::gaps(double least_size) {
   find_radii();
-  return find_gaps(*surface_, curve_, frames_, radii_, vertex_radius_, least_size, team_);
+  std::vector<Gap> gaps = find_gaps(*surface_, curve_, frames_, radii_, vertex_radius_, least_size, team_);
+  // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
+  // strip asks for is a gap.
+  if (settings_.border_distance > 0.5 && !boundary_.empty()) {
+    std::erase_if(gaps, [&](const Gap& gap) {
+      const double r = gap.radius / gap.size;
+      const double to_boundary =
+          std::sqrt(boundary_.tree().nearest(position(*surface_, gap.centre))->squared_distance);
+      const double wanted = std::max(0.0, (2 * settings_.border_distance - 1) * r - to_boundary);
+      return gap.radius - wanted < least_size * r;
+    });
+  }
+  return gaps;
 }
 
 /// r and r_max at every node.
 void Flow::find_local_radii() {
   local_radius_.resize(curve_.size());
   max_radius_.resize(curve_.size());
+  overhang_.resize(curve_.size());
   const double clamp = settings_.max_radius / settings_.radius;
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       local_radius_[i] = radius_at(*surface_, vertex_radius_, curve_.nodes[i]);
       max_radius_[i] = std::min(clamp * local_radius_[i], RunTree::kMostRadius);
+      overhang_[i] = (1 - 2 * settings_.border_distance) * local_radius_[i];
     }
   });
 }
@@ -165,7 +179,8 @@ void Flow::find_local_radii() {
 void Flow::find_radii() {
   find_local_radii();
   compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
-  compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, team_, radii_);
+  compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, overhang_, team_,
+                      radii_);
   felt_radii_.resize(radii_.size());
   constexpr double kLeastStretch = 0.5, kMostStretch = 2;
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {

@@ -35,6 +35,7 @@ struct FlowSettings {
   bool widen_loops = false;
   StopRule stop_rule = StopRule::kSettled;
   BoundaryRule boundary_rule = BoundaryRule::kCentre;
+  double border_distance = 0.5;  ///< of the last strand from the boundary, in (local) spacings
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;
 };
@@ -106,7 +107,7 @@ class Flow {
   Curve curve_;
   std::vector<Radii> radii_;       // as they are
   std::vector<Radii> felt_radii_;  // as the energy sees them where the density varies
-  std::vector<double> local_radius_, max_radius_;
+  std::vector<double> local_radius_, max_radius_, overhang_;
   Frames frames_;
   Weights weights_;
   Retraction retraction_;

@@ -40,7 +40,8 @@ BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
 
 void compute_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                          const BoundaryObstacle& boundary, BoundaryRule rule,
-                         const std::vector<double>& max_radius, Team& team, std::vector<Radii>& radii) {
+                         const std::vector<double>& max_radius, const std::vector<double>& overhang, Team& team,
+                         std::vector<Radii>& radii) {
   const uint32_t n = curve.size();
   radii.resize(n, Radii{0, 0});
   std::vector<Vec3> obstacles = frames.position;
@@ -53,18 +54,20 @@ void compute_medial_axis(const Surface& surface, const Curve& curve, const Frame
     std::vector<Crossing> scratch;
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       const Vec3& x = frames.position[i];
-      const bool near_boundary =
-          !walls && !boundary.empty() && boundary.tree().nearest(x, 4 * max_radius[i] * max_radius[i]).has_value();
+      // From here on the boundary is too far to end a ball; never less than twice the clamp, so that a
+      // winding way to it counts as well.
+      const double reach = std::max(2 * max_radius[i], max_radius[i] - 2 * overhang[i]);
+      const bool near_boundary = !walls && !boundary.empty() && boundary.tree().nearest(x, reach * reach).has_value();
       for (int side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1 : -1;
         double most = max_radius[i];
         if (near_boundary && frames.to_boundary[i][side] >= 0) {
-          most = std::min(most, frames.to_boundary[i][side]);
+          most = std::min(most, frames.to_boundary[i][side] + overhang[i]);
         } else if (near_boundary) {
           scratch.clear();
-          const Trace trace =
-              trace_geodesic(surface, curve.nodes[i], sign * most * frames.bitangent2[i], scratch);
-          if (trace.hit_boundary) most = std::min(most, trace.length);
+          const double way = most - overhang[i];
+          const Trace trace = trace_geodesic(surface, curve.nodes[i], sign * way * frames.bitangent2[i], scratch);
+          if (trace.hit_boundary) most = std::min(most, trace.length + overhang[i]);
         }
         radii[i][side] = most > 0 ? largest_ball(tree, x, frames.outward[i][side], most, radii[i][side]) : 0;
       }

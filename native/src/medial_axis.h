@@ -38,9 +38,12 @@ class BoundaryObstacle {
 /// point approximation using nearest neighbors and the normal field", 2012; see RunTree).
 ///
 /// `max_radius`  clamp of every node, at most RunTree::kMostRadius
+/// `overhang`    BoundaryRule::kCentre: how far the centre of a node's ball may pass the boundary, or,
+///               where negative, must stay away from it
 /// `radii`       in: radii of an earlier state (0: unknown), which only save time; out: the result
 void compute_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                          const BoundaryObstacle& boundary, BoundaryRule rule,
-                         const std::vector<double>& max_radius, Team& team, std::vector<Radii>& radii);
+                         const std::vector<double>& max_radius, const std::vector<double>& overhang, Team& team,
+                         std::vector<Radii>& radii);
 
 }  // namespace meander

@@ -41,7 +41,8 @@ struct Scene {
     max_radius.assign(curve.size(), most);
     const std::vector<double> vertex_radius(surface.vertex_count(), 0.05);
     compute_frames(surface, curve, local_radius, vertex_radius, team, frames);
-    compute_medial_axis(surface, curve, frames, boundary, rule, max_radius, team, radii);
+    compute_medial_axis(surface, curve, frames, boundary, rule, max_radius, std::vector<double>(curve.size(), 0),
+                        team, radii);
   }
 
   Surface surface;

@@ -256,7 +256,8 @@ enum {
 
 /* How a medial ball ends at the boundary of an open surface. */
 enum {
-  MEANDER_BOUNDARY_CENTRE = 0,  /* its centre stops at the boundary: strands come to within r of it */
+  MEANDER_BOUNDARY_CENTRE = 0,  /* its centre stops at the boundary: strands come to within r of it, or
+                                   to border_distance */
   MEANDER_BOUNDARY_OBSTACLE = 1 /* it touches the boundary, as the paper has it: strands stay 2 r away */
 };
 
@@ -290,6 +291,9 @@ typedef struct meander_flow_options {
                                    in [-10, 10] and [0, 100] */
   double polish_medial_power;   /* q of eq. 13 in the polish, in [2, 8]: larger values weigh the worst gaps
                                    more; the force at the wanted radius is that of q = 2 */
+  double border_distance;   /* of the last strand from the boundary, in spacings: 0.5 is as far as half the
+                               way to its neighbour, at 0 it may run along the boundary; in [0, 2]. Other
+                               values than 0.5 need MEANDER_BOUNDARY_CENTRE */
   uint32_t boundary_rule;   /* MEANDER_BOUNDARY_... */
   uint32_t iteration_limit; /* of meander_flow_run, counted over the life of the flow; >= 1 */
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
@@ -518,6 +522,8 @@ MEANDER_API meander_status meander_flow_get_nodes(const meander_flow* flow, uint
  * The search starts from the nodes' medial balls and from the middles of faces, so it also sees parts
  * of the surface that no strand has reached. Their sizes are lower bounds where a place is larger than
  * r_max. It does not see the far side of a sheet thinner than r: the strands of one side cover both.
+ * Where border_distance keeps a strip along the boundary empty, only what lies farther from the curve
+ * than that asks for is a gap.
  *
  * least_size  how large a place must be to count, in local r, from 1 to 1e6; 0: 1.2
  * positions   double[3 * capacity], on the surface; may be NULL only when capacity is 0

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The distance that a curve keeps from the boundary."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from meander import core
+from sentences import assert_sentence
+from test_prepared_mesh import grid
+
+SPACING = 0.2
+HOLES = ((0.9, 0.9, 0.35), (2.1, 2.0, 0.45))  # x, y, radius
+
+
+def distances(points: np.ndarray, curve: core.Polylines) -> np.ndarray:
+    """Straight distances of the points from the curve, all pairs."""
+    begin = curve.positions
+    following = np.arange(len(begin)) + 1
+    joined = np.ones(len(begin), dtype=bool)
+    for first, end, closed in zip(
+        curve.offsets[:-1], curve.offsets[1:], curve.closed, strict=True
+    ):
+        following[end - 1], joined[end - 1] = first, closed
+    begin, way = begin[joined], (begin[following[joined]] - begin[joined])
+    squares = np.maximum((way * way).sum(axis=1), 1e-300)
+    result = np.empty(len(points))
+    for k, point in enumerate(points):
+        share = np.clip(((point - begin) * way).sum(axis=1) / squares, 0.0, 1.0)
+        result[k] = np.linalg.norm(begin + share[:, None] * way - point, axis=1).min()
+    return result
+
+
+def square_outline(size: float = 3.0) -> np.ndarray:
+    t = np.linspace(0.0, size, 120, endpoint=False)
+    zero, full = np.zeros_like(t), np.full_like(t, size)
+    sides = [(t, zero), (full, t), (t, full), (zero, t)]
+    return np.vstack([np.stack([x, y, zero], axis=1) for x, y in sides])
+
+
+def hole_outlines() -> np.ndarray:
+    angle = np.linspace(0.0, 2.0 * np.pi, 100, endpoint=False)
+    return np.vstack(
+        [
+            np.stack([x + r * np.cos(angle), y + r * np.sin(angle), 0.0 * angle], axis=1)
+            for x, y, r in HOLES
+        ]
+    )
+
+
+def with_holes() -> core.Surface:
+    vertices, faces = grid(30)
+    outside = [np.hypot(vertices[:, 0] - x, vertices[:, 1] - y) - r for x, y, r in HOLES]
+    options = core.SurfaceOptions(vertex_mask=np.minimum(*outside))
+    return core.Surface(vertices, faces, options)
+
+
+def fill(surface: core.Surface, distance: float, spacing: float = SPACING) -> core.Flow:
+    options = core.default_options()
+    options.radius = spacing / 2
+    options.border_distance = distance
+    flow = core.Flow(surface, options)
+    flow.run()
+    assert flow.statistics()["crossings"] == 0
+    return flow
+
+
+def test_the_default_is_half_a_spacing() -> None:
+    for preset in core.PRESETS:
+        assert core.default_options(preset).border_distance == 0.5
+
+
+@pytest.mark.parametrize("distance", [0.25, 0.5, 1.0, 2.0])
+def test_strands_rest_at_the_distance_asked_for(distance: float) -> None:
+    # 12 % of the distance, or 3 % of the spacing where that is more.
+    tolerance = max(0.12 * distance, 0.03)
+    spacing = 0.12 if distance > 1.0 else SPACING  # there has to be room between the strips
+    curve = fill(core.Surface(*grid(1)), distance, spacing).polylines()
+    outline = distances(square_outline(), curve) / spacing
+    assert np.median(outline) == pytest.approx(distance, abs=tolerance)
+    curve = fill(with_holes(), distance, spacing).polylines()
+    outline = distances(square_outline(), curve) / spacing
+    assert np.median(outline) == pytest.approx(distance, abs=tolerance)
+    holes = distances(hole_outlines(), curve) / spacing
+    # A round border bends its strands, which draws them outward by a little more.
+    assert np.median(holes) == pytest.approx(distance, abs=1.25 * tolerance)
+
+
+def test_at_distance_0_strands_run_along_the_border() -> None:
+    outline = distances(square_outline(), fill(with_holes(), 0.0).polylines()) / SPACING
+    assert np.median(outline) < 0.03
+    assert np.percentile(outline, 99) < 0.7
+
+
+def test_a_strip_left_empty_on_purpose_is_no_gap() -> None:
+    spacing = 0.12
+    flow = fill(with_holes(), 2.0, spacing)
+    near = distances(np.vstack([square_outline(), hole_outlines()]), flow.polylines())
+    assert np.median(near) > 3.5 * spacing / 2  # which would be a gap anywhere else
+    gaps = flow.gaps(2.0)
+    to_corner = np.minimum(gaps.positions, 3.0 - gaps.positions)[:, :2].max(axis=1, initial=0.0)
+    assert to_corner.max(initial=0.0) < spacing  # a corner is farther away than a side
+
+
+def test_the_density_scales_the_distance() -> None:
+    vertices, faces = grid(1)
+    options = core.default_options()
+    options.radius = SPACING
+    options.border_distance = 1.0
+    flow = core.Flow(core.Surface(vertices, faces), options, density=np.full(4, 4.0))
+    flow.run()
+    outline = distances(square_outline(), flow.polylines()) / SPACING
+    assert np.median(outline) == pytest.approx(1.0, abs=0.12)
+
+
+def test_distances_that_make_no_sense_are_refused() -> None:
+    surface = core.Surface(*grid(2))
+    for change in (
+        {"border_distance": -0.1},
+        {"border_distance": 2.1},
+        {"border_distance": float("nan")},
+        {"border_distance": 1.0, "boundary_rule": core.BoundaryRule.OBSTACLE},
+    ):
+        options = core.default_options()
+        options.radius = SPACING / 2
+        for name, value in change.items():
+            setattr(options, name, value)
+        with pytest.raises(core.MeanderError, match="border_distance") as refusal:
+            core.Flow(surface, options)
+        assert_sentence(str(refusal.value))
