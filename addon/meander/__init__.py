@@ -6,9 +6,11 @@ stepper     one run of the flow, watched or in one go         (no bpy)
 blender_data    meshes, curves and weights in, curves out
 density     from values on a surface to the density        (no bpy)
 blender_density     what the density is chosen from: weights, attributes, colours, images
+strands     seeds, strokes and guides put together            (no bpy)
+strand_data     the same as Blender has them; their materials
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore
-operators, sidebar, panels   buttons
+operators, sidebar, panels, ..._panel   buttons
 
 Nothing here imports bpy before register(), so that `meander.core` can be used without Blender.
 """
@@ -34,13 +36,16 @@ _SUBMODULES = (
     "blender_data",
     "density",
     "blender_density",
+    "strands",
+    "strand_data",
     "properties",
     "session",
     "operators",
     "sidebar",
     "panels",
+    "strand_panel",
 )
-_WITH_CLASSES = ("properties", "session", "operators", "panels")
+_WITH_CLASSES = ("properties", "session", "operators", "panels", "strand_panel")
 
 # When a new version is installed over this one, Blender reloads this file only: without this the
 # old submodules would stay until restart. On the first import there is nothing to reload.

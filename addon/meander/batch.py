@@ -60,7 +60,7 @@ if not globals().get("__package__"):
     __package__ = _containing_package()  # what relative imports go by (PEP 366)
 
 # The package has to be known first.
-from . import batch_density, core, mesh_files, report  # noqa: E402
+from . import batch_density, batch_strands, core, mesh_files, report, strands  # noqa: E402
 from .density import Choice  # noqa: E402
 
 # A line of progress for every so many iterations, or seconds.
@@ -84,6 +84,8 @@ class Problem:
     density: NDArray[np.float64] | None = None
     density_choice: Choice = field(default_factory=Choice)  # what the density was made from
     fixed_ends: bool = False
+    stroke: tuple[list[float], list[float]] | None = None  # its ends
+    parts: list[strands.Part] = field(default_factory=list)  # what the seed is put together from
     surface_object: bpy.types.Object | None = None  # None: the mesh came from an OBJ file
 
 
@@ -179,6 +181,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--threads", type=_count(0, 256), default=0, metavar="T", help="0: all; same result")
     add("--quiet", action="store_true", help="print nothing but errors")
     batch_density.add_options(parser, _number)
+    batch_strands.add_options(parser, _number, _count(0, 2**31 - 1))
     return parser
 
 
@@ -201,7 +204,7 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
     if not arguments.input.is_file():
         raise BadInput(f"--input {arguments.input} does not exist; check the path")
     if kind != ".blend":
-        for option in ("object", "seed_object"):
+        for option in ("object", "seed_object", "guides_object"):
             if getattr(arguments, option) is not None:
                 name = option.replace("_", "-")
                 raise BadInput(f"--{name} names an object of a .blend, but --input is {kind}")
@@ -210,8 +213,9 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
         raise BadInput(density_problem)
     if arguments.seed is not None and arguments.seed_object is not None:
         raise BadInput("--seed and --seed-object are both given; choose one")
-    if arguments.seed is not None and arguments.seed.suffix.lower() != ".obj":
-        raise BadInput(f"--seed {arguments.seed} is no .obj file")
+    strand_problem = batch_strands.problem_of(arguments)
+    if strand_problem is not None:
+        raise BadInput(strand_problem)
     if arguments.output.suffix.lower() not in (".obj", ".blend"):
         raise BadInput(f"--output {arguments.output} is no .obj or .blend file")
     _check_outputs(arguments)
@@ -233,7 +237,7 @@ def _refuse_what_is_missing(arguments: argparse.Namespace) -> None:
 
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
-    taken = {"--input": arguments.input, "--seed": arguments.seed}
+    taken = {"--input": arguments.input, "--seed": arguments.seed, "--guides": arguments.guides}
     for option, path in (("--output", arguments.output), ("--report", arguments.report)):
         if path is None:
             continue
@@ -283,6 +287,7 @@ def _echo(
         "seed": None if arguments.seed is None else str(arguments.seed),
         "seed_object": arguments.seed_object,
         "fixed_ends": problem.fixed_ends,
+        **batch_strands.echo(arguments, problem.stroke),
         "spacing": arguments.spacing,
         **batch_density.echo(arguments, problem.density_choice),
         "medial_axis": arguments.medial_axis,
@@ -316,7 +321,17 @@ def _read_problem(arguments: argparse.Namespace) -> Problem:
         except blender_data.DataError as refusal:
             raise BadInput(str(refusal)) from refusal
     if arguments.seed is not None:
-        problem.seed = mesh_files.read_obj_curve(arguments.seed)
+        seed = mesh_files.read_obj_curve(arguments.seed)
+        problem.parts.insert(0, strands.Part(str(arguments.seed), seed))
+    problem.stroke = batch_strands.stroke_of(arguments, problem.vertices)
+    if isinstance(problem.stroke, str):
+        raise BadInput(problem.stroke)
+    if problem.stroke is not None:
+        problem.parts.insert(0, strands.Part("the stroke", strands.stroke(*problem.stroke)))
+    if arguments.guides is not None:
+        guides = mesh_files.read_obj_curve(arguments.guides)
+        problem.parts.append(strands.Part(str(arguments.guides), guides, guide=True))
+    problem.seed = strands.assembled(problem.parts, arguments.fill_every_part)
     return problem
 
 
@@ -412,7 +427,17 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
                 "the name of a curve object to --seed-object"
             )
         problem.fixed_ends = fixed_ends
-        problem.seed = blender_data.strands_of_curve(seed_object, depsgraph, fixed_ends)
+        seed = blender_data.strands_of_curve(seed_object, depsgraph, fixed_ends)
+        problem.parts.append(strands.Part(seed_object.name, seed))
+    if arguments.guides_object is not None:
+        guides_object = bpy.context.scene.objects.get(arguments.guides_object)
+        if guides_object is None:
+            raise BadInput(
+                f"{arguments.input} has no object {arguments.guides_object!r} in its scene; give "
+                "the name of a curve object to --guides-object"
+            )
+        guides = blender_data.strands_of_curve(guides_object, depsgraph)
+        problem.parts.append(strands.Part(guides_object.name, guides, guide=True))
     return problem
 
 
@@ -511,14 +536,20 @@ def _summary(reason: str, figures: dict[str, Any]) -> str:
 # Output
 
 
-def _write_scene(path: Path, arguments: argparse.Namespace, problem: Problem, curve: Any) -> None:
+def _write_scene(
+    path: Path,
+    arguments: argparse.Namespace,
+    problem: Problem,
+    curve: core.Polylines,
+    guides: NDArray[np.bool_],
+) -> None:
     """Adds the curve beside its surface and saves a copy of the scene at `path`.
 
     The curve keeps what it was made with, so that Continue works on it in a window.
     """
     import bpy
 
-    from . import blender_data, blender_density, properties
+    from . import blender_data, blender_density, properties, strand_data
 
     surface_object = problem.surface_object
     if surface_object is None:
@@ -538,6 +569,11 @@ def _write_scene(path: Path, arguments: argparse.Namespace, problem: Problem, cu
         made_with.spacing = arguments.spacing
         made_with.preset = arguments.preset.upper()
         blender_density.store_choice(problem.density_choice, made_with)
+        made_with.seed_every_part = arguments.fill_every_part
+        if arguments.guides_object is not None:
+            made_with.guides = bpy.context.scene.objects.get(arguments.guides_object)
+        made_with.keep_guides = not arguments.leave_out_guides
+        strand_data.note_guides(curve_object, guides, keep=True)
         try:
             bpy.ops.wm.save_as_mainfile(
                 filepath=str(path.absolute()), copy=True, check_existing=False
@@ -550,7 +586,11 @@ def _write_scene(path: Path, arguments: argparse.Namespace, problem: Problem, cu
 
 
 def _write_outputs(
-    arguments: argparse.Namespace, problem: Problem, curve: core.Polylines, record: dict[str, Any]
+    arguments: argparse.Namespace,
+    problem: Problem,
+    curve: core.Polylines,
+    guides: NDArray[np.bool_],
+    record: dict[str, Any],
 ) -> None:
     """Writes both files beside their places first, then moves the curve in and then the report."""
     with ExitStack() as stack:  # leaves in reverse order
@@ -561,7 +601,7 @@ def _write_outputs(
         if arguments.output.suffix.lower() == ".obj":
             mesh_files.write_obj_curve(curve_path, curve)
         else:
-            _write_scene(curve_path, arguments, problem, curve)
+            _write_scene(curve_path, arguments, problem, curve, guides)
         if report_path is not None:
             report.write_report(report_path, record)
 
@@ -579,7 +619,10 @@ def _process(argv: Sequence[str]) -> None:
     problem = _read_problem(arguments)
     with core.Surface(problem.vertices, problem.faces) as surface:
         surface_figures = surface.statistics()
-        flow = core.Flow(surface, options, problem.seed, problem.density)
+        try:
+            flow = core.Flow(surface, options, problem.seed, problem.density)
+        except core.MeanderError as refusal:
+            raise strands.explained(refusal, problem.parts) from refusal
     with flow:
         reason = _run(flow, options.iteration_limit, arguments.quiet)
         figures = flow.statistics()
@@ -587,6 +630,10 @@ def _process(argv: Sequence[str]) -> None:
         history = flow.history()
         gaps = flow.gaps()
         curve = flow.polylines()
+        guides = flow.guides()
+        if arguments.leave_out_guides:
+            curve = strands.without_guides(curve, guides)
+            guides = guides[~guides]
     record = report.build_report(
         core.library_version(),
         surface_figures,
@@ -595,8 +642,10 @@ def _process(argv: Sequence[str]) -> None:
         gaps,
         _echo(arguments, options, problem),
     )
-    _write_outputs(arguments, problem, curve, record)
+    _write_outputs(arguments, problem, curve, guides, record)
     if not arguments.quiet:
+        if figures["empty_components"]:
+            print(f"meander: {strands.empty_parts(figures['empty_components'])}")
         print(_summary(reason, figures))
         print(f"meander: wrote {arguments.output}", flush=True)
 

@@ -469,7 +469,8 @@ class MeanderError(Exception):
 
     status        a `Status`, or STATUS_NO_LIBRARY when the library could not be loaded
     element_kind  what `elements` counts: 'vertex', 'face', 'edge', 'seed_point', or None
-    elements      the first element at fault; an edge has the indices of its two end vertices
+    elements      the first element at fault; an edge has the indices of its two end vertices, and
+                  where two strands of a seed meet there is a point of each
     """
 
     def __init__(
@@ -501,6 +502,8 @@ def _raise(status: int, error: _Error) -> None:
     elements: tuple[int, ...] = ()
     if kind == "edge":
         elements = (error.element_index, error.element_index2)
+    elif kind == "seed_point":
+        elements = tuple(dict.fromkeys((error.element_index, error.element_index2)))
     elif kind is not None:
         elements = (error.element_index,)
     raise MeanderError(text, status, kind, elements)

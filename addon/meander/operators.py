@@ -12,7 +12,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from . import blender_data, core, properties, session
+from . import blender_data, core, properties, session, strands
 from .blender_data import DataError
 
 # Weight painting uses the same undo as Object Mode, and is where densities come from. Undo in the
@@ -142,6 +142,8 @@ class MEANDER_OT_run(bpy.types.Operator):
             if keep:
                 result, figures = self._session.keep(context)
                 self.report({"INFO"}, f"{result.name}: {_summary(figures)}")
+                if figures["empty_components"]:
+                    self.report({"WARNING"}, strands.empty_parts(figures["empty_components"]))
                 return {"FINISHED"}
         except (DataError, core.MeanderError) as error:
             self.report({"ERROR"}, _sentence(error))

@@ -150,7 +150,6 @@ class MEANDER_PT_options(SubPanel, bpy.types.Panel):
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
         layout.prop(settings, "preset")
-        layout.prop(settings, "fixed_ends")
         layout.prop(settings, "iteration_limit")
         layout.prop(settings, "threads")
         layout.prop(settings, "use_bevel")

@@ -17,6 +17,7 @@ from bpy.props import (
 )
 
 from .blender_density import DensitySettings
+from .strand_data import StrandSettings
 
 # What run() returns, as a user reads it.
 STOP_TEXTS = {
@@ -60,13 +61,18 @@ class MeanderFigures(bpy.types.PropertyGroup):
     length: FloatProperty(name="Length", unit="LENGTH", options=set())
     spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH", options=set())
     seconds: FloatProperty(name="Seconds", options=set())
+    empty_parts: IntProperty(name="Empty Parts", options=set())
+    # On results only: which of their splines are guides.
+    strands: IntProperty(name="Strands", options=set())
+    first_guide: IntProperty(name="First Guide", options=set())
+    guides: IntProperty(name="Guides", options=set())
     gap_count: IntProperty(name="Gaps", options=set())
     largest_gap: FloatProperty(name="Largest Gap", options=set())
     # On results only, and of many gaps only the largest.
     gaps: CollectionProperty(type=MeanderGap, options=set())
 
 
-class MeanderSettings(DensitySettings, bpy.types.PropertyGroup):
+class MeanderSettings(DensitySettings, StrandSettings, bpy.types.PropertyGroup):
     """How to fill a surface; the parts that a feature of its own needs come from its module."""
 
     surface: PointerProperty(
@@ -160,6 +166,7 @@ COPIED = (
     "seed",
     "spacing",
     *DensitySettings.__annotations__,
+    *StrandSettings.__annotations__,
     "fixed_ends",
     "preset",
     "iteration_limit",

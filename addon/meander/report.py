@@ -54,6 +54,8 @@ def build_report(
         "nodes": flow["nodes"],
         "strands": flow["strands"],
         "closed_strands": flow["closed_strands"],
+        "guides": flow["guides"],
+        "empty_components": flow["empty_components"],
         "length": flow["length"],
         "crossings": flow["crossings"],
         "spacing": {

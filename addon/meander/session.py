@@ -15,7 +15,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from . import blender_data, core, properties
+from . import blender_data, core, properties, strand_data, strands
 from .blender_data import DataError
 from .blender_density import choice_of, density_of
 from .stepper import Problem, Snapshot, Stepper
@@ -54,6 +54,9 @@ class Plan:
     matrix: np.ndarray  # of the surface
     spacing: float
     bevel_depth: float  # world units
+    parts: tuple[strands.Part, ...]  # what the seed was put together from
+    dress: strand_data.Dress  # materials of the splines
+    name: str  # of a new result
 
 
 def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
@@ -78,10 +81,8 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
     # As stored, so that a run that proposes its spacing and one that is given it are the same.
     spacing = settings.spacing or float(np.float32(blender_data.proposed_spacing(vertices, faces)))
     density = density_of(choice_of(settings), surface, depsgraph)
-    seed_object = active if active is not surface and not restart else settings.seed
-    seed = None
-    if seed_object is not None:
-        seed = blender_data.strands_of_curve(seed_object, depsgraph, settings.fixed_ends)
+    parts, dress = strand_data.parts_of(active, depsgraph, restart)
+    seed = strands.assembled(parts, settings.seed_every_part)
     options.radius = spacing / 2.0
     options.threads = settings.threads
     if settings.iteration_limit:
@@ -94,6 +95,9 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
         matrix=blender_data.world_matrix(surface.evaluated_get(depsgraph)),
         spacing=spacing,
         bevel_depth=settings.bevel_share * spacing if settings.use_bevel else 0.0,
+        parts=tuple(parts),
+        dress=dress,
+        name=f"{(settings.seed or surface).name} Meander",
     )
 
 
@@ -186,7 +190,10 @@ class Session:
 
         Returns the curve object and the figures of the run. Raises what went wrong in the run.
         """
-        snapshot, statistics, stop_reason = self.stepper.result()
+        try:
+            snapshot, statistics, stop_reason = self.stepper.result()
+        except core.MeanderError as error:
+            raise strands.explained(error, self.plan.parts) from error
         self._check_alive()
         self._end_preview()
         plan = self.plan
@@ -194,12 +201,14 @@ class Session:
         result = blender_data.write_curve(
             snapshot.polylines,
             surface,
-            f"{surface.name} Meander",
+            plan.name,
             curve_object=plan.result.find() if plan.result else None,
             matrix=plan.matrix,
             bevel_depth=plan.bevel_depth,
         )
+        strand_data.put_on(result.data, plan.dress)
         self._store(surface, result, statistics, self.stepper.gaps, stop_reason)
+        strand_data.note_guides(result, self.stepper.guides, result.meander.keep_guides)
         _select_only(context, result)
         return result, statistics
 
@@ -243,7 +252,7 @@ class Session:
         existing = plan.result.find() if plan.result else None
         if existing is None:
             surface = plan.surface.find()
-            preview = blender_data.new_curve_object(f"{surface.name} Meander", surface)
+            preview = blender_data.new_curve_object(plan.name, surface)
         else:
             preview = existing
             self._original_data = existing.data.name
@@ -296,6 +305,7 @@ class Session:
             figures.length = float(statistics["length"])
             figures.spacing_median = float(statistics["spacing_median"])
             figures.seconds = float(statistics["seconds_total"])
+            figures.empty_parts = int(statistics["empty_components"])
             self._store_gaps(figures, gaps, target == result)
 
     def _store_gaps(

@@ -63,7 +63,9 @@ class Stepper:
         self._started = False
         self._error: Exception | None = None
         self._stop_reason = "running"
-        self.gaps: core.Gaps | None = None  # what the curve leaves empty, once there is a result
+        # Of the result, once there is one: what it leaves empty, and which strands are guides.
+        self.gaps: core.Gaps | None = None
+        self.guides: np.ndarray | None = None
         self._expected_length = problem.expected_length()
 
     def start(self) -> None:
@@ -130,6 +132,7 @@ class Stepper:
             raise self._error
         statistics = self._flow.statistics()
         self.gaps = self._flow.gaps()
+        self.guides = self._flow.guides()
         snapshot = self._snapshot(
             self._flow.polylines(),
             statistics["iterations"],

@@ -30,7 +30,7 @@ SeedStrands checked_seed(const meander_seed& seed) {
     if (!p.allFinite()) {
       throw Failure(MEANDER_INVALID_SEED,
                     "Seed point " + std::to_string(i) + " has a coordinate that is not a finite number.",
-                    MEANDER_ELEMENT_SEED_POINT, i);
+                    MEANDER_ELEMENT_SEED_POINT, i, i);
     }
     strands.points.push_back(p);
   }

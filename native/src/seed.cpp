@@ -15,7 +15,8 @@ namespace meander {
 namespace {
 
 [[noreturn]] void refuse(const std::string& sentence, size_t point) {
-  throw Failure(MEANDER_INVALID_SEED, sentence, MEANDER_ELEMENT_SEED_POINT, static_cast<uint32_t>(point));
+  const uint32_t index = static_cast<uint32_t>(point);
+  throw Failure(MEANDER_INVALID_SEED, sentence, MEANDER_ELEMENT_SEED_POINT, index, index);
 }
 
 bool same(const SurfacePoint& a, const SurfacePoint& b) {
@@ -136,8 +137,8 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
     if (j == kNone) continue;
     if (!connect_faces(surface, curve.nodes[i].face, curve.nodes[j], curve.paths[i])) {
       refuse("Seed points " + std::to_string(point_of_node[i]) + " and " + std::to_string(point_of_node[j]) +
-                 " are neighbours on one strand but lie on different components of the surface; draw one "
-                 "strand for each component.",
+                 " are neighbours on one strand but lie on different components of the surface, which "
+                 "no strand can leave; draw one strand for each component.",
              point_of_node[i]);
     }
     curve.shapes[i] = shortener.shorten(curve.nodes[i], curve.nodes[j], curve.paths[i]);
@@ -146,19 +147,18 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
   const auto pairs = test.find(surface, curve, team);
   if (!pairs.empty()) {
     auto [first, second] = pairs[0];
-    const size_t a = point_of_node[first], b = point_of_node[second];
     if (curve.on_guide(first)) std::swap(first, second);
+    const size_t a = point_of_node[first], b = point_of_node[second];
+    const std::string points = std::to_string(a) + " and " + std::to_string(b);
+    std::string sentence = "The seed crosses or touches itself between points " + points +
+                           " (segments after them, on the surface); untangle it there.";
     if (curve.on_guide(second)) {
-      const size_t at = point_of_node[first], on = point_of_node[second];
-      throw Failure(MEANDER_INVALID_SEED,
-                    "Strand " + std::to_string(strand_of(seed, at)) + " of the seed crosses or touches strand " +
-                        std::to_string(strand_of(seed, on)) + ", a guide (after points " + std::to_string(at) +
-                        " and " + std::to_string(on) + ", on the surface); move one of the two, or shorten it.",
-                    MEANDER_ELEMENT_SEED_POINT, static_cast<uint32_t>(at), static_cast<uint32_t>(on));
+      sentence = "Strand " + std::to_string(strand_of(seed, a)) + " of the seed crosses or touches strand " +
+                 std::to_string(strand_of(seed, b)) + ", a guide, between points " + points +
+                 " (segments after them, on the surface); move one of the two, or shorten it.";
     }
-    refuse("The seed crosses or touches itself between points " + std::to_string(a) + " and " +
-               std::to_string(b) + " (segments after them, on the surface); untangle it there.",
-           a);
+    throw Failure(MEANDER_INVALID_SEED, sentence, MEANDER_ELEMENT_SEED_POINT, static_cast<uint32_t>(a),
+                  static_cast<uint32_t>(b));
   }
   return curve;
 }

@@ -71,7 +71,8 @@ enum {
   MEANDER_ELEMENT_VERTEX = 1,     /* index of a vertex */
   MEANDER_ELEMENT_FACE = 2,       /* index of a face */
   MEANDER_ELEMENT_EDGE = 3,       /* index of one end vertex; `element_index2` is the other */
-  MEANDER_ELEMENT_SEED_POINT = 4  /* index of a seed point */
+  MEANDER_ELEMENT_SEED_POINT = 4  /* index of a seed point; `element_index2` is that of another, where
+                                     two segments meet, or else the same */
 };
 
 /* Filled by the library when a call fails; owned by the caller; may be NULL in every call. */

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options of the batch command for strokes, guides and parts left out by the seed; no bpy."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Stroke = tuple[list[float], list[float]]  # its ends
+
+
+def add_options(
+    parser: argparse.ArgumentParser, number: Callable[[str], float], index: Callable[[str], int]
+) -> None:
+    """Adds the options; `number` reads a finite one, `index` one from 0."""
+    group = parser.add_argument_group(
+        "strands",
+        "One stroke is an open strand whose ends stay where they are; guides are strands that stay "
+        "as drawn, and that the others keep the spacing from.",
+    )
+    add = group.add_argument
+    for end, other in (("from", "beginning"), ("to", "end")):
+        add(
+            f"--{end}",
+            dest=f"stroke_{end}",
+            nargs=3,
+            type=number,
+            metavar=("X", "Y", "Z"),
+            help=f"{other} of one stroke, in the mesh's space",
+        )
+        add(f"--{end}-vertex", type=index, metavar="N", help="the same: a vertex, counted from 0")
+    add(
+        "--fill-every-part",
+        action="store_true",
+        help="small loops on parts of the mesh, and between guides, that the seed leaves out",
+    )
+    add("--guides", type=Path, metavar="CURVE", help=".obj of strands that stay as drawn")
+    add("--guides-object", metavar="NAME", help="the same: a curve object in the .blend")
+    add("--leave-out-guides", action="store_true", help="write only what has grown")
+
+
+def problem_of(arguments: argparse.Namespace) -> str | None:
+    """One sentence for options that do not fit each other."""
+    for option, path in (("--seed", arguments.seed), ("--guides", arguments.guides)):
+        if path is not None and path.suffix.lower() != ".obj":
+            return f"{option} {path} is no .obj file"
+    has_guides = arguments.guides is not None or arguments.guides_object is not None
+    if arguments.guides is not None and arguments.guides_object is not None:
+        return "--guides and --guides-object are both given; choose one"
+    ends = []
+    for end in ("from", "to"):
+        place = getattr(arguments, f"stroke_{end}")
+        vertex = getattr(arguments, f"{end}_vertex")
+        if place is not None and vertex is not None:
+            return f"--{end} and --{end}-vertex are both given; choose one"
+        ends.append(place is not None or vertex is not None)
+    if any(ends) and not all(ends):
+        return f"a stroke needs two ends; give {'--to' if ends[0] else '--from'} as well"
+    if any(ends) and (arguments.seed is not None or arguments.seed_object is not None):
+        return "a seed and the ends of a stroke are both given; choose one"
+    if arguments.leave_out_guides and not has_guides:
+        return "--leave-out-guides is given without guides; give --guides as well"
+    return None
+
+
+def stroke_of(arguments: argparse.Namespace, vertices: NDArray[np.float64]) -> Stroke | str | None:
+    """The ends of the stroke, None without one, or one sentence for a vertex that is not there."""
+    ends = []
+    for end in ("from", "to"):
+        place = getattr(arguments, f"stroke_{end}")
+        vertex = getattr(arguments, f"{end}_vertex")
+        if vertex is not None:
+            if vertex >= len(vertices):
+                return (
+                    f"--{end}-vertex {vertex} is not a vertex of {arguments.input}, which has "
+                    f"{len(vertices)}, counted from 0"
+                )
+            place = vertices[vertex].tolist()
+        ends.append(place)
+    return None if ends[0] is None else (ends[0], ends[1])
+
+
+def echo(arguments: argparse.Namespace, stroke: Stroke | None) -> dict[str, Any]:
+    """What the report says of the strands."""
+    return {
+        "from": None if stroke is None else stroke[0],
+        "to": None if stroke is None else stroke[1],
+        "fill_every_part": arguments.fill_every_part,
+        "guides": None if arguments.guides is None else str(arguments.guides),
+        "guides_object": arguments.guides_object,
+        "leave_out_guides": arguments.leave_out_guides,
+    }

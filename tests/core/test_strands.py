@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Strokes, guides and parts without a strand, through core.py and the batch command."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import geometry
+import numpy as np
+import pytest
+from conftest import grow
+from meander import batch, core, mesh_files, strands
+from sentences import assert_sentence
+
+BAR = [[0.2, 0.5, 0.0], [0.8, 0.55, 0.0]]
+
+
+def seed_of(*lines: tuple[list, bool]) -> core.Seed:
+    """A seed of lines: points, closed."""
+    return core.Seed(
+        points=np.array([point for points, _closed in lines for point in points], dtype=float),
+        offsets=np.cumsum([0] + [len(points) for points, _closed in lines]).astype(np.uint32),
+        closed=np.array([closed for _points, closed in lines], dtype=np.uint8),
+    )
+
+
+def part(name: str, *lines: tuple[list, bool], guide: bool = False) -> strands.Part:
+    return strands.Part(name, seed_of(*lines), guide)
+
+
+def strand(curve: core.Polylines, k: int) -> np.ndarray:
+    return curve.positions[curve.offsets[k] : curve.offsets[k + 1]]
+
+
+# ------------------------------------------------------------------------------------------------
+# Putting strands together
+
+
+def test_parts_are_put_together_in_order() -> None:
+    corner = [[0, 1, 0], [1, 1, 0], [1, 2, 0]]
+    first = part("First", ([[0, 0, 0], [1, 0, 0]], False), (corner, True))
+    first.seed.fixed = np.array([1, 1, 0, 0, 1], dtype=np.uint8)
+    second = part("Second", ([[0, 3, 0], [1, 3, 0]], False), guide=True)
+    seed = strands.assembled([first, second])
+    assert seed.offsets.tolist() == [0, 2, 5, 7] and seed.closed.tolist() == [0, 1, 0]
+    assert seed.fixed.tolist() == [1, 1, 0, 0, 1, 0, 0] and seed.guides.tolist() == [0, 0, 1]
+    assert np.array_equal(seed.points[5:], second.seed.points)
+    assert not seed.loops and strands.assembled([second]).loops
+    assert strands.assembled([first], loops=True).loops and strands.assembled([]) is None
+    cut = strands.span(seed, 1, 3)
+    assert cut.offsets.tolist() == [0, 3, 5] and cut.guides.tolist() == [0, 1]
+    assert np.array_equal(cut.points, seed.points[2:])
+
+
+def test_guides_are_taken_out_of_polylines() -> None:
+    curve = core.Polylines(
+        np.arange(27.0).reshape(9, 3),
+        np.arange(27.0).reshape(9, 3) + 100,
+        np.array([0, 2, 5, 9], dtype=np.uint32),
+        np.array([0, 1, 1], dtype=np.uint8),
+    )
+    left = strands.without_guides(curve, np.array([False, True, False]))
+    assert left.offsets.tolist() == [0, 2, 6] and left.closed.tolist() == [0, 1]
+    assert np.array_equal(left.positions, curve.positions[[0, 1, 5, 6, 7, 8]])
+    assert np.array_equal(left.normals, curve.normals[[0, 1, 5, 6, 7, 8]])
+
+
+# ------------------------------------------------------------------------------------------------
+# Flows
+
+
+def test_one_stroke_keeps_its_ends_across_a_whole_model() -> None:
+    mesh = geometry.torus(40, 20)
+    begin, end = mesh.vertices[0], mesh.vertices[20 * 20 + 10]  # on the other side of the ring
+    result = grow(mesh, 0.1, strands.stroke(begin, end))
+    assert result.curve.closed.tolist() == [0]
+    assert result.statistics["crossings"] == 0 and result.statistics["empty_components"] == 0
+    # A vertex is approached to 2^-30 of a face.
+    assert np.abs(result.curve.positions[0] - begin).max() < 1e-8
+    assert np.abs(result.curve.positions[-1] - end).max() < 1e-8
+    samples = geometry.samples_of(*result.curve[::2], result.curve.closed, 0.02)
+    distances = geometry.distance_to_samples(geometry.sample_surface(mesh, 2000), samples)
+    assert np.quantile(distances, 0.99) < 1.3 * 0.1
+
+
+def test_guides_stay_and_are_told_from_what_grows() -> None:
+    seed = strands.assembled([part("Bar", (BAR, False), guide=True)])
+    mesh = geometry.grid(6)
+    options = core.default_options("even")
+    options.radius = 0.04
+    with core.Surface(*mesh) as surface, core.Flow(surface, options, seed) as flow:
+        assert flow.guides().tolist() == [True, False]
+        before = strand(flow.polylines(), 0)
+        flow.run()
+        assert np.array_equal(strand(flow.polylines(), 0), before)
+        figures = flow.statistics()
+        assert (figures["guides"], figures["strands"], figures["crossings"]) == (1, 2, 0)
+        assert flow.nodes().fixed[: len(before)].sum() > 5
+    line = np.array(BAR)
+    way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
+    away = before - line[0] - np.outer((before - line[0]) @ way, way)
+    assert np.abs(away).max() < 1e-8
+
+
+def test_components_on_which_nothing_grows_are_counted_or_filled() -> None:
+    mesh = geometry.two_spheres()
+    ring = [[np.cos(a), np.sin(a), 0] for a in np.linspace(0, 6, 20)]
+    seed = seed_of((ring, True))
+    seed.points += mesh.vertices[: len(mesh.vertices) // 2].mean(axis=0)
+    assert grow(mesh, 0.2, seed, iteration_limit=3).statistics["empty_components"] == 1
+    seed.loops = True
+    found = grow(mesh, 0.2, seed, iteration_limit=3)
+    assert found.statistics["empty_components"] == 0 and found.statistics["strands"] == 2
+    assert grow(mesh, 0.2, iteration_limit=1).statistics["empty_components"] == 0
+
+
+@pytest.mark.parametrize("threads", [2, 5])
+def test_guides_give_the_same_bytes_for_any_number_of_threads(threads: int) -> None:
+    seed = strands.assembled([part("Bar", (BAR, False), guide=True)])
+    curves = [
+        grow(geometry.grid(6), 0.05, seed, iteration_limit=15, threads=count).curve
+        for count in (1, threads)
+    ]
+    for one, other in zip(*curves, strict=True):
+        assert np.array_equal(one, other)
+
+
+# ------------------------------------------------------------------------------------------------
+# Refusals
+
+
+def refusal(seed: core.Seed, mesh: geometry.Mesh | None = None) -> core.MeanderError:
+    with pytest.raises(core.MeanderError) as caught:
+        grow(mesh or geometry.grid(6), 0.04, seed, iteration_limit=1)
+    assert_sentence(str(caught.value))
+    return caught.value
+
+
+def test_guides_alone_are_refused() -> None:
+    seed = seed_of((BAR, False))
+    seed.guides = np.ones(1, dtype=np.uint8)
+    assert "nothing can grow" in str(refusal(seed))
+
+
+def test_guides_that_leave_no_room_are_refused() -> None:
+    lines = [([[0, y, 0], [1, y, 0]], False) for y in np.linspace(0.02, 0.98, 49)]
+    seed = strands.assembled([part("Hatching", *lines, guide=True)])
+    assert "no room" in str(refusal(seed))
+
+
+def test_a_guide_across_the_seed_is_refused_naming_both() -> None:
+    lines = ([[0.1, 0.1, 0], [0.9, 0.1, 0]], False), ([[0.5, 0.2, 0], [0.5, 0.9, 0]], False)
+    parts = [
+        part("Drawn", *lines),
+        part("Fence", (BAR, False), guide=True),
+    ]
+    error = refusal(strands.assembled(parts))
+    assert error.element_kind == "seed_point" and error.elements == (2, 4)
+    assert "Strand 1" in str(error) and "strand 2, a guide" in str(error)
+    told = str(strands.explained(error, parts))
+    assert_sentence(told)
+    assert "point 1 of spline 2 of 'Drawn' and point 1 of spline 1 of 'Fence'" in told
+
+
+def test_a_flag_too_few_is_refused() -> None:
+    seed = seed_of((BAR, False), ([[0.1, 0.1, 0], [0.9, 0.1, 0]], False))
+    seed.guides = np.ones(1, dtype=np.uint8)
+    assert "one guide flag for each of its 2 strands" in str(refusal(seed))
+
+
+# ------------------------------------------------------------------------------------------------
+# Batch
+
+
+@pytest.fixture
+def run(tmp_path: Path, capsys: pytest.CaptureFixture):
+    """Runs the command on a mesh: exit code, stdout, stderr."""
+
+    def call(mesh: geometry.Mesh, *extra: str) -> tuple[int, str, str]:
+        path = tmp_path / "mesh.obj"
+        lines = ["v {!r} {!r} {!r}".format(*point) for point in mesh.vertices.tolist()]
+        lines += ["f {} {} {}".format(*face) for face in (mesh.faces + 1).tolist()]
+        path.write_text("\n".join(lines), encoding="ascii")
+        code = batch.main(
+            ["--input", str(path), "--output", str(tmp_path / "out.obj"), "--spacing", "0.1"]
+            + ["--report", str(tmp_path / "out.json"), *map(str, extra)]
+        )
+        captured = capsys.readouterr()
+        return code, captured.out, captured.err
+
+    return call
+
+
+def report_of(tmp_path: Path) -> dict:
+    return json.loads((tmp_path / "out.json").read_text())
+
+
+def write_lines(path: Path, *lines: list) -> Path:
+    text, count = "", 0
+    for points in lines:
+        text += "".join("v {} {} {}\n".format(*point) for point in points)
+        text += "l " + " ".join(str(count + k + 1) for k in range(len(points))) + "\n"
+        count += len(points)
+    path.write_text(text, encoding="ascii")
+    return path
+
+
+def test_batch_draws_a_stroke_between_points_or_vertices(run, tmp_path: Path) -> None:
+    mesh = geometry.grid(6)
+    code, _out, err = run(mesh, "--from", -0.01, 0, 0, "--to-vertex", len(mesh.vertices) - 1)
+    assert (code, err) == (0, "")
+    curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    assert curve.closed.tolist() == [0]
+    assert np.abs(curve.points[0]).max() < 1e-8
+    assert np.abs(curve.points[-1] - mesh.vertices[-1]).max() < 1e-8
+    options = report_of(tmp_path)["options"]
+    assert options["from"] == [-0.01, 0, 0] and options["to"] == mesh.vertices[-1].tolist()
+
+
+def test_batch_keeps_guides_or_leaves_them_out(run, tmp_path: Path) -> None:
+    guides = write_lines(tmp_path / "guides.obj", BAR)
+    code, _out, err = run(geometry.grid(6), "--guides", guides, "--iterations", 20)
+    assert (code, err) == (0, "")
+    curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    assert curve.closed.tolist() == [0, 1]
+    assert np.abs(curve.points[0] - BAR[0]).max() < 1e-8
+    found = report_of(tmp_path)
+    assert (found["guides"], found["strands"], found["crossings"]) == (1, 2, 0)
+    code, _out, err = run(geometry.grid(6), "--guides", guides, "--leave-out-guides")
+    assert (code, err) == (0, "")
+    assert mesh_files.read_obj_curve(tmp_path / "out.obj").closed.tolist() == [1]
+
+
+def test_batch_tells_of_parts_on_which_nothing_grows(run, tmp_path: Path) -> None:
+    mesh = geometry.two_spheres()
+    ends = ("--from-vertex", 0, "--to-vertex", 20)
+    code, out, _err = run(mesh, *ends, "--iterations", 3, "--spacing", 0.4)
+    assert code == 0 and "Nothing grows on one separate part of the mesh" in out
+    assert report_of(tmp_path)["empty_components"] == 1
+    code, out, _err = run(mesh, *ends, "--iterations", 3, "--spacing", 0.4, "--fill-every-part")
+    assert code == 0 and "Nothing grows" not in out
+    assert report_of(tmp_path)["empty_components"] == 0
+
+
+BAD = {
+    "one end": (("--from", 0, 0, 0), "give --to as well"),
+    "both kinds": (("--from", 0, 0, 0, "--from-vertex", 1, "--to-vertex", 2), "choose one"),
+    "no such vertex": (("--from-vertex", 0, "--to-vertex", 999), "not a vertex"),
+    "far away": (("--from", 0, 0, 3, "--to-vertex", 9), "point 1 of spline 1 of 'the stroke'"),
+    "left out without": (("--leave-out-guides",), "give --guides as well"),
+    "no curve": (("--guides", "nothing.txt"), "is no .obj file"),
+    "an object": (("--guides-object", "Guides"), "names an object of a .blend"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_batch_refuses(run, tmp_path: Path, name: str) -> None:
+    extra, words = BAD[name]
+    code, out, err = run(geometry.grid(6), *extra)
+    assert code == 2 and out == "" and words in err
+    assert_sentence(err.rstrip("\n"))
+    assert not (tmp_path / "out.obj").exists() and not (tmp_path / "out.json").exists()
+
+
+def test_batch_refuses_a_stroke_between_parts(run) -> None:
+    mesh = geometry.two_spheres()
+    code, _out, err = run(mesh, "--from-vertex", 0, "--to-vertex", len(mesh.vertices) - 1)
+    assert code == 2 and "different components" in err
+    assert_sentence(err.rstrip("\n"))
