@@ -19,10 +19,23 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   return n > 0 ? Vec3(v / n) : otherwise;
 }
 
-/// From the nearest edge of the point's face.
-double distance_to_edges(const Surface& surface, const SurfacePoint& p) {
-  return std::min({p.weight(0) * surface.height(p.face, 0), p.weight(1) * surface.height(p.face, 1),
-                   p.weight(2) * surface.height(p.face, 2)});
+/// Walks that are led in turns, so that they wait for memory together.
+constexpr uint32_t kTogether = 8;
+
+void lead_together(std::vector<GeodesicWalk>& walks) {
+  for (bool walking = true; walking;) {
+    walking = false;
+    for (GeodesicWalk& walk : walks) walking |= walk.step();
+  }
+}
+
+/// The bisector of a node's two segments.
+Vec2 flat_tangent(const Curve& curve, uint32_t i) {
+  const uint32_t before = curve.previous(i), after = curve.next(i);
+  const Vec2 in = before != kNone ? curve.shapes[before].arriving : curve.shapes[i].leaving;
+  const Vec2 out = after != kNone ? curve.shapes[i].leaving : curve.shapes[before].arriving;
+  const Vec2 t = unit(in + out);
+  return dot(t, t) > 0 ? t : Vec2{0, 1} * in;  // a full turn back has no bisector
 }
 
 }  // namespace
@@ -69,43 +82,39 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
     for (size_t i = begin; i < end; ++i) frames.position[i] = position(surface, curve.nodes[i]);
   });
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-    Path scratch;
-    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
-      const uint32_t before = curve.previous(i), after = curve.next(i);
-      const Vec2 in = before != kNone ? curve.shapes[before].arriving : curve.shapes[i].leaving;
-      const Vec2 out = after != kNone ? curve.shapes[i].leaving : curve.shapes[before].arriving;
-      Vec2 t = unit(in + out);
-      if (!(dot(t, t) > 0)) t = Vec2{0, 1} * in;  // a full turn back has no bisector
-      frames.tangent[i] = t;
-      frames.bitangent2[i] = Vec2{0, -1} * t;
-      // In space the tangent spans both segments, so that one small face does not decide it.
-      const uint32_t face = curve.nodes[i].face;
-      const Vec3& x = frames.position[i];
-      Vec3 tangent = Vec3::Zero();
-      if (before != kNone) tangent += unit_or(x - frames.position[before], Vec3::Zero());
-      if (after != kNone) tangent += unit_or(frames.position[after] - x, Vec3::Zero());
-      const Vec3 face_tangent = surface.to_space(face, t);
-      tangent = unit_or(tangent, face_tangent);
-      // Far enough from all edges of its face a node needs no walk.
-      const bool inside = distance_to_edges(surface, curve.nodes[i]) > local_radius[i];
-      for (int side = 0; side < 2; ++side) {
-        const Vec2 flat_direction = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
-        scratch.clear();
-        const Vec2 way = local_radius[i] * flat_direction;
-        Trace trace;
-        if (inside) {
-          trace.end = point_at(surface, face, flat(surface, curve.nodes[i]) + way);
-          trace.length = local_radius[i];
-        } else {
-          trace = trace_geodesic(surface, curve.nodes[i], way, scratch);
+    std::vector<GeodesicWalk> walks;
+    walks.reserve(2 * kTogether);
+    for (uint32_t first = static_cast<uint32_t>(begin); first < end; first += kTogether) {
+      const uint32_t last = std::min(first + kTogether, static_cast<uint32_t>(end));
+      walks.clear();
+      for (uint32_t i = first; i < last; ++i) {
+        const Vec2 t = flat_tangent(curve, i);
+        frames.tangent[i] = t;
+        frames.bitangent2[i] = Vec2{0, -1} * t;
+        walks.emplace_back(surface, curve.nodes[i], local_radius[i] * frames.bitangent2[i]);
+        walks.emplace_back(surface, curve.nodes[i], -local_radius[i] * frames.bitangent2[i]);
+      }
+      lead_together(walks);
+      for (uint32_t i = first; i < last; ++i) {
+        // In space the tangent spans both segments, so that one small face does not decide it.
+        const uint32_t before = curve.previous(i), after = curve.next(i), face = curve.nodes[i].face;
+        const Vec3& x = frames.position[i];
+        Vec3 tangent = Vec3::Zero();
+        if (before != kNone) tangent += unit_or(x - frames.position[before], Vec3::Zero());
+        if (after != kNone) tangent += unit_or(frames.position[after] - x, Vec3::Zero());
+        tangent = unit_or(tangent, surface.to_space(face, frames.tangent[i]));
+        for (uint32_t side = 0; side < 2; ++side) {
+          const GeodesicWalk& walk = walks[2 * (i - first) + side];
+          const SurfacePoint arrived = walk.end();
+          const double length = walk.length();
+          const Vec3 face_direction = surface.to_space(face, (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i]);
+          Vec3 chord = walk.crossed() ? unit_or(position(surface, arrived) - x, face_direction) : face_direction;
+          chord -= chord.dot(tangent) * tangent;
+          frames.outward[i][side] = unit_or(chord, face_direction);
+          frames.to_boundary[i][side] = walk.hit_boundary() ? length : -1;
+          frames.radius_slope[i][side] =
+              length > 0 ? (radius_at(surface, vertex_radius, arrived) - local_radius[i]) / length : 0;
         }
-        const Vec3 face_direction = surface.to_space(face, flat_direction);
-        Vec3 chord = scratch.empty() ? face_direction : unit_or(position(surface, trace.end) - x, face_direction);
-        chord -= chord.dot(tangent) * tangent;
-        frames.outward[i][side] = unit_or(chord, face_direction);
-        frames.to_boundary[i][side] = trace.hit_boundary ? trace.length : -1;
-        frames.radius_slope[i][side] =
-            trace.length > 0 ? (radius_at(surface, vertex_radius, trace.end) - local_radius[i]) / trace.length : 0;
       }
     }
   });

@@ -13,24 +13,31 @@ namespace {
 /// the faces of a fine mesh takes a few flips for each of them.
 constexpr size_t kMostFlips = 200, kMostFlipsPerCrossing = 20;
 
-/// A rigid motion of the plane.
-struct Motion {
-  Vec2 turn{1, 0};
-  Vec2 shift;
-  Vec2 operator()(Vec2 p) const { return turn * p + shift; }
-};
+}  // namespace
 
-/// The motion that lays the face across e beside the face of e, itself laid by m.
-Motion across(const Surface& s, const Motion& m, HalfEdge e) {
-  const HalfEdge o = s.twin(e);
-  Motion next;
-  next.turn = m.turn * conj(s.transition(e));
-  const Vec2 end_of_edge = m(s.corner(face_of(e), next_corner(corner_of(e))));
-  next.shift = end_of_edge - next.turn * s.corner(face_of(o), corner_of(o));
-  return next;
+Unfolding::Unfolding(const Surface& surface, uint32_t face) : surface_(surface), face_(face) {
+  for (uint32_t k = 0; k < 3; ++k) corners_[k] = surface.corner(face, k);
 }
 
-}  // namespace
+void Unfolding::cross(HalfEdge e) {
+  const Vec2 left = corners_[next_corner(corner_of(e))], right = corners_[corner_of(e)];
+  const HalfEdge twin = surface_.twin(e);
+  face_ = face_of(twin);
+  entry_ = corner_of(twin);
+  corners_[entry_] = left;
+  corners_[next_corner(entry_)] = right;
+  corners_[prev_corner(entry_)] = left + (right - left) * surface_.hinges(face_).apex[entry_];
+}
+
+Vec2 Unfolding::place(const SurfacePoint& p) const {
+  return p.weight(0) * corners_[0] + p.b.x * corners_[1] + p.b.y * corners_[2];
+}
+
+Vec2 Unfolding::carried(Vec2 direction) const {
+  if (entry_ == kNone) return direction;
+  const Vec2 edge = corners_[next_corner(entry_)] - corners_[entry_];
+  return direction * unit(conj(edge) * surface_.along(3 * face_ + entry_));
+}
 
 void cancel_backtracks(const Surface& surface, std::vector<Crossing>& crossings) {
   size_t kept = 0;
@@ -47,8 +54,8 @@ void cancel_backtracks(const Surface& surface, std::vector<Crossing>& crossings)
 PathShape measure_path(const Surface& surface, const SurfacePoint& start, const SurfacePoint& end,
                        std::span<const Crossing> crossings) {
   PathShape shape;
-  Vec2 at = flat(surface, start);
-  Vec2 last;
+  Unfolding strip(surface, start.face);
+  Vec2 at = strip.place(start), last;
   const auto piece = [&](Vec2 to) {
     const Vec2 d = to - at;
     const double l = norm(d);
@@ -58,49 +65,45 @@ PathShape measure_path(const Surface& surface, const SurfacePoint& start, const 
       if (shape.length == 0) shape.leaving = last;
       shape.length += l;
     }
+    at = to;
   };
-  bool first = true;
-  Vec2 turn_back{1, 0};  // carries a direction of the present face back to the start's
   for (const Crossing& c : crossings) {
-    const double before = shape.length;
-    piece(flat_on_edge(surface, c));
-    if (first && shape.length > before) {
-      shape.leaving = turn_back * shape.leaving;
-      first = false;
-    }
-    last = last * surface.transition(c.e);
-    turn_back = turn_back * conj(surface.transition(c.e));
-    const Crossing r = reversed(surface, c);
-    at = flat_on_edge(surface, r);
+    const uint32_t k = corner_of(c.e);
+    piece((1 - c.t) * strip.corner(k) + c.t * strip.corner(next_corner(k)));
+    strip.cross(c.e);
   }
-  const double before = shape.length;
-  piece(flat(surface, end));
-  if (first && shape.length > before) shape.leaving = turn_back * shape.leaving;
-  shape.arriving = last;
+  piece(strip.place(end));
+  shape.arriving = strip.carried(last);
   return shape;
 }
 
 void PathShortener::unfold(const SurfacePoint& start, const SurfacePoint& end,
                            const std::vector<Crossing>& crossings) {
   portals_.clear();
-  Motion motion;
-  start_ = flat(surface_, start);
+  Unfolding strip(surface_, start.face);
+  start_ = strip.place(start);
+  uint32_t left_id = 0, right_id = 0;
   for (const Crossing& c : crossings) {
-    const uint32_t f = face_of(c.e), k = corner_of(c.e);
     // Leaving a face across the half-edge from corner k to k + 1, corner k + 1 is on the left.
-    Portal portal{motion(surface_.corner(f, next_corner(k))), motion(surface_.corner(f, k)),
-                  surface_.face(f)[next_corner(k)], surface_.face(f)[k]};
-    // The end that it shares with the portal before must be the same to the last bit: pull() compares
-    // it with itself where an edge lies along the path.
-    if (!portals_.empty()) {
-      const Portal& before = portals_.back();
-      if (before.left_vertex == portal.left_vertex) portal.left = before.left;
-      if (before.right_vertex == portal.right_vertex) portal.right = before.right;
-    }
-    portals_.push_back(portal);
-    motion = across(surface_, motion, c.e);
+    const uint32_t k = corner_of(c.e);
+    left_id += !strip.keeps_left(c.e);
+    right_id += !strip.keeps_right(c.e);
+    portals_.push_back({strip.corner(next_corner(k)), strip.corner(k), left_id, right_id});
+    strip.cross(c.e);
   }
-  end_ = motion(flat(surface_, end));
+  end_ = strip.place(end);
+  carried_ = strip.carried({1, 0});
+}
+
+/// Does the straight way from start to end meet every portal? Then that is the path.
+bool PathShortener::is_straight(std::vector<Crossing>& crossings) const {
+  const Vec2 d = end_ - start_;
+  for (size_t i = 0; i < portals_.size(); ++i) {
+    const double to_right = cross(d, portals_[i].right - start_), to_left = cross(d, portals_[i].left - start_);
+    if (!(to_right < 0 && to_left > 0)) return false;
+    crossings[i].t = clear_of_ends(-to_right / (to_left - to_right));
+  }
+  return true;
 }
 
 /// Lee and Preparata's funnel, as the "simple stupid" loop: the apex is restarted where a side
@@ -133,7 +136,7 @@ void PathShortener::pull() {
       } else {
         restart(left, left_at, true, i);
         // Skip the portals that end in the new apex.
-        while (i + 1 < n && portals_[i + 1].left_vertex == portals_[left_at].left_vertex) ++i;
+        while (i + 1 < n && portals_[i + 1].left_id == portals_[left_at].left_id) ++i;
         continue;
       }
     }
@@ -146,7 +149,7 @@ void PathShortener::pull() {
         }
       } else {
         restart(right, right_at, false, i);
-        while (i + 1 < n && portals_[i + 1].right_vertex == portals_[right_at].right_vertex) ++i;
+        while (i + 1 < n && portals_[i + 1].right_id == portals_[right_at].right_id) ++i;
         continue;
       }
     }
@@ -156,7 +159,7 @@ void PathShortener::pull() {
 
 /// The run of portals around the bend's own that end in its vertex on its side.
 std::pair<size_t, size_t> PathShortener::run_of(const Bend& bend) const {
-  const auto vertex = [&](size_t i) { return bend.left ? portals_[i].left_vertex : portals_[i].right_vertex; };
+  const auto vertex = [&](size_t i) { return bend.left ? portals_[i].left_id : portals_[i].right_id; };
   size_t first = bend.portal, last = bend.portal;
   while (first > 0 && vertex(first - 1) == vertex(bend.portal)) --first;
   while (last + 1 < portals_.size() && vertex(last + 1) == vertex(bend.portal)) ++last;
@@ -167,7 +170,8 @@ std::pair<size_t, size_t> PathShortener::run_of(const Bend& bend) const {
 /// `index` is the bend's place in corners_.
 bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings) {
   const Portal& portal = portals_[bend.portal];
-  const uint32_t v = bend.left ? portal.left_vertex : portal.right_vertex;
+  const HalfEdge e = crossings[bend.portal].e;
+  const uint32_t v = surface_.face(face_of(e))[bend.left ? next_corner(corner_of(e)) : corner_of(e)];
   if (surface_.on_boundary(v)) return false;
 
   const auto [first, last] = run_of(bend);
@@ -197,9 +201,9 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
   while (f != goal) {
     uint32_t k = 0;
     while (surface_.face(f)[k] != v) ++k;
-    const HalfEdge e = 3 * f + (bend.left ? k : prev_corner(k));
-    spliced_.push_back({e, 0.5});
-    f = face_of(surface_.twin(e));
+    const HalfEdge spoke = 3 * f + (bend.left ? k : prev_corner(k));
+    spliced_.push_back({spoke, 0.5});
+    f = face_of(surface_.twin(spoke));
   }
   spliced_.insert(spliced_.end(), crossings.begin() + static_cast<std::ptrdiff_t>(last) + 1, crossings.end());
   crossings.swap(spliced_);
@@ -207,38 +211,46 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
   return true;
 }
 
+/// Where the pulled path meets the portals.
+void PathShortener::cross_portals(std::vector<Crossing>& crossings) const {
+  size_t piece = 0;
+  for (size_t i = 0; i < portals_.size(); ++i) {
+    while (piece < bends_.size() && bends_[piece].portal < i) ++piece;
+    const Portal& p = portals_[i];
+    const Vec2 a = corners_[piece], d = corners_[piece + 1] - a;
+    const double to_right = cross(d, p.right - a), to_left = cross(d, p.left - a);
+    const double span = to_left - to_right;
+    crossings[i].t = clear_of_ends(span > 0 ? -to_right / span : 0.5);
+  }
+  // Round a bend the portals end in its vertex, and may turn by more than pi, where no line through
+  // either piece meets them.
+  for (const Bend& bend : bends_) {
+    const auto [first, last] = run_of(bend);
+    for (size_t i = first; i <= last; ++i) crossings[i].t = clear_of_ends(bend.left ? 1 : 0);
+  }
+}
+
 PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& end,
                                  std::vector<Crossing>& crossings) {
   cancel_backtracks(surface_, crossings);
   const size_t most_flips = kMostFlips + kMostFlipsPerCrossing * crossings.size();
-  for (size_t flips = 0; !crossings.empty(); ++flips) {
+  for (size_t flips = 0;; ++flips) {
     unfold(start, end, crossings);
+    const Vec2 chord = end_ - start_;
+    const double length = norm(chord);
+    if (length > 0 && is_straight(crossings)) {
+      const Vec2 direction = (1 / length) * chord;
+      return {length, direction, direction * carried_};
+    }
     pull();
     bool flipped = false;
     if (flips < most_flips) {
       for (size_t b = 0; b < bends_.size() && !flipped; ++b) flipped = flip_at(bends_[b], b + 1, crossings);
     }
     if (flipped) continue;
-
-    // Where the straight pieces meet the portals.
-    size_t piece = 0;
-    for (size_t i = 0; i < portals_.size(); ++i) {
-      while (piece < bends_.size() && bends_[piece].portal < i) ++piece;
-      const Portal& p = portals_[i];
-      const Vec2 a = corners_[piece], d = corners_[piece + 1] - a;
-      const double to_right = cross(d, p.right - a), to_left = cross(d, p.left - a);
-      const double span = to_left - to_right;
-      crossings[i].t = clear_of_ends(span > 0 ? -to_right / span : 0.5);
-    }
-    // Round a bend the portals end in its vertex, and may turn by more than pi, where no line through
-    // either piece meets them.
-    for (const Bend& bend : bends_) {
-      const auto [first, last] = run_of(bend);
-      for (size_t i = first; i <= last; ++i) crossings[i].t = clear_of_ends(bend.left ? 1 : 0);
-    }
-    break;
+    cross_portals(crossings);
+    return measure_path(surface_, start, end, crossings);
   }
-  return measure_path(surface_, start, end, crossings);
 }
 
 }  // namespace meander

@@ -16,10 +16,46 @@ struct Trace {
   bool hit_boundary = false;
 };
 
-/// Walks from `start` along `displacement` (in the plane of the start's face), unfolding face after
-/// face, and appends the crossed edges to `crossings` (not cleared). Stops just inside the boundary.
+/// A walk from `start` along `displacement` (in the plane of the start's face), one face after another.
 /// Straight within the unfolded faces: the straightest geodesic of Polthier and Schmies (1998); it
-/// passes vertices on the side where it meets them.
+/// passes vertices on the side where it meets them, and stops just inside the boundary.
+///
+/// The faces are unfolded into the plane in which the way is the positive x axis from the origin, so
+/// that a face costs one complex product and the sign of one number. Every step ends with a hint to
+/// fetch the next face: several walks in turn do not wait for memory, where a single one would.
+class GeodesicWalk {
+ public:
+  GeodesicWalk(const Surface& surface, const SurfacePoint& start, Vec2 displacement);
+
+  /// Crosses into the next face; false where the walk ends in this one, and from then on.
+  bool step();
+  /// Whether the walk has left its first face.
+  bool crossed() const { return crossings_ > 0; }
+  /// What the last step crossed.
+  Crossing crossing() const;
+
+  /// The end, once step() has returned false.
+  SurfacePoint end() const;
+  double length() const;  ///< travelled
+  bool hit_boundary() const { return hit_boundary_; }
+  Vec2 direction() const;  ///< unit, in the plane of the end's face
+
+ private:
+  double exit_at() const;
+
+  const Surface& surface_;
+  SurfacePoint start_;
+  Vec2 way_;
+  double wanted_;
+  HalfEdge exit_ = kNone;   // across which the way leaves the face, from ends_[0] to ends_[1]
+  HalfEdge entry_ = kNone;  // its twin, once there is one
+  Vec2 ends_[2];            // below the axis; on or above it
+  Vec2 behind_;             // the third corner
+  int crossings_ = 0;
+  bool ended_ = false, hit_boundary_ = false;
+};
+
+/// The whole walk. Appends the crossed edges to `crossings` (not cleared).
 Trace trace_geodesic(const Surface& surface, const SurfacePoint& start, Vec2 displacement,
                      std::vector<Crossing>& crossings);
 

@@ -53,7 +53,7 @@ void Surface::lay_out() {
   flat_.resize(n);
   axis_.resize(2 * n);
   face_normal_.resize(n);
-  height_.resize(3 * n);
+  hinges_.resize(n);
   total_angle_.assign(positions_.size(), 0.0);
   double edge_sum = 0;
   for (uint32_t f = 0; f < n; ++f) {
@@ -74,7 +74,8 @@ void Surface::lay_out() {
     flat_[f].y2 = normal.norm() / x1;
     area_ += face_area(f);
     for (uint32_t k = 0; k < 3; ++k) {
-      height_[3 * f + k] = 2 * face_area(f) / norm(corner(f, prev_corner(k)) - corner(f, next_corner(k)));
+      const Vec2 base = along(3 * f + k), side = corner(f, prev_corner(k)) - corner(f, k);
+      hinges_[f].apex[k] = (1 / dot(base, base)) * (side * conj(base));
     }
     edge_sum += x1;
     for (uint32_t k = 0; k < 3; ++k) total_angle_[faces_[f][k]] += corner_angle(f, k);
@@ -105,7 +106,7 @@ void Surface::connect() {
     while (faces_[face][k] != from) ++k;
     return 3 * face + k;
   };
-  const auto join = [&](HalfEdge a, HalfEdge b) { flat_[face_of(a)].twin[corner_of(a)] = b; };
+  const auto join = [&](HalfEdge a, HalfEdge b) { hinges_[face_of(a)].twin[corner_of(a)] = b; };
   vertex_on_boundary_.assign(positions_.size(), 0);
   for (const auto edge : mesh.edges()) {
     const HalfEdge a = half_edge(mesh.halfedge_handle(edge, 0)), b = half_edge(mesh.halfedge_handle(edge, 1));
@@ -125,15 +126,7 @@ void Surface::connect() {
   }
 
   for (HalfEdge e = 0; e < 3 * faces_.size(); ++e) {
-    if (twin(e) == kNone) {
-      boundary_.push_back(e);
-      continue;
-    }
-    const auto direction = [&](HalfEdge h) {
-      const uint32_t f = face_of(h), k = corner_of(h);
-      return unit(corner(f, next_corner(k)) - corner(f, k));
-    };
-    flat_[face_of(e)].transition[corner_of(e)] = unit(-direction(twin(e)) * conj(direction(e)));
+    if (twin(e) == kNone) boundary_.push_back(e);
   }
 }
 

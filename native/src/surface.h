@@ -59,21 +59,32 @@ class Surface {
   Vec3 to_inside(const Vec3& p) const;
 
   /// The half-edge of the neighbouring face on the same edge, kNone at the boundary.
-  HalfEdge twin(HalfEdge e) const { return flat_[face_of(e)].twin[corner_of(e)]; }
+  HalfEdge twin(HalfEdge e) const { return hinges_[face_of(e)].twin[corner_of(e)]; }
+  /// All that unfolding needs of a face, in one line of the caches: on fine meshes a walk costs what
+  /// it has to fetch.
+  struct alignas(64) Hinges {
+    /// Per half-edge the corner opposite to it, as a complex number: 0 is the start of the half-edge,
+    /// 1 its end. So a face is laid beside the one before it, wherever that lies, by one product.
+    std::array<Vec2, 3> apex;
+    std::array<HalfEdge, 3> twin{kNone, kNone, kNone};
+  };
+  const Hinges& hinges(uint32_t f) const { return hinges_[f]; }
   /// Unit complex number that carries a vector of the plane of e's face to that of its twin's face
-  /// when the two are unfolded about their edge.
-  Vec2 transition(HalfEdge e) const { return flat_[face_of(e)].transition[corner_of(e)]; }
+  /// when the two are unfolded about their edge; e is not on the boundary.
+  Vec2 transition(HalfEdge e) const { return unit(-along(twin(e)) * conj(along(e))); }
 
   /// The corners of face f in its own plane: (0, 0), (x1, 0), (x2, y2) with y2 > 0.
   Vec2 corner(uint32_t f, uint32_t k) const {
     const Flat& q = flat_[f];
     return k == 0 ? Vec2{0, 0} : (k == 1 ? Vec2{q.x1, 0} : Vec2{q.x2, q.y2});
   }
+  /// From the start of a half-edge to its end, in the plane of its face.
+  Vec2 along(HalfEdge e) const {
+    return corner(face_of(e), next_corner(corner_of(e))) - corner(face_of(e), corner_of(e));
+  }
   /// A vector of the plane of face f, in space.
   Vec3 to_space(uint32_t f, Vec2 v) const { return v.x * axis_[2 * f] + v.y * axis_[2 * f + 1]; }
   const Vec3& face_normal(uint32_t f) const { return face_normal_[f]; }
-  /// Distance of corner k of face f from the line of the opposite edge.
-  double height(uint32_t f, uint32_t k) const { return height_[3 * f + k]; }
   double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
   /// Sum of the angles of the faces around v.
   double total_angle(uint32_t v) const { return total_angle_[v]; }
@@ -82,12 +93,8 @@ class Surface {
   double mean_edge_length() const { return mean_edge_length_; }
 
  private:
-  /// All that a walk needs of a face, in one place: on meshes that do not fit into the caches a walk
-  /// costs what it has to fetch.
-  struct alignas(32) Flat {
+  struct Flat {
     double x1 = 0, x2 = 0, y2 = 0;
-    std::array<HalfEdge, 3> twin{kNone, kNone, kNone};
-    std::array<Vec2, 3> transition{Vec2{1, 0}, Vec2{1, 0}, Vec2{1, 0}};
   };
   void lay_out();
   void connect();
@@ -99,8 +106,9 @@ class Surface {
   std::vector<uint32_t> component_;
   std::vector<HalfEdge> boundary_;
   std::vector<Flat> flat_;
+  std::vector<Hinges> hinges_;
   std::vector<Vec3> axis_, face_normal_;
-  std::vector<double> total_angle_, height_;
+  std::vector<double> total_angle_;
   Vec3 low_ = Vec3::Zero();
   double scale_ = 1, area_ = 0, mean_edge_length_ = 0;
   uint32_t component_count_ = 0, turned_count_ = 0, used_vertices_ = 0, boundary_loop_count_ = 0;

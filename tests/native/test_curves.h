@@ -18,6 +18,10 @@
 
 namespace meander::test {
 
+/// The length of a path measured between its ends, and added up piece by piece, differs where the
+/// straight line comes nearer to a vertex than crossings may (places are within a diagonal of 1).
+constexpr double kMeasured = kClearance;
+
 __extension__ typedef __int128 Int128;
 
 inline bool same_bytes(const SurfacePoint& a, const SurfacePoint& b) {
