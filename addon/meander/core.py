@@ -108,6 +108,15 @@ class StopRule(IntEnum):
     PAPER = 1
 
 
+# enum { MEANDER_CURVATURE_GAUSSIAN = 0, ... MEANDER_CURVATURE_CURVEDNESS = 4 };
+CURVATURES = ("gaussian", "mean", "absolute_gaussian", "absolute_mean", "curvedness")
+
+# enum { MEANDER_DIRECTIONS_CURVATURE_MIN = 0, ... MEANDER_DIRECTIONS_SMOOTH = 2 };
+DIRECTIONS = ("curvature_min", "curvature_max", "smooth")
+
+# enum { MEANDER_ALIGN_ALONG = 0, MEANDER_ALIGN_ACROSS = 1 };
+ALIGNMENTS = ("along", "across")
+
 # enum { MEANDER_RUNNING = 0, ... MEANDER_STOPPED = 4 };
 STOP_REASONS = ("running", "converged", "iteration_limit", "stalled", "cancelled")
 
@@ -195,8 +204,12 @@ class _FlowOptions(Structure):
         ("length_weight", c_double),  # double length_weight;
         ("bending_weight", c_double),  # double bending_weight;
         ("medial_weight", c_double),  # double medial_weight;
+        ("alignment_weight", c_double),  # double alignment_weight;
+        ("length_power", c_double),  # double length_power;
+        ("medial_power", c_double),  # double medial_power;
         ("step", c_double),  # double step;
         ("growth_coarsening", c_double),  # double growth_coarsening;
+        ("start_spacing_factor", c_double),  # double start_spacing_factor;
         ("polish", c_uint32),  # uint32_t polish;
         ("stop_rule", c_uint32),  # uint32_t stop_rule;
         ("polish_bending_weight", c_double),  # double polish_bending_weight;
@@ -337,6 +350,37 @@ _PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     ),
     # meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset);
     "meander_flow_options_init": (c_int32, (POINTER(_FlowOptions), c_uint32)),
+    # size_t meander_flow_options_get_warning(const meander_flow_options* options, uint32_t index,
+    #     char* text, size_t capacity);
+    "meander_flow_options_get_warning": (
+        c_size_t,
+        (POINTER(_FlowOptions), c_uint32, c_char_p, c_size_t),
+    ),
+    # meander_status meander_surface_get_curvature(const meander_surface* surface, uint32_t kind,
+    #     double smoothing, double* values, size_t vertex_count, meander_error* error);
+    "meander_surface_get_curvature": (
+        c_int32,
+        (c_void_p, c_uint32, c_double, c_void_p, c_size_t, POINTER(_Error)),
+    ),
+    # meander_status meander_surface_get_directions(const meander_surface* surface, uint32_t kind,
+    #     double smoothing, double* directions, size_t vertex_count, meander_error* error);
+    "meander_surface_get_directions": (
+        c_int32,
+        (c_void_p, c_uint32, c_double, c_void_p, c_size_t, POINTER(_Error)),
+    ),
+    # meander_status meander_surface_extend_directions(const meander_surface* surface,
+    #     const double* points, const uint32_t* offsets, size_t stroke_count, double* directions,
+    #     size_t vertex_count, meander_error* error);
+    "meander_surface_extend_directions": (
+        c_int32,
+        (c_void_p, c_void_p, c_void_p, c_size_t, c_void_p, c_size_t, POINTER(_Error)),
+    ),
+    # meander_status meander_flow_set_directions(meander_flow* flow, const double* directions,
+    #     size_t vertex_count, uint32_t kind, meander_error* error);
+    "meander_flow_set_directions": (
+        c_int32,
+        (c_void_p, c_void_p, c_size_t, c_uint32, POINTER(_Error)),
+    ),
     # meander_status meander_flow_create(const meander_surface* surface, const meander_seed* seed,
     #     const double* density, const meander_flow_options* options, meander_flow** flow,
     #     meander_error* error);
@@ -865,6 +909,85 @@ class Surface(_Handle):
         return _figures(record)
 
 
+    def curvature(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
+        """Curvature at every vertex, (vertex count,) float64; see meander_surface_get_curvature.
+
+        kind       one of CURVATURES
+        smoothing  radius over which values are averaged, in the surface's units; 0: none
+
+        Raises MeanderError for an unknown kind and a radius larger than the mesh.
+        """
+        values = np.empty(self.vertex_count)
+        number = _choice("kind of curvature", kind, CURVATURES)
+        error = _new_error()
+        status = _library().meander_surface_get_curvature(
+            self._alive(), number, float(smoothing), _address(values), len(values), byref(error)
+        )
+        if status != Status.OK:
+            _raise(status, error)
+        return values
+
+    def directions(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
+        """A field of lines for `Flow.set_directions`, (vertex count, 3) float64: unit tangent
+        vectors, signs arbitrary, zero where there is none; see meander_surface_get_directions.
+
+        kind       one of DIRECTIONS
+        smoothing  as in `curvature`; without meaning for 'smooth'
+
+        Raises MeanderError for an unknown kind and a radius larger than the mesh.
+        """
+        directions = np.empty((self.vertex_count, 3))
+        number = _choice("kind of directions", kind, DIRECTIONS)
+        error = _new_error()
+        status = _library().meander_surface_get_directions(
+            self._alive(),
+            number,
+            float(smoothing),
+            _address(directions),
+            len(directions),
+            byref(error),
+        )
+        if status != Status.OK:
+            _raise(status, error)
+        return directions
+
+    def extended_directions(self, points: ArrayLike, offsets: ArrayLike) -> NDArray[np.float64]:
+        """The smoothest field of lines that is parallel to strokes drawn on the surface.
+
+        points   (n, 3) float64, stroke after stroke, in the surface's units
+        offsets  (s + 1,) uint32: stroke k has the points offsets[k] .. offsets[k + 1] - 1
+
+        Returns directions as `directions` does; zero on components without a stroke. Raises
+        MeanderError for offsets that do not fit and points that are not finite.
+        """
+        point_array = _array("the strokes' points", points, np.float64, 3)
+        offset_array = _array("the strokes' offsets", offsets, np.uint32, None)
+        if len(offset_array) < 2 or offset_array[-1] != len(point_array):
+            raise MeanderError(
+                f"the strokes' offsets must rise from 0 to the number of points, {len(point_array)}"
+            )
+        directions = np.empty((self.vertex_count, 3))
+        error = _new_error()
+        status = _library().meander_surface_extend_directions(
+            self._alive(),
+            _address(point_array),
+            _address(offset_array),
+            len(offset_array) - 1,
+            _address(directions),
+            len(directions),
+            byref(error),
+        )
+        if status != Status.OK:
+            _raise(status, error)
+        return directions
+
+
+def _choice(what: str, value: str, choices: tuple[str, ...]) -> int:
+    if value not in choices:
+        raise MeanderError(f"there is no {what} {value!r}; choose one of {', '.join(choices)}")
+    return choices.index(value)
+
+
 def _figures(record: Structure) -> dict[str, Any]:
     """The fields of a struct that mean something to a reader, by their C names."""
     names = [field[0] for field in record._fields_ if field[0] not in ("struct_size", "reserved")]
@@ -911,8 +1034,12 @@ class FlowOptions:
     length_weight: float
     bending_weight: float
     medial_weight: float
+    alignment_weight: float
+    length_power: float
+    medial_power: float
     step: float
     growth_coarsening: float
+    start_spacing_factor: float
     polish: bool
     stop_rule: StopRule
     polish_bending_weight: float
@@ -970,6 +1097,21 @@ def _options_record(options: FlowOptions) -> _FlowOptions:
                 f"the option {field.name} must be {wanted}, not {value!r}"
             ) from problem
     return record
+
+
+def option_warnings(options: FlowOptions) -> list[str]:
+    """What is allowed but seldom meant in the options, one sentence each.
+
+    See meander_flow_options_get_warning. Raises MeanderError for values of the wrong type.
+    """
+    record = _options_record(options)
+    function = _library().meander_flow_options_get_warning
+    warnings: list[str] = []
+    while size := function(byref(record), len(warnings), None, 0):
+        text = ctypes.create_string_buffer(size)
+        function(byref(record), len(warnings), text, size)
+        warnings.append(text.value.decode("utf-8"))
+    return warnings
 
 
 # ------------------------------------------------------------------------------------------------
@@ -1119,6 +1261,28 @@ class Flow(_Handle):
         if self._pointer is not None:
             with self._use():
                 super().close()
+
+    def set_directions(self, directions: ArrayLike | None, kind: str = "along") -> None:
+        """Gives the field of lines that the option alignment_weight refers to, before any step.
+
+        directions  (vertex count of the surface, 3) float64, of any length and either sign; zero
+                    or not finite: no wish there. None: takes a field back
+        kind        one of ALIGNMENTS: the curve lies along the field, or across it
+
+        Raises MeanderError for an array that does not fit, a field without any direction in the
+        surface, and a flow that has made an iteration.
+        """
+        array = None
+        if directions is not None:
+            array = _array("directions", directions, np.float64, 3)
+        number = _choice("kind of alignment", kind, ALIGNMENTS)
+        error = _new_error()
+        with self._use() as pointer:
+            status = _library().meander_flow_set_directions(
+                pointer, _address(array), 0 if array is None else len(array), number, byref(error)
+            )
+        if status != Status.OK:
+            _raise(status, error)
 
     def step(self, context: Context | None = None) -> str:
         """Runs one iteration and returns the stop reason, one of STOP_REASONS.

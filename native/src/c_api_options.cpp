@@ -40,8 +40,12 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   require_range(o.length_weight, 0, 1e6, "length_weight");
   require_range(o.bending_weight, 0, 1e6, "bending_weight");
   require_range(o.medial_weight, 1e-6, 1e6, "medial_weight");
+  require_range(o.alignment_weight, 0, 1e6, "alignment_weight");
+  require_range(o.length_power, 1, 8, "length_power");
+  require_range(o.medial_power, 1.5, 8, "medial_power");
   require_range(o.step, 1e-3, 2, "step");
   require_range(o.growth_coarsening, 1, 4, "growth_coarsening");
+  require_range(o.start_spacing_factor, 1, 16, "start_spacing_factor");
   require_range(o.polish_bending_weight, 0, 1e6, "polish_bending_weight");
   require_range(o.polish_length_offset, -10, 10, "polish_length_offset");
   require_range(o.polish_length_gain, 0, 100, "polish_length_gain");
@@ -59,8 +63,12 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   s.length_weight = o.length_weight;
   s.bending_weight = o.bending_weight;
   s.medial_weight = o.medial_weight;
+  s.alignment_weight = o.alignment_weight;
+  s.length_power = o.length_power;
+  s.medial_power = o.medial_power;
   s.step = o.step;
   s.growth_coarsening = o.growth_coarsening;
+  s.start_spacing_factor = o.start_spacing_factor;
   s.polish = o.polish != 0;
   s.polish_bending_weight = o.polish_bending_weight;
   s.polish_length_offset = o.polish_length_offset;
@@ -75,6 +83,32 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   return s;
 }
 
+namespace {
+
+/// Sentence `index` about what is allowed but seldom meant; empty beyond the last.
+std::string warning(const meander_flow_options& o, uint32_t index) {
+  uint32_t found = 0;
+  std::string sentence;
+  const auto warn = [&](bool holds, const std::string& text) {
+    if (holds && found++ == index) sentence = text;
+  };
+  if (!(std::isfinite(o.radius) && o.radius > 0)) return {};
+  const double h = o.segment_length / o.radius, clamp = o.max_radius / o.radius;
+  warn(h > 0.4 * (1 + 1e-9) && h <= 1, "The segment length is " + number(h) + " of half the spacing; above 0.4 nodes are "
+       "too far apart to keep strands at the spacing, so choose at most " + number(0.4 * o.radius) + ".");
+  warn(clamp < 2 * (1 - 1e-9) && clamp >= 1.5, "The largest medial radius is " + number(clamp) + " times half the spacing; "
+       "below 2 the curve may not reach everywhere, so choose at least " + number(2 * o.radius) + ".");
+  warn(o.length_weight > 5, "The length weight is " + number(o.length_weight) +
+       "; above 5 the curve stays much wider than the spacing, or shrinks to nothing.");
+  warn(o.bending_weight > 10, "The bending weight is " + number(o.bending_weight) +
+       "; above 10 the curve is too stiff to turn at the spacing and leaves gaps.");
+  warn(o.alignment_weight > 10, "The alignment weight is " + number(o.alignment_weight) +
+       "; above 10 strands hardly turn round at their ends, and gaps remain there.");
+  return sentence;
+}
+
+}  // namespace
+
 }  // namespace meander
 
 meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset) {
@@ -84,6 +118,8 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
   o.preset = preset;
   o.medial_weight = 1;
   o.border_distance = 0.5;
+  o.length_power = o.medial_power = 2;
+  o.start_spacing_factor = 1;
   o.threads = 0;
   if (preset == MEANDER_PRESET_PAPER) {
     o.length_weight = 1;
@@ -111,4 +147,17 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
   }
   *options = o;
   return MEANDER_OK;
+}
+
+size_t meander_flow_options_get_warning(const meander_flow_options* options, uint32_t index, char* text,
+                                        size_t capacity) {
+  if (!options || options->struct_size != sizeof(meander_flow_options)) return 0;
+  const std::string sentence = meander::warning(*options, index);
+  if (sentence.empty()) return 0;
+  if (text && capacity > 0) {
+    const size_t length = std::min(sentence.size(), capacity - 1);
+    std::memcpy(text, sentence.data(), length);
+    text[length] = '\0';
+  }
+  return sentence.size() + 1;
 }

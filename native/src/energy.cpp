@@ -28,6 +28,43 @@ MedialForce medial_force(const Radii& radii, double r, double q) {
   return {r * (a2 * a - b2 * b), (q - 1) * (a2 + b2)};
 }
 
+/// A medial radius this small (in r) would make powers below 2 infinitely stiff.
+constexpr double kLeastRatio = 1e-3;
+
+/// The second derivative of eq. 13's medial term as it is, over 2 alpha w: `along` the strand, and how
+/// much more across it. Positive for every q above 1.
+struct MedialStiffness {
+  double along, more_across;
+};
+
+MedialStiffness medial_stiffness(const Radii& radii, double r, double q) {
+  double sum = 0;
+  for (const double radius : radii) sum += std::pow(std::max(radius / r, kLeastRatio), q - 2);
+  return {sum, (q - 2) * sum};
+}
+
+/// Factors c of the strand's segments, see energy.h; their mean, weighted with the lengths, is 1.
+std::vector<double> power_factors(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius,
+                                  double p) {
+  std::vector<double> factor(strand.segment_count());
+  double length = 0, sum = 0;
+  for (uint32_t k = 0; k < factor.size(); ++k) {
+    const uint32_t i = strand.first + k;
+    const double l = segment_length(curve, i, local_radius[i]);
+    factor[k] = std::pow(l / local_radius[i], p - 2);
+    length += l;
+    sum += l * factor[k];
+  }
+  for (double& c : factor) c *= length / sum;
+  return factor;
+}
+
+/// N of a segment: |v x (X + X')|^2 = (v . N)^2, with X' of the sign that makes it the nearer to X.
+Vec2 across_field(Vec2 from, Vec2 to) {
+  const Vec2 line = dot(from, to) < 0 ? from - to : from + to;
+  return {line.y, -line.x};
+}
+
 /// Eq. 13's medial term over alpha w; |r+|^2 + |r-|^2 for q = 2.
 double medial_energy(const Radii& radii, double r, double q) {
   if (q == 2) return radii[0] * radii[0] + radii[1] * radii[1];
@@ -36,12 +73,19 @@ double medial_energy(const Radii& radii, double r, double q) {
 
 }  // namespace
 
+double power_balance(double q) {
+  if (q == 2) return 1;
+  return 1;
+}
+
 void StrandSystem::resize(size_t n) {
   diagonal.assign(n, 0);
   first.assign(n, 0);
   second.assign(n, 0);
   right.assign(n, Vec2{});
   frame.assign(n, Vec2{1, 0});
+  diagonal_block.clear();
+  first_block.clear();
 }
 
 void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
@@ -75,17 +119,42 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     right = right - g;
   };
 
+  const bool coupled = weights.coupled();
+  if (coupled) {
+    system.diagonal_block.assign(n, Sym2{});
+    system.first_block.assign(n, Sym2{});
+  }
+  // Adds stiffness (v . (z_k - z_(k+1)))^2 / 2, v in the frame of node k.
+  const auto stiffen_along = [&](uint32_t k, double stiffness, Vec2 v) {
+    system.diagonal_block[k].add(stiffness, v);
+    system.first_block[k].add(-stiffness, v);
+    system.diagonal_block[wrapped(k + 1)].add(stiffness, k + 1 >= n ? conj(system.holonomy) * v : v);
+  };
+
   const uint32_t segments = strand.segment_count();
+  const double p = weights.length_power;
+  const std::vector<double> factor = p != 2 ? power_factors(curve, strand, local_radius, p) : std::vector<double>{};
   for (uint32_t k = 0; k < segments; ++k) {
     const uint32_t i = s + k, j = s + wrapped(k + 1);
     const double l = segment_length(curve, i, local_radius[i]);
+    const double scale = p != 2 ? factor[k] : 1;
     const double t = 0.5 * (weights.length[i] + weights.length[j]);
-    const double stiffness = 2 * std::max(t, kLeastLengthStiffness) / l;
+    const double stiffness = 2 * std::max(t, kLeastLengthStiffness) / l * scale;
     system.diagonal[k] += stiffness;
     system.diagonal[wrapped(k + 1)] += stiffness;
     couple(k, 1, -stiffness);
-    add_gradient(k, -2 * t * direction[k]);
-    add_gradient(k + 1, 2 * t * direction[k]);
+    add_gradient(k, -2 * t * scale * direction[k]);
+    add_gradient(k + 1, 2 * t * scale * direction[k]);
+    if (p != 2) stiffen_along(k, (p - 2) * stiffness, direction[k]);
+    if (weights.alignment.empty()) continue;
+    const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
+    const Vec2 there = weights.field[j] * conj(system.frame[wrapped(k + 1)]);
+    const Vec2 across = across_field(weights.field[i] * conj(system.frame[k]),
+                                     k + 1 >= n ? system.holonomy * there : there);
+    const double pull = 2 * beta * dot(direction[k], across);
+    stiffen_along(k, 2 * beta / l, across);
+    add_gradient(k, -pull * across);
+    add_gradient(k + 1, pull * across);
   }
 
   for (uint32_t k = 0; k < n; ++k) {
@@ -96,7 +165,13 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
     const Vec2 b = frames.bitangent2[i] * conj(system.frame[k]);
     const MedialForce f = medial_force(radii[i], r, weights.medial_power);
-    system.diagonal[k] += 2 * alpha * w * f.stiffness;
+    if (weights.medial_blocks) {
+      const MedialStiffness m = medial_stiffness(radii[i], r, weights.medial_power);
+      system.diagonal[k] += 2 * alpha * w * m.along;
+      system.diagonal_block[k].add(2 * alpha * w * m.more_across, b);
+    } else {
+      system.diagonal[k] += 2 * alpha * w * f.stiffness;
+    }
     add_gradient(k, -2 * alpha * w * f.pull * b);
   }
 
@@ -129,6 +204,9 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     system.first[k] = system.second[k] = 0;
     if (strand.closed || k >= 1) system.first[(k + n - 1) % n] = 0;
     if (strand.closed || k >= 2) system.second[(k + 2 * n - 2) % n] = 0;
+    if (!coupled) continue;
+    system.diagonal_block[k] = system.first_block[k] = Sym2{};
+    if (strand.closed || k >= 1) system.first_block[(k + n - 1) % n] = Sym2{};
   }
 }
 
@@ -147,6 +225,27 @@ double energy(const Curve& curve, const std::vector<Radii>& radii, const std::ve
       const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
       sum += weights.bending[i] * r * r * dot(turn, turn) / w;
     }
+  }
+  if (weights.length_power != 2) {
+    const double p = weights.length_power;
+    for (const Strand& strand : curve.strands) {
+      const std::vector<double> factor = power_factors(curve, strand, local_radius, p);
+      for (uint32_t k = 0; k < factor.size(); ++k) {
+        const uint32_t i = strand.first + k;
+        const double t = 0.5 * (weights.length[i] + weights.length[curve.next(i)]);
+        sum += t * (2 / p * factor[k] - 1) * curve.shapes[i].length;  // in place of t l
+      }
+    }
+  }
+  for (uint32_t i = 0; i < curve.size() && !weights.alignment.empty(); ++i) {
+    if (!curve.has_segment(i)) continue;
+    const uint32_t j = curve.next(i);
+    const PathShape& shape = curve.shapes[i];
+    const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
+    // The line at the end, carried back along the segment.
+    const Vec2 there = weights.field[j] * conj(shape.arriving) * shape.leaving;
+    const double across = dot(shape.leaving, across_field(weights.field[i], there));
+    sum += beta * shape.length * across * across;
   }
   return sum;
 }

@@ -12,9 +12,18 @@
 //            (eq. 13)  for a power q other than 2: alpha_i w_i r_i^2 2 / q ((|z_i - r+ B_i| / r_i)^q + ...),
 //                      whose force at a radius of r is that of q = 2, so the spacing stays the same
 //   bending  (eq. 12)  b r_i^2 / w_i |(u_i - (z_i - z_(i+1)) / l_i) - (u_(i-1) - (z_(i-1) - z_i) / l_(i-1))|^2
+//   field    (eq. 11)  beta_i / l_i |(z_i - z_(i+1) - l_i u_i) x (X_i + X_(i+1))|^2
 //
-// with u_i the unit direction of segment i. So the Hessian is a real symmetric band of width 2 for
-// both components. A closed strand meets itself again after a turn: its frame then differs from the
+// with u_i the unit direction of segment i, and X the field's lines, of the sign that makes X_(i+1)
+// the nearer to X_i. Without the last term the Hessian is a real symmetric band of width 2 for both
+// components; that term couples them in 2 x 2 blocks, and so do powers other than 2:
+//
+//   length   (eq. 13)  t_i 2 / p  c_i l_i (|z_i - z_(i+1) - l_i u_i| / l_i)^p
+//
+// where c_i = (l_i / r_i)^(p-2), divided by its mean along the strand: eq. 13 in units that cancel h,
+// scaled so that the strand as a whole pulls as with p = 2.
+//
+// A closed strand meets itself again after a turn: its frame then differs from the
 // first by a unit complex number, the holonomy, which multiplies the couplings across the join.
 #pragma once
 
@@ -32,12 +41,34 @@ inline constexpr double kAlphaRadiusSquared = 2.8284271247461903;  // 2 sqrt(2)
 /// (it may be negative, to let a strand grow), the Hessian uses this.
 inline constexpr double kLeastLengthStiffness = 0.05;
 
+/// What alpha has to be multiplied by so that a power q of the medial term leaves the spacing as it is.
+double power_balance(double q);
+
 /// Weights of the model; the arrays have one entry a node.
 struct Weights {
   std::vector<double> length;   ///< t; may be negative in the gradient
   std::vector<double> bending;  ///< b
   double medial = 1;            ///< factor on alpha
   double medial_power = 2;      ///< q
+  /// The Hessian of the power q as it is, in 2 x 2 blocks; else the larger of its two eigenvalues
+  /// serves both along and across the strand.
+  bool medial_blocks = false;
+  double length_power = 2;        ///< p
+  std::vector<double> alignment;  ///< beta; empty: no field
+  std::vector<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
+
+  bool coupled() const { return medial_blocks || length_power != 2 || !alignment.empty(); }
+};
+
+/// A real symmetric 2 x 2 matrix.
+struct Sym2 {
+  double xx = 0, xy = 0, yy = 0;
+
+  void add(double factor, Vec2 v) {  ///< factor v v^T
+    xx += factor * v.x * v.x;
+    xy += factor * v.x * v.y;
+    yy += factor * v.y * v.y;
+  }
 };
 
 /// H z = -g of one strand: entry k of `first` couples nodes k and k + 1, of `second` k and k + 2. In
@@ -46,6 +77,7 @@ struct Weights {
 struct StrandSystem {
   bool closed = false;
   std::vector<double> diagonal, first, second;
+  std::vector<Sym2> diagonal_block, first_block;  ///< added to the above where the components are coupled
   std::vector<Vec2> right;  ///< -g
   std::vector<Vec2> frame;  ///< carries z into the plane of the node's face
   Vec2 holonomy{1, 0};
@@ -57,7 +89,8 @@ struct StrandSystem {
 void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
               const std::vector<double>& local_radius, const Weights& weights, StrandSystem& system);
 
-/// The energy of the curve as it is: t L + alpha E_M + b r^2 sum |u_i - u_(i-1)|^2 / w_i (eqs. 1, 2).
+/// The energy of the curve as it is: t L + alpha E_M + b r^2 sum |u_i - u_(i-1)|^2 / w_i (eqs. 1, 2), and
+/// the field term.
 double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
               const Weights& weights);
 

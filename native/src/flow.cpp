@@ -45,12 +45,15 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
            const FlowSettings& settings)
     : surface_(std::move(surface)),
       settings_(settings),
-      vertex_radius_(radii_of_vertices(*surface_, settings.radius, density)),
+      wanted_radius_(radii_of_vertices(*surface_, settings.radius, density)),
+      vertex_radius_(wanted_radius_),
       normals_(*surface_, settings.radius),
       boundary_(*surface_, 0.5 * settings.segment_length),
       team_(settings.threads),
       curve_(first_curve(*surface_, seed, vertex_radius_, settings.widen_loops, team_)),
-      convergence_(settings.stop_rule, settings.polish) {
+      convergence_(settings.stop_rule, settings.polish),
+      approach_(settings.start_spacing_factor, settings.radius, surface_->area()) {
+  scale_radii(approach_.factor());
   refine();
 }
 
@@ -106,7 +109,11 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   record.length = curve_.length();
   figures.length = curve_.growing_length();
   record.nodes = curve_.size();
-  convergence_.note(*surface_, curve_, local_radius_, figures, team_);
+  if (approach_.arrived()) {
+    convergence_.note(*surface_, curve_, local_radius_, figures, team_);
+  } else {
+    scale_radii(approach_.next(figures));
+  }
   record.seconds = total.lap();
   seconds_.total += record.seconds;
   history_.push_back(record);
@@ -130,7 +137,8 @@ Flow::Measure Flow::measure() {
   m.energy = energy(curve_, felt_radii_, local_radius_, weights_);
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     if (curve_.on_guide(i)) continue;
-    for (const double r : felt_radii_[i]) m.spacing.push_back(2 * settings_.radius * r / local_radius_[i]);
+    const double nominal = 2 * settings_.radius * approach_.factor();
+    for (const double r : felt_radii_[i]) m.spacing.push_back(nominal * r / local_radius_[i]);
   }
   std::sort(m.spacing.begin(), m.spacing.end());
   CrossingTest test;
@@ -153,6 +161,11 @@ std::vector<Gap> Flow::gaps(double least_size) {
     });
   }
   return gaps;
+}
+
+/// Makes the spacing everywhere this much of the one asked for.
+void Flow::scale_radii(double factor) {
+  for (size_t v = 0; v < vertex_radius_.size(); ++v) vertex_radius_[v] = factor * wanted_radius_[v];
 }
 
 /// r and r_max at every node.
@@ -220,8 +233,11 @@ bool Flow::sees_nothing(uint32_t node) const {
 
 void Flow::choose_weights() {
   const uint32_t n = curve_.size();
-  weights_.medial = settings_.medial_weight;
-  weights_.medial_power = convergence_.polishing() ? settings_.polish_medial_power : 2;
+  const double q = settings_.medial_power;
+  weights_.medial = settings_.medial_weight * power_balance(q);
+  weights_.medial_power = convergence_.polishing() ? std::max(q, settings_.polish_medial_power) : q;
+  weights_.medial_blocks = q != 2;
+  weights_.length_power = settings_.length_power;
   weights_.length.assign(n, settings_.length_weight);
   weights_.bending.assign(n, convergence_.polishing() ? settings_.polish_bending_weight : settings_.bending_weight);
   if (convergence_.polishing()) follow_spacing();
@@ -230,7 +246,18 @@ void Flow::choose_weights() {
       if (sees_nothing(i)) weights_.length[i] = kIntoEmpty;
     }
   }
+  find_directions();
   soften_young_strands();
+}
+
+/// The field at the nodes, and how much it weighs there.
+void Flow::find_directions() {
+  if (field_.empty() || settings_.alignment_weight == 0) return;
+  weights_.alignment.assign(curve_.size(), settings_.alignment_weight);
+  weights_.field.resize(curve_.size());
+  team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) weights_.field[i] = field_.at(curve_.nodes[i]);
+  });
 }
 
 void Flow::soften_young_strands() {
@@ -246,6 +273,7 @@ void Flow::soften_young_strands() {
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       weights_.bending[i] = 0;
       weights_.length[i] = std::min(weights_.length[i], 0.0);
+      if (!weights_.alignment.empty()) weights_.alignment[i] = 0;
     }
   }
 }

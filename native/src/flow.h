@@ -11,11 +11,13 @@
 #include "energy.h"
 #include "frames.h"
 #include "gaps.h"
+#include "line_field.h"
 #include "medial_axis.h"
 #include "parallel.h"
 #include "refine.h"
 #include "retraction.h"
 #include "seed.h"
+#include "spacing_approach.h"
 
 namespace meander {
 
@@ -25,8 +27,11 @@ struct FlowSettings {
   double segment_length = 0;
   double max_radius = 0;
   double length_weight = 0, bending_weight = 0, medial_weight = 1;
+  double alignment_weight = 0;
+  double length_power = 2, medial_power = 2;
   double step = 1;
   double growth_coarsening = 1;
+  double start_spacing_factor = 1;
   bool polish = false;
   double polish_bending_weight = 0, polish_length_offset = 0, polish_length_gain = 0;
   double polish_medial_power = 2;
@@ -58,6 +63,9 @@ class Flow {
   Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const std::vector<double>& density,
        const FlowSettings& settings);
 
+  /// The lines that alignment_weight refers to; before the first iteration.
+  void set_field(LineField field) { field_ = std::move(field); }
+
   /// One iteration; false, with everything as before, when `cancelled` said so before the curve moved.
   bool step(const std::function<bool()>& cancelled);
 
@@ -88,11 +96,13 @@ class Flow {
 
  private:
   bool iterate(const std::function<bool()>& cancelled);
+  void scale_radii(double factor);
   void find_local_radii();
   void find_radii();
   void stir_empty_stretches();
   bool sees_nothing(uint32_t node) const;
   void choose_weights();
+  void find_directions();
   void soften_young_strands();
   void follow_spacing();
   std::vector<Vec2> displacements();
@@ -100,8 +110,10 @@ class Flow {
 
   std::shared_ptr<const Surface> surface_;
   FlowSettings settings_;
-  std::vector<double> vertex_radius_;  // local r at the vertices
+  std::vector<double> wanted_radius_;  // local r at the vertices,
+  std::vector<double> vertex_radius_;  // and as it is while the curve approaches its spacing
   NormalField normals_;
+  LineField field_;
   BoundaryObstacle boundary_;
   Team team_;
   Curve curve_;
@@ -113,6 +125,7 @@ class Flow {
   Retraction retraction_;
   Refinement refinement_;
   Convergence convergence_;
+  SpacingApproach approach_;
   std::vector<IterationRecord> history_;
   FlowSeconds seconds_;
   bool cancelled_ = false;

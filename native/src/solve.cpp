@@ -9,6 +9,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "coupled_solve.h"
+
 namespace meander {
 namespace {
 
@@ -150,6 +152,7 @@ std::vector<Vec2> solve_closed(const StrandSystem& a) {
 }  // namespace
 
 std::vector<Vec2> solve(const StrandSystem& system) {
+  if (!system.diagonal_block.empty()) return solve_coupled(system);
   if (system.closed) {
     return system.diagonal.size() < kLeastBanded ? solve_dense(system) : solve_closed(system);
   }

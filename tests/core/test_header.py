@@ -119,6 +119,12 @@ def test_constants_are_those_of_the_header() -> None:
     ours |= {f"MEANDER_PRESET_{name.upper()}": at for at, name in enumerate(core.PRESETS)}
     ours |= {f"MEANDER_BOUNDARY_{rule.name}": int(rule) for rule in core.BoundaryRule}
     ours |= {f"MEANDER_STOP_{rule.name}": int(rule) for rule in core.StopRule}
+    for prefix, names in (
+        ("CURVATURE", core.CURVATURES),
+        ("DIRECTIONS", core.DIRECTIONS),
+        ("ALIGN", core.ALIGNMENTS),
+    ):
+        ours |= {f"MEANDER_{prefix}_{name.upper()}": at for at, name in enumerate(names)}
     # The C name of 'cancelled' differs, since MEANDER_CANCELLED is the status.
     reasons = ["STOPPED" if name == "cancelled" else name.upper() for name in core.STOP_REASONS]
     ours |= {f"MEANDER_{name}": at for at, name in enumerate(reasons)}

@@ -59,17 +59,36 @@ class LiteralModel {
       if (after != kNone) {
         const Rigid first = lay_flat(s, c.nodes[i], c.shapes[i].leaving, Vec3::Zero(), 0);
         const Rigid second = lay_flat(s, c.nodes[after], c.shapes[i].arriving, Vec3(l1, 0, 0), 0);
+        // Eq. 13, expanded to second order about the curve as it is: stiffer along the segment.
+        const double p = weights.length_power;
+        const double f = stretch(c, i, r, p) / l1;
         const double t = 0.5 * (weights.length[i] + weights.length[after]);
-        add({{i, first, 1}, {after, second, -1}}, s, c, t / l1,
-            std::max(t, kLeastLengthStiffness) / l1);
+        const double stiffness = std::max(t, kLeastLengthStiffness) * f;
+        add({{i, first, 1}, {after, second, -1}}, s, c, t * f, stiffness);
+        const Mat3 along = Vec3(1, 0, 0).asDiagonal();
+        add({{i, first, 1}, {after, second, -1}}, s, c, 0, (p - 2) * stiffness, along);
+        // Eq. 11, the field's vectors laid into the same plane.
+        if (!weights.alignment.empty()) {
+          const Vec3 here = first.turn * s.to_space(c.nodes[i].face, weights.field[i]);
+          const Vec3 there = second.turn * s.to_space(c.nodes[after].face, weights.field[after]);
+          const Vec3 sum = here.dot(there) < 0 ? Vec3(here - there) : Vec3(here + there);
+          Mat3 cross_with;
+          cross_with << 0, sum.z(), -sum.y(), -sum.z(), 0, sum.x(), sum.y(), -sum.x(), 0;
+          const double beta = 0.5 * (weights.alignment[i] + weights.alignment[after]);
+          add({{i, first, 1}, {after, second, -1}}, s, c, beta / l1, beta / l1, cross_with);
+        }
       }
       // Eqs. 6 and 7: distances from the two medial centres, which are fixed.
       const double alpha = weights.medial * 2 * std::sqrt(2.0) / (r[i] * r[i]);
       for (int side = 0; side < 2; ++side) {
         const Vec3 b = s.to_space(c.nodes[i].face, frames.bitangent2[i]);
         const Vec3 centre = x + (side == 0 ? 1 : -1) * radii[i][side] * b;
-        const double w = alpha * 0.5 * (l0 + l1);
-        squares_.push_back({{{i, Mat3::Identity()}}, x - centre, w, w});
+        // Eq. 13 to second order; the library may take the larger second derivative for both.
+        const double q = weights.medial_power;
+        const double w = alpha * 0.5 * (l0 + l1) * std::pow(radii[i][side] / r[i], q - 2);
+        const bool larger = !weights.medial_blocks;
+        squares_.push_back({{{i, Mat3::Identity()}}, x - centre, w, larger ? (q - 1) * w : w});
+        if (!larger) squares_.push_back({{{i, b * b.transpose()}}, Vec3::Zero(), 0, (q - 2) * w});
       }
       // Eq. 12 with the weight b r^2 / w: the previous node is laid into the plane of this one's
       // next segment, at the angle at which the strand bends here.
@@ -85,6 +104,19 @@ class LiteralModel {
         add({{before, p, 1 / l0}, {i, q, -1 / l0 - 1 / l1}, {after, f, 1 / l1}}, s, c, w, w);
       }
     }
+  }
+
+  /// The factor of a segment in eq. 13: (l / r)^(p - 2) over its mean along the strand.
+  static double stretch(const Curve& c, uint32_t i, const std::vector<double>& r, double p) {
+    double length = 0, sum = 0;
+    for (const Strand& strand : c.strands) {
+      if (i < strand.first || i >= strand.end()) continue;
+      for (uint32_t k = strand.first; k < strand.first + strand.segment_count(); ++k) {
+        length += c.shapes[k].length;
+        sum += c.shapes[k].length * std::pow(c.shapes[k].length / r[k], p - 2);
+      }
+    }
+    return std::pow(c.shapes[i].length / r[i], p - 2) * length / sum;
   }
 
   /// Energy of the model at displacements d (3 n).
@@ -137,11 +169,11 @@ class LiteralModel {
     double factor;
   };
   void add(const std::vector<Part>& parts, const Surface& s, const Curve& c, double weight,
-           double stiffness) {
+           double stiffness, const Mat3& of = Mat3::Identity()) {
     Square q{{}, Vec3::Zero(), weight, stiffness};
     for (const Part& p : parts) {
-      q.terms.emplace_back(p.node, p.factor * p.motion.turn);
-      q.constant += p.factor * p.motion(position(s, c.nodes[p.node]));
+      q.terms.emplace_back(p.node, p.factor * of * p.motion.turn);
+      q.constant += p.factor * of * p.motion(position(s, c.nodes[p.node]));
     }
     squares_.push_back(std::move(q));
   }

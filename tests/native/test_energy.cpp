@@ -26,6 +26,13 @@ struct Scene {
     compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), team, frames);
   }
 
+  void align() {
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      weights.alignment.push_back(rng.in(0, 2));
+      weights.field.push_back(rng() * rng.direction());
+    }
+  }
+
   Surface surface;
   Rng rng;
   Curve curve;
@@ -44,6 +51,89 @@ TEST(Energy, IsTheModelWhereNothingMoves) {
     const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
     EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights), expected,
                 kRounding * std::abs(expected));
+  }
+}
+
+TEST(Energy, OfTheFieldIsTheModelsWhereNothingMoves) {
+  for (const Mesh& mesh : meshes()) {
+    Scene s(mesh, 54);
+    s.align();
+    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.radius, s.weights);
+    const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
+    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights), expected,
+                kRounding * std::abs(expected));
+  }
+}
+
+/// Eq. 13 as it is written, in units that make it t L for p = 2, with one segment's end moved.
+TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
+  // Differences of a smooth function: second order in the step, over rounding by its square.
+  constexpr double kStep = 1e-4, kDifference = 1e-4;
+  for (const Mesh& mesh : meshes()) {
+    for (const double p : {1.0, 1.5, 3.0, 6.0}) {
+      for (const double q : {1.5, 3.0, 6.0}) {
+        Scene s(mesh, 55);
+        const uint32_t n = s.curve.size();
+        s.weights.length.assign(n, 0.7);
+        s.weights.bending.assign(n, 0);
+        s.weights.length_power = p;
+        s.weights.medial_power = q;
+        s.weights.medial_blocks = true;
+        double at_rest = 0;
+        for (const Strand& strand : s.curve.strands) {
+          StrandSystem system;
+          assemble(s.curve, strand, s.frames, s.radii, s.radius, s.weights, system);
+          // The literal energy of all terms that node k takes part in, moved by z in its frame.
+          const auto literal = [&](uint32_t k, Vec2 z) {
+            const uint32_t i = strand.first + k, before = s.curve.previous(i);
+            const double r = s.radius[i];
+            double sum = 0, w = 0;
+            const auto length = [&](uint32_t segment, Vec2 moved) {
+              const double l = s.curve.shapes[segment].length;
+              w += 0.5 * l;
+              const double c = LiteralModel::stretch(s.curve, segment, s.radius, p);
+              sum += 0.7 * 2 / p * c * l * std::pow(norm(moved) / l, p);
+            };
+            const Vec2 flat = system.frame[k] * z;
+            if (s.curve.has_segment(i))
+              length(i, s.curve.shapes[i].length * s.curve.shapes[i].leaving - flat);
+            if (before != kNone)
+              length(before, s.curve.shapes[before].length * s.curve.shapes[before].arriving + flat);
+            const double alpha = s.weights.medial * 2 * std::sqrt(2.0) / (r * r);
+            for (int side = 0; side < 2; ++side) {
+              const Vec2 centre = (side == 0 ? 1 : -1) * s.radii[i][side] * s.frames.bitangent2[i];
+              sum += alpha * w * r * r * 2 / q * std::pow(norm(flat - centre) / r, q);
+            }
+            return sum;
+          };
+          for (uint32_t k = 0; k < strand.count; ++k) {
+            const Vec2 way = s.rng.direction();
+            const double step = kStep * s.radius[strand.first + k] * 0.1;
+            const double ahead = literal(k, step * way), behind = literal(k, -step * way);
+            const double here = literal(k, {});
+            const double slope = (ahead - behind) / (2 * step);
+            EXPECT_NEAR(-dot(system.right[k], way), slope, kDifference * (1 + std::abs(slope)));
+            const Sym2& m = system.diagonal_block[k];
+            const double curvature = system.diagonal[k] + m.xx * way.x * way.x +
+                                     2 * m.xy * way.x * way.y + m.yy * way.y * way.y;
+            EXPECT_NEAR(curvature, (ahead + behind - 2 * here) / (step * step),
+                        3e-3 * std::abs(curvature));
+          }
+          for (uint32_t k = 0; k < strand.count; ++k) {
+            const uint32_t i = strand.first + k, before = s.curve.previous(i);
+            const double l = s.curve.has_segment(i) ? s.curve.shapes[i].length : 0;
+            const double w = 0.5 * (l + (before != kNone ? s.curve.shapes[before].length : 0));
+            if (l > 0)
+              at_rest += 0.7 * 2 / p * LiteralModel::stretch(s.curve, i, s.radius, p) * l;
+            for (const double radius : s.radii[i])
+              at_rest += s.weights.medial * 2 * std::sqrt(2.0) * w * 2 / q *
+                         std::pow(radius / s.radius[i], q);
+          }
+        }
+        EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights), at_rest,
+                    kRounding * std::abs(at_rest));
+      }
+    }
   }
 }
 

@@ -12,12 +12,42 @@ namespace {
 /// (bending, up to 1 / l^3) against the softest (the medial one).
 constexpr double kAgreement = 1e-9;
 
+struct Range {
+  double low, high, bending;
+  double alignment = 0, length_power = 2, medial_power = 2;
+  bool medial_blocks = false;
+};
+constexpr Range kRanges[] = {
+    {1, 1, 0},
+    {0, 0, 1},
+    {0.2, 2, 0.5},
+    {-1, 3, 0.6},
+    {-1, 0.1, 0},
+    {-1, 3, 0.6, 0, 2, 4},           // as in the polish
+    {0, 1, 0.5, 1},                  // field
+    {1, 1, 0, 3},                    //
+    {0.2, 2, 0.5, 0, 3},             // powers
+    {-1, 3, 0, 0, 1.2},              //
+    {1, 1, 0.5, 0, 2, 6, true},      //
+    {0, 1, 0, 0, 2, 1.5, true},      //
+    {-1, 2, 0.5, 2, 4, 3, true}};    // all at once
+
 struct Scene {
   explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)) {}
 
-  /// Random weights; `length` is the range of the length weights.
-  void fill(Rng& rng, double low, double high, double bending, double fixed_share) {
+  /// Random weights within a range.
+  void fill(Rng& rng, const Range& range, double fixed_share) {
+    const auto& [low, high, bending, alignment, p, q, blocks] = range;
     const uint32_t n = curve.size();
+    weights.length_power = p;
+    weights.medial_power = q;
+    weights.medial_blocks = blocks;
+    weights.alignment.clear();
+    weights.field.clear();
+    for (uint32_t i = 0; i < n && alignment > 0; ++i) {
+      weights.alignment.push_back(alignment * rng.in(0.1, 1));
+      weights.field.push_back(rng() * rng.direction());
+    }
     radius.resize(n);
     radii.resize(n);
     weights.length.resize(n);
@@ -66,21 +96,18 @@ std::vector<Mesh> curved_meshes() {
           cone(9, 4, 1.5), cone(12, 4, 0.7, true), flat_grid(6)};
 }
 
-struct Range {
-  double low, high, bending;
-};
-constexpr Range kRanges[] = {{1, 1, 0}, {0, 0, 1}, {0.2, 2, 0.5}, {-1, 3, 0.6}, {-1, 0.1, 0}};
-
 void compare(Scene& scene, Rng& rng) {
   for (const Range& range : kRanges) {
     for (const double fixed_share : {0.0, 0.2}) {
-      scene.fill(rng, range.low, range.high, range.bending, fixed_share);
+      scene.fill(rng, range, fixed_share);
       const Eigen::VectorXd expected = scene.literal().dense_step(scene.curve.fixed);
       const Eigen::VectorXd step = scene.banded_step();
       ASSERT_TRUE(step.allFinite());
       EXPECT_LE((step - expected).norm(), kAgreement * expected.norm())
           << "n = " << scene.curve.size() << ", length weight from " << range.low << " to "
-          << range.high << ", bending " << range.bending << ", fixed " << fixed_share;
+          << range.high << ", bending " << range.bending << ", alignment " << range.alignment
+          << ", powers " << range.length_power << " " << range.medial_power << ", fixed "
+          << fixed_share;
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         if (scene.curve.fixed[i]) {
           EXPECT_EQ(step.segment<3>(3 * i).norm(), 0);
@@ -150,7 +177,7 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
         scene.curve.shapes[k] = shortener.shorten(from, to, path);
       }
       ASSERT_TRUE(whole(scene.surface, scene.curve));
-      scene.fill(rng, 0.2, 1, 0.5, 0);
+      scene.fill(rng, {0.2, 1, 0.5}, 0);
       StrandSystem system;
       assemble(scene.curve, scene.curve.strands[0], scene.frames, scene.radii, scene.radius,
                scene.weights, system);
@@ -174,7 +201,7 @@ TEST(Step, OfLongStrandsLeavesNoResidual) {
     add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.2, 1000, 0.02, rng);
     add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.3, 600, 0.02, rng);
     for (const Range& range : kRanges) {
-      scene.fill(rng, range.low, range.high, range.bending, 0.01);
+      scene.fill(rng, range, 0.01);
       const Eigen::VectorXd step = scene.banded_step();
       Eigen::VectorXd magnitude;
       const Eigen::VectorXd residual = scene.literal().gradient(step, &magnitude);
@@ -192,7 +219,7 @@ TEST(Step, GoesDownhillWhereNoWeightIsNegative) {
   for (const Mesh& mesh : curved_meshes()) {
     Scene scene(mesh);
     add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.03, 30, 0.8, rng);
-    scene.fill(rng, 0.1, 2, 1, 0);
+    scene.fill(rng, {0.1, 2, 1}, 0);
     const LiteralModel model = scene.literal();
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(3 * 30), step = scene.banded_step();
     EXPECT_LT(model.energy(step), model.energy(zero));

@@ -11,7 +11,9 @@
  *
  *     meander_surface_create     mesh in; checked, copied, ready for any number of flows
  *     meander_surface_create_prepared   the same for a mesh with faults, or for a part of one
+ *     meander_surface_get_...    curvature and direction fields of it, for density and alignment
  *     meander_flow_create        seed, spacing, density; nothing moves yet
+ *     meander_flow_set_...       what else the curve shall follow
  *     meander_flow_step / run    the flow; cancel from any thread through a meander_context
  *     meander_flow_start / wait  the same run on a thread of the library's, watched by previews
  *     meander_flow_polylines     curve out, at any time between steps
@@ -282,8 +284,16 @@ typedef struct meander_flow_options {
   double length_weight;     /* t, weight of eq. 5; in [0, 1e6], as is every bending weight */
   double bending_weight;    /* b, weight of b r^2 sum |t_i - t_(i-1)|^2 / w_i (scaled eq. 12); >= 0 */
   double medial_weight;     /* factor on alpha = 2 sqrt(2) / r^2 of eq. 9; in [1e-6, 1e6]; 1 keeps the spacing */
+  double alignment_weight;  /* beta_F of eq. 11, towards the field of meander_flow_set_directions; in [0, 1e6];
+                               0: off. The paper's 0.5 to 1 are useful values */
+  double length_power;      /* p of eq. 13, in [1, 8]; 2: plain. Scaled so that the whole strand pulls as with 2 */
+  double medial_power;      /* q of eq. 13, in [1.5, 8]; 2: plain. Scaled so that the spacing stays. A polish
+                               takes the larger of this and polish_medial_power */
   double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
   double growth_coarsening; /* before a polish, segments are this much longer than h; in [1, 4] */
+  double start_spacing_factor; /* the curve first fills the surface at this many times the spacing, which then
+                               shrinks to the one asked for (Fig. 25): fewer corners, more iterations; in
+                               [1, 16]; 1: off */
   uint32_t polish;          /* 1: close the gaps at the end with length weights that follow the spacing */
   uint32_t stop_rule;       /* MEANDER_STOP_... */
   double polish_bending_weight; /* b in the polish */
@@ -305,6 +315,96 @@ typedef struct meander_flow_options {
  * Returns MEANDER_INVALID_ARGUMENT for NULL or an unknown preset. Any thread. */
 MEANDER_API meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset);
 
+/* What is allowed but seldom meant, one sentence each: segments so long that the spacing suffers
+ * (segment_length above r / 2.5, Fig. 15), a clamp so small that the curve may not reach everywhere
+ * (max_radius below 2 r, Fig. 19), weights and powers far beyond the useful.
+ *
+ * options   as for meander_flow_create; a field out of its range gives no warning, creating refuses it
+ * index     0 for the first warning
+ * text      receives the sentence, UTF-8, zero-terminated, cut to `capacity`; may be NULL when capacity is 0
+ * returns   the bytes that the whole sentence needs, the zero included; 0 when there is no warning of
+ *           this index, and for NULL options or a wrong struct_size. Any thread. */
+MEANDER_API size_t meander_flow_options_get_warning(const meander_flow_options* options, uint32_t index,
+                                                    char* text, size_t capacity);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Surface: fields                                                                              */
+
+/* What meander_surface_get_curvature computes at a vertex. */
+enum {
+  MEANDER_CURVATURE_GAUSSIAN = 0,          /* angle defect over area */
+  MEANDER_CURVATURE_MEAN = 1,              /* (k1 + k2) / 2; positive where the surface bulges outwards */
+  MEANDER_CURVATURE_ABSOLUTE_GAUSSIAN = 2, /* |k1 k2|, the absolute value taken before the smoothing */
+  MEANDER_CURVATURE_ABSOLUTE_MEAN = 3,     /* |k1 + k2| / 2, likewise */
+  MEANDER_CURVATURE_CURVEDNESS = 4         /* sqrt((k1^2 + k2^2) / 2), likewise */
+};
+
+/* Curvature of the surface at its vertices, for use as a density (Fig. 23).
+ *
+ * Gaussian: angle defects. Mean and principal curvatures: the angles between faces, Cohen-Steiner and
+ * Morvan, "Restricted Delaunay Triangulations and Normal Cycle", SoCG 2003. Both count per area, so
+ * they converge with refinement, and both are 0 across the boundary. Smoothing is one implicit step of
+ * diffusion (Desbrun et al. 1999), which keeps the integral.
+ *
+ * kind          MEANDER_CURVATURE_...
+ * smoothing     radius over which values are averaged, in the caller's units; 0: none; at most the
+ *               diagonal. About the spacing is a good value
+ * values        receives double[vertex_count]: 1 / length^2 for the Gaussian kinds, else 1 / length;
+ *               0 at vertices that no face of the surface uses
+ * vertex_count  as passed to meander_surface_create
+ *
+ * Any thread. */
+MEANDER_API meander_status meander_surface_get_curvature(const meander_surface* surface, uint32_t kind,
+                                                         double smoothing, double* values,
+                                                         size_t vertex_count, meander_error* error);
+
+/* Which directions meander_surface_get_directions computes. */
+enum {
+  MEANDER_DIRECTIONS_CURVATURE_MIN = 0, /* along which the surface bends least: along a cylinder */
+  MEANDER_DIRECTIONS_CURVATURE_MAX = 1, /* along which it bends most: round a cylinder */
+  MEANDER_DIRECTIONS_SMOOTH = 2         /* the smoothest field of lines */
+};
+
+/* A field of lines on the surface, for meander_flow_set_directions.
+ *
+ * Curvature: principal directions (as in meander_surface_get_curvature), averaged over the radius
+ * `smoothing` along the surface. Where it bends alike in all directions they say nothing and are left
+ * to the neighbourhood. Smooth: the least eigenvector of the connection Laplacian of line fields, one
+ * for each component, by inverse power iteration; Knoppel, Crane, Pinkall, Schroder, "Globally Optimal
+ * Direction Fields", ACM Trans. Graph. 32, 4 (2013). Among equally smooth ones, as on a plane or a
+ * sphere, the one nearest to the directions of least curvature, else to the x-axis.
+ *
+ * kind          MEANDER_DIRECTIONS_...
+ * smoothing     radius in the caller's units; 0: none; at most the diagonal. Without meaning for
+ *               MEANDER_DIRECTIONS_SMOOTH
+ * directions    receives double[3 * vertex_count], unit and tangential, signs arbitrary; 0 0 0 where
+ *               there is no direction, as at vertices that no face of the surface uses
+ * vertex_count  as passed to meander_surface_create
+ *
+ * Costs a sparse factorisation, about a second for 200,000 vertices. Any thread. */
+MEANDER_API meander_status meander_surface_get_directions(const meander_surface* surface, uint32_t kind,
+                                                          double smoothing, double* directions,
+                                                          size_t vertex_count, meander_error* error);
+
+/* The field of lines that is parallel to strokes drawn on the surface and as smooth as possible
+ * elsewhere: the least of the same energy with the strokes as weights (Knoppel et al. 2013, section 4).
+ * Strokes that disagree in one place are averaged there.
+ *
+ * points        double[3 * offsets[stroke_count]], finite, stroke after stroke; each is moved to the
+ *               nearest point of the surface
+ * offsets       uint32_t[stroke_count + 1], from 0, not falling: stroke g has the points offsets[g] ..
+ *               offsets[g + 1] - 1; a stroke of fewer than 2 points is ignored
+ * stroke_count   at least 1
+ * directions    receives double[3 * vertex_count] as in meander_surface_get_directions; 0 0 0 on
+ *               components without a stroke
+ * vertex_count  as passed to meander_surface_create
+ *
+ * Any thread. */
+MEANDER_API meander_status meander_surface_extend_directions(const meander_surface* surface,
+                                                             const double* points, const uint32_t* offsets,
+                                                             size_t stroke_count, double* directions,
+                                                             size_t vertex_count, meander_error* error);
+
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: life                                                                                   */
 
@@ -325,6 +425,28 @@ MEANDER_API meander_status meander_flow_create(const meander_surface* surface,
                                                const meander_seed* seed, const double* density,
                                                const meander_flow_options* options,
                                                meander_flow** flow, meander_error* error);
+
+/* How the curve shall lie to a field of lines. */
+enum {
+  MEANDER_ALIGN_ALONG = 0, /* parallel to it */
+  MEANDER_ALIGN_ACROSS = 1 /* at right angles to it */
+};
+
+/* The field of lines that the option alignment_weight refers to (eq. 11, Fig. 21). Without a field the
+ * weight does nothing. To be called after meander_flow_create and before the first iteration; a
+ * second call replaces the first.
+ *
+ * directions    double[3 * vertex_count]: a vector in space at every vertex, of any length and either
+ *               sign; only its part in the surface counts. 0 0 0, NaN or infinite: no wish there. NULL:
+ *               takes a field back
+ * vertex_count  as passed to meander_surface_create
+ * kind          MEANDER_ALIGN_...
+ *
+ * Refused with MEANDER_INVALID_ARGUMENT after the first iteration, and when not one vertex has a
+ * direction in the surface. */
+MEANDER_API meander_status meander_flow_set_directions(meander_flow* flow, const double* directions,
+                                                       size_t vertex_count, uint32_t kind,
+                                                       meander_error* error);
 
 /* Frees a flow; NULL is allowed. A started run is cancelled and joined first, which takes an
  * iteration at most. */
@@ -427,7 +549,7 @@ typedef struct meander_flow_statistics {
   uint32_t guides;           /* strands that are guides */
   uint32_t empty_components; /* of the surface, on which no strand grows */
   double length;          /* of the curve */
-  double energy;          /* eq. 2 at the present curve: t L + alpha E_M, plus bending */
+  double energy;          /* eq. 2 at the present curve: t L + alpha E_M, plus bending and alignment */
   double mean_step;       /* mean length of the displacements of the last iteration */
   double spacing_target;  /* 2 r */
   double spacing_p05;     /* percentiles of twice the medial radius over all nodes and both sides, */
