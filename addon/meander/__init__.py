@@ -8,6 +8,7 @@ density     from values on a surface to the density        (no bpy)
 blender_density     what the density is chosen from: weights, attributes, colours, images
 strands     seeds, strokes and guides put together            (no bpy)
 strand_data     the same as Blender has them; their materials
+preparation, blender_preparation     mending meshes, and the part of one that is filled
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore
 operators, sidebar, panels, ..._panel   buttons
@@ -38,14 +39,24 @@ _SUBMODULES = (
     "blender_density",
     "strands",
     "strand_data",
+    "preparation",
+    "blender_preparation",
     "properties",
     "session",
     "operators",
     "sidebar",
     "panels",
+    "preparation_panels",
     "strand_panel",
 )
-_WITH_CLASSES = ("properties", "session", "operators", "panels", "strand_panel")
+_WITH_CLASSES = (
+    "properties",
+    "session",
+    "operators",
+    "panels",
+    "preparation_panels",
+    "strand_panel",
+)
 
 # When a new version is installed over this one, Blender reloads this file only: without this the
 # old submodules would stay until restart. On the first import there is nothing to reload.

@@ -60,8 +60,17 @@ if not globals().get("__package__"):
     __package__ = _containing_package()  # what relative imports go by (PEP 366)
 
 # The package has to be known first.
-from . import batch_density, batch_strands, core, mesh_files, report, strands  # noqa: E402
+from . import (  # noqa: E402
+    batch_density,
+    batch_preparation,
+    batch_strands,
+    core,
+    mesh_files,
+    report,
+    strands,
+)
 from .density import Choice  # noqa: E402
+from .preparation import Mask, Repair, described  # noqa: E402
 
 # A line of progress for every so many iterations, or seconds.
 _PROGRESS_ITERATIONS = 10
@@ -83,6 +92,10 @@ class Problem:
     seed: core.Seed | None = None
     density: NDArray[np.float64] | None = None
     density_choice: Choice = field(default_factory=Choice)  # what the density was made from
+    repair: Repair = field(default_factory=Repair)
+    mask: Mask = field(default_factory=Mask)
+    surface_options: core.SurfaceOptions = field(default_factory=core.SurfaceOptions)
+    loose_edges: int = 0
     fixed_ends: bool = False
     stroke: tuple[list[float], list[float]] | None = None  # its ends
     parts: list[strands.Part] = field(default_factory=list)  # what the seed is put together from
@@ -182,6 +195,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--quiet", action="store_true", help="print nothing but errors")
     batch_density.add_options(parser, _number)
     batch_strands.add_options(parser, _number, _count(0, 2**31 - 1))
+    batch_preparation.add_options(parser, _number)
     return parser
 
 
@@ -211,6 +225,9 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
     density_problem = batch_density.problem_of(arguments, kind)
     if density_problem is not None:
         raise BadInput(density_problem)
+    preparation_problem = batch_preparation.problem_of(arguments, kind)
+    if preparation_problem is not None:
+        raise BadInput(preparation_problem)
     if arguments.seed is not None and arguments.seed_object is not None:
         raise BadInput("--seed and --seed-object are both given; choose one")
     strand_problem = batch_strands.problem_of(arguments)
@@ -264,6 +281,8 @@ def _flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
         options.segment_length = arguments.segment_length
     if arguments.max_radius is not None:
         options.max_radius = arguments.max_radius
+    if arguments.border_distance is not None:
+        options.border_distance = arguments.border_distance
     if arguments.iterations is not None:
         options.iteration_limit = arguments.iterations
     if arguments.length is not None:
@@ -290,6 +309,7 @@ def _echo(
         **batch_strands.echo(arguments, problem.stroke),
         "spacing": arguments.spacing,
         **batch_density.echo(arguments, problem.density_choice),
+        **batch_preparation.echo(problem.repair, problem.mask),
         "medial_axis": arguments.medial_axis,
         "length_power": arguments.length_power,
         "medial_power": arguments.medial_power,
@@ -320,6 +340,9 @@ def _read_problem(arguments: argparse.Namespace) -> Problem:
             problem = _read_scene(arguments) if kind == ".blend" else _import_mesh(arguments.input)
         except blender_data.DataError as refusal:
             raise BadInput(str(refusal)) from refusal
+    problem.repair = batch_preparation.repair_of(arguments)
+    if problem.mask.source == "NONE":
+        problem.surface_options = core.SurfaceOptions(**asdict(problem.repair))
     if arguments.seed is not None:
         seed = mesh_files.read_obj_curve(arguments.seed)
         problem.parts.insert(0, strands.Part(str(arguments.seed), seed))
@@ -400,7 +423,7 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
     """Opens a .blend and takes surface, seed and density from its objects, in world units."""
     import bpy
 
-    from . import blender_data, blender_density
+    from . import blender_data, blender_density, blender_preparation
 
     try:
         bpy.ops.wm.open_mainfile(filepath=str(arguments.input.absolute()), load_ui=False)
@@ -417,6 +440,12 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
     depsgraph = bpy.context.evaluated_depsgraph_get()
     vertices, faces = blender_data.triangles_of(surface_object, depsgraph)
     problem = Problem(vertices, faces, surface_object=surface_object)
+    problem.mask = batch_preparation.mask_of(arguments)
+    if problem.mask.source != "NONE":
+        problem.surface_options = blender_preparation.surface_options(
+            batch_preparation.repair_of(arguments), problem.mask, surface_object, depsgraph
+        )
+    problem.loose_edges = blender_preparation.loose_edge_count(surface_object, depsgraph)
     problem.density_choice = choice
     problem.density = blender_density.density_of(choice, surface_object, depsgraph)
     if arguments.seed_object is not None:
@@ -549,7 +578,7 @@ def _write_scene(
     """
     import bpy
 
-    from . import blender_data, blender_density, properties, strand_data
+    from . import blender_data, blender_density, blender_preparation, properties, strand_data
 
     surface_object = problem.surface_object
     if surface_object is None:
@@ -574,6 +603,10 @@ def _write_scene(
             made_with.guides = bpy.context.scene.objects.get(arguments.guides_object)
         made_with.keep_guides = not arguments.leave_out_guides
         strand_data.note_guides(curve_object, guides, keep=True)
+        blender_preparation.store_repair(problem.repair, made_with)
+        blender_preparation.store_mask(problem.mask, made_with)
+        if arguments.border_distance is not None:
+            made_with.border_distance = arguments.border_distance
         try:
             bpy.ops.wm.save_as_mainfile(
                 filepath=str(path.absolute()), copy=True, check_existing=False
@@ -617,7 +650,7 @@ def _process(argv: Sequence[str]) -> None:
         _need_bpy(arguments.output)
     options = _flow_options(arguments)
     problem = _read_problem(arguments)
-    with core.Surface(problem.vertices, problem.faces) as surface:
+    with core.Surface(problem.vertices, problem.faces, problem.surface_options) as surface:
         surface_figures = surface.statistics()
         try:
             flow = core.Flow(surface, options, problem.seed, problem.density)
@@ -642,10 +675,14 @@ def _process(argv: Sequence[str]) -> None:
         gaps,
         _echo(arguments, options, problem),
     )
+    record["preparation"] = batch_preparation.counts(surface_figures, problem.loose_edges)
     _write_outputs(arguments, problem, curve, guides, record)
     if not arguments.quiet:
         if figures["empty_components"]:
             print(f"meander: {strands.empty_parts(figures['empty_components'])}")
+        done = described(surface_figures, problem.loose_edges)
+        if done:
+            print(f"meander: {done}")
         print(_summary(reason, figures))
         print(f"meander: wrote {arguments.output}", flush=True)
 

@@ -141,12 +141,16 @@ class MEANDER_OT_run(bpy.types.Operator):
         try:
             if keep:
                 result, figures = self._session.keep(context)
-                self.report({"INFO"}, f"{result.name}: {_summary(figures)}")
+                done = self._session.preparation_text()
+                self.report(
+                    {"INFO"}, f"{result.name}: {_summary(figures)}" + (f"; {done}" if done else "")
+                )
                 if figures["empty_components"]:
                     self.report({"WARNING"}, strands.empty_parts(figures["empty_components"]))
                 return {"FINISHED"}
         except (DataError, core.MeanderError) as error:
             self.report({"ERROR"}, _sentence(error))
+            self._session.remember_problem(context, error)
         finally:
             self._session.end()
         return {"CANCELLED"}

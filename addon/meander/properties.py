@@ -17,6 +17,7 @@ from bpy.props import (
 )
 
 from .blender_density import DensitySettings
+from .blender_preparation import MeanderProblem, PreparationSettings
 from .strand_data import StrandSettings
 
 # What run() returns, as a user reads it.
@@ -68,11 +69,14 @@ class MeanderFigures(bpy.types.PropertyGroup):
     guides: IntProperty(name="Guides", options=set())
     gap_count: IntProperty(name="Gaps", options=set())
     largest_gap: FloatProperty(name="Largest Gap", options=set())
+    preparation: StringProperty(name="Preparation", options=set())
     # On results only, and of many gaps only the largest.
     gaps: CollectionProperty(type=MeanderGap, options=set())
 
 
-class MeanderSettings(DensitySettings, StrandSettings, bpy.types.PropertyGroup):
+class MeanderSettings(
+    DensitySettings, PreparationSettings, StrandSettings, bpy.types.PropertyGroup
+):
     """How to fill a surface; the parts that a feature of its own needs come from its module."""
 
     surface: PointerProperty(
@@ -159,6 +163,12 @@ class MeanderSettings(DensitySettings, StrandSettings, bpy.types.PropertyGroup):
         options=set(),
     )
     figures: PointerProperty(type=MeanderFigures, options=set())
+    problem: PointerProperty(
+        type=MeanderProblem,
+        name="Problem",
+        description="The element of the mesh because of which it was refused last",
+        options=set(),
+    )
 
 
 # What a result takes over from the settings that it was made with.
@@ -167,6 +177,7 @@ COPIED = (
     "spacing",
     *DensitySettings.__annotations__,
     *StrandSettings.__annotations__,
+    *PreparationSettings.__annotations__,
     "fixed_ends",
     "preset",
     "iteration_limit",
@@ -191,7 +202,7 @@ def surface_of(object: bpy.types.Object | None) -> bpy.types.Object | None:
     return object.meander.surface if object.type == "CURVE" else None
 
 
-_CLASSES = (MeanderGap, MeanderFigures, MeanderSettings)
+_CLASSES = (MeanderGap, MeanderFigures, MeanderProblem, MeanderSettings)
 
 
 def register() -> None:

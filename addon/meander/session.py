@@ -15,9 +15,10 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from . import blender_data, core, properties, strand_data, strands
+from . import blender_data, blender_preparation, core, properties, strand_data, strands
 from .blender_data import DataError
 from .blender_density import choice_of, density_of
+from .preparation import described
 from .stepper import Problem, Snapshot, Stepper
 
 TICKS_PER_SECOND = 10
@@ -57,6 +58,7 @@ class Plan:
     parts: tuple[strands.Part, ...]  # what the seed was put together from
     dress: strand_data.Dress  # materials of the splines
     name: str  # of a new result
+    loose_edges: int = 0  # of the surface, in no face
 
 
 def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
@@ -83,12 +85,19 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
     density = density_of(choice_of(settings), surface, depsgraph)
     parts, dress = strand_data.parts_of(active, depsgraph, restart)
     seed = strands.assembled(parts, settings.seed_every_part)
+    surface_options = blender_preparation.surface_options(
+        blender_preparation.repair_of(settings),
+        blender_preparation.mask_of(settings),
+        surface,
+        depsgraph,
+    )
     options.radius = spacing / 2.0
+    options.border_distance = float(f"{settings.border_distance:.6g}")  # 0.5 exactly
     options.threads = settings.threads
     if settings.iteration_limit:
         options.iteration_limit = settings.iteration_limit
     return Plan(
-        problem=Problem(vertices, faces, options, seed, density),
+        problem=Problem(vertices, faces, options, seed, density, surface_options),
         surface=Key.of(surface),
         settings=Key.of(active),
         result=Key.of(active) if active is not surface else None,
@@ -98,6 +107,7 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
         parts=tuple(parts),
         dress=dress,
         name=f"{(settings.seed or surface).name} Meander",
+        loose_edges=blender_preparation.loose_edge_count(surface, depsgraph),
     )
 
 
@@ -185,6 +195,20 @@ class Session:
             return "Preparing the surface"
         return f"{100.0 * self.progress():.0f} % grown, iteration {self.latest.iterations}"
 
+    def remember_problem(self, context: bpy.types.Context, error: Exception) -> None:
+        """Keeps the element that an error names with the surface, for Select Problem."""
+        surface = self.plan.surface.find()
+        if surface is not None and isinstance(error, core.MeanderError):
+            blender_preparation.remember_problem(
+                error, surface, context.evaluated_depsgraph_get()
+            )
+
+    def preparation_text(self) -> str:
+        """What was done to the mesh, in words; empty if nothing was."""
+        if not self.stepper.surface_figures:
+            return ""
+        return described(self.stepper.surface_figures, self.plan.loose_edges)
+
     def keep(self, context: bpy.types.Context) -> tuple[bpy.types.Object, dict[str, Any]]:
         """Waits for the end of the run and makes what has grown the result.
 
@@ -198,6 +222,7 @@ class Session:
         self._end_preview()
         plan = self.plan
         surface = plan.surface.find()
+        blender_preparation.forget_problem(surface)
         result = blender_data.write_curve(
             snapshot.polylines,
             surface,
@@ -306,6 +331,7 @@ class Session:
             figures.spacing_median = float(statistics["spacing_median"])
             figures.seconds = float(statistics["seconds_total"])
             figures.empty_parts = int(statistics["empty_components"])
+            figures.preparation = self.preparation_text()
             self._store_gaps(figures, gaps, target == result)
 
     def _store_gaps(

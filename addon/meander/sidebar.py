@@ -19,6 +19,8 @@ ORDER = {
     "alignment": 20,
     "guides": 30,
     "surface": 40,
+    "mask": 42,
+    "repair": 44,
     "weights": 50,
     "options": 60,
     "result": 70,

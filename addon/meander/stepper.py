@@ -38,14 +38,22 @@ class Problem:
     options: core.FlowOptions
     seed: core.Seed | None = None
     density: np.ndarray | None = None
+    surface_options: core.SurfaceOptions | None = None
 
     def expected_length(self) -> float:
         """The length of a curve that fills the surface: area over spacing, face by face."""
-        a, b, c = (self.vertices[self.faces[:, corner]] for corner in range(3))
-        areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0
+        areas = self._areas()
         if self.density is not None:
             areas = areas * np.sqrt(self.density[self.faces]).mean(axis=1)
         return float(areas.sum() / (2.0 * self.options.radius))
+
+    def area(self) -> float:
+        """Of all faces, in square units; a mask is not looked at."""
+        return float(self._areas().sum())
+
+    def _areas(self) -> np.ndarray:
+        a, b, c = (self.vertices[self.faces[:, corner]] for corner in range(3))
+        return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0
 
 
 class Stepper:
@@ -66,6 +74,7 @@ class Stepper:
         # Of the result, once there is one: what it leaves empty, and which strands are guides.
         self.gaps: core.Gaps | None = None
         self.guides: np.ndarray | None = None
+        self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
         self._expected_length = problem.expected_length()
 
     def start(self) -> None:
@@ -90,7 +99,10 @@ class Stepper:
 
     def _prepare(self) -> None:
         problem = self.problem
-        with core.Surface(problem.vertices, problem.faces) as surface:
+        with core.Surface(problem.vertices, problem.faces, problem.surface_options) as surface:
+            self.surface_figures = surface.statistics()
+            # A mask leaves less to fill.
+            self._expected_length *= self.surface_figures["area"] / problem.area()
             self._flow = core.Flow(surface, problem.options, problem.seed, problem.density)
 
     @property
