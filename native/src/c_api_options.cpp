@@ -74,7 +74,7 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   s.polish_length_offset = o.polish_length_offset;
   s.polish_length_gain = o.polish_length_gain;
   s.polish_medial_power = o.polish_medial_power;
-  s.grow_into_empty = s.widen_loops = o.preset != MEANDER_PRESET_PAPER;
+  s.grow_into_empty = s.widen_loops = s.hold_ends = o.preset != MEANDER_PRESET_PAPER;
   s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
   s.border_distance = o.border_distance;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ends.h"
 #include "first_curve.h"
 #include "run_tree.h"
 #include "solve.h"
@@ -30,6 +31,9 @@ constexpr double kYoung = 1.5;
 /// Length weight where both sides of a strand are empty.
 constexpr double kIntoEmpty = -1;
 
+/// A segment length that is never reached.
+constexpr double kNever = 1e100;
+
 /// The spacing that the polish follows is smoothed along the curve over this many r.
 constexpr double kSmoothing = 2;
 
@@ -53,6 +57,13 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
       curve_(first_curve(*surface_, seed, vertex_radius_, settings.widen_loops, team_)),
       convergence_(settings.stop_rule, settings.polish),
       approach_(settings.start_spacing_factor, settings.radius, surface_->area()) {
+  // Where r varies, parts of a cut guide may be long for the r at their own ends.
+  constexpr int kMostCuts = 10;
+  for (uint32_t k = 0, before = 0; k < kMostCuts && curve_.has_guides() && curve_.size() != before; ++k) {
+    before = curve_.size();
+    refine();
+  }
+  guides_cut_ = true;
   scale_radii(approach_.factor());
   refine();
 }
@@ -315,12 +326,21 @@ void Flow::follow_spacing() {
 /// The steps of all nodes (eq. 10) in the planes of their faces, capped by their medial radii.
 std::vector<Vec2> Flow::displacements() {
   std::vector<Vec2> d(curve_.size());
+  std::vector<FreeEnd> ends;
+  if (settings_.hold_ends) {
+    ends = find_free_ends(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, overhang_,
+                          local_radius_, team_);
+  }
   team_.for_blocks(curve_.strands.size(), 1, [&](size_t, size_t begin, size_t end) {
     StrandSystem system;
     for (size_t s = begin; s < end; ++s) {
       const Strand& strand = curve_.strands[s];
       if (strand.guide) continue;
       assemble(curve_, strand, frames_, felt_radii_, local_radius_, weights_, system);
+      auto end_here = std::ranges::lower_bound(ends, strand.first, {}, &FreeEnd::node);
+      for (; end_here != ends.end() && end_here->node < strand.end(); ++end_here) {
+        add_end_term(*end_here, end_here->node - strand.first, local_radius_[end_here->node], weights_.medial, system);
+      }
       const std::vector<Vec2> z = solve(system);
       for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
     }
@@ -331,6 +351,10 @@ std::vector<Vec2> Flow::displacements() {
     if (length > most) d[i] = (most / length) * d[i];
     if (!std::isfinite(d[i].x) || !std::isfinite(d[i].y)) d[i] = {};
   }
+  for (const FreeEnd& end : ends) {
+    const double beyond = dot(d[end.node], end.ahead) - kMostOfRadius * end.radius;
+    if (beyond > 0) d[end.node] = d[end.node] - beyond * end.ahead;
+  }
   return d;
 }
 
@@ -340,8 +364,10 @@ void Flow::refine() {
                    (settings_.polish && !convergence_.polishing() ? settings_.growth_coarsening : 1);
   std::vector<double> target(curve_.size());
   for (uint32_t i = 0; i < curve_.size(); ++i) {
-    // Guides are cut up once, as finely as they ever need to be, and then stay as they are.
-    target[i] = (curve_.on_guide(i) ? settings_.segment_length : h) * local_radius_[i] / settings_.radius;
+    target[i] = h * local_radius_[i] / settings_.radius;
+    if (!curve_.on_guide(i)) continue;
+    // Guides are cut up once, and then stay as they are to the last bit.
+    target[i] = guides_cut_ ? kNever : settings_.segment_length * local_radius_[i] / settings_.radius;
   }
   std::vector<uint32_t> origin;
   refinement_.refine(*surface_, curve_, target, team_, origin);

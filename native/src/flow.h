@@ -37,6 +37,8 @@ struct FlowSettings {
   double polish_medial_power = 2;
   /// Where both sides of a strand are empty no force acts on it: there it is made to grow.
   bool grow_into_empty = false;
+  /// Free ends keep r from what is ahead of them, or go on until they do.
+  bool hold_ends = false;
   bool widen_loops = false;
   StopRule stop_rule = StopRule::kSettled;
   BoundaryRule boundary_rule = BoundaryRule::kCentre;
@@ -117,6 +119,7 @@ class Flow {
   BoundaryObstacle boundary_;
   Team team_;
   Curve curve_;
+  bool guides_cut_ = false;        // as finely as they ever need to be
   std::vector<Radii> radii_;       // as they are
   std::vector<Radii> felt_radii_;  // as the energy sees them where the density varies
   std::vector<double> local_radius_, max_radius_, overhang_;

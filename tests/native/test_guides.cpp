@@ -9,51 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "c_api.h"
 #include "regions.h"
 #include "segment_distance.h"
-#include "test_curves.h"
+#include "test_seeds.h"
 
 namespace meander::test {
 namespace {
-
-const auto kNeverCancelled = [] { return false; };
-
-struct Line {
-  std::vector<Vec3> points;
-  bool closed = false;
-  bool guide = true;
-};
-
-SeedStrands seed_of(const std::vector<Line>& lines, bool loops) {
-  SeedStrands seed;
-  seed.loops = loops;
-  seed.offsets.push_back(0);
-  for (const Line& line : lines) {
-    seed.points.insert(seed.points.end(), line.points.begin(), line.points.end());
-    seed.offsets.push_back(static_cast<uint32_t>(seed.points.size()));
-    seed.closed.push_back(line.closed);
-    seed.guides.push_back(line.guide);
-  }
-  return seed;
-}
-
-Flow flow_on(const std::shared_ptr<const Surface>& surface, const std::vector<Line>& lines, bool loops, double spacing,
-             uint32_t preset = MEANDER_PRESET_EVEN) {
-  meander_flow_options options;
-  EXPECT_EQ(meander_flow_options_init(&options, preset), MEANDER_OK);
-  options.radius = spacing / 2;
-  options.threads = 1;
-  const SeedStrands seed = seed_of(lines, loops);
-  return Flow(surface, &seed, {}, checked_settings(options, *surface));
-}
-
-/// As exact_crossings, but for pairs of guides, which may do as they like.
-std::set<std::pair<uint32_t, uint32_t>> crossings_of_what_grows(const Surface& s, const Curve& c) {
-  auto pairs = exact_crossings(s, c);
-  std::erase_if(pairs, [&](const auto& p) { return c.on_guide(p.first) && c.on_guide(p.second); });
-  return pairs;
-}
 
 /// Every node and crossing of all guides, to the last bit.
 std::vector<double> bytes_of_guides(const Curve& c) {
