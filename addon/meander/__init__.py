@@ -3,6 +3,7 @@
 
 core        the native library, numpy in and numpy out        (no bpy)
 stepper     one run of the flow, watched or in one go         (no bpy)
+thinning    the curve without points that nearly coincide  (no bpy)
 blender_data    meshes, curves and weights in, curves out
 density     from values on a surface to the density        (no bpy)
 blender_density     what the density is chosen from: weights, attributes, colours, images
@@ -34,6 +35,7 @@ bl_info = {
 _SUBMODULES = (
     "core",
     "stepper",
+    "thinning",
     "blender_data",
     "density",
     "blender_density",

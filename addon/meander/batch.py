@@ -21,7 +21,7 @@ import signal
 import sys
 import time
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -68,9 +68,11 @@ from . import (  # noqa: E402
     mesh_files,
     report,
     strands,
+    thinning,
 )
 from .density import Choice  # noqa: E402
 from .preparation import Mask, Repair, described  # noqa: E402
+from .stepper import evaluated  # noqa: E402
 
 # A line of progress for every so many iterations, or seconds.
 _PROGRESS_ITERATIONS = 10
@@ -90,7 +92,8 @@ class Problem:
     vertices: NDArray[np.float64]
     faces: NDArray[np.uint32]
     seed: core.Seed | None = None
-    density: NDArray[np.float64] | None = None
+    # Per vertex, or what computes it from the surface.
+    density: NDArray[np.float64] | Callable[[core.Surface], NDArray[np.float64]] | None = None
     density_choice: Choice = field(default_factory=Choice)  # what the density was made from
     repair: Repair = field(default_factory=Repair)
     mask: Mask = field(default_factory=Mask)
@@ -590,6 +593,9 @@ def _write_scene(
         surface_object = bpy.data.objects.new(name, mesh)
         bpy.context.scene.collection.objects.link(surface_object)
     name = f"{surface_object.name} Meander"
+    curve = thinning.thinned(
+        curve, thinning.merge_distance(arguments.spacing / 2, problem.density)
+    )
     curve_object = blender_data.write_curve(curve, surface_object, name)
     with _saved_settings():
         properties.copy_settings(surface_object.meander, curve_object.meander)
@@ -643,6 +649,20 @@ def _write_outputs(
 # The command
 
 
+def _surface(problem: Problem) -> core.Surface:
+    try:
+        return core.Surface(problem.vertices, problem.faces, problem.surface_options)
+    except core.MeanderError as error:
+        if problem.surface_object is None:
+            raise
+        import bpy
+
+        from . import blender_data
+
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        raise blender_data.in_polygons(error, problem.surface_object, depsgraph) from error
+
+
 def _process(argv: Sequence[str]) -> None:
     arguments = _parser().parse_args(argv)
     _check_arguments(arguments)
@@ -650,7 +670,8 @@ def _process(argv: Sequence[str]) -> None:
         _need_bpy(arguments.output)
     options = _flow_options(arguments)
     problem = _read_problem(arguments)
-    with core.Surface(problem.vertices, problem.faces, problem.surface_options) as surface:
+    with _surface(problem) as surface:
+        problem.density = evaluated(problem.density, surface)
         surface_figures = surface.statistics()
         try:
             flow = core.Flow(surface, options, problem.seed, problem.density)

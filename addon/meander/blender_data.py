@@ -8,6 +8,7 @@ Arrays are computed in float64; only what is stored in Blender is rounded to flo
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -149,6 +150,28 @@ def triangles_of(
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = np.ascontiguousarray(faces[:, ::-1])
     return to_world(coordinates.reshape(-1, 3), matrix), faces
+
+
+def in_polygons(
+    error: core.MeanderError, object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> core.MeanderError:
+    """An error about a mesh with its faces named as Blender counts them; others as they are.
+
+    The library knows triangles only; a user sees polygons, of the mesh with its modifiers.
+    """
+    if error.status != core.Status.INVALID_MESH:
+        return error
+    with surface_mesh(object, depsgraph) as (mesh, _matrix):
+        mesh.calc_loop_triangles()
+        polygons = np.empty(len(mesh.loop_triangles), dtype=np.int32)
+        mesh.loop_triangles.foreach_get("polygon_index", polygons)
+
+    def named(match: re.Match[str]) -> str:
+        return re.sub(r"\d+", lambda number: str(polygons[int(number[0])]), match[0])
+
+    # "face 3", and "3 faces (0, 1, 2)": numbers of faces, not of vertices, and not how many.
+    text = re.sub(r"(?<=[Ff]ace )\d+|(?<=faces \()[\d, ]+", named, str(error))
+    return core.MeanderError(text, error.status, error.element_kind, error.elements)
 
 
 def vertex_group_weights(

@@ -20,6 +20,7 @@ from .blender_data import DataError
 from .blender_density import choice_of, density_of
 from .preparation import described
 from .stepper import Problem, Snapshot, Stepper
+from .thinning import merge_distance, thinned
 
 TICKS_PER_SECOND = 10
 KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
@@ -217,14 +218,19 @@ class Session:
         try:
             snapshot, statistics, stop_reason = self.stepper.result()
         except core.MeanderError as error:
-            raise strands.explained(error, self.plan.parts) from error
+            self._check_alive()
+            named = blender_data.in_polygons(
+                error, self.plan.surface.find(), context.evaluated_depsgraph_get()
+            )
+            raise strands.explained(named, self.plan.parts) from error
         self._check_alive()
         self._end_preview()
         plan = self.plan
         surface = plan.surface.find()
         blender_preparation.forget_problem(surface)
+        distance = merge_distance(plan.problem.options.radius, self.stepper.density)
         result = blender_data.write_curve(
-            snapshot.polylines,
+            thinned(snapshot.polylines, distance),
             surface,
             plan.name,
             curve_object=plan.result.find() if plan.result else None,

@@ -9,6 +9,8 @@ Both ways give the same curve to the last bit.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,20 +33,23 @@ class Snapshot:
 
 @dataclass(frozen=True)
 class Problem:
-    """What to solve: arrays and options, nothing of a host."""
+    """What to solve: arrays and options, nothing of a host.
+
+    density   per vertex, or what computes it from the surface once that is there
+    """
 
     vertices: np.ndarray
     faces: np.ndarray
     options: core.FlowOptions
     seed: core.Seed | None = None
-    density: np.ndarray | None = None
+    density: np.ndarray | Callable[[core.Surface], np.ndarray] | None = None
     surface_options: core.SurfaceOptions | None = None
 
-    def expected_length(self) -> float:
+    def expected_length(self, density: np.ndarray | None) -> float:
         """The length of a curve that fills the surface: area over spacing, face by face."""
         areas = self._areas()
-        if self.density is not None:
-            areas = areas * np.sqrt(self.density[self.faces]).mean(axis=1)
+        if density is not None:
+            areas = areas * np.sqrt(density[self.faces]).mean(axis=1)
         return float(areas.sum() / (2.0 * self.options.radius))
 
     def area(self) -> float:
@@ -54,6 +59,11 @@ class Problem:
     def _areas(self) -> np.ndarray:
         a, b, c = (self.vertices[self.faces[:, corner]] for corner in range(3))
         return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0
+
+
+def evaluated(field: Any, surface: core.Surface) -> Any:
+    """A field on the surface: itself, or what it computes."""
+    return field(surface) if callable(field) else field
 
 
 class Stepper:
@@ -71,11 +81,12 @@ class Stepper:
         self._started = False
         self._error: Exception | None = None
         self._stop_reason = "running"
+        self.density: np.ndarray | None = None  # per vertex, once the run has been prepared
         # Of the result, once there is one: what it leaves empty, and which strands are guides.
         self.gaps: core.Gaps | None = None
         self.guides: np.ndarray | None = None
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
-        self._expected_length = problem.expected_length()
+        self._expected_length = math.inf
 
     def start(self) -> None:
         """Prepares the surface and begins the run, which goes on by itself.
@@ -101,9 +112,11 @@ class Stepper:
         problem = self.problem
         with core.Surface(problem.vertices, problem.faces, problem.surface_options) as surface:
             self.surface_figures = surface.statistics()
-            # A mask leaves less to fill.
-            self._expected_length *= self.surface_figures["area"] / problem.area()
-            self._flow = core.Flow(surface, problem.options, problem.seed, problem.density)
+            self.density = evaluated(problem.density, surface)
+            self._flow = core.Flow(surface, problem.options, problem.seed, self.density)
+        # A mask leaves less to fill.
+        share = self.surface_figures["area"] / problem.area()
+        self._expected_length = share * problem.expected_length(self.density)
 
     @property
     def finished(self) -> bool:

@@ -59,7 +59,7 @@ def test_a_scene_with_named_objects(scene, tmp_path):
     (curve,) = (thing for thing in surface.children if thing.type == "CURVE")
     bpy.context.view_layer.update()
     assert [spline.use_cyclic_u for spline in curve.data.splines] == [True]
-    assert length_of(curve) == pytest.approx(figures["length"], rel=1e-5)
+    assert length_of(curve) == pytest.approx(figures["length"], rel=1e-3)
     assert farthest_from(surface, curve) < 2e-6
     # What it was made with, so that Continue works on it.
     assert curve.meander.surface == surface
