@@ -430,6 +430,9 @@ _PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
             POINTER(_Error),
         ),
     ),
+    # meander_status meander_flow_set_vertices(meander_flow* flow, const double* vertices,
+    #     size_t vertex_count, meander_error* error);
+    "meander_flow_set_vertices": (c_int32, (c_void_p, c_void_p, c_size_t, POINTER(_Error))),
     # uint32_t meander_flow_stop_reason(const meander_flow* flow);
     "meander_flow_stop_reason": (c_uint32, (c_void_p,)),
     # meander_status meander_flow_get_statistics(meander_flow* flow,
@@ -474,6 +477,24 @@ _PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "meander_flow_get_nodes": (
         c_int32,
         (
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            POINTER(_Error),
+        ),
+    ),
+    # meander_status meander_flow_get_point_data(meander_flow* flow, double* arc_lengths,
+    #     double* normals, double* tangents, double* radii, uint32_t* faces,
+    #     double* barycentrics, size_t capacity, size_t* count, meander_error* error);
+    "meander_flow_get_point_data": (
+        c_int32,
+        (
+            c_void_p,
+            c_void_p,
             c_void_p,
             c_void_p,
             c_void_p,
@@ -1164,6 +1185,25 @@ class Nodes(NamedTuple):
     fixed: NDArray[np.uint8]
 
 
+class PointData(NamedTuple):
+    """What is known of every point of the polylines, in their order.
+
+    arc_lengths   (n,) float64, way along the strand from its first point
+    normals       (n, 3) float64, unit normals of the surface
+    tangents      (n, 3) float64, unit, along the strand
+    radii         (n, 2) float64, half the room on the right and on the left, seen from outside
+    faces         (n,) uint32, a face that holds the point, as passed to Surface
+    barycentrics  (n, 3) float64, weights of the face's vertices in the caller's order; sum 1
+    """
+
+    arc_lengths: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    tangents: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    faces: NDArray[np.uint32]
+    barycentrics: NDArray[np.float64]
+
+
 @dataclass(frozen=True)
 class Gaps:
     """Places that a curve leaves empty, the largest first.
@@ -1404,6 +1444,25 @@ class Flow(_Handle):
             self._seen = figures.serial
         return Preview(curve, figures.iterations, figures.nodes, figures.length, figures.seconds)
 
+    def set_vertices(self, vertices: ArrayLike) -> None:
+        """Moves the vertices of the flow's surface, and the curve with it; see the C header.
+
+        vertices  (n, 3) float64, as many and in the order as passed to Surface
+
+        The curve rides on its faces and is straightened; the steps that follow make it even again.
+        Raises MeanderError, and leaves the flow as it was, for another number of vertices, a
+        coordinate that is not finite, a face without area, and a surface that has become too small
+        or too large for the spacing.
+        """
+        array = _array("vertices", vertices, np.float64, 3)
+        error = _new_error()
+        with self._use() as pointer:
+            status = _library().meander_flow_set_vertices(
+                pointer, _address(array), len(array), byref(error)
+            )
+        if status != Status.OK:
+            _raise(status, error)
+
     def _statistics(self, pointer: int) -> _FlowStatistics:
         record = _FlowStatistics(struct_size=sizeof(_FlowStatistics))
         error = _new_error()
@@ -1514,6 +1573,34 @@ class Flow(_Handle):
             if status != Status.OK:
                 _raise(status, error)
         return nodes
+
+    def point_data(self) -> PointData:
+        """What is known of every point of `polylines()`, in their order. Costs a medial axis."""
+        function = _library().meander_flow_get_point_data
+        error = _new_error()
+        count = c_size_t()
+        with self._use() as pointer:
+            status = function(pointer, *(None,) * 6, 0, byref(count), byref(error))
+            if status != Status.OK:
+                _raise(status, error)
+            data = PointData(
+                np.empty(count.value),
+                np.empty((count.value, 3)),
+                np.empty((count.value, 3)),
+                np.empty((count.value, 2)),
+                np.empty(count.value, dtype=np.uint32),
+                np.empty((count.value, 3)),
+            )
+            status = function(
+                pointer,
+                *(_address(array) for array in data),
+                count.value,
+                byref(count),
+                byref(error),
+            )
+            if status != Status.OK:
+                _raise(status, error)
+        return data
 
     def gaps(self, least_size: float = 0.0) -> Gaps:
         """The places that the present curve leaves empty; see meander_flow_get_gaps.

@@ -93,13 +93,6 @@ uint32_t public_reason(StopReason reason) {
   return MEANDER_RUNNING;
 }
 
-/// Weights of a point for the corners of the caller's face, in his order.
-std::array<double, 3> caller_weights(const Surface& surface, const MeshMap* map, uint32_t face,
-                                     std::array<double, 3> w) {
-  if (surface.turned(face)) std::swap(w[1], w[2]);
-  return map ? map->weights(face, w) : w;
-}
-
 /// What a run that ended so returns.
 meander_status run_status(StopReason reason, meander_error* error) {
   if (reason != StopReason::kCancelled) return MEANDER_OK;

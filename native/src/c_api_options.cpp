@@ -6,14 +6,6 @@
 namespace meander {
 namespace {
 
-/// Rounds to 40 significant bits, so that a length that was scaled together with the mesh is the same
-/// to the last bit once it is divided by the mesh's size (see Surface). The offset avoids ties.
-double settle(double x) {
-  int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  return std::ldexp(std::floor(std::ldexp(mantissa, 40) + 0.38196601125), exponent - 40);
-}
-
 /// require_range for the quotient of two lengths, whose rounding must not refuse the ends themselves.
 void require_ratio(double value, double low, double high, const char* name) {
   constexpr double kRounding = 1e-9;

@@ -22,6 +22,14 @@ constexpr size_t kIdleIterations = 5;
 
 }  // namespace
 
+void Convergence::restart(double clamped_share) {
+  polishing_ = polishing_ || (polish_wanted_ && clamped_share < kGrownClamped);
+  converged_ = stalled_ = false;
+  phase_start_ = idle_ = quiet_ = 0;
+  lengths_.clear();
+  picture_.reset();
+}
+
 void Convergence::note(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
                        const IterationFigures& figures, Team& team) {
   lengths_.push_back(figures.length);

@@ -29,6 +29,10 @@ class Convergence {
   void note(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
             const IterationFigures& figures, Team& team);
 
+  /// The surface has moved: what was seen before counts no more. A curve that fills it already, with no
+  /// more than `clamped_share` of its nodes at the clamp, need not grow again and goes to the polish.
+  void restart(double clamped_share);
+
   bool polishing() const { return polishing_; }
   bool converged() const { return converged_; }
   bool stalled() const { return stalled_; }

@@ -51,8 +51,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
       settings_(settings),
       wanted_radius_(radii_of_vertices(*surface_, settings.radius, density)),
       vertex_radius_(wanted_radius_),
-      normals_(*surface_, settings.radius),
-      boundary_(*surface_, 0.5 * settings.segment_length),
+      boundary_(std::in_place, *surface_, 0.5 * settings.segment_length),
       team_(settings.threads),
       curve_(first_curve(*surface_, seed, vertex_radius_, settings.widen_loops, team_)),
       convergence_(settings.stop_rule, settings.polish),
@@ -72,7 +71,7 @@ StopReason Flow::stop_reason() const {
   if (cancelled_) return StopReason::kCancelled;
   if (convergence_.converged()) return StopReason::kConverged;
   if (convergence_.stalled()) return StopReason::kStalled;
-  if (history_.size() >= settings_.iteration_limit) return StopReason::kIterationLimit;
+  if (history_.size() - started_at_ >= settings_.iteration_limit) return StopReason::kIterationLimit;
   return StopReason::kRunning;
 }
 
@@ -95,16 +94,15 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   if (cancelled()) return false;
 
   IterationFigures figures;
-  double n = 0, sum = 0, squares = 0, clamped = 0;
+  double n = 0, sum = 0, squares = 0;
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     if (curve_.on_guide(i)) continue;
     ++n;
     const double d = norm(displacement[i]);
     sum += d;
     squares += d * d;
-    clamped += std::max(radii_[i][0], radii_[i][1]) >= kClamped * max_radius_[i];
   }
-  figures.clamped_share = clamped / n;
+  figures.clamped_share = clamped_share();
   figures.displacement_norm = std::sqrt(squares) / n / settings_.radius;
 
   IterationRecord record;
@@ -131,13 +129,29 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   return true;
 }
 
+/// Of the nodes that may move, those that see nothing on a side.
+double Flow::clamped_share() const {
+  double n = 0, clamped = 0;
+  for (uint32_t i = 0; i < curve_.size(); ++i) {
+    if (curve_.on_guide(i)) continue;
+    ++n;
+    clamped += std::max(radii_[i][0], radii_[i][1]) >= kClamped * max_radius_[i];
+  }
+  return clamped / n;
+}
+
 StopReason Flow::run(const std::function<bool()>& cancelled, const std::function<void(double)>& progress) {
   cancelled_ = false;
   while (stop_reason() == StopReason::kRunning && step(cancelled)) {
-    progress(static_cast<double>(history_.size()) / settings_.iteration_limit);
+    progress(static_cast<double>(history_.size() - started_at_) / settings_.iteration_limit);
   }
   progress(1);
   return stop_reason();
+}
+
+const NormalField& Flow::normals() const {
+  if (!normals_) normals_.emplace(*surface_, settings_.radius);
+  return *normals_;
 }
 
 Flow::Measure Flow::measure() {
@@ -162,11 +176,11 @@ std::vector<Gap> Flow::gaps(double least_size) {
   std::vector<Gap> gaps = find_gaps(*surface_, curve_, frames_, radii_, vertex_radius_, least_size, team_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
-  if (settings_.border_distance > 0.5 && !boundary_.empty()) {
+  if (settings_.border_distance > 0.5 && !boundary_->empty()) {
     std::erase_if(gaps, [&](const Gap& gap) {
       const double r = gap.radius / gap.size;
       const double to_boundary =
-          std::sqrt(boundary_.tree().nearest(position(*surface_, gap.centre))->squared_distance);
+          std::sqrt(boundary_->tree().nearest(position(*surface_, gap.centre))->squared_distance);
       const double wanted = std::max(0.0, (2 * settings_.border_distance - 1) * r - to_boundary);
       return gap.radius - wanted < least_size * r;
     });
@@ -203,7 +217,7 @@ void Flow::find_local_radii() {
 void Flow::find_radii() {
   find_local_radii();
   compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
-  compute_medial_axis(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, overhang_, team_,
+  compute_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_, team_,
                       radii_);
   felt_radii_.resize(radii_.size());
   constexpr double kLeastStretch = 0.5, kMostStretch = 2;
@@ -328,7 +342,7 @@ std::vector<Vec2> Flow::displacements() {
   std::vector<Vec2> d(curve_.size());
   std::vector<FreeEnd> ends;
   if (settings_.hold_ends) {
-    ends = find_free_ends(*surface_, curve_, frames_, boundary_, settings_.boundary_rule, max_radius_, overhang_,
+    ends = find_free_ends(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
                           local_radius_, team_);
   }
   team_.for_blocks(curve_.strands.size(), 1, [&](size_t, size_t begin, size_t end) {

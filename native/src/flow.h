@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "convergence.h"
@@ -74,10 +76,18 @@ class Flow {
   /// Steps until one of the reasons holds; `progress` is told a value in [0, 1] after each step.
   StopReason run(const std::function<bool()>& cancelled, const std::function<void(double)>& progress);
 
+  /// Moves the surface: `vertices` are its own, as many as before; `map` names the caller's in errors. Nodes stay on their faces where
+  /// they are, segments become straight again, and lengths mean the same in the caller's units. A curve
+  /// that fills the surface goes on in the polish. Counts for run() as a new beginning. Throws Failure,
+  /// and leaves all as it was, for what Surface::deformed refuses and for a surface that has become too
+  /// small or too large for the spacing.
+  void set_vertices(std::span<const double> vertices, const MeshMap* map = nullptr);
+
   const Surface& surface() const { return *surface_; }
   const Curve& curve() const { return curve_; }
   const FlowSettings& settings() const { return settings_; }
-  const NormalField& normals() const { return normals_; }
+  /// Made when they are asked for first: a flow that is not looked at needs none.
+  const NormalField& normals() const;
   const std::vector<Radii>& radii() const { return radii_; }  ///< of the last medial axis, per node
   const std::vector<IterationRecord>& history() const { return history_; }
   const FlowSeconds& seconds() const { return seconds_; }
@@ -95,10 +105,15 @@ class Flow {
   /// Where the curve as it is now leaves the surface empty, see find_gaps; as measure(), it brings
   /// radii() up to date and changes nothing else.
   std::vector<Gap> gaps(double least_size);
+  /// Brings radii() up to date and changes nothing else.
+  void update_radii() { find_radii(); }
 
  private:
   bool iterate(const std::function<bool()>& cancelled);
   void scale_radii(double factor);
+  void check_size(const Surface& surface) const;
+  void rescale(double factor);
+  double clamped_share() const;
   void find_local_radii();
   void find_radii();
   void stir_empty_stretches();
@@ -114,9 +129,9 @@ class Flow {
   FlowSettings settings_;
   std::vector<double> wanted_radius_;  // local r at the vertices,
   std::vector<double> vertex_radius_;  // and as it is while the curve approaches its spacing
-  NormalField normals_;
+  mutable std::optional<NormalField> normals_;
   LineField field_;
-  BoundaryObstacle boundary_;
+  std::optional<BoundaryObstacle> boundary_;  // always there; made anew when the surface moves
   Team team_;
   Curve curve_;
   bool guides_cut_ = false;        // as finely as they ever need to be
@@ -131,6 +146,7 @@ class Flow {
   SpacingApproach approach_;
   std::vector<IterationRecord> history_;
   FlowSeconds seconds_;
+  size_t started_at_ = 0;  // iterations that do not count for run() any more
   bool cancelled_ = false;
 };
 

@@ -40,6 +40,19 @@ LineField::LineField(const Surface& surface, std::span<const Vec3> directions, b
   if (any) square_ = std::move(square);
 }
 
+void LineField::ride(const Surface& from, const Surface& to) {
+  for (uint32_t f = 0; 3 * size_t{f} < square_.size(); ++f) {
+    const Vec2 c1 = from.corner(f, 1), c2 = from.corner(f, 2), d1 = to.corner(f, 1), d2 = to.corner(f, 2);
+    for (uint32_t k = 0; k < 3; ++k) {
+      Vec2& square = square_[3 * size_t{f} + k];
+      const Vec2 line = square_root(square);
+      const double b = line.y / c2.y, a = (line.x - b * c2.x) / c1.x;
+      const Vec2 moved = unit(a * d1 + b * d2);
+      square = norm(line) > 0 ? moved * moved : Vec2{};
+    }
+  }
+}
+
 Vec2 LineField::at(const SurfacePoint& p) const {
   const Vec2* square = &square_[3 * size_t{p.face}];
   return square_root(p.weight(0) * square[0] + p.b.x * square[1] + p.b.y * square[2]);

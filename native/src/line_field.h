@@ -24,6 +24,9 @@ class LineField {
   /// lines at right angles to them.
   LineField(const Surface& surface, std::span<const Vec3> directions, bool across);
 
+  /// Takes the lines along when the corners of the faces move.
+  void ride(const Surface& from, const Surface& to);
+
   /// Nothing is wished for anywhere.
   bool empty() const { return square_.empty(); }
 

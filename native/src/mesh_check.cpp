@@ -41,6 +41,15 @@ struct Side {
   bool same_edge(const Side& o) const { return low == o.low && high == o.high; }
 };
 
+void check_coordinates(std::span<const double> vertices, const Names& names) {
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    if (std::isfinite(vertices[i])) continue;
+    const uint32_t v = names.vertex(static_cast<uint32_t>(i / 3));
+    refuse("Vertex " + str(v) + " has a coordinate that is not a finite number; repair or remove it.",
+           MEANDER_ELEMENT_VERTEX, v);
+  }
+}
+
 void check_corners(std::span<const uint32_t> faces, const Names& names) {
   for (size_t f = 0; f < faces.size() / 3; ++f) {
     const uint32_t a = faces[3 * f], b = faces[3 * f + 1], c = faces[3 * f + 2];
@@ -52,9 +61,10 @@ void check_corners(std::span<const uint32_t> faces, const Names& names) {
   }
 }
 
-void measure(std::span<const double> vertices, CheckedMesh& mesh) {
+/// `used_count` receives the number of vertices that faces use.
+Placement measure(std::span<const double> vertices, const std::vector<Triangle>& faces, uint32_t& used_count) {
   std::vector<uint8_t> used(vertices.size() / 3, 0);
-  for (const Triangle& t : mesh.faces) {
+  for (const Triangle& t : faces) {
     for (uint32_t v : t) used[v] = 1;
   }
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -63,20 +73,21 @@ void measure(std::span<const double> vertices, CheckedMesh& mesh) {
     const Vec3 p(vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]);
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
-    ++mesh.used_vertices;
+    ++used_count;
   }
-  mesh.low = {low.x(), low.y(), low.z()};
-  mesh.diagonal = (high - low).norm();
-  if (!std::isfinite(mesh.diagonal)) refuse("The mesh is too large to measure; scale it down.");
-  if (!(mesh.diagonal > 0)) refuse("All vertices of the mesh are in one place; it has no surface.");
+  const Placement placement{{low.x(), low.y(), low.z()}, (high - low).norm()};
+  if (!std::isfinite(placement.diagonal)) refuse("The mesh is too large to measure; scale it down.");
+  if (!(placement.diagonal > 0)) refuse("All vertices of the mesh are in one place; it has no surface.");
+  return placement;
 }
 
-void check_areas(std::span<const double> vertices, const CheckedMesh& mesh, const Names& names) {
-  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+void check_areas(std::span<const double> vertices, const std::vector<Triangle>& faces, const Placement& placement,
+                 const Names& names) {
+  for (size_t f = 0; f < faces.size(); ++f) {
     Vec3 p[3];
     for (int k = 0; k < 3; ++k) {
-      const uint32_t v = mesh.faces[f][k];
-      for (int j = 0; j < 3; ++j) p[k][j] = (vertices[3 * v + j] - mesh.low[j]) / mesh.diagonal;
+      const uint32_t v = faces[f][k];
+      for (int j = 0; j < 3; ++j) p[k][j] = (vertices[3 * v + j] - placement.low[j]) / placement.diagonal;
     }
     const double longest =
         std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
@@ -212,14 +223,7 @@ void check_vertices(const CheckedMesh& mesh, const std::vector<uint32_t>& mate, 
 void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces) {
   const size_t vertex_count = vertices.size() / 3;
   if (faces.empty()) refuse("The mesh has no faces; give a mesh with at least one triangle.");
-  for (size_t v = 0; v < vertex_count; ++v) {
-    for (int k = 0; k < 3; ++k) {
-      if (!std::isfinite(vertices[3 * v + k])) {
-        refuse("Vertex " + str(v) + " has a coordinate that is not a finite number; repair or remove it.",
-               MEANDER_ELEMENT_VERTEX, v);
-      }
-    }
-  }
+  check_coordinates(vertices, Names{nullptr});
   for (size_t f = 0; f < faces.size() / 3; ++f) {
     for (int k = 0; k < 3; ++k) {
       if (faces[3 * f + k] >= vertex_count) {
@@ -231,6 +235,15 @@ void check_numbers(std::span<const double> vertices, std::span<const uint32_t> f
   }
 }
 
+Placement check_placement(std::span<const double> vertices, const std::vector<Triangle>& faces, const MeshMap* map) {
+  const Names names{map};
+  check_coordinates(vertices, names);
+  uint32_t used_count = 0;
+  const Placement placement = measure(vertices, faces, used_count);
+  check_areas(vertices, faces, placement, names);
+  return placement;
+}
+
 CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, const MeshMap* map) {
   const Names names{map};
   check_numbers(vertices, faces);
@@ -240,8 +253,8 @@ CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     mesh.faces[f] = {faces[3 * f], faces[3 * f + 1], faces[3 * f + 2]};
   }
-  measure(vertices, mesh);
-  check_areas(vertices, mesh, names);
+  mesh.placement = measure(vertices, mesh.faces, mesh.used_vertices);
+  check_areas(vertices, mesh.faces, mesh.placement, names);
   const std::vector<uint32_t> mate = pair_sides(mesh.faces, names);
   check_vertices(mesh, mate, vertices.size() / 3, names);
   orient(mesh, mate, names);

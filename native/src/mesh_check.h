@@ -19,14 +19,19 @@ inline constexpr double kFlatFace = 1e-8;
 
 class MeshMap;
 
+/// Where a mesh is and how large.
+struct Placement {
+  std::array<double, 3> low{};  ///< a corner of the bounding box of the used vertices, caller's units
+  double diagonal = 0;          ///< of that box
+};
+
 /// Triangles that are a manifold with consistent orientation inside every component.
 struct CheckedMesh {
   std::vector<Triangle> faces;       ///< some turned round
   std::vector<uint8_t> turned;       ///< per face: 1 if turned round
   std::vector<uint32_t> component;   ///< per face
   uint32_t component_count = 0;
-  double diagonal = 0;               ///< of the bounding box of the used vertices, caller's units
-  std::array<double, 3> low{};       ///< its corner
+  Placement placement;
   uint32_t used_vertices = 0;
 };
 
@@ -38,5 +43,10 @@ void check_numbers(std::span<const double> vertices, std::span<const uint32_t> f
 /// names the caller's elements that `map` tells.
 CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
                        const MeshMap* map = nullptr);
+
+/// Checks what depends on the places of the vertices only, numbers and areas, for `faces` that were
+/// checked before. Throws as check_mesh does.
+Placement check_placement(std::span<const double> vertices, const std::vector<Triangle>& faces,
+                          const MeshMap* map = nullptr);
 
 }  // namespace meander

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 namespace meander {
-namespace {
 
 std::array<double, 3> crossing_weights(const Crossing& c) {
   std::array<double, 3> w{0, 0, 0};
@@ -12,8 +11,6 @@ std::array<double, 3> crossing_weights(const Crossing& c) {
   w[next_corner(corner_of(c.e))] = c.t;
   return w;
 }
-
-}  // namespace
 
 Vec3 caller_point(const Surface& surface, uint32_t face, const std::array<double, 3>& w) {
   const Triangle& t = surface.face(face);

@@ -6,14 +6,26 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "flow.h"
+#include "mesh_prepare.h"
 
 namespace meander {
 
 /// A point of a face, given by the weights of the face's corners, between the caller's own vertices.
 Vec3 caller_point(const Surface& surface, uint32_t face, const std::array<double, 3>& weights);
+
+/// Weights of a point for the corners of the caller's face, in his order; `map` may be null.
+inline std::array<double, 3> caller_weights(const Surface& surface, const MeshMap* map, uint32_t face,
+                                            std::array<double, 3> w) {
+  if (surface.turned(face)) std::swap(w[1], w[2]);
+  return map ? map->weights(face, w) : w;
+}
+
+/// Weights of the corners of a crossing's face.
+std::array<double, 3> crossing_weights(const Crossing& c);
 
 /// The number of points of the polylines: nodes, and crossings of edges between them.
 size_t polyline_point_count(const Curve& curve);

@@ -18,12 +18,28 @@ constexpr int kHalvings = 4;
 
 double Retraction::move(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement,
                         Team& team, MoveSeconds& seconds) {
-  Stopwatch watch;
   const uint32_t n = curve.size();
   share_.assign(n, 1);
   for (uint32_t i = 0; i < n; ++i) {
     if (curve.fixed[i]) share_[i] = 0;
   }
+  resolve(surface, curve, displacement, team, seconds);
+  size_t held = 0;
+  for (uint32_t i = 0; i < n; ++i) held += share_[i] == 0 && !curve.fixed[i];
+  return n > 0 ? static_cast<double>(held) / n : 0;
+}
+
+void Retraction::straighten(const Surface& surface, Curve& curve, Team& team, MoveSeconds& seconds) {
+  // Fixed nodes too: none of them moves, and a share of 0 means that a path is kept.
+  share_.assign(curve.size(), 1);
+  resolve(surface, curve, std::vector<Vec2>(curve.size()), team, seconds);
+}
+
+/// Moves the nodes by their shares, which fall until nothing crosses.
+void Retraction::resolve(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, Team& team,
+                         MoveSeconds& seconds) {
+  Stopwatch watch;
+  const uint32_t n = curve.size();
   next_ = curve;
   traces_.resize(n);
   trace(surface, curve, displacement, nullptr, team);
@@ -48,9 +64,6 @@ double Retraction::move(const Surface& surface, Curve& curve, const std::vector<
     seconds.crossings += watch.lap();
   }
   std::swap(curve, next_);
-  size_t held = 0;
-  for (uint32_t i = 0; i < n; ++i) held += share_[i] == 0 && !curve.fixed[i];
-  return n > 0 ? static_cast<double>(held) / n : 0;
 }
 
 void Retraction::trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,

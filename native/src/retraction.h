@@ -29,7 +29,14 @@ class Retraction {
   double move(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, Team& team,
               MoveSeconds& seconds);
 
+  /// Makes every segment a shortest geodesic again between nodes that stay, after the surface has moved
+  /// under `curve`, whose shapes are those of its paths as they are. It has no crossings and gets none:
+  /// where straight segments would cross, the paths are kept.
+  void straighten(const Surface& surface, Curve& curve, Team& team, MoveSeconds& seconds);
+
  private:
+  void resolve(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, Team& team,
+               MoveSeconds& seconds);
   void trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
              const std::vector<uint8_t>* only, Team& team);
   void reconnect(const Surface& surface, const Curve& old, const std::vector<uint8_t>* only, Team& team);

@@ -22,6 +22,11 @@ class SpacingApproach {
   /// The factor of the next iteration, after one with these figures.
   double next(const IterationFigures& figures);
 
+  /// Lengths count so many times as much from now on.
+  void rescale(double factor) {
+    for (double& length : lengths_) length *= factor;
+  }
+
  private:
   double factor_;
   std::vector<double> lengths_;

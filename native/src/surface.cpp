@@ -29,12 +29,26 @@ Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> fac
   component_count_ = mesh.component_count;
   used_vertices_ = mesh.used_vertices;
   turned_count_ = static_cast<uint32_t>(std::count(turned_.begin(), turned_.end(), 1));
-  low_ = Vec3(mesh.low[0], mesh.low[1], mesh.low[2]);
-  scale_ = mesh.diagonal;
-  positions_.resize(vertices.size() / 3);
-  for (uint32_t v = 0; v < positions_.size(); ++v) positions_[v] = to_inside(caller_position(v));
+  place(mesh.placement);
   lay_out();
   connect();
+}
+
+Surface Surface::deformed(std::span<const double> vertices, const MeshMap* map) const {
+  const Placement placement = check_placement(vertices, faces_, map);
+  Surface moved(*this);
+  moved.caller_.assign(vertices.begin(), vertices.end());
+  moved.place(placement);
+  moved.lay_out();
+  return moved;
+}
+
+/// Brings the vertices into the box's own unit.
+void Surface::place(const Placement& placement) {
+  low_ = Vec3(placement.low[0], placement.low[1], placement.low[2]);
+  scale_ = placement.diagonal;
+  positions_.resize(caller_.size() / 3);
+  for (uint32_t v = 0; v < positions_.size(); ++v) positions_[v] = to_inside(caller_position(v));
 }
 
 Vec3 Surface::to_inside(const Vec3& p) const {
@@ -55,6 +69,7 @@ void Surface::lay_out() {
   face_normal_.resize(n);
   hinges_.resize(n);
   total_angle_.assign(positions_.size(), 0.0);
+  area_ = 0;
   double edge_sum = 0;
   for (uint32_t f = 0; f < n; ++f) {
     const Vec3& p = positions_[faces_[f][0]];

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,6 +27,14 @@ inline uint32_t corner_of(HalfEdge e) { return e % 3; }
 inline uint32_t next_corner(uint32_t k) { return k == 2 ? 0 : k + 1; }
 inline uint32_t prev_corner(uint32_t k) { return k == 0 ? 2 : k - 1; }
 
+/// Rounds to 40 significant bits, so that a length that was scaled together with the mesh is the same
+/// to the last bit once it is divided by the mesh's size. The offset avoids ties.
+inline double settle(double x) {
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  return std::ldexp(std::floor(std::ldexp(mantissa, 40) + 0.38196601125), exponent - 40);
+}
+
 /// An oriented manifold triangle mesh, immutable after construction, so any thread may read it.
 ///
 /// Inside, lengths are in units of the diagonal of the bounding box, and coordinates are rounded to
@@ -35,6 +44,12 @@ class Surface {
  public:
   /// Throws Failure(MEANDER_INVALID_MESH), see meander_surface_create.
   Surface(std::span<const double> vertices, std::span<const uint32_t> faces);
+
+  /// The same faces with their vertices in other places. What the connectivity decides is taken over,
+  /// so a point of a face, or of an edge, is one of the new surface too. The unit becomes the new
+  /// diagonal. `vertices` are as many as before. Throws Failure(MEANDER_INVALID_MESH) for coordinates
+  /// that are not finite and for faces without area; `map` names the caller's.
+  Surface deformed(std::span<const double> vertices, const MeshMap* map = nullptr) const;
 
   size_t vertex_count() const { return positions_.size(); }
   size_t face_count() const { return faces_.size(); }
@@ -96,6 +111,7 @@ class Surface {
   struct Flat {
     double x1 = 0, x2 = 0, y2 = 0;
   };
+  void place(const Placement& placement);
   void lay_out();
   void connect();
 

@@ -18,6 +18,7 @@
  *     meander_flow_start / wait  the same run on a thread of the library's, watched by previews
  *     meander_flow_polylines     curve out, at any time between steps
  *     meander_flow_get_gaps      where it leaves the surface empty
+ *     meander_flow_set_vertices  the surface moves, and the curve with it
  *
  * Units.    Lengths are in the units of the vertices that the caller passed. Indices are zero-based.
  * Memory.   The library never keeps a pointer of the caller's after a call returns, and never hands
@@ -523,6 +524,32 @@ MEANDER_API meander_status meander_flow_get_preview(meander_flow* flow, meander_
                                                     meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
+/* Flow: a surface that moves                                                                   */
+
+/* Moves the vertices of the flow's surface, for a mesh that is animated: the faces stay as they were
+ * passed to meander_surface_create, the places of their corners change (section 5, Fig. 20). Nodes ride
+ * on their faces with the same weights of the corners, fixed ones too; segments become straight again;
+ * nothing crosses, and strands are as seeded. r and all other lengths stay what they are in the caller's
+ * units, as does the density at every vertex, so a surface that grows gets a longer curve in the steps
+ * that follow. A few of them, two or three a frame, keep the spacing even.
+ *
+ * A curve that fills its surface goes on in the polish, with the weights that close gaps, and never
+ * grows from scratch; one that is still growing goes on growing. Whether it has converged is found out
+ * anew, and the iteration limit counts from here.
+ *
+ * The meander_surface that the flow was created on, and other flows on it, stay as they are.
+ *
+ * vertices      double[3 * vertex_count], finite, in the caller's units, in the order of
+ *               meander_surface_create
+ * vertex_count  the same as then
+ *
+ * Refused with MEANDER_INVALID_MESH: another number of vertices, a coordinate that is not finite, a face
+ * without area; with MEANDER_INVALID_ARGUMENT: a surface smaller than the spacing, or so large that the
+ * curve would need more than 500 million nodes. The flow is then as before. */
+MEANDER_API meander_status meander_flow_set_vertices(meander_flow* flow, const double* vertices,
+                                                     size_t vertex_count, meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
 /* Flow: figures                                                                                */
 
 enum {
@@ -633,6 +660,26 @@ MEANDER_API meander_status meander_flow_get_nodes(const meander_flow* flow, uint
                                                   double* barycentrics, double* radii,
                                                   uint8_t* fixed, size_t capacity, size_t* count,
                                                   meander_error* error);
+
+/* Copies what is known of every point of the polylines, in the order of meander_flow_get_polylines, for
+ * ribbons, tool paths and shaders. Every array may be NULL.
+ *
+ * arc_lengths    double[capacity]: way along the strand from its first point
+ * normals        double[3 * capacity]: unit surface normals, as in meander_flow_get_polylines
+ * tangents       double[3 * capacity]: unit, along the strand, halving the angle of the pieces before and
+ *                after the point
+ * radii          double[2 * capacity]: r+ and r- of the present curve (eq. 6), clamped at r_max: half the
+ *                room to the strand on the right and on the left of the way, seen from outside; between
+ *                two nodes in proportion to the way. Costs a medial axis
+ * faces          uint32_t[capacity]: a face that holds the point, as passed to meander_surface_create
+ * barycentrics   double[3 * capacity]: weights of the face's vertices in the caller's order; sum 1
+ * capacity       room in the arrays, in points
+ * count          receives the number of points; when it exceeds capacity nothing is copied */
+MEANDER_API meander_status meander_flow_get_point_data(meander_flow* flow, double* arc_lengths,
+                                                       double* normals, double* tangents,
+                                                       double* radii, uint32_t* faces,
+                                                       double* barycentrics, size_t capacity,
+                                                       size_t* count, meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: gaps                                                                                   */

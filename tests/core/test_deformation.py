@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A moving surface and the data of every point, through the bridge."""
+
+import numpy as np
+import pytest
+from meander import core
+
+
+def _tube(around=28, along=22, height=5.0):
+    angles = 2 * np.pi * np.arange(around) / around
+    levels = np.linspace(0.0, height, along + 1)
+    vertices = np.array([[np.cos(a), np.sin(a), z] for z in levels for a in angles])
+    faces = []
+    for j in range(along):
+        for i in range(around):
+            a, b = j * around + i, j * around + (i + 1) % around
+            faces += [[a, b, b + around], [a, b + around, a + around]]
+    return vertices, np.array(faces, dtype=np.uint32)
+
+
+def _area(vertices, faces):
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+
+
+@pytest.fixture
+def grown():
+    vertices, faces = _tube()
+    options = core.default_options()
+    options.radius = 0.25
+    options.threads = 1
+    with core.Surface(vertices, faces) as surface:
+        flow = core.Flow(surface, options)
+    with flow:
+        flow.run()
+        yield vertices, faces, flow
+
+
+def test_spacing_stays_even_while_the_surface_stretches(grown):
+    vertices, faces, flow = grown
+    for frame in range(1, 9):
+        moved = vertices * [1.0, 1.0, 1.0 + frame / 8]
+        flow.set_vertices(moved)
+        for _ in range(4):
+            flow.step()
+        figures = flow.statistics()
+        assert figures["crossings"] == 0
+        assert figures["polishing"]
+        assert 0.95 < 0.5 * figures["length"] / _area(moved, faces) < 1.05
+        assert figures["spacing_target"] == pytest.approx(0.5)
+
+
+def test_refusals_are_sentences_and_leave_the_flow_alone(grown):
+    vertices, _faces, flow = grown
+    before = flow.polylines().positions
+    for wrong, words in (
+        (vertices[:-1], "vertices now and had"),
+        (vertices * [1.0, 1.0, 0.0], "no area"),
+        (vertices * 0.01, "below the spacing"),
+        (np.where(np.arange(len(vertices))[:, None] == 5, np.nan, vertices), "Vertex 5"),
+        (vertices[:, :2], "vertices"),
+    ):
+        with pytest.raises(core.MeanderError, match=words):
+            flow.set_vertices(wrong)
+    assert np.array_equal(flow.polylines().positions, before)
+    flow.start()
+    with pytest.raises(core.MeanderError, match="wait"):
+        flow.set_vertices(vertices)
+    flow.wait()
+
+
+def test_point_data_belong_to_the_polylines(grown):
+    vertices, faces, flow = grown
+    curve, data = flow.polylines(), flow.point_data()
+    rebuilt = np.einsum("nk,nkj->nj", data.barycentrics, vertices[faces[data.faces]])
+    assert np.allclose(rebuilt, curve.positions, atol=1e-12)
+    assert np.array_equal(data.normals, curve.normals)
+    assert np.allclose(np.linalg.norm(data.tangents, axis=1), 1.0)
+    pieces = np.linalg.norm(np.diff(curve.positions, axis=0), axis=1)
+    inside = np.ones(len(pieces), dtype=bool)
+    inside[curve.offsets[1:-1].astype(int) - 1] = False
+    assert np.allclose(np.diff(data.arc_lengths)[inside], pieces[inside])
+    # Spacings of 0.5 leave half of it on both sides.
+    assert 0.2 < np.median(data.radii) < 0.3

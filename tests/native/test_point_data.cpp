@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Data of every point of the polylines, against the polylines, the nodes and the mesh themselves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "meander/meander.h"
+#include "test_meshes.h"
+
+namespace meander::test {
+namespace {
+
+struct Result {
+  std::vector<double> positions, normals;
+  std::vector<uint32_t> offsets;
+  std::vector<uint8_t> closed;
+  std::vector<double> arc, data_normals, tangents, radii, weights;
+  std::vector<uint32_t> faces;
+  std::vector<uint32_t> node_faces;
+  std::vector<double> node_weights, node_radii;
+
+  Vec3 at(const std::vector<double>& v, size_t i) const { return {v[3 * i], v[3 * i + 1], v[3 * i + 2]}; }
+};
+
+Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* seed = nullptr) {
+  meander_flow_options options;
+  meander_flow_options_init(&options, MEANDER_PRESET_EVEN);
+  options.radius = 0.5 * spacing;
+  options.threads = 1;
+  meander_surface* surface = nullptr;
+  meander_flow* flow = nullptr;
+  EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
+                                   &surface, nullptr),
+            MEANDER_OK);
+  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, &options, &flow, nullptr), MEANDER_OK);
+  for (int k = 0; k < steps; ++k) meander_flow_step(flow, nullptr, nullptr);
+  Result r;
+  size_t points = 0, strands = 0, count = 0, nodes = 0;
+  meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands, nullptr);
+  r.positions.resize(3 * points);
+  r.normals.resize(3 * points);
+  r.offsets.resize(strands + 1);
+  r.closed.resize(strands);
+  meander_flow_get_polylines(flow, r.positions.data(), r.normals.data(), points, &points, r.offsets.data(),
+                             r.closed.data(), strands, &strands, nullptr);
+  EXPECT_EQ(meander_flow_get_point_data(flow, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr),
+            MEANDER_OK);
+  EXPECT_EQ(count, points);
+  r.arc.resize(count);
+  r.data_normals.resize(3 * count);
+  r.tangents.resize(3 * count);
+  r.radii.resize(2 * count);
+  r.faces.resize(count);
+  r.weights.resize(3 * count);
+  EXPECT_EQ(meander_flow_get_point_data(flow, r.arc.data(), r.data_normals.data(), r.tangents.data(), r.radii.data(),
+                                        r.faces.data(), r.weights.data(), count, &count, nullptr),
+            MEANDER_OK);
+  // Any array may be left out.
+  std::vector<double> again(count);
+  EXPECT_EQ(meander_flow_get_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, count, &count,
+                                        nullptr),
+            MEANDER_OK);
+  EXPECT_EQ(again, r.arc);
+  // Too little room: the count alone.
+  again.assign(1, -1);
+  EXPECT_EQ(meander_flow_get_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, 1, &count,
+                                        nullptr),
+            MEANDER_OK);
+  EXPECT_EQ(again[0], -1);
+  EXPECT_EQ(meander_flow_get_point_data(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, &count,
+                                        nullptr),
+            MEANDER_INVALID_ARGUMENT);
+  meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, nullptr);
+  r.node_faces.resize(nodes);
+  r.node_weights.resize(3 * nodes);
+  r.node_radii.resize(2 * nodes);
+  meander_flow_get_nodes(flow, r.node_faces.data(), r.node_weights.data(), r.node_radii.data(), nullptr, nodes, &nodes,
+                         nullptr);
+  meander_flow_destroy(flow);
+  meander_surface_destroy(surface);
+  return r;
+}
+
+/// Some of the faces look the other way, as a caller's may.
+Mesh half_turned(Mesh m) {
+  for (uint32_t f = 1; f < m.face_count(); f += 3) std::swap(m.faces[3 * f], m.faces[3 * f + 1]);
+  return m;
+}
+
+void check(const Mesh& mesh, const Result& r) {
+  const size_t n = r.arc.size();
+  EXPECT_EQ(r.normals, r.data_normals);
+  for (size_t p = 0; p < n; ++p) {
+    Vec3 x = Vec3::Zero();
+    double sum = 0;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const double w = r.weights[3 * p + k];
+      EXPECT_GE(w, 0);
+      sum += w;
+      x += w * mesh.at(mesh.faces[3 * r.faces[p] + k]);
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_LT((x - r.at(r.positions, p)).norm(), 1e-12);
+    EXPECT_NEAR(r.at(r.tangents, p).norm(), 1, 1e-12);
+  }
+  for (size_t s = 0; s < r.closed.size(); ++s) {
+    const size_t begin = r.offsets[s], end = r.offsets[s + 1];
+    double way = 0;
+    for (size_t p = begin; p < end; ++p) {
+      EXPECT_NEAR(r.arc[p], way, 1e-9);
+      Vec3 sum = Vec3::Zero();
+      if (p > begin || r.closed[s]) {
+        sum += (r.at(r.positions, p) - r.at(r.positions, p > begin ? p - 1 : end - 1)).normalized();
+      }
+      if (p + 1 < end || r.closed[s]) {
+        sum += (r.at(r.positions, p + 1 < end ? p + 1 : begin) - r.at(r.positions, p)).normalized();
+      }
+      if (sum.norm() > 1e-6) {
+        EXPECT_GT(r.at(r.tangents, p).dot(sum.normalized()), 1 - 1e-9);
+      }
+      if (p + 1 < end) way += (r.at(r.positions, p + 1) - r.at(r.positions, p)).norm();
+    }
+  }
+  // The nodes are among the points, in order, with the radii that they have; between two of them
+  // radii lie between theirs.
+  size_t p = 0;
+  std::vector<size_t> where;
+  for (size_t i = 0; i < r.node_faces.size(); ++i, ++p) {
+    while (p < n && !(r.faces[p] == r.node_faces[i] && r.weights[3 * p] == r.node_weights[3 * i] &&
+                      r.weights[3 * p + 1] == r.node_weights[3 * i + 1])) {
+      ++p;
+    }
+    ASSERT_LT(p, n);
+    where.push_back(p);
+    for (size_t side = 0; side < 2; ++side) EXPECT_EQ(r.radii[2 * p + side], r.node_radii[2 * i + side]);
+  }
+  for (size_t i = 0; i + 1 < where.size(); ++i) {
+    if (std::find(r.offsets.begin(), r.offsets.end(), where[i + 1]) != r.offsets.end()) continue;  // another strand
+    const double whole = r.arc[where[i + 1]] - r.arc[where[i]];
+    for (size_t q = where[i]; q < where[i + 1]; ++q) {
+      const double share = (r.arc[q] - r.arc[where[i]]) / whole;
+      for (size_t side = 0; side < 2; ++side) {
+        const double wanted = r.node_radii[2 * i + side] * (1 - share) + r.node_radii[2 * i + 2 + side] * share;
+        EXPECT_NEAR(r.radii[2 * q + side], wanted, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(PointData, AgreesWithPolylinesNodesAndMesh) {
+  const Mesh mesh = half_turned(sphere(3));
+  check(mesh, grow(mesh, 0.4, 40));
+  const Mesh two = joined(sphere(2), octahedron(), 4);
+  check(two, grow(two, 0.5, 30));
+  const Mesh coarse = cube();
+  check(coarse, grow(coarse, 0.3, 30));
+}
+
+TEST(PointData, OpenStrandsEndWhereTheyEnd) {
+  Mesh mesh = flat_grid(12, 0);
+  for (double& x : mesh.vertices) x *= 10;
+  const double points[] = {2, 2, 0, 8, 2, 0, 2, 8, 0, 8, 8, 0};
+  const uint32_t offsets[] = {0, 2, 4};
+  const uint8_t closed[] = {0, 0};
+  const meander_seed seed{sizeof(meander_seed), 2, points, offsets, closed, nullptr, nullptr, 0, 0};
+  const Result r = grow(mesh, 1, 0, &seed);
+  check(mesh, r);
+  // Straight along x, and arc lengths begin anew.
+  for (size_t p = 0; p < r.arc.size(); ++p) EXPECT_NEAR(r.tangents[3 * p], 1, 1e-6);
+  ASSERT_EQ(r.offsets.size(), 3u);
+  EXPECT_EQ(r.arc[r.offsets[1]], 0);
+  EXPECT_NEAR(r.arc[r.offsets[1] - 1], 6, 1e-6);
+  EXPECT_NEAR(r.arc.back(), 6, 1e-6);
+  // On the right of the first strand is the boundary, 2 away, on its left the second, 6 away: both are
+  // beyond the clamp, 3 r.
+  const size_t middle = r.offsets[1] / 2;
+  EXPECT_NEAR(r.radii[2 * middle], 1.5, 1e-6);
+  EXPECT_NEAR(r.radii[2 * middle + 1], 1.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace meander::test
