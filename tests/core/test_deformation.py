@@ -82,3 +82,28 @@ def test_point_data_belong_to_the_polylines(grown):
     assert np.allclose(np.diff(data.arc_lengths)[inside], pieces[inside])
     # Spacings of 0.5 leave half of it on both sides.
     assert 0.2 < np.median(data.radii) < 0.3
+
+
+def test_a_prepared_part_of_a_mesh_follows_the_whole_mesh():
+    vertices, faces = _tube()
+    heights = vertices[:, 2].copy()
+    preparation = core.SurfaceOptions(vertex_mask=5.0 - heights, mask_threshold=1.9)
+    options = core.default_options()
+    options.radius = 0.3
+    with core.Surface(vertices, faces, preparation) as surface:
+        flow = core.Flow(surface, options)
+    with flow:
+        flow.run()
+        for stretch in (1.2, 1.4):
+            moved = vertices * [1.0, 1.0, stretch]
+            flow.set_vertices(moved)
+            flow.step()
+            flow.step()
+            curve, data = flow.polylines(), flow.point_data()
+            rebuilt = np.einsum("nk,nkj->nj", data.barycentrics, moved[faces[data.faces]])
+            assert np.allclose(rebuilt, curve.positions, atol=1e-9)
+            # The mask's edge runs through faces, and rides with them.
+            assert 2.7 * stretch < curve.positions[:, 2].max() < 3.1001 * stretch
+            assert flow.statistics()["crossings"] == 0
+        with pytest.raises(core.MeanderError, match="vertices now and had"):
+            flow.set_vertices(moved[:-1])
