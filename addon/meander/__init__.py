@@ -3,6 +3,7 @@
 
 core        the native library, numpy in and numpy out        (no bpy)
 stepper     one run of the flow, watched or in one go         (no bpy)
+toolpath    the curve for machines: resampled, as CSV or JSON  (no bpy)
 thinning    the curve without points that nearly coincide  (no bpy)
 blender_data    meshes, curves and weights in, curves out
 density     from values on a surface to the density        (no bpy)
@@ -35,6 +36,7 @@ bl_info = {
 _SUBMODULES = (
     "core",
     "stepper",
+    "toolpath",
     "thinning",
     "blender_data",
     "density",

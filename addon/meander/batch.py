@@ -64,6 +64,7 @@ from . import (  # noqa: E402
     batch_density,
     batch_preparation,
     batch_strands,
+    batch_toolpath,
     core,
     mesh_files,
     report,
@@ -163,7 +164,7 @@ def _parser() -> argparse.ArgumentParser:
     add = parser.add_argument
     add("--input", type=Path, required=True, metavar="MESH", help=".obj, .ply, .stl or .blend")
     add("--object", metavar="NAME", help="mesh object in the .blend; default: the active one")
-    add("--output", type=Path, required=True, metavar="OUT", help=".obj or .blend")
+    add("--output", type=Path, required=True, metavar="OUT", help=".obj, .blend, .csv or .json")
     add("--report", type=Path, metavar="JSON", help="write figures of the run")
     add(
         "--spacing",
@@ -199,6 +200,7 @@ def _parser() -> argparse.ArgumentParser:
     batch_density.add_options(parser, _number)
     batch_strands.add_options(parser, _number, _count(0, 2**31 - 1))
     batch_preparation.add_options(parser, _number)
+    batch_toolpath.add_options(parser, _positive)
     return parser
 
 
@@ -236,8 +238,11 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
     strand_problem = batch_strands.problem_of(arguments)
     if strand_problem is not None:
         raise BadInput(strand_problem)
-    if arguments.output.suffix.lower() not in (".obj", ".blend"):
-        raise BadInput(f"--output {arguments.output} is no .obj or .blend file")
+    if arguments.output.suffix.lower() not in (".obj", ".blend", ".csv", ".json"):
+        raise BadInput(f"--output {arguments.output} is no .obj, .blend, .csv or .json file")
+    toolpath_problem = batch_toolpath.problem_of(arguments)
+    if toolpath_problem is not None:
+        raise BadInput(toolpath_problem)
     _check_outputs(arguments)
 
 
@@ -306,6 +311,7 @@ def _echo(
         "input": str(arguments.input),
         "object": None if problem.surface_object is None else problem.surface_object.name,
         "output": str(arguments.output),
+        **batch_toolpath.echo(arguments),
         "seed": None if arguments.seed is None else str(arguments.seed),
         "seed_object": arguments.seed_object,
         "fixed_ends": problem.fixed_ends,
@@ -639,6 +645,8 @@ def _write_outputs(
         curve_path = stack.enter_context(mesh_files.atomic_output(arguments.output))
         if arguments.output.suffix.lower() == ".obj":
             mesh_files.write_obj_curve(curve_path, curve)
+        elif batch_toolpath.is_wanted(arguments.output):
+            batch_toolpath.write(curve_path, arguments, curve)
         else:
             _write_scene(curve_path, arguments, problem, curve, guides)
         if report_path is not None:

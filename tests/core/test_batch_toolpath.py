@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The batch command's tool paths: CSV and JSON instead of OBJ."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import geometry
+import numpy as np
+import pytest
+from meander import batch
+from sentences import assert_sentence
+
+
+@pytest.fixture
+def square(tmp_path: Path) -> Path:
+    vertices, faces = geometry.grid(6)
+    lines = ["v {} {} {}".format(*map(float, point)) for point in vertices]
+    lines += ["f " + " ".join(str(int(index) + 1) for index in face) for face in faces]
+    path = tmp_path / "square.obj"
+    path.write_text("\n".join(lines) + "\n", encoding="ascii")
+    return path
+
+
+def _run(square: Path, name: str, *extra: str) -> int:
+    arguments = ["--input", square, "--output", square.parent / name, "--spacing", "0.25"]
+    return batch.main([str(argument) for argument in (*arguments, "--quiet", *extra)])
+
+
+def test_step_and_tolerance_give_the_same_curve(square: Path) -> None:
+    report = square.parent / "report.json"
+    assert _run(square, "all.json", "--report", str(report)) == 0
+    assert _run(square, "step.json", "--resample-step", "0.05") == 0
+    assert _run(square, "chord.csv", "--chord-tolerance", "0.002") == 0
+    whole = json.loads((square.parent / "all.json").read_text())["strands"]
+    stepped = json.loads((square.parent / "step.json").read_text())["strands"]
+    with (square.parent / "chord.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert json.loads(report.read_text())["length"] == pytest.approx(
+        sum(strand["length"] for strand in whole)
+    )
+    assert [strand["closed"] for strand in stepped] == [strand["closed"] for strand in whole]
+    ways = np.diff(stepped[0]["arc_lengths"])
+    assert np.allclose(ways, ways[0])
+    assert ways[0] <= 0.05
+    assert 3 <= len(rows) < sum(len(strand["points"]) for strand in whole)
+    assert np.allclose(np.abs([float(row["nz"]) for row in rows]), 1.0)
+    assert {row["strand"] for row in rows} == {str(at) for at in range(len(whole))}
+
+
+def test_bad_combinations_are_refused(square: Path, capsys: pytest.CaptureFixture) -> None:
+    for name, extra, words in (
+        ("out.obj", ("--resample-step", "0.1"), ".csv or .json"),
+        ("out.csv", ("--resample-step", "0.1", "--chord-tolerance", "1"), "choose one"),
+        ("out.csv", ("--resample-step", "0"), "greater than 0"),
+        ("out.csv", ("--resample-step", "1e-12"), "longer one"),
+        ("out.txt", (), ".csv or .json"),
+    ):
+        (square.parent / name).write_text("earlier")
+        assert _run(square, name, *extra) == 2
+        sentence = capsys.readouterr().err.rstrip("\n")
+        assert_sentence(sentence)
+        assert words in sentence
+        assert (square.parent / name).read_text() == "earlier"

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Paths for tools: resampling against its definition, files against the curve."""
+
+from __future__ import annotations
+
+import csv
+import json
+
+import numpy as np
+import pytest
+from meander import core, mesh_files, toolpath
+
+
+def _polylines():
+    """A wavy closed strand on a cylinder, an open one, and a straight one of two points."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 400, endpoint=False)
+    ring = np.column_stack([np.cos(angle), np.sin(angle), 0.3 * np.sin(7.0 * angle)])
+    rise = np.linspace(0.0, 3.0, 150) ** 1.3
+    helix = np.column_stack([np.cos(rise), np.sin(rise), 1.0 + 0.2 * rise])
+    line = np.array([[1.0, 0.0, 5.0], [1.0, 0.0, 6.0]])
+    points = np.vstack([ring, helix, line])
+    normals = points * [1.0, 1.0, 0.0]
+    return core.Polylines(
+        points,
+        normals / np.linalg.norm(normals, axis=1)[:, None],
+        np.array([0, 400, 550, 552], dtype=np.uint32),
+        np.array([1, 0, 0], dtype=np.uint8),
+    )
+
+
+def _pieces(points, closed):
+    return points, (np.roll(points, -1, axis=0) if closed else points[1:])
+
+
+def _farthest(points, path, closed):
+    """The greatest distance of points from a polyline, pair by pair."""
+    begin, end = _pieces(path, closed)
+    begin = begin[: len(end)]
+    way = end - begin
+    square = np.maximum((way**2).sum(axis=1), 1e-300)
+    share = np.clip(((points[:, None] - begin) * way).sum(axis=2) / square, 0.0, 1.0)
+    nearest = begin + share[..., None] * way
+    return np.linalg.norm(points[:, None] - nearest, axis=2).min(axis=1).max()
+
+
+@pytest.mark.parametrize("step", [0.011, 0.1, 0.37, 100.0])
+def test_steps_are_equal_and_on_the_polyline(step):
+    for whole, strand in zip(
+        toolpath.strands_of(_polylines()), toolpath.resampled(_polylines(), step=step), strict=True
+    ):
+        assert strand.closed == whole.closed
+        assert _farthest(strand.points, whole.points, whole.closed) < 1e-12
+        ways = np.append(strand.arc_lengths, strand.length) if strand.closed else strand.arc_lengths
+        gaps = np.diff(ways)
+        assert np.allclose(gaps, gaps[0])
+        assert gaps[0] <= step * (1.0 + 1e-9)
+        least = 3 if strand.closed else 1
+        assert len(gaps) == least or gaps[0] > step / 2
+        assert np.array_equal(strand.points[0], whole.points[0])
+        if not strand.closed:
+            assert np.allclose(strand.points[-1], whole.points[-1])
+        assert np.allclose(np.linalg.norm(strand.normals, axis=1), 1.0)
+        assert np.allclose(np.linalg.norm(strand.tangents, axis=1), 1.0)
+
+
+@pytest.mark.parametrize("tolerance", [1e-9, 1e-3, 0.02, 0.2, 10.0])
+def test_chords_stay_within_the_tolerance(tolerance):
+    counts = []
+    for whole, strand in zip(
+        toolpath.strands_of(_polylines()),
+        toolpath.resampled(_polylines(), tolerance=tolerance),
+        strict=True,
+    ):
+        kept = np.searchsorted(whole.arc_lengths, strand.arc_lengths)
+        assert np.array_equal(whole.points[kept], strand.points)
+        # Every point left out, against the chord of its own stretch.
+        ends = np.append(kept[1:], len(whole.points) if strand.closed else kept[-1])
+        ring = np.vstack([whole.points, whole.points[:1]])
+        for begin, end in zip(kept, ends):
+            if end - begin > 1:
+                chord = ring[[begin, end]]
+                assert _farthest(ring[begin : end + 1], chord, False) <= tolerance * (1 + 1e-9)
+        assert len(strand.points) >= (3 if strand.closed else 2)
+        counts.append(len(strand.points))
+    if tolerance >= 0.02:
+        assert sum(counts) < 80
+
+
+def test_all_points_without_resampling():
+    curve = _polylines()
+    strands = toolpath.resampled(curve)
+    assert np.array_equal(np.vstack([strand.points for strand in strands]), curve.positions)
+    closing = np.linalg.norm(curve.positions[399] - curve.positions[0])
+    assert strands[0].length == pytest.approx(strands[0].arc_lengths[-1] + closing)
+    assert strands[2].length == pytest.approx(1.0)
+    assert np.allclose(strands[2].tangents, [0.0, 0.0, 1.0])
+
+
+def test_files_hold_the_strands(tmp_path):
+    strands = toolpath.resampled(_polylines(), step=0.1)
+    toolpath.write(tmp_path / "path.csv", strands, "1")
+    toolpath.write(tmp_path / "path.json", strands, "1")
+    record = json.loads((tmp_path / "path.json").read_text())
+    with (tmp_path / "path.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == sum(len(strand.points) for strand in strands)
+    for number, strand in enumerate(strands):
+        own = [row for row in rows if int(row["strand"]) == number]
+        assert [int(row["point"]) for row in own] == list(range(len(strand.points)))
+        assert {row["closed"] for row in own} == {str(int(strand.closed))}
+        read = np.array([[float(row[axis]) for axis in "xyz"] for row in own])
+        assert np.array_equal(read, strand.points)
+        assert np.allclose([float(row["arc_length"]) for row in own], strand.arc_lengths)
+        assert np.allclose([float(row["nx"]) for row in own], strand.normals[:, 0])
+        assert np.array_equal(record["strands"][number]["points"], strand.points)
+        assert record["strands"][number]["closed"] is strand.closed
+
+
+def test_a_step_beyond_all_counting_is_refused():
+    with pytest.raises(mesh_files.FileError, match="longer"):
+        toolpath.resampled(_polylines(), step=1e-12)
