@@ -64,6 +64,7 @@ from . import (  # noqa: E402
     batch_density,
     batch_preparation,
     batch_strands,
+    batch_terms,
     batch_toolpath,
     core,
     mesh_files,
@@ -95,6 +96,7 @@ class Problem:
     seed: core.Seed | None = None
     # Per vertex, or what computes it from the surface.
     density: NDArray[np.float64] | Callable[[core.Surface], NDArray[np.float64]] | None = None
+    directions: NDArray[np.float64] | None = None  # per vertex or for all; None: not from a scene
     density_choice: Choice = field(default_factory=Choice)  # what the density was made from
     repair: Repair = field(default_factory=Repair)
     mask: Mask = field(default_factory=Mask)
@@ -184,20 +186,10 @@ def _parser() -> argparse.ArgumentParser:
     add("--iterations", type=_count(1, 2**31 - 1), metavar="N", help="iteration limit")
     add("--medial-axis", choices=("euclidean", "geodesic"), default="euclidean")
     add("--preset", choices=("even", "finest", "paper"), default="even")
-    add("--length", type=_not_negative, metavar="W", help="weight of the curve's length")
-    add(
-        "--bending",
-        type=_not_negative,
-        metavar="W",
-        help="weight of bending; the polish follows in proportion",
-    )
-    add("--alignment", type=_not_negative, metavar="W", help="weight of a direction field")
-    add("--direction", metavar="ATTRIBUTE", help="or 'curvature' or 'smooth'")
-    add("--length-power", type=_positive, default=2.0, metavar="P")
-    add("--medial-power", type=_positive, default=2.0, metavar="Q")
     add("--threads", type=_count(0, 256), default=0, metavar="T", help="0: all; same result")
     add("--quiet", action="store_true", help="print nothing but errors")
     batch_density.add_options(parser, _number)
+    batch_terms.add_options(parser, _not_negative)
     batch_strands.add_options(parser, _number, _count(0, 2**31 - 1))
     batch_preparation.add_options(parser, _number)
     batch_toolpath.add_options(parser, _positive)
@@ -233,6 +225,9 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
     preparation_problem = batch_preparation.problem_of(arguments, kind)
     if preparation_problem is not None:
         raise BadInput(preparation_problem)
+    term_problem = batch_terms.problem_of(arguments, kind)
+    if term_problem is not None:
+        raise BadInput(term_problem)
     if arguments.seed is not None and arguments.seed_object is not None:
         raise BadInput("--seed and --seed-object are both given; choose one")
     strand_problem = batch_strands.problem_of(arguments)
@@ -253,10 +248,6 @@ def _refuse_what_is_missing(arguments: argparse.Namespace) -> None:
         missing = "the geodesic medial axis; leave --medial-axis out"
     elif arguments.preset not in core.PRESETS:
         missing = f"the preset {arguments.preset!r}; choose one of {', '.join(core.PRESETS)}"
-    elif arguments.alignment is not None or arguments.direction is not None:
-        missing = "alignment with directions; leave --alignment and --direction out"
-    elif arguments.length_power != 2 or arguments.medial_power != 2:
-        missing = "powers other than 2; leave --length-power and --medial-power out"
     if missing is not None:
         raise BadInput(f"this version does not have {missing}")
 
@@ -293,13 +284,7 @@ def _flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
         options.border_distance = arguments.border_distance
     if arguments.iterations is not None:
         options.iteration_limit = arguments.iterations
-    if arguments.length is not None:
-        options.length_weight = arguments.length
-    if arguments.bending is not None:
-        # Both belong to one material: a curve that grows stiff should not be polished limp.
-        if options.bending_weight > 0:
-            options.polish_bending_weight *= arguments.bending / options.bending_weight
-        options.bending_weight = arguments.bending
+    batch_terms.apply(arguments, options)
     return options
 
 
@@ -320,10 +305,7 @@ def _echo(
         **batch_density.echo(arguments, problem.density_choice),
         **batch_preparation.echo(problem.repair, problem.mask),
         "medial_axis": arguments.medial_axis,
-        "length_power": arguments.length_power,
-        "medial_power": arguments.medial_power,
-        "alignment": 0.0,
-        "direction": None,
+        **batch_terms.echo(arguments, options),
     }
     echo.update(asdict(options))
     if options.segment_length == 0:
@@ -432,7 +414,7 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
     """Opens a .blend and takes surface, seed and density from its objects, in world units."""
     import bpy
 
-    from . import blender_data, blender_density, blender_preparation
+    from . import blender_data, blender_density, blender_preparation, direction_data
 
     try:
         bpy.ops.wm.open_mainfile(filepath=str(arguments.input.absolute()), load_ui=False)
@@ -449,6 +431,15 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
     depsgraph = bpy.context.evaluated_depsgraph_get()
     vertices, faces = blender_data.triangles_of(surface_object, depsgraph)
     problem = Problem(vertices, faces, surface_object=surface_object)
+    attribute = batch_terms.attribute_name(arguments)
+    if attribute is not None:
+        problem.directions = direction_data.attribute_directions(
+            surface_object, depsgraph, attribute
+        )
+    elif arguments.direction in direction_data.AXES:
+        problem.directions = direction_data.axis_direction(
+            surface_object, depsgraph, arguments.direction
+        )
     problem.mask = batch_preparation.mask_of(arguments)
     if problem.mask.source != "NONE":
         problem.surface_options = blender_preparation.surface_options(
@@ -678,11 +669,15 @@ def _process(argv: Sequence[str]) -> None:
         _need_bpy(arguments.output)
     options = _flow_options(arguments)
     problem = _read_problem(arguments)
+    warnings = core.option_warnings(options)
+    for warning in warnings:
+        print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
     with _surface(problem) as surface:
         problem.density = evaluated(problem.density, surface)
         surface_figures = surface.statistics()
         try:
             flow = core.Flow(surface, options, problem.seed, problem.density)
+            batch_terms.set_directions(flow, surface, arguments, problem.directions)
         except core.MeanderError as refusal:
             raise strands.explained(refusal, problem.parts) from refusal
     with flow:
@@ -704,6 +699,7 @@ def _process(argv: Sequence[str]) -> None:
         gaps,
         _echo(arguments, options, problem),
     )
+    record["warnings"] = warnings
     record["preparation"] = batch_preparation.counts(surface_figures, problem.loose_edges)
     _write_outputs(arguments, problem, curve, guides, record)
     if not arguments.quiet:

@@ -33,8 +33,8 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   require_range(o.bending_weight, 0, 1e6, "bending_weight");
   require_range(o.medial_weight, 1e-6, 1e6, "medial_weight");
   require_range(o.alignment_weight, 0, 1e6, "alignment_weight");
-  require_range(o.length_power, 1, 8, "length_power");
-  require_range(o.medial_power, 1.5, 8, "medial_power");
+  require_range(o.length_power, 1.5, 8, "length_power");
+  require_range(o.medial_power, 2, 8, "medial_power");
   require_range(o.step, 1e-3, 2, "step");
   require_range(o.growth_coarsening, 1, 4, "growth_coarsening");
   require_range(o.start_spacing_factor, 1, 16, "start_spacing_factor");

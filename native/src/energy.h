@@ -44,6 +44,9 @@ inline constexpr double kLeastLengthStiffness = 0.05;
 /// What alpha has to be multiplied by so that a power q of the medial term leaves the spacing as it is.
 double power_balance(double q);
 
+/// What has to be added to the length weights of a polish to the same end.
+double polish_balance(double q);
+
 /// Weights of the model; the arrays have one entry a node.
 struct Weights {
   std::vector<double> length;   ///< t; may be negative in the gradient

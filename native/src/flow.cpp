@@ -34,6 +34,9 @@ constexpr double kIntoEmpty = -1;
 /// A segment length that is never reached.
 constexpr double kNever = 1e100;
 
+/// Length weight taken from strands along the field before and in a polish, in units of beta.
+constexpr double kAlignedGrowth = 1, kAlignedPolish = 0.5;
+
 /// The spacing that the polish follows is smoothed along the curve over this many r.
 constexpr double kSmoothing = 2;
 
@@ -259,13 +262,17 @@ bool Flow::sees_nothing(uint32_t node) const {
 void Flow::choose_weights() {
   const uint32_t n = curve_.size();
   const double q = settings_.medial_power;
-  weights_.medial = settings_.medial_weight * power_balance(q);
+  // A polish finds the spacing by its length weights, whatever the power.
+  weights_.medial = settings_.medial_weight * (convergence_.polishing() ? 1 : power_balance(q));
   weights_.medial_power = convergence_.polishing() ? std::max(q, settings_.polish_medial_power) : q;
   weights_.medial_blocks = q != 2;
   weights_.length_power = settings_.length_power;
   weights_.length.assign(n, settings_.length_weight);
   weights_.bending.assign(n, convergence_.polishing() ? settings_.polish_bending_weight : settings_.bending_weight);
   if (convergence_.polishing()) follow_spacing();
+  if (convergence_.polishing() && q != 2) {
+    for (double& t : weights_.length) t += polish_balance(q);
+  }
   if (settings_.grow_into_empty) {
     for (uint32_t i = 0; i < n; ++i) {
       if (sees_nothing(i)) weights_.length[i] = kIntoEmpty;
@@ -276,12 +283,24 @@ void Flow::choose_weights() {
 }
 
 /// The field at the nodes, and how much it weighs there.
+///
+/// Eq. 11 counts length across the field only, so what does not lie along it is drawn in, and the curve
+/// fills less. Before and in a polish a strand is therefore pushed out again by a length weight: where
+/// it lies along the field it grows, and pushes others out of the way that lie across. On a square of
+/// 30 x 30 spacings that turned 0.55 of the length within 15 degrees of the field into 0.87. A weight
+/// that rises from 0 or falls from 3 times its value in the first 100 iterations did worse: 0.78 and
+/// 0.83 (17 x 17 spacings; constant: 0.87), with 37 and 25 hairpins in 1000 r (constant: 23).
 void Flow::find_directions() {
   if (field_.empty() || settings_.alignment_weight == 0) return;
   weights_.alignment.assign(curve_.size(), settings_.alignment_weight);
   weights_.field.resize(curve_.size());
+  const double push =
+      settings_.polish ? settings_.alignment_weight * (convergence_.polishing() ? kAlignedPolish : kAlignedGrowth) : 0;
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) weights_.field[i] = field_.at(curve_.nodes[i]);
+    for (size_t i = begin; i < end; ++i) {
+      const Vec2 line = weights_.field[i] = field_.at(curve_.nodes[i]);
+      weights_.length[i] -= push * dot(line, line);
+    }
   });
 }
 

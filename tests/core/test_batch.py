@@ -167,6 +167,32 @@ def test_bending_keeps_the_proportion_of_the_polish(run, square: Path, tmp_path:
     assert options["polish_bending_weight"] == pytest.approx(0.5 * share)
 
 
+def test_terms_reach_the_flow(run, square: Path, tmp_path: Path) -> None:
+    code, _, errors = run(
+        square, "--spacing", "0.2", "--iterations", "3", "--direction", "x", "--across",
+        "--alignment", "1.5", "--length-power", "3", "--medial-power", "4", "--start-spacing", "2",
+        "--segment-length", "0.05", "--quiet",
+    )  # fmt: skip
+    assert code == 0
+    report = json.loads((tmp_path / "out.json").read_text())
+    options = report["options"]
+    assert options["alignment_weight"] == options["alignment"] == 1.5
+    assert options["length_power"] == 3 and options["medial_power"] == 4
+    assert options["start_spacing_factor"] == 2
+    assert options["direction"] == "x" and options["across"] is True
+    (warning,) = report["warnings"]
+    assert warning in errors
+
+
+@pytest.mark.parametrize("field", ["curvature", "smooth", "y"])
+def test_fields_are_made(run, tmp_path: Path, field: str) -> None:
+    ball = write_mesh(tmp_path / "ball.obj", *geometry.icosphere(3))
+    code, *_ = run(ball, "--spacing", "0.3", "--iterations", "5", "--direction", field, "--quiet")
+    assert code == 0
+    options = json.loads((tmp_path / "out.json").read_text())["options"]
+    assert options["alignment"] == 1 and options["direction"] == field
+
+
 def test_seed_file_is_used(run, square: Path, tmp_path: Path) -> None:
     seed = write_lines(tmp_path / "seed.obj", [[(0.2, 0.3, 0), (0.8, 0.3, 0)]])
     code, *_ = run(square, "--spacing", "0.2", "--iterations", "5", "--seed", str(seed), "--quiet")
@@ -224,12 +250,16 @@ GOOD = ("--spacing", "0.2")
         (*GOOD, "--seed-object", "Curve"),
         (*GOOD, "--seed", "nowhere.obj"),
         (*GOOD, "--seed", "a.obj", "--seed-object", "b"),
+        (*GOOD, "--alignment", "1"),
+        (*GOOD, "--alignment", "-1", "--direction", "x"),
+        (*GOOD, "--direction", "flow"),
+        (*GOOD, "--across"),
+        (*GOOD, "--length-power", "1"),
+        (*GOOD, "--medial-power", "9"),
+        (*GOOD, "--start-spacing", "0.5"),
         # in the contract, but not in this version:
         (*GOOD, "--medial-axis", "geodesic"),
         (*GOOD, "--preset", "finest"),
-        (*GOOD, "--alignment", "1", "--direction", "curvature"),
-        (*GOOD, "--length-power", "4"),
-        (*GOOD, "--medial-power", "1"),
     ],
     ids=" ".join,
 )

@@ -287,8 +287,8 @@ typedef struct meander_flow_options {
   double medial_weight;     /* factor on alpha = 2 sqrt(2) / r^2 of eq. 9; in [1e-6, 1e6]; 1 keeps the spacing */
   double alignment_weight;  /* beta_F of eq. 11, towards the field of meander_flow_set_directions; in [0, 1e6];
                                0: off. The paper's 0.5 to 1 are useful values */
-  double length_power;      /* p of eq. 13, in [1, 8]; 2: plain. Scaled so that the whole strand pulls as with 2 */
-  double medial_power;      /* q of eq. 13, in [1.5, 8]; 2: plain. Scaled so that the spacing stays. A polish
+  double length_power;      /* p of eq. 13, in [1.5, 8]; 2: plain. Scaled so that the whole strand pulls as with 2 */
+  double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A polish
                                takes the larger of this and polish_medial_power */
   double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
   double growth_coarsening; /* before a polish, segments are this much longer than h; in [1, 4] */

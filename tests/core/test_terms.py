@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every term of the energy does to the curve what it says."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from meander import core
+from numpy.typing import NDArray
+from sentences import assert_sentence
+
+SPACING = 0.06
+
+
+def sheet(width: float, height: float) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
+    """A flat rectangle of squares of about a spacing, each of two triangles."""
+    across, up = round(width / SPACING), round(height / SPACING)
+    x, y = np.meshgrid(np.linspace(0, width, across + 1), np.linspace(0, height, up + 1))
+    vertices = np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
+    first = (np.arange(up)[:, None] * (across + 1) + np.arange(across)).reshape(-1)
+    far = first + across + 2
+    faces = np.concatenate([[first, first + 1, far], [first, far, far - 1]], axis=1).T
+    return vertices, faces.astype(np.uint32)
+
+
+def grow(
+    mesh: tuple[NDArray, NDArray],
+    preset: str = "even",
+    directions: NDArray | None = None,
+    kind: str = "along",
+    **changes,
+) -> tuple[core.Polylines, dict]:
+    options = core.default_options(preset)
+    options.radius = SPACING / 2
+    for name, value in changes.items():
+        setattr(options, name, value)
+    flow = core.Flow(core.Surface(*mesh), options)
+    if directions is not None:
+        flow.set_directions(directions, kind)
+    flow.run()
+    figures = flow.statistics()
+    assert figures["crossings"] == 0
+    return flow.polylines(), figures
+
+
+def resampled(curve: core.Polylines, step: float) -> NDArray[np.float64]:
+    """Points at even steps along the only strand, which is closed."""
+    assert curve.closed.tolist() == [1]
+    points = np.vstack([curve.positions, curve.positions[:1]])
+    along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    at = np.linspace(0, along[-1], round(along[-1] / step), endpoint=False)
+    return np.stack([np.interp(at, along, points[:, k]) for k in range(3)], axis=1)
+
+
+def aligned_share(curve: core.Polylines, direction: tuple, degrees: float = 15) -> float:
+    """The share of the length that lies within an angle of a direction."""
+    points = np.vstack([curve.positions, curve.positions[:1]])
+    way = np.diff(points, axis=0)
+    length = np.linalg.norm(way, axis=1)
+    near = np.abs(way @ np.array(direction)) >= np.cos(np.radians(degrees)) * length
+    return length[near].sum() / length.sum()
+
+
+def tight_share(curve: core.Polylines) -> float:
+    """The share of the length whose radius of curvature is below half of r."""
+    r = SPACING / 2
+    b = resampled(curve, 0.1 * r)
+    a, c = np.roll(b, 2, axis=0), np.roll(b, -2, axis=0)
+    sides = [np.linalg.norm(side, axis=1) for side in (b - a, c - b, c - a)]
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    return np.mean(4 * area / np.prod(sides, axis=0) > 2 / r)
+
+
+def corners(curve: core.Polylines) -> int:
+    """Turns of more than 60 degrees within an arc length of r."""
+    r = SPACING / 2
+    points = resampled(curve, 0.1 * r)
+    way = np.roll(points, -2, axis=0) - points
+    way /= np.linalg.norm(way, axis=1)[:, None]
+    over = (way * np.roll(way, -10, axis=0)).sum(axis=1) < 0.5
+    return int(np.sum(over & ~np.roll(over, 1)))
+
+
+def median(figures: dict) -> float:
+    return figures["spacing_median"] / SPACING
+
+
+# ------------------------------------------------------------------------------------------------
+# Field alignment
+
+
+def test_the_curve_lies_along_a_field() -> None:
+    mesh = sheet(3.0, 0.6)
+    plain, _ = grow(mesh)
+    field = np.tile([-2.0, 0, 0], (len(mesh[0]), 1))
+    field[::3] *= -1  # signs do not matter
+    curve, figures = grow(mesh, directions=field, alignment_weight=2.0)
+    assert aligned_share(curve, (1, 0, 0)) > 0.9 > 0.75 > aligned_share(plain, (1, 0, 0))
+    assert median(figures) == pytest.approx(1, abs=0.12)
+
+
+def test_the_curve_lies_across_a_field() -> None:
+    mesh = sheet(1.0, 1.0)
+    field = np.tile([1.0, 0, 0], (len(mesh[0]), 1))
+    curve, _ = grow(mesh, directions=field, kind="across", alignment_weight=2.0)
+    assert aligned_share(curve, (0, 1, 0)) > 3 * aligned_share(curve, (1, 0, 0))
+
+
+def test_a_field_without_weight_does_nothing() -> None:
+    mesh = sheet(0.5, 0.5)
+    field = np.tile([1.0, 0, 0], (len(mesh[0]), 1))
+    with_field, _ = grow(mesh, directions=field, iteration_limit=20)
+    plain, _ = grow(mesh, alignment_weight=1.0, iteration_limit=20)
+    default, _ = grow(mesh, iteration_limit=20)
+    assert with_field.positions.tobytes() == default.positions.tobytes()
+    assert plain.positions.tobytes() == default.positions.tobytes()
+
+
+@pytest.mark.parametrize(
+    "field",
+    [np.zeros((121, 3)), np.full((121, 3), np.nan), [[0.0, 0, 1]] * 121, np.ones((5, 3))],
+    ids=["zero", "NaN", "upright", "too short"],
+)
+def test_fields_that_say_nothing_are_refused(field: NDArray) -> None:
+    mesh = sheet(10 * SPACING, 10 * SPACING)
+    assert len(mesh[0]) == 121
+    options = core.default_options()
+    options.radius = SPACING / 2
+    flow = core.Flow(core.Surface(*mesh), options)
+    with pytest.raises(core.MeanderError) as refusal:
+        flow.set_directions(field)
+    assert_sentence(str(refusal.value))
+
+
+def test_fields_come_before_the_first_step() -> None:
+    mesh = sheet(0.6, 0.6)
+    options = core.default_options()
+    options.radius = SPACING / 2
+    flow = core.Flow(core.Surface(*mesh), options)
+    flow.set_directions(np.ones((len(mesh[0]), 3)))
+    flow.set_directions(None)
+    flow.step()
+    with pytest.raises(core.MeanderError, match="before the first iteration"):
+        flow.set_directions(np.ones((len(mesh[0]), 3)))
+
+
+# ------------------------------------------------------------------------------------------------
+# Bending, powers, lengths
+
+
+def test_bending_makes_turns_wider() -> None:
+    mesh = sheet(1.0, 1.0)
+    shares = [
+        tight_share(grow(mesh, "paper", bending_weight=weight)[0]) for weight in (0, 0.1, 0.5)
+    ]
+    assert shares[0] > 1.5 * shares[1] > 2 * shares[2]
+
+
+@pytest.mark.parametrize("preset", core.PRESETS[:2])
+def test_powers_leave_the_spacing(preset: str) -> None:
+    """The spacing of plain powers is 0.94 (even) and 0.88 to 0.99 (paper) of the target."""
+    mesh = sheet(1.0, 1.0)
+    for p, q in ((2, 2), (2, 3), (2, 4), (2, 6), (3, 2), (4, 2), (3, 4)):
+        _, figures = grow(mesh, preset, length_power=p, medial_power=q)
+        assert median(figures) == pytest.approx(0.95, abs=0.1), (p, q)
+
+
+def test_weights_mean_the_same_at_every_scale() -> None:
+    vertices, faces = sheet(0.6, 0.6)
+    changes = {"bending_weight": 0.7, "length_weight": 0.2, "alignment_weight": 0.5,
+               "medial_power": 3.0, "length_power": 3.0, "iteration_limit": 30}  # fmt: skip
+    field = np.tile([1.0, 0.5, 0], (len(vertices), 1))
+    curves = []
+    for scale in (1.0, 1e-3, 1e3):
+        options = core.default_options()
+        for name, value in changes.items():
+            setattr(options, name, value)
+        options.radius = SPACING / 2 * scale
+        flow = core.Flow(core.Surface(vertices * scale, faces), options)
+        flow.set_directions(field / scale)
+        flow.run()
+        curves.append(flow.polylines().positions / scale)
+    for other in curves[1:]:
+        np.testing.assert_allclose(other, curves[0], atol=1e-9)
+
+
+def test_spacing_does_not_depend_on_the_segment_length() -> None:
+    mesh = sheet(1.0, 1.0)
+    medians = [
+        median(grow(mesh, segment_length=share * SPACING / 2)[1]) for share in (0.15, 0.2, 0.3)
+    ]
+    assert max(medians) - min(medians) < 0.06
+
+
+def test_a_wide_start_leaves_few_corners() -> None:
+    mesh = sheet(1.5, 1.5)
+    paper, paper_figures = grow(mesh, "paper")
+    progressive, figures = grow(mesh, start_spacing_factor=4.0)
+    assert median(figures) == pytest.approx(median(paper_figures), abs=0.1)
+    assert figures["spacing_target"] == pytest.approx(SPACING)
+    assert corners(progressive) < 0.5 * corners(paper)
+
+
+# ------------------------------------------------------------------------------------------------
+# Warnings
+
+
+def test_defaults_give_no_warning() -> None:
+    for preset in core.PRESETS:
+        options = core.default_options(preset)
+        options.radius = 1.0
+        assert core.option_warnings(options) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "fine"),
+    [
+        ("segment_length", 0.41, 0.4),
+        ("max_radius", 1.9, 2.0),
+        ("length_weight", 6.0, 1.0),
+        ("bending_weight", 20.0, 2.0),
+        ("alignment_weight", 20.0, 2.0),
+    ],
+)
+def test_what_is_seldom_meant_is_said(name: str, value: float, fine: float) -> None:
+    options = core.default_options()
+    options.radius = 1.0
+    setattr(options, name, value)
+    (warning,) = core.option_warnings(options)
+    assert_sentence(warning)
+    assert f"{value:g}" in warning
+    setattr(options, name, fine)
+    assert core.option_warnings(options) == []
+
+
+# ------------------------------------------------------------------------------------------------
+# Fields of a surface
+
+
+def test_curvature_scales_with_the_mesh() -> None:
+    angle = np.linspace(0, 2 * np.pi, 48, endpoint=False)
+    rings = [np.stack([np.cos(angle), np.sin(angle), 0 * angle + z], axis=1) for z in range(3)]
+    vertices = np.vstack(rings)
+    faces = []
+    for ring in range(2):
+        for k in range(48):
+            a, b = 48 * ring + k, 48 * ring + (k + 1) % 48
+            faces += [[a, b, b + 48], [a, b + 48, a + 48]]
+    for scale in (1.0, 100.0):
+        surface = core.Surface(scale * vertices, np.array(faces, dtype=np.uint32))
+        middle = slice(48, 96)
+        assert surface.curvature("mean")[middle] * scale == pytest.approx(0.5, rel=0.01)
+        assert surface.curvature("gaussian")[middle] * scale**2 == pytest.approx(0, abs=1e-6)
+        along, round_it = (surface.directions(kind) for kind in core.DIRECTIONS[:2])
+        assert np.abs(along[middle, 2]) == pytest.approx(1, abs=1e-4)
+        assert np.abs(round_it[middle, 2]) == pytest.approx(0, abs=1e-4)
+
+
+def test_fields_refuse_what_they_do_not_know() -> None:
+    surface = core.Surface(*sheet(0.3, 0.3))
+    for call in (
+        lambda: surface.curvature("sharp"),
+        lambda: surface.curvature("mean", -1),
+        lambda: surface.directions("smooth", 100.0),
+        lambda: surface.extended_directions([[0, 0, 0]], [0, 2]),
+        lambda: surface.extended_directions([[0, 0, np.nan], [1, 0, 0]], [0, 2]),
+    ):
+        with pytest.raises(core.MeanderError) as refusal:
+            call()
+        assert_sentence(str(refusal.value))
