@@ -11,6 +11,7 @@ blender_density     what the density is chosen from: weights, attributes, colour
 strands     seeds, strokes and guides put together            (no bpy)
 strand_data     the same as Blender has them; their materials
 preparation, blender_preparation     mending meshes, and the part of one that is filled
+motion      curves on surfaces that move: followed, and baked
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore
 operators, sidebar, panels, ..._panel   buttons
@@ -45,11 +46,14 @@ _SUBMODULES = (
     "strand_data",
     "preparation",
     "blender_preparation",
+    "motion_settings",
     "properties",
     "session",
+    "motion",
     "operators",
     "sidebar",
     "panels",
+    "motion_panel",
     "preparation_panels",
     "strand_panel",
 )
@@ -58,6 +62,7 @@ _WITH_CLASSES = (
     "session",
     "operators",
     "panels",
+    "motion_panel",
     "preparation_panels",
     "strand_panel",
 )

@@ -18,6 +18,7 @@ from bpy.props import (
 
 from .blender_density import DensitySettings
 from .blender_preparation import MeanderProblem, PreparationSettings
+from .motion_settings import MotionSettings
 from .strand_data import StrandSettings
 
 # What run() returns, as a user reads it.
@@ -75,7 +76,7 @@ class MeanderFigures(bpy.types.PropertyGroup):
 
 
 class MeanderSettings(
-    DensitySettings, PreparationSettings, StrandSettings, bpy.types.PropertyGroup
+    DensitySettings, PreparationSettings, StrandSettings, MotionSettings, bpy.types.PropertyGroup
 ):
     """How to fill a surface; the parts that a feature of its own needs come from its module."""
 
@@ -178,6 +179,8 @@ COPIED = (
     *DensitySettings.__annotations__,
     *StrandSettings.__annotations__,
     *PreparationSettings.__annotations__,
+    "motion",
+    "motion_steps",
     "fixed_ends",
     "preset",
     "iteration_limit",

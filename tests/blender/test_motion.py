@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curves on surfaces that move: followed while frames change, and baked into the file."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import bpy
+import numpy as np
+import pytest
+import scenes
+from mathutils.bvhtree import BVHTree
+
+# Points that nearly coincide are one in what is written: half a hundredth of the spacing, and some.
+ON_SURFACE = 0.006
+
+
+def _tube(frames: int = 8) -> bpy.types.Object:
+    """A tube that is stretched to 1.6 of its length and bent, by shape keys, over the frames."""
+    around, along, height = 24, 16, 4.0
+    angles = 2 * np.pi * np.arange(around) / around
+    levels = np.linspace(0.0, height, along + 1)
+    vertices = np.array([[np.cos(a), np.sin(a), z] for z in levels for a in angles])
+    faces = []
+    for j in range(along):
+        for i in range(around):
+            a, b = j * around + i, j * around + (i + 1) % around
+            faces += [[a, b, b + around], [a, b + around, a + around]]
+    thing = scenes.mesh_object("Tube", vertices, faces)
+    thing.shape_key_add(name="Basis")
+    key = thing.shape_key_add(name="Bent", from_mix=False)
+    angle = 0.15 * 1.6 * vertices[:, 2]
+    moved = np.column_stack(
+        [vertices[:, 0] + 1.6 * angle, vertices[:, 1], 1.6 * vertices[:, 2] - 0.1 * vertices[:, 0]]
+    )
+    key.data.foreach_set("co", moved.astype(np.float32).ravel())
+    key.value = 0.0
+    key.keyframe_insert("value", frame=1)
+    key.value = 1.0
+    key.keyframe_insert("value", frame=frames)
+    scene = bpy.context.scene
+    scene.frame_start, scene.frame_end = 1, frames
+    scene.frame_set(1)
+    return thing
+
+
+@pytest.fixture
+def tube() -> bpy.types.Object:
+    return _tube()
+
+
+@pytest.fixture
+def result(tube: bpy.types.Object) -> bpy.types.Object:
+    return scenes.fill(tube, 0.6, use_bevel=False)
+
+
+def _points(thing: bpy.types.Object) -> np.ndarray:
+    return np.vstack([points for points, _cyclic in scenes.world_splines(thing)])
+
+
+def test_follow_keeps_the_spacing_and_the_surface(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    before = scenes.length_of(result)
+    bpy.context.scene.frame_set(2)
+    assert scenes.length_of(result) == pytest.approx(before)  # off by default
+    bpy.context.scene.frame_set(1)
+    result.meander.follow = True
+    result.meander.motion_steps = 8
+    strands = len(result.data.splines)
+    for frame in range(2, 9):
+        bpy.context.scene.frame_set(frame)
+        assert scenes.farthest_from(tube, result) < ON_SURFACE
+        assert 0.9 < scenes.packing(tube, result) < 1.1
+    assert len(result.data.splines) == strands
+    assert scenes.length_of(result) > 1.3 * before
+    # What a file keeps is the switch; the rest begins again from the curve as it is.
+    from meander import motion_panel
+
+    motion_panel.forget()
+    bpy.context.scene.frame_set(7)
+    assert scenes.farthest_from(tube, result) < ON_SURFACE
+    result.meander.follow = False
+    now = scenes.length_of(result)
+    bpy.context.scene.frame_set(1)
+    assert scenes.length_of(result) == pytest.approx(now, rel=1e-5)
+
+
+def test_follow_can_stick(tube: bpy.types.Object, result: bpy.types.Object) -> None:
+    result.meander.motion = "STICK"
+    result.meander.follow = True
+    count = len(_points(result))
+    bpy.context.scene.frame_set(6)
+    assert len(_points(result)) == count
+    start = _points(result)
+    vertices, faces = scenes.world_triangles(tube)
+    tree = BVHTree.FromPolygons(vertices.tolist(), faces.tolist())
+    assert max(tree.find_nearest(point)[3] for point in start.tolist()) < 1e-4
+    bpy.context.scene.frame_set(1)
+    bpy.context.scene.frame_set(6)
+    assert np.allclose(_points(result), start, atol=1e-5)
+
+
+def test_a_mesh_that_changes_is_a_sentence_in_the_panel(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    from meander import motion_panel, session
+
+    result.meander.follow = True
+    bpy.context.scene.frame_set(2)
+    before = scenes.length_of(result)
+    tube.modifiers.new("Finer", "SUBSURF").levels = 1
+    bpy.context.scene.frame_set(3)
+    problem = motion_panel._problems[session.Key.of(result)]
+    assert "modifiers" in problem
+    assert scenes.length_of(result) == pytest.approx(before)
+    tube.modifiers.clear()
+    bpy.context.scene.frame_set(2)
+
+
+def _shown(collection: bpy.types.Collection) -> list[bpy.types.Object]:
+    return [thing for thing in collection.objects if not thing.hide_render]
+
+
+def test_baked_frames_show_one_curve_each(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    before = scenes.length_of(result)
+    result.meander.motion_steps = 8
+    assert bpy.ops.meander.bake_motion(frame_start=1, frame_end=5) == {"FINISHED"}
+    collection = result.meander.bake
+    assert bpy.context.scene.frame_current == 1
+    assert result.hide_render
+    assert len(collection.objects) == 5
+    for frame in (1, 2, 5, 3, 4):
+        bpy.context.scene.frame_set(frame)
+        shown = _shown(collection)
+        assert [thing.name for thing in shown] == [f"{result.name} {frame:04d}"]
+        assert not shown[0].hide_viewport
+        assert scenes.farthest_from(tube, shown[0]) < ON_SURFACE
+        packing = scenes.length_of(shown[0]) * 0.6 / scenes.area_of(tube)
+        assert 0.9 < packing < 1.1
+    assert scenes.length_of(result) == pytest.approx(before)  # the curve itself is as it was
+    scenes.activate(result)
+    assert bpy.ops.meander.clear_bake() == {"FINISHED"}
+    assert not result.hide_render
+    assert result.meander.bake is None
+    assert not [item for item in bpy.data.curves if "0003" in item.name]
+
+
+def test_sticking_bake_is_one_curve_with_shape_keys(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    result.meander.motion = "STICK"
+    count = len(_points(result))
+    assert bpy.ops.meander.bake_motion(frame_start=1, frame_end=6) == {"FINISHED"}
+    (shown,) = result.meander.bake.objects
+    assert len(shown.data.shape_keys.key_blocks) == 6
+    seen = {}
+    for frame in (1, 4, 6):
+        bpy.context.scene.frame_set(frame)
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        evaluated = shown.evaluated_get(depsgraph)
+        mesh = evaluated.to_mesh()
+        local = np.array([vertex.co[:] for vertex in mesh.vertices])
+        evaluated.to_mesh_clear()
+        assert len(local) == count
+        matrix = scenes.matrix_of(shown)
+        seen[frame] = local @ matrix[:3, :3].T + matrix[:3, 3]
+        vertices, faces = scenes.world_triangles(tube)
+        tree = BVHTree.FromPolygons(vertices.tolist(), faces.tolist())
+        assert max(tree.find_nearest(point)[3] for point in seen[frame].tolist()) < ON_SURFACE
+    assert np.abs(seen[6] - seen[1]).max() > 0.5
+
+
+def test_growth_can_be_baked(tube: bpy.types.Object, result: bpy.types.Object) -> None:
+    assert bpy.ops.meander.bake_growth(every=20) == {"FINISHED"}
+    objects = list(result.meander.bake.objects)
+    lengths = [scenes.length_of(thing) for thing in objects]
+    assert len(objects) > 3
+    assert lengths[0] < lengths[1] < lengths[2]
+    assert lengths[-1] == pytest.approx(scenes.length_of(result), rel=0.02)
+
+
+def test_the_file_shows_the_frames_without_the_add_on(
+    tube: bpy.types.Object, result: bpy.types.Object, tmp_path
+) -> None:
+    assert bpy.ops.meander.bake_motion(frame_start=1, frame_end=4) == {"FINISHED"}
+    path = tmp_path / "baked.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True)
+    script = tmp_path / "look.py"
+    script.write_text(
+        "import sys, bpy\n"
+        f"bpy.ops.wm.open_mainfile(filepath={str(path)!r})\n"
+        "assert not hasattr(bpy.types.Object, 'meander')\n"
+        "scene = bpy.context.scene\n"
+        "for frame in (3, 1, 4):\n"
+        "    scene.frame_set(frame)\n"
+        "    names = [o.name for o in scene.objects if o.type == 'CURVE' and not o.hide_render]\n"
+        "    print('SHOWN', frame, names, flush=True)\n",
+        encoding="utf-8",
+    )
+    if bpy.app.binary_path:
+        command = [bpy.app.binary_path, "-b", "--factory-startup", "--python", str(script)]
+    else:
+        command = [sys.executable, str(script)]
+    output = subprocess.run(command, capture_output=True, text=True, timeout=120).stdout
+    for frame in (3, 1, 4):
+        assert f"SHOWN {frame} ['{result.name} {frame:04d}']" in output
+
+
+def test_bake_refuses_with_one_sentence_and_bakes_nothing(
+    tube: bpy.types.Object, result: bpy.types.Object
+) -> None:
+    bpy.context.scene.frame_set(8)  # the curve belongs to frame 1
+    before = scenes.counts()
+    with pytest.raises(RuntimeError, match="frame in which it was made"):
+        bpy.ops.meander.bake_motion(frame_start=1, frame_end=3)
+    assert scenes.counts() == before
+    assert not result.hide_render
