@@ -127,15 +127,48 @@ bool touch(const Piece& p, const Piece& q) {
          (c == 0 && between(q.from, q.to, p.from)) || (d == 0 && between(q.from, q.to, p.to));
 }
 
+/// The pieces that may have to be tested: all, or those in the faces of changed segments.
+void CrossingTest::collect(const Surface& surface, const Curve& curve, Team& team,
+                           const std::vector<uint8_t>* changed) {
+  std::vector<uint32_t> marked;
+  if (changed) {
+    marked_.resize(surface.face_count(), 0);
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      if (!(*changed)[i] || !curve.has_segment(i)) continue;
+      curve.pieces_of(surface, i, [&](const Piece& piece) {
+        if (!marked_[piece.face]) marked.push_back(piece.face);
+        marked_[piece.face] = 1;
+      });
+    }
+  }
+  constexpr size_t kSegmentsPerBlock = 1024;
+  pieces_.resize(Team::block_count(curve.size(), kSegmentsPerBlock));
+  team.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
+    std::vector<Piece>& pieces = pieces_[block];
+    pieces.clear();
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (!curve.has_segment(i)) continue;
+      curve.pieces_of(surface, i, [&](const Piece& piece) {
+        if (!changed || marked_[piece.face]) pieces.push_back(piece);
+      });
+    }
+  });
+  for (const uint32_t f : marked) marked_[f] = 0;
+}
+
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, Team& team,
                          const std::vector<uint8_t>* changed) {
-  curve.pieces(surface, pieces_);
+  collect(surface, curve, team, changed);
   // A counting sort by face that touches only the faces which the curve runs through: a fine mesh has
   // many more.
   count_.resize(surface.face_count(), 0);
   occupied_.clear();
-  for (const Piece& p : pieces_) {
-    if (count_[p.face]++ == 0) occupied_.push_back(p.face);
+  size_t total = 0;
+  for (const std::vector<Piece>& block : pieces_) {
+    total += block.size();
+    for (const Piece& p : block) {
+      if (count_[p.face]++ == 0) occupied_.push_back(p.face);
+    }
   }
   end_.resize(occupied_.size());
   uint32_t place = 0;
@@ -144,8 +177,10 @@ Pairs CrossingTest::find(const Surface& surface, const Curve& curve, Team& team,
     count_[f] = place;
     place += count;
   }
-  sorted_.resize(pieces_.size());
-  for (const Piece& p : pieces_) sorted_[count_[p.face]++] = p;
+  sorted_.resize(total);
+  for (const std::vector<Piece>& block : pieces_) {
+    for (const Piece& p : block) sorted_[count_[p.face]++] = p;
+  }
   for (size_t k = 0; k < occupied_.size(); ++k) {
     end_[k] = count_[occupied_[k]];
     count_[occupied_[k]] = 0;

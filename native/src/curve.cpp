@@ -25,21 +25,22 @@ void Curve::link() {
   }
 }
 
+void Curve::lay_out_as(const Curve& other) {
+  nodes = other.nodes;
+  fixed = other.fixed;
+  strands = other.strands;
+  next_ = other.next_;
+  previous_ = other.previous_;
+  on_guide_ = other.on_guide_;
+  paths.resize(nodes.size());
+  shapes.resize(nodes.size());
+}
+
 void Curve::pieces(const Surface& surface, std::vector<Piece>& out) const {
   out.clear();
   out.reserve(2 * nodes.size());
   for (uint32_t i = 0; i < size(); ++i) {
-    if (!has_segment(i)) continue;
-    Piece piece{nodes[i].face, i, nodes[i].b, {}};
-    for (const Crossing& c : paths[i]) {
-      piece.to = on_edge(c.e, c.t);
-      out.push_back(piece);
-      const Crossing r = reversed(surface, c);
-      piece.face = face_of(r.e);
-      piece.from = on_edge(r.e, r.t);
-    }
-    piece.to = nodes[next_[i]].b;
-    out.push_back(piece);
+    if (has_segment(i)) pieces_of(surface, i, [&](const Piece& piece) { out.push_back(piece); });
   }
 }
 

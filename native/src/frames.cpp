@@ -22,13 +22,6 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
 /// Walks that are led in turns, so that they wait for memory together.
 constexpr uint32_t kTogether = 8;
 
-void lead_together(std::vector<GeodesicWalk>& walks) {
-  for (bool walking = true; walking;) {
-    walking = false;
-    for (GeodesicWalk& walk : walks) walking |= walk.step();
-  }
-}
-
 /// The bisector of a node's two segments.
 Vec2 flat_tangent(const Curve& curve, uint32_t i) {
   const uint32_t before = curve.previous(i), after = curve.next(i);
@@ -40,7 +33,8 @@ Vec2 flat_tangent(const Curve& curve, uint32_t i) {
 
 }  // namespace
 
-NormalField::NormalField(const Surface& surface, double radius) : surface_(surface) {
+void NormalField::find() const {
+  const Surface& surface = surface_;
   normals_.assign(surface.vertex_count(), Vec3::Zero());
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     for (uint32_t k = 0; k < 3; ++k) {
@@ -49,7 +43,7 @@ NormalField::NormalField(const Surface& surface, double radius) : surface_(surfa
   }
   for (Vec3& n : normals_) n = unit_or(n, Vec3::Zero());
 
-  const double edges = 0.5 * radius / surface.mean_edge_length();
+  const double edges = 0.5 * radius_ / surface.mean_edge_length();
   const int passes = static_cast<int>(std::min(kMostPasses, std::floor(edges * edges)));
   for (int pass = 0; pass < passes; ++pass) {
     std::vector<Vec3> sum(normals_);
@@ -64,6 +58,7 @@ NormalField::NormalField(const Surface& surface, double radius) : surface_(surfa
 }
 
 Vec3 NormalField::blended(uint32_t f, double w0, double w1, double w2) const {
+  std::call_once(found_, [this] { find(); });
   const Triangle& t = surface_.face(f);
   return unit_or(w0 * normals_[t[0]] + w1 * normals_[t[1]] + w2 * normals_[t[2]], surface_.face_normal(f));
 }
@@ -94,7 +89,7 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
         walks.emplace_back(surface, curve.nodes[i], local_radius[i] * frames.bitangent2[i]);
         walks.emplace_back(surface, curve.nodes[i], -local_radius[i] * frames.bitangent2[i]);
       }
-      lead_together(walks);
+      lead_together(walks, [](size_t) {});
       for (uint32_t i = first; i < last; ++i) {
         // In space the tangent spans both segments, so that one small face does not decide it.
         const uint32_t before = curve.previous(i), after = curve.next(i), face = curve.nodes[i].face;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <mutex>
 #include <vector>
 
 #include "curve.h"
@@ -17,14 +18,19 @@ namespace meander {
 /// r / 2 so that noise in them does not show, blended over each face.
 class NormalField {
  public:
-  NormalField(const Surface& surface, double radius);
+  /// Finds them when they are first asked for, which may be on any thread.
+  NormalField(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
   /// The unit normal at the point of face f with these weights of its corners.
   Vec3 blended(uint32_t f, double w0, double w1, double w2) const;
 
  private:
+  void find() const;
+
   const Surface& surface_;
-  std::vector<Vec3> normals_;  // per vertex, unit
+  double radius_;
+  mutable std::once_flag found_;
+  mutable std::vector<Vec3> normals_;  // per vertex, unit
 };
 
 /// Per node.

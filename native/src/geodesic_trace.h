@@ -55,6 +55,19 @@ class GeodesicWalk {
   bool ended_ = false, hit_boundary_ = false;
 };
 
+/// Leads all walks to their ends, in turns; calls crossed(k) after walk k has crossed an edge.
+template <class Crossed>
+void lead_together(std::vector<GeodesicWalk>& walks, const Crossed& crossed) {
+  for (bool walking = true; walking;) {
+    walking = false;
+    for (size_t k = 0; k < walks.size(); ++k) {
+      if (!walks[k].step()) continue;
+      walking = true;
+      crossed(k);
+    }
+  }
+}
+
 /// The whole walk. Appends the crossed edges to `crossings` (not cleared).
 Trace trace_geodesic(const Surface& surface, const SurfacePoint& start, Vec2 displacement,
                      std::vector<Crossing>& crossings);

@@ -99,24 +99,37 @@ void check_areas(std::span<const double> vertices, const std::vector<Triangle>& 
   }
 }
 
-/// All sides, sorted so that those of one edge stand together.
-std::vector<Side> sorted_sides(const std::vector<Triangle>& faces) {
-  std::vector<Side> sides(3 * faces.size());
-  for (size_t f = 0; f < faces.size(); ++f) {
-    for (size_t k = 0; k < 3; ++k) {
-      const uint32_t a = faces[f][k], b = faces[f][(k + 1) % 3];
-      sides[3 * f + k] = {std::min(a, b), std::max(a, b), static_cast<uint32_t>(3 * f + k)};
+/// All sides, sorted so that those of one edge stand together: counted into the places of their lower
+/// vertices, which leaves a handful each to sort.
+std::vector<Side> sorted_sides(const std::vector<Triangle>& faces, size_t vertex_count) {
+  std::vector<uint32_t> place(vertex_count + 1, 0);
+  const auto each = [&](const auto& put) {
+    for (size_t f = 0; f < faces.size(); ++f) {
+      for (size_t k = 0; k < 3; ++k) {
+        const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1];
+        put(Side{std::min(a, b), std::max(a, b), static_cast<uint32_t>(3 * f + k)});
+      }
     }
+  };
+  each([&](const Side& side) { ++place[side.low + 1]; });
+  for (size_t v = 0; v < vertex_count; ++v) place[v + 1] += place[v];
+  std::vector<Side> sides(3 * faces.size());
+  each([&](const Side& side) { sides[place[side.low]++] = side; });
+  // place[v] now is where the sides of v end.
+  auto begin = sides.begin();
+  for (size_t v = 0; v < vertex_count; ++v) {
+    const auto end = sides.begin() + place[v];
+    std::sort(begin, end);
+    begin = end;
   }
-  std::sort(sides.begin(), sides.end());
   return sides;
 }
 
 constexpr uint32_t kNone = UINT32_MAX;
 
 /// Per half-edge the half-edge of the other face on the same edge, kNone at the boundary.
-std::vector<uint32_t> pair_sides(const std::vector<Triangle>& faces, const Names& names) {
-  const std::vector<Side> sides = sorted_sides(faces);
+std::vector<uint32_t> pair_sides(const std::vector<Triangle>& faces, size_t vertex_count, const Names& names) {
+  const std::vector<Side> sides = sorted_sides(faces, vertex_count);
   std::vector<uint32_t> mate(3 * faces.size(), kNone);
   for (size_t i = 0; i < sides.size();) {
     size_t j = i + 1;
@@ -255,7 +268,7 @@ CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_
   }
   mesh.placement = measure(vertices, mesh.faces, mesh.used_vertices);
   check_areas(vertices, mesh.faces, mesh.placement, names);
-  const std::vector<uint32_t> mate = pair_sides(mesh.faces, names);
+  const std::vector<uint32_t> mate = pair_sides(mesh.faces, vertices.size() / 3, names);
   check_vertices(mesh, mate, vertices.size() / 3, names);
   orient(mesh, mate, names);
   for (size_t f = 0; f < mesh.faces.size(); ++f) {

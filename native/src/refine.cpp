@@ -47,26 +47,32 @@ void Refinement::refine(const Surface& surface, Curve& curve, const std::vector<
                         std::vector<uint32_t>& origin) {
   may_split_.assign(curve.size(), 1);
   may_remove_.assign(curve.size(), 1);
-  while (propose(surface, curve, target)) {
-    const auto pairs = test_.find(surface, next_, team, &changed_);
-    if (pairs.empty()) {
-      std::swap(curve, next_);
-      origin.swap(origin_);
-      return;
-    }
-    // Take back what lies between the old nodes around a crossing segment; the rest is proposed again.
-    for (const auto& [a, b] : pairs) {
-      for (const uint32_t segment : {a, b}) {
-        if (!changed_[segment]) continue;
-        const uint32_t first = origin_[segment], last = origin_[next_.next(segment)];
-        may_split_[first] = 0;
-        if (first == last) continue;  // between two cuts of one segment
-        for (uint32_t i = curve.next(first); i != kNone && i != last && i != first; i = curve.next(i)) {
-          may_split_[i] = 0;
-          may_remove_[i] = 0;
+  try {
+    while (propose(surface, curve, target)) {
+      const auto pairs = test_.find(surface, next_, team, &changed_);
+      if (pairs.empty()) {
+        std::swap(curve, next_);
+        origin.swap(origin_);
+        return;
+      }
+      give_back(curve);
+      // Take back what lies between the old nodes around a crossing segment; the rest is proposed again.
+      for (const auto& [a, b] : pairs) {
+        for (const uint32_t segment : {a, b}) {
+          if (!changed_[segment]) continue;
+          const uint32_t first = origin_[segment], last = origin_[next_.next(segment)];
+          may_split_[first] = 0;
+          if (first == last) continue;  // between two cuts of one segment
+          for (uint32_t i = curve.next(first); i != kNone && i != last && i != first; i = curve.next(i)) {
+            may_split_[i] = 0;
+            may_remove_[i] = 0;
+          }
         }
       }
     }
+  } catch (...) {
+    give_back(curve);  // out of memory: the curve stays what it was
+    throw;
   }
   origin.resize(curve.size());
   for (uint32_t i = 0; i < curve.size(); ++i) origin[i] = i;
@@ -86,8 +92,16 @@ bool Refinement::any_change(const Curve& curve, const std::vector<double>& targe
   return false;
 }
 
-/// Fills next_ with the refined curve; false if there is nothing to do.
-bool Refinement::propose(const Surface& surface, const Curve& curve, const std::vector<double>& target) {
+/// Returns the paths of unchanged segments to the curve.
+void Refinement::give_back(Curve& curve) {
+  for (uint32_t i = 0; i < changed_.size(); ++i) {
+    if (!changed_[i] && !next_.paths[i].empty()) curve.paths[origin_[i]].swap(next_.paths[i]);
+  }
+}
+
+/// Fills next_ with the refined curve; false if there is nothing to do. The paths of segments that do
+/// not change are moved there, not copied: give_back() undoes it.
+bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector<double>& target) {
   if (!any_change(curve, target)) return false;
   next_.nodes.clear();
   next_.fixed.clear();
@@ -137,7 +151,7 @@ bool Refinement::propose(const Surface& surface, const Curve& curve, const std::
       const int parts = l > 2 * h && may_split_[i] ? static_cast<int>(std::clamp(std::round(l / (1.5 * h)), 2.0, 1e6)) : 1;
       if (parts == 1) {
         next_.shapes.back() = curve.shapes[i];
-        next_.paths.back() = curve.paths[i];
+        next_.paths.back().swap(curve.paths[i]);
       } else {
         any = true;
         Cut pieces = cut(surface, curve.nodes[i], curve.nodes[j], curve.paths[i], l, parts);
@@ -155,7 +169,11 @@ bool Refinement::propose(const Surface& surface, const Curve& curve, const std::
     }
     next_.strands.push_back({first_new, next_.size() - first_new, strand.closed, strand.guide});
   }
-  if (any) next_.link();
+  if (any) {
+    next_.link();
+  } else {
+    give_back(curve);
+  }
   return any;
 }
 

@@ -26,7 +26,8 @@ class Refinement {
 
  private:
   bool any_change(const Curve& curve, const std::vector<double>& target) const;
-  bool propose(const Surface& surface, const Curve& curve, const std::vector<double>& target);
+  bool propose(const Surface& surface, Curve& curve, const std::vector<double>& target);
+  void give_back(Curve& curve);
 
   CrossingTest test_;
   Curve next_;

@@ -2,6 +2,7 @@
 #include "retraction.h"
 
 #include <algorithm>
+#include <array>
 
 #include "geodesic_trace.h"
 #include "stopwatch.h"
@@ -10,6 +11,9 @@ namespace meander {
 namespace {
 
 constexpr size_t kBlock = 256;
+
+/// Walks that are led in turns.
+constexpr size_t kTogether = 16;
 
 /// After this many halvings a marked node stays where it was.
 constexpr int kHalvings = 4;
@@ -40,7 +44,7 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const std::vector
                          MoveSeconds& seconds) {
   Stopwatch watch;
   const uint32_t n = curve.size();
-  next_ = curve;
+  next_.lay_out_as(curve);
   traces_.resize(n);
   trace(surface, curve, displacement, nullptr, team);
   seconds.retract += watch.lap();
@@ -69,12 +73,21 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const std::vector
 void Retraction::trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
                        const std::vector<uint8_t>* only, Team& team) {
   team.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (only && !(*only)[i]) continue;
-      traces_[i].clear();
-      next_.nodes[i] = share_[i] == 0
-                           ? curve.nodes[i]
-                           : trace_geodesic(surface, curve.nodes[i], share_[i] * displacement[i], traces_[i]).end;
+    std::vector<GeodesicWalk> walks;
+    std::array<uint32_t, kTogether> node;  // of every walk
+    walks.reserve(kTogether);
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end;) {
+      walks.clear();
+      for (; i < end && walks.size() < kTogether; ++i) {
+        if (only && !(*only)[i]) continue;
+        traces_[i].clear();
+        next_.nodes[i] = curve.nodes[i];
+        if (share_[i] == 0) continue;
+        node[walks.size()] = i;
+        walks.emplace_back(surface, curve.nodes[i], share_[i] * displacement[i]);
+      }
+      lead_together(walks, [&](size_t k) { traces_[node[k]].push_back(walks[k].crossing()); });
+      for (size_t k = 0; k < walks.size(); ++k) next_.nodes[node[k]] = walks[k].end();
     }
   });
 }
@@ -85,8 +98,13 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const std::
     PathShortener shortener(surface);
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       const uint32_t j = old.next(i);
-      if (j == kNone || (only && !(*only)[i])) continue;
+      if (only && !(*only)[i]) continue;
       Path& path = next_.paths[i];
+      if (j == kNone) {
+        path.clear();
+        next_.shapes[i] = old.shapes[i];
+        continue;
+      }
       if (share_[i] == 0 && share_[j] == 0) {
         path = old.paths[i];
         next_.shapes[i] = old.shapes[i];

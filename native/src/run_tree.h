@@ -46,7 +46,7 @@ class RunTree {
     float low[3][4], high[3][4];  // of the children, axis by axis
     uint32_t child[4];
   };
-  uint32_t build(uint32_t first, uint32_t last);
+  uint32_t build(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team);
   void halve(uint32_t first, uint32_t middle, uint32_t last);
 
   const std::vector<Eigen::Vector3d>& points_;
