@@ -167,7 +167,7 @@ std::pair<size_t, size_t> PathShortener::run_of(const Bend& bend) const {
 }
 
 /// Leads the path round the other side of the vertex where it bends, if that side is shorter.
-/// `index` is the bend's place in corners_.
+/// `index` is the bend's place in corners_. Backtracks are left to the caller.
 bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings) {
   const Portal& portal = portals_[bend.portal];
   const HalfEdge e = crossings[bend.portal].e;
@@ -207,6 +207,18 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
   }
   spliced_.insert(spliced_.end(), crossings.begin() + static_cast<std::ptrdiff_t>(last) + 1, crossings.end());
   crossings.swap(spliced_);
+  return true;
+}
+
+/// Leads the path round the other side of all vertices where that is shorter, as far as their runs of
+/// portals are apart; from the last to the first, so that what comes before keeps its place.
+bool PathShortener::flip(std::vector<Crossing>& crossings) {
+  size_t untouched = portals_.size();
+  for (size_t b = bends_.size(); b-- > 0;) {
+    const auto [first, last] = run_of(bends_[b]);
+    if (last < untouched && flip_at(bends_[b], b + 1, crossings)) untouched = first;
+  }
+  if (untouched == portals_.size()) return false;
   cancel_backtracks(surface_, crossings);
   return true;
 }
@@ -243,11 +255,7 @@ PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& 
       return {length, direction, direction * carried_};
     }
     pull();
-    bool flipped = false;
-    if (flips < most_flips) {
-      for (size_t b = 0; b < bends_.size() && !flipped; ++b) flipped = flip_at(bends_[b], b + 1, crossings);
-    }
-    if (flipped) continue;
+    if (flips < most_flips && flip(crossings)) continue;
     cross_portals(crossings);
     return measure_path(surface_, start, end, crossings);
   }

@@ -73,6 +73,7 @@ class PathShortener {
   bool is_straight(std::vector<Crossing>& crossings) const;
   void pull();
   std::pair<size_t, size_t> run_of(const Bend& bend) const;
+  bool flip(std::vector<Crossing>& crossings);
   bool flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings);
   void cross_portals(std::vector<Crossing>& crossings) const;
 
