@@ -11,6 +11,7 @@ blender_density     what the density is chosen from: weights, attributes, colour
 strands     seeds, strokes and guides put together            (no bpy)
 strand_data     the same as Blender has them; their materials
 preparation, blender_preparation     mending meshes, and the part of one that is filled
+profile     tilt and radius of a result's points
 motion      curves on surfaces that move: followed, and baked
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore
@@ -46,6 +47,7 @@ _SUBMODULES = (
     "strand_data",
     "preparation",
     "blender_preparation",
+    "profile",
     "motion_settings",
     "properties",
     "session",

@@ -15,10 +15,10 @@ import bpy
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-from . import blender_data, core, session
+from . import blender_data, core, profile, session
 from .blender_data import DataError
 from .stepper import evaluated
-from .thinning import merge_distance, thinned
+from .thinning import kept_points, merge_distance, thinned
 
 # ------------------------------------------------------------------------------------------------
 # Surfaces in motion
@@ -64,6 +64,8 @@ def plan_of(
 class Follower(Protocol):
     """A curve that goes with its surface."""
 
+    factors: np.ndarray | None  # radius of every point of the last curve; None: 1
+
     def moved(self, vertices: np.ndarray, faces: np.ndarray) -> core.Polylines:
         """The curve in world units when the surface is there. Raises DataError, MeanderError."""
 
@@ -82,6 +84,8 @@ class EvenFollower:
 
     def __init__(self, plan: session.Plan, steps: int) -> None:
         problem = plan.problem
+        self.factors = None
+        self._radius = problem.options.radius if plan.radius_follows else 0.0
         problem.options.growth_coarsening = 1.0  # the curve has grown already
         self._faces, self._steps = problem.faces, steps
         try:
@@ -100,7 +104,11 @@ class EvenFollower:
         self._flow.set_vertices(vertices)
         for _ in range(self._steps):
             self._flow.step()
-        return thinned(self._flow.polylines(), self.distance)
+        curve = self._flow.polylines()
+        if self._radius:
+            radii = self._flow.point_data().radii[kept_points(curve, self.distance)]
+            self.factors = profile.room_factors(radii, self._radius)
+        return thinned(curve, self.distance)
 
 
 class StickingFollower:
@@ -111,9 +119,11 @@ class StickingFollower:
         points: np.ndarray,
         offsets: np.ndarray,
         closed: np.ndarray,
+        factors: np.ndarray | None,
         vertices: np.ndarray,
         faces: np.ndarray,
     ) -> None:
+        self.factors = factors
         self._offsets, self._closed, self._faces = offsets, closed, faces
         self._index, self._weights = bind(points, vertices, faces)
 
@@ -133,6 +143,21 @@ def flow_of(plan: session.Plan) -> tuple[core.Flow, float]:
         density = evaluated(problem.density, surface)
         flow = core.Flow(surface, problem.options, problem.seed, density)
     return flow, merge_distance(problem.options.radius, density)
+
+
+def write(
+    result: bpy.types.Object,
+    curve: bpy.types.Curve,
+    polylines: core.Polylines,
+    matrix: np.ndarray,
+    factors: np.ndarray | None,
+) -> None:
+    """Writes polylines into a curve that is the result's or a frame of it."""
+    materials = [spline.material_index for spline in result.data.splines]
+    blender_data.write_splines(curve, polylines, matrix)
+    profile.dress_points(curve, polylines, matrix, result.meander.flat_profile, factors)
+    for spline, index in zip(curve.splines, materials):
+        spline.material_index = index
 
 
 def bind(
@@ -161,7 +186,9 @@ def follower_of(
         return EvenFollower(plan_of(result, scene, depsgraph), settings.motion_steps)
     vertices, faces, _matrix = surface_now(settings.surface, depsgraph)
     own = blender_data.strands_of_curve(result, depsgraph)
-    return StickingFollower(own.points, own.offsets, own.closed, vertices, faces)
+    radii = [point.radius for spline in result.data.splines for point in spline.points]
+    factors = np.array(radii) if len(radii) == len(own.points) else None
+    return StickingFollower(own.points, own.offsets, own.closed, factors, vertices, faces)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -182,11 +209,16 @@ class Frames:
         result.meander.bake = self.collection
         self._shown: bpy.types.Object | None = None
 
-    def add(self, frame: int, polylines: core.Polylines, matrix: np.ndarray) -> bpy.types.Object:
+    def add(
+        self,
+        frame: int,
+        polylines: core.Polylines,
+        matrix: np.ndarray,
+        factors: np.ndarray | None = None,
+    ) -> bpy.types.Object:
         """Shows polylines from `frame` on, instead of those of the frame before."""
         curve = self._result.data.copy()
-        blender_data.write_splines(curve, polylines, matrix)
-        _keep_materials(self._result.data, curve)
+        write(self._result, curve, polylines, matrix, factors)
         shown = bpy.data.objects.new(f"{self._result.name} {frame:04d}", curve)
         self.collection.objects.link(shown)
         shown.parent = self._surface
@@ -253,11 +285,6 @@ def _fcurves(owner: bpy.types.ID) -> list[bpy.types.FCurve]:
     return list(strip.channelbag(animation.action_slot).fcurves)
 
 
-def _keep_materials(source: bpy.types.Curve, target: bpy.types.Curve) -> None:
-    for old, new in zip(source.splines, target.splines):
-        new.material_index = old.material_index
-
-
 def bake_motion(
     result: bpy.types.Object, context: bpy.types.Context, first: int, last: int
 ) -> bpy.types.Collection:
@@ -290,7 +317,7 @@ def bake_motion(
                 places.append(blender_data.to_local(curve.positions, matrix))
                 offsets = curve.offsets
             else:
-                frames.add(frame, curve, matrix)
+                frames.add(frame, curve, matrix, follower.factors)
             manager.progress_update((frame - first + 1) / (last - first + 1))
         if sticks:
             frames.add_sticking(numbers, places, offsets)

@@ -9,7 +9,7 @@ import bpy
 from bpy.app.handlers import persistent
 from bpy.props import IntProperty
 
-from . import blender_data, core, motion, session
+from . import core, motion, session
 from .blender_data import DataError
 from .properties import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns, notice
@@ -49,7 +49,7 @@ def _on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
                 _followers[key] = motion.follower_of(result, scene, depsgraph)
             vertices, faces, matrix = motion.surface_now(surface, depsgraph)
             curve = _followers[key].moved(vertices, faces)
-            blender_data.write_splines(result.data, curve, matrix)
+            motion.write(result, result.data, curve, matrix, _followers[key].factors)
             _problems.pop(key, None)
         except (DataError, core.MeanderError) as error:
             # A handler has nobody to report to; the panel shows it.

@@ -156,6 +156,8 @@ class MEANDER_PT_options(SubPanel, bpy.types.Panel):
         row = layout.row()
         row.active = settings.use_bevel
         row.prop(settings, "bevel_share")
+        layout.prop(settings, "flat_profile")
+        layout.prop(settings, "radius_follows")
 
 
 class MEANDER_PT_figures(SubPanel, bpy.types.Panel):

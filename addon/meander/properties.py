@@ -19,6 +19,7 @@ from bpy.props import (
 from .blender_density import DensitySettings
 from .blender_preparation import MeanderProblem, PreparationSettings
 from .motion_settings import MotionSettings
+from .profile import ProfileSettings
 from .strand_data import StrandSettings
 
 # What run() returns, as a user reads it.
@@ -76,7 +77,12 @@ class MeanderFigures(bpy.types.PropertyGroup):
 
 
 class MeanderSettings(
-    DensitySettings, PreparationSettings, StrandSettings, MotionSettings, bpy.types.PropertyGroup
+    DensitySettings,
+    PreparationSettings,
+    StrandSettings,
+    MotionSettings,
+    ProfileSettings,
+    bpy.types.PropertyGroup,
 ):
     """How to fill a surface; the parts that a feature of its own needs come from its module."""
 
@@ -179,6 +185,7 @@ COPIED = (
     *DensitySettings.__annotations__,
     *StrandSettings.__annotations__,
     *PreparationSettings.__annotations__,
+    *ProfileSettings.__annotations__,
     "motion",
     "motion_steps",
     "fixed_ends",

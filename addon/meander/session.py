@@ -15,12 +15,12 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from . import blender_data, blender_preparation, core, properties, strand_data, strands
+from . import blender_data, blender_preparation, core, profile, properties, strand_data, strands
 from .blender_data import DataError
 from .blender_density import choice_of, density_of
 from .preparation import described
 from .stepper import Problem, Snapshot, Stepper
-from .thinning import merge_distance, thinned
+from .thinning import kept_points, merge_distance, thinned
 
 TICKS_PER_SECOND = 10
 KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
@@ -60,6 +60,8 @@ class Plan:
     dress: strand_data.Dress  # materials of the splines
     name: str  # of a new result
     loose_edges: int = 0  # of the surface, in no face
+    flat: bool = False  # tilt for profiles that lie on the surface
+    radius_follows: bool = False
 
 
 def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
@@ -109,6 +111,8 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
         dress=dress,
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=blender_preparation.loose_edge_count(surface, depsgraph),
+        flat=settings.flat_profile,
+        radius_follows=settings.radius_follows,
     )
 
 
@@ -229,13 +233,20 @@ class Session:
         surface = plan.surface.find()
         blender_preparation.forget_problem(surface)
         distance = merge_distance(plan.problem.options.radius, self.stepper.density)
+        kept = kept_points(snapshot.polylines, distance)
+        curve = thinned(snapshot.polylines, distance)
         result = blender_data.write_curve(
-            thinned(snapshot.polylines, distance),
+            curve,
             surface,
             plan.name,
             curve_object=plan.result.find() if plan.result else None,
             matrix=plan.matrix,
             bevel_depth=plan.bevel_depth,
+        )
+        radius = plan.problem.options.radius
+        factors = profile.room_factors(self.stepper.radii[kept], radius)
+        profile.dress_points(
+            result.data, curve, plan.matrix, plan.flat, factors if plan.radius_follows else None
         )
         strand_data.put_on(result.data, plan.dress)
         self._store(surface, result, statistics, self.stepper.gaps, stop_reason)

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tilt and radius, by what Blender makes of them: the evaluated mesh against surface normals."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+import pytest
+import scenes
+from meander import core, profile
+
+
+def _evaluated(thing: bpy.types.Object) -> np.ndarray:
+    evaluated = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    mesh = evaluated.to_mesh()
+    points = np.array([vertex.co[:] for vertex in mesh.vertices])
+    evaluated.to_mesh_clear()
+    return points
+
+
+def _dressed(points: np.ndarray, normals: np.ndarray, cyclic: bool) -> bpy.types.Object:
+    thing = scenes.poly_curve("Strip", [points.tolist()], cyclic)
+    curve = core.Polylines(points, normals, np.array([0, len(points)]), np.array([cyclic]))
+    profile.dress_points(thing.data, curve, np.eye(4), flat=True)
+    return thing
+
+
+def _loop() -> np.ndarray:
+    a = np.linspace(0.0, 2.0 * np.pi, 60, endpoint=False)
+    return np.column_stack(
+        [
+            np.cos(a) * (1.0 + 0.3 * np.sin(3.0 * a)),
+            np.sin(a),
+            0.6 * np.sin(2.0 * a) + 0.2 * np.cos(5.0 * a),
+        ]
+    )
+
+
+def _vertical() -> np.ndarray:
+    """Straight up, level, and straight down again."""
+    up = [[1.0, 0.0, 0.2 * k] for k in range(6)]
+    over = [[1.0 + 0.2 * k, 0.0, 1.2] for k in range(1, 6)]
+    down = [[2.2, 0.0, 1.0 - 0.2 * k] for k in range(6)]
+    return np.array(up + over + down)
+
+
+@pytest.mark.parametrize("cyclic", [True, False])
+@pytest.mark.parametrize("shape", [_loop, _vertical])
+def test_the_profile_has_x_along_the_normal(shape, cyclic: bool) -> None:
+    points = shape()
+    rng = np.random.default_rng(5)
+    normals = points + 0.4 * rng.standard_normal(points.shape) + [0.1, 2.0, 0.3]
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    thing = _dressed(points, normals, cyclic)
+    way = profile.directions(points, cyclic)
+    square = normals - (normals * way).sum(axis=1, keepdims=True) * way
+    square /= np.linalg.norm(square, axis=1, keepdims=True)
+
+    # A profile from its origin along X shows where X goes, sign and all.
+    bar = scenes.poly_curve("Bar", [[(0.0, 0.0, 0.0), (0.01, 0.0, 0.0)]], False)
+    thing.data.bevel_mode = "OBJECT"
+    thing.data.bevel_object = bar
+    mesh = _evaluated(thing).reshape(-1, 2, 3)
+    assert len(mesh) == len(points)
+    spokes = mesh - points[:, None]
+    spokes = spokes[np.arange(len(points)), np.linalg.norm(spokes, axis=2).argmax(axis=1)]
+    spokes /= np.linalg.norm(spokes, axis=1, keepdims=True)
+    assert np.allclose(spokes, square, atol=2e-3)
+
+    # An extrusion lies across it, flat on the surface.
+    thing.data.bevel_object = None
+    thing.data.bevel_mode = "ROUND"
+    thing.data.extrude = 0.01
+    mesh = _evaluated(thing).reshape(-1, 2, 3)
+    ribs = mesh[:, 1] - mesh[:, 0]
+    ribs /= np.linalg.norm(ribs, axis=1, keepdims=True)
+    assert np.abs((ribs * square).sum(axis=1)).max() < 2e-3
+    assert np.abs((ribs * way).sum(axis=1)).max() < 2e-3
+
+
+def test_a_result_lies_flat_on_its_surface() -> None:
+    result = scenes.fill(scenes.sphere(), 0.4, flat_profile=True, use_bevel=False)
+    result.data.extrude = 0.05
+    points = np.vstack([points for points, _cyclic in scenes.world_splines(result)])
+    mesh = _evaluated(result).reshape(-1, 2, 3)
+    ribs = mesh[:, 1] - mesh[:, 0]
+    outward = points / np.linalg.norm(points, axis=1, keepdims=True)
+    slope = np.abs((ribs * outward).sum(axis=1)) / np.linalg.norm(ribs, axis=1)
+    assert np.percentile(slope, 99) < 0.1
+    scenes.activate(result)
+    result.meander.flat_profile = False
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert result.data.twist_mode == "MINIMUM"
+    assert not any(point.tilt for spline in result.data.splines for point in spline.points)
+
+
+def test_radius_follows_the_room() -> None:
+    sphere = scenes.sphere()
+    group = sphere.vertex_groups.new(name="Fine")
+    for vertex in sphere.data.vertices:
+        group.add([vertex.index], 1.0 if vertex.co.z > 0.0 else 0.0, "REPLACE")
+    result = scenes.fill(
+        sphere, 0.3, density_group="Fine", factor_0=1.0, factor_1=0.5, radius_follows=True
+    )
+    places = [(p.co[2], p.radius) for spline in result.data.splines for p in spline.points]
+    fine = np.median([radius for z, radius in places if z > 0.5])
+    coarse = np.median([radius for z, radius in places if z < -0.5])
+    assert 0.8 < coarse < 1.2
+    assert 0.35 < fine < 0.7
