@@ -15,6 +15,7 @@ profile     tilt and radius of a result's points
 motion      curves on surfaces that move: followed, and baked
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore
+export_toolpath     the points of a result as a file, and as a mesh with attributes
 operators, sidebar, panels, ..._panel   buttons
 
 Nothing here imports bpy before register(), so that `meander.core` can be used without Blender.
@@ -56,6 +57,7 @@ _SUBMODULES = (
     "sidebar",
     "panels",
     "motion_panel",
+    "export_toolpath",
     "preparation_panels",
     "strand_panel",
 )
@@ -65,6 +67,7 @@ _WITH_CLASSES = (
     "operators",
     "panels",
     "motion_panel",
+    "export_toolpath",
     "preparation_panels",
     "strand_panel",
 )

@@ -19,7 +19,7 @@ class ProfileSettings:
     """Settings of the thickness of a result, mixed into MeanderSettings."""
 
     flat_profile: BoolProperty(
-        name="Profile on Surface",
+        name="Flat Profile",
         description=(
             "Tilt the points so that an extrusion or a bevel object lies flat on the surface, with "
             "its X axis along the surface normal"

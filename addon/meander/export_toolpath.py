@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is known of every point of a result: as a file for machines, as attributes of a mesh."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+import numpy as np
+from bpy.props import EnumProperty, FloatProperty, StringProperty
+
+from . import blender_data, core, mesh_files, motion, session, toolpath
+from .blender_data import DataError
+from .sidebar import ORDER, SubPanel, columns
+
+_SUFFIXES = {"CSV": ".csv", "JSON": ".json"}
+
+
+def polylines_of(
+    result: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> tuple[core.Polylines, np.ndarray, np.ndarray]:
+    """A result's strands in world units with the surface's smooth normals, and for every point the
+    triangle of the surface that holds it and the weights of its corners.
+
+    Raises DataError with one sentence for what cannot be used.
+    """
+    strands = blender_data.strands_of_curve(result, depsgraph)
+    vertices, faces = blender_data.triangles_of(result.meander.surface, depsgraph)
+    index, weights = motion.bind(strands.points, vertices, faces)
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    weighted = np.cross(b - a, c - a)
+    smooth = np.zeros_like(vertices)
+    for corner in range(3):
+        np.add.at(smooth, faces[:, corner], weighted)
+    normals = np.einsum("nk,nkj->nj", weights, smooth[faces[index]])
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    flat = weighted[index] / np.linalg.norm(weighted[index], axis=1, keepdims=True)
+    normals = np.divide(normals, lengths, out=flat, where=lengths > 0.0)
+    curve = core.Polylines(strands.points, normals, strands.offsets, strands.closed)
+    return curve, index, weights
+
+
+class _OnResult:
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif active is None or active.type != "CURVE" or active.meander.surface is None:
+            cls.poll_message_set("Choose a curve that Meander has made")
+        elif context.mode != "OBJECT":
+            cls.poll_message_set("Works in Object Mode")
+        else:
+            return True
+        return False
+
+
+class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
+    """Write the points of the curve in order, with surface normals, for machines"""
+
+    bl_idname = "meander.export_toolpath"
+    bl_label = "Export Toolpath"
+
+    filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
+    file_format: EnumProperty(
+        name="Format",
+        description="Of the file",
+        items=(
+            ("CSV", "CSV", "A row for every point"),
+            ("JSON", "JSON", "A list of strands"),
+        ),
+    )
+    resample: EnumProperty(
+        name="Points",
+        description="Which points are written",
+        items=(
+            ("ALL", "All", "Every point of the curve"),
+            ("STEP", "By Step", "At equal ways along each strand"),
+            ("TOLERANCE", "By Tolerance", "As few as keep the straight way between them near"),
+        ),
+    )
+    step: FloatProperty(
+        name="Step",
+        description="The most that two points are apart along the strand",
+        unit="LENGTH",
+        default=0.01,
+        min=1e-6,
+    )
+    tolerance: FloatProperty(
+        name="Tolerance",
+        description="The most that the straight way between two points is away from the curve",
+        unit="LENGTH",
+        default=0.001,
+        min=1e-9,
+        precision=4,
+    )
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "file_format")
+        layout.prop(self, "resample")
+        if self.resample == "STEP":
+            layout.prop(self, "step")
+        elif self.resample == "TOLERANCE":
+            layout.prop(self, "tolerance")
+
+    def check(self, _context: bpy.types.Context) -> bool:
+        changed = self._with_suffix()
+        if str(changed) == self.filepath:
+            return False
+        self.filepath = str(changed)
+        return True
+
+    def _with_suffix(self) -> Path:
+        path = Path(self.filepath)
+        known = path.suffix.lower() in toolpath.SUFFIXES
+        suffix = _SUFFIXES[self.file_format]
+        return path.with_suffix(suffix) if known else path.with_name(path.name + suffix)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if not self.filepath:
+            self.filepath = bpy.path.clean_name(context.active_object.name)
+        self.filepath = str(self._with_suffix())
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        result = context.active_object
+        try:
+            curve, _index, _weights = polylines_of(result, context.evaluated_depsgraph_get())
+            strands = toolpath.resampled(
+                curve,
+                self.step if self.resample == "STEP" else None,
+                self.tolerance if self.resample == "TOLERANCE" else None,
+            )
+            path = self._with_suffix()
+            toolpath.write(path, strands, core.VERSION)
+        except (DataError, core.MeanderError, mesh_files.FileError) as error:
+            text = str(error)
+            self.report({"ERROR"}, text[:1].upper() + text[1:])
+            return {"CANCELLED"}
+        count = sum(len(strand.points) for strand in strands)
+        self.report({"INFO"}, f"{path.name}: {count:,} points in {len(strands):,} strands")
+        return {"FINISHED"}
+
+
+class MEANDER_OT_points_to_mesh(_OnResult, bpy.types.Operator):
+    """Make a mesh of the curve's points and edges, with what is known of them as attributes"""
+
+    bl_idname = "meander.points_to_mesh"
+    bl_label = "Points to Mesh"
+    bl_description = (
+        "Make a mesh of the points and edges of the curve, with arc length, normal, tangent, "
+        "strand, triangle and weights as attributes for Geometry Nodes and materials"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        result = context.active_object
+        surface = result.meander.surface
+        depsgraph = context.evaluated_depsgraph_get()
+        try:
+            curve, index, weights = polylines_of(result, depsgraph)
+        except DataError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        matrix = blender_data.world_matrix(surface.evaluated_get(depsgraph))
+        name = f"{result.name} Points"
+        mesh = bpy.data.meshes.new(name)
+        offsets = np.asarray(curve.offsets, dtype=np.int64)
+        edges = []
+        for begin, end, closed in zip(offsets[:-1], offsets[1:], curve.closed):
+            edges += [(at, at + 1) for at in range(begin, end - 1)]
+            if closed:
+                edges.append((end - 1, begin))
+        local = blender_data.to_local(curve.positions, matrix)
+        mesh.from_pydata(local.tolist(), edges, [])
+        strands = toolpath.strands_of(curve)
+        values = {
+            "arc_length": ("FLOAT", np.concatenate([item.arc_lengths for item in strands])),
+            "surface_normal": ("FLOAT_VECTOR", curve.normals),
+            "tangent": ("FLOAT_VECTOR", np.vstack([item.tangents for item in strands])),
+            "strand": ("INT", np.repeat(np.arange(len(strands)), np.diff(offsets))),
+            "triangle": ("INT", index),
+            "weights": ("FLOAT_VECTOR", weights),
+        }
+        for attribute_name, (kind, data) in values.items():
+            attribute = mesh.attributes.new(attribute_name, kind, "POINT")
+            if kind == "INT":
+                attribute.data.foreach_set("value", np.asarray(data, dtype=np.int32))
+            else:
+                key = "value" if kind == "FLOAT" else "vector"
+                attribute.data.foreach_set(key, np.asarray(data, dtype=np.float32).ravel())
+        mesh.update()
+        thing = bpy.data.objects.new(name, mesh)
+        for collection in result.users_collection[:1] or [context.scene.collection]:
+            collection.objects.link(thing)
+        thing.parent = surface
+        self.report({"INFO"}, f"{name}: {len(local):,} points with {len(values)} attributes")
+        return {"FINISHED"}
+
+
+class MEANDER_PT_points(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_points"
+    bl_label = "Points"
+    bl_order = ORDER["motion"] + 1
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        return active is not None and active.type == "CURVE" and super().poll(context)
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        layout.operator_context = "INVOKE_DEFAULT"
+        column = layout.column(align=True)
+        column.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
+        column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
+
+
+_CLASSES = (MEANDER_OT_export_toolpath, MEANDER_OT_points_to_mesh, MEANDER_PT_points)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)
