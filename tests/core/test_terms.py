@@ -268,3 +268,24 @@ def test_fields_refuse_what_they_do_not_know() -> None:
         with pytest.raises(core.MeanderError) as refusal:
             call()
         assert_sentence(str(refusal.value))
+
+
+def test_fields_of_a_part_are_those_of_its_own_vertices() -> None:
+    """What a mask leaves out has no direction, and needs none."""
+    vertices, faces = sheet(1.2, 0.6)
+    inside = vertices[:, 0] - 0.63  # cuts edges between two columns of vertices
+    surface = core.Surface(vertices, faces, core.SurfaceOptions(vertex_mask=inside))
+    directions = surface.directions("smooth")
+    assert directions.shape == vertices.shape
+    kept = inside >= 0
+    assert np.linalg.norm(directions[kept], axis=1) == pytest.approx(1)
+    assert np.linalg.norm(directions[inside < -SPACING], axis=1) == pytest.approx(0)
+    directions[~kept] = np.nan
+    options = core.default_options()
+    options.radius = SPACING / 2
+    options.alignment_weight = 1.0
+    flow = core.Flow(surface, options)
+    flow.set_directions(directions)
+    for _ in range(5):
+        flow.step()
+    assert flow.statistics()["crossings"] == 0
