@@ -8,6 +8,9 @@ thinning    the curve without points that nearly coincide  (no bpy)
 blender_data    meshes, curves and weights in, curves out
 density     from values on a surface to the density        (no bpy)
 blender_density     what the density is chosen from: weights, attributes, colours, images
+blender_alignment   which directions strands follow
+terms       weights, powers and lengths of the flow        (no bpy)
+blender_terms       the same as settings
 strands     seeds, strokes and guides put together            (no bpy)
 strand_data     the same as Blender has them; their materials
 preparation, blender_preparation     mending meshes, and the part of one that is filled
@@ -44,6 +47,9 @@ _SUBMODULES = (
     "blender_data",
     "density",
     "blender_density",
+    "blender_alignment",
+    "terms",
+    "blender_terms",
     "strands",
     "strand_data",
     "preparation",
@@ -56,6 +62,7 @@ _SUBMODULES = (
     "operators",
     "sidebar",
     "panels",
+    "term_panels",
     "motion_panel",
     "export_toolpath",
     "preparation_panels",
@@ -66,6 +73,7 @@ _WITH_CLASSES = (
     "session",
     "operators",
     "panels",
+    "term_panels",
     "motion_panel",
     "export_toolpath",
     "preparation_panels",

@@ -72,7 +72,8 @@ from . import (  # noqa: E402
     strands,
     thinning,
 )
-from .density import Choice  # noqa: E402
+from .alignment import Alignment, Directions  # noqa: E402
+from .density import Choice, curvature_density  # noqa: E402
 from .preparation import Mask, Repair, described  # noqa: E402
 from .stepper import evaluated  # noqa: E402
 
@@ -96,8 +97,9 @@ class Problem:
     seed: core.Seed | None = None
     # Per vertex, or what computes it from the surface.
     density: NDArray[np.float64] | Callable[[core.Surface], NDArray[np.float64]] | None = None
-    directions: NDArray[np.float64] | None = None  # per vertex or for all; None: not from a scene
     density_choice: Choice = field(default_factory=Choice)  # what the density was made from
+    alignment: Alignment = field(default_factory=Alignment)
+    directions: Directions | None = None
     repair: Repair = field(default_factory=Repair)
     mask: Mask = field(default_factory=Mask)
     surface_options: core.SurfaceOptions = field(default_factory=core.SurfaceOptions)
@@ -219,15 +221,10 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
             if getattr(arguments, option) is not None:
                 name = option.replace("_", "-")
                 raise BadInput(f"--{name} names an object of a .blend, but --input is {kind}")
-    density_problem = batch_density.problem_of(arguments, kind)
-    if density_problem is not None:
-        raise BadInput(density_problem)
-    preparation_problem = batch_preparation.problem_of(arguments, kind)
-    if preparation_problem is not None:
-        raise BadInput(preparation_problem)
-    term_problem = batch_terms.problem_of(arguments, kind)
-    if term_problem is not None:
-        raise BadInput(term_problem)
+    for part in (batch_density, batch_preparation, batch_terms):
+        wrong = part.problem_of(arguments, kind)
+        if wrong is not None:
+            raise BadInput(wrong)
     if arguments.seed is not None and arguments.seed_object is not None:
         raise BadInput("--seed and --seed-object are both given; choose one")
     strand_problem = batch_strands.problem_of(arguments)
@@ -276,15 +273,15 @@ def _flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
     options = core.default_options(arguments.preset)
     options.radius = arguments.spacing / 2
     options.threads = arguments.threads
-    if arguments.segment_length is not None:
-        options.segment_length = arguments.segment_length
-    if arguments.max_radius is not None:
-        options.max_radius = arguments.max_radius
     if arguments.border_distance is not None:
         options.border_distance = arguments.border_distance
     if arguments.iterations is not None:
         options.iteration_limit = arguments.iterations
-    batch_terms.apply(arguments, options)
+    batch_terms.terms_of(arguments).apply(options)
+    if arguments.segment_length is not None:
+        options.segment_length = arguments.segment_length  # to the last bit
+    if arguments.max_radius is not None:
+        options.max_radius = arguments.max_radius
     return options
 
 
@@ -331,6 +328,8 @@ def _read_problem(arguments: argparse.Namespace) -> Problem:
             problem = _read_scene(arguments) if kind == ".blend" else _import_mesh(arguments.input)
         except blender_data.DataError as refusal:
             raise BadInput(str(refusal)) from refusal
+    if kind != ".blend":
+        _set_fields(problem, arguments)
     problem.repair = batch_preparation.repair_of(arguments)
     if problem.mask.source == "NONE":
         problem.surface_options = core.SurfaceOptions(**asdict(problem.repair))
@@ -347,6 +346,18 @@ def _read_problem(arguments: argparse.Namespace) -> Problem:
         problem.parts.append(strands.Part(str(arguments.guides), guides, guide=True))
     problem.seed = strands.assembled(problem.parts, arguments.fill_every_part)
     return problem
+
+
+def _set_fields(problem: Problem, arguments: argparse.Namespace) -> None:
+    """Density and directions of a mesh from a file of its own: what can be computed on it."""
+    radius = arguments.spacing / 2
+    problem.density_choice = batch_density.choice_of(arguments, Choice())
+    if problem.density_choice.source == "CURVATURE":
+        problem.density = curvature_density(problem.density_choice, radius)
+    problem.alignment = batch_terms.alignment_of(arguments)
+    problem.directions = batch_terms.directions_without_a_scene(
+        problem.alignment, len(problem.vertices), radius
+    )
 
 
 def _need_bpy(path: Path) -> None:
@@ -414,7 +425,7 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
     """Opens a .blend and takes surface, seed and density from its objects, in world units."""
     import bpy
 
-    from . import blender_data, blender_density, blender_preparation, direction_data
+    from . import blender_alignment, blender_data, blender_density, blender_preparation
 
     try:
         bpy.ops.wm.open_mainfile(filepath=str(arguments.input.absolute()), load_ui=False)
@@ -431,15 +442,6 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
     depsgraph = bpy.context.evaluated_depsgraph_get()
     vertices, faces = blender_data.triangles_of(surface_object, depsgraph)
     problem = Problem(vertices, faces, surface_object=surface_object)
-    attribute = batch_terms.attribute_name(arguments)
-    if attribute is not None:
-        problem.directions = direction_data.attribute_directions(
-            surface_object, depsgraph, attribute
-        )
-    elif arguments.direction in direction_data.AXES:
-        problem.directions = direction_data.axis_direction(
-            surface_object, depsgraph, arguments.direction
-        )
     problem.mask = batch_preparation.mask_of(arguments)
     if problem.mask.source != "NONE":
         problem.surface_options = blender_preparation.surface_options(
@@ -447,7 +449,12 @@ def _read_scene(arguments: argparse.Namespace) -> Problem:
         )
     problem.loose_edges = blender_preparation.loose_edge_count(surface_object, depsgraph)
     problem.density_choice = choice
-    problem.density = blender_density.density_of(choice, surface_object, depsgraph)
+    radius = arguments.spacing / 2
+    problem.density = blender_density.density_of(choice, surface_object, depsgraph, radius)
+    problem.alignment = batch_terms.alignment_of(arguments)
+    problem.directions = blender_alignment.directions_of(
+        problem.alignment, surface_object, depsgraph, radius
+    )
     if arguments.seed_object is not None:
         seed_object = bpy.context.scene.objects.get(arguments.seed_object)
         if seed_object is None:
@@ -578,7 +585,15 @@ def _write_scene(
     """
     import bpy
 
-    from . import blender_data, blender_density, blender_preparation, properties, strand_data
+    from . import (
+        blender_alignment,
+        blender_data,
+        blender_density,
+        blender_preparation,
+        blender_terms,
+        properties,
+        strand_data,
+    )
 
     surface_object = problem.surface_object
     if surface_object is None:
@@ -601,6 +616,8 @@ def _write_scene(
         made_with.spacing = arguments.spacing
         made_with.preset = arguments.preset.upper()
         blender_density.store_choice(problem.density_choice, made_with)
+        blender_alignment.store_alignment(problem.alignment, made_with)
+        blender_terms.store_terms(batch_terms.terms_of(arguments), made_with)
         made_with.seed_every_part = arguments.fill_every_part
         if arguments.guides_object is not None:
             made_with.guides = bpy.context.scene.objects.get(arguments.guides_object)
@@ -669,6 +686,7 @@ def _process(argv: Sequence[str]) -> None:
         _need_bpy(arguments.output)
     options = _flow_options(arguments)
     problem = _read_problem(arguments)
+    options.alignment_weight = problem.alignment.weight
     warnings = core.option_warnings(options)
     for warning in warnings:
         print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
@@ -677,7 +695,9 @@ def _process(argv: Sequence[str]) -> None:
         surface_figures = surface.statistics()
         try:
             flow = core.Flow(surface, options, problem.seed, problem.density)
-            batch_terms.set_directions(flow, surface, arguments, problem.directions)
+            directions = evaluated(problem.directions, surface)
+            if directions is not None:
+                flow.set_directions(directions, problem.alignment.kind)
         except core.MeanderError as refusal:
             raise strands.explained(refusal, problem.parts) from refusal
     with flow:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from .density import INTERPOLATIONS, Choice
+from .density import CURVATURES, INTERPOLATIONS, Choice
 
 # How an option's name ends, its source, and what it names.
 _SOURCES = (
@@ -16,9 +16,10 @@ _SOURCES = (
     ("attribute", "ATTRIBUTE", "float attribute of points"),
     ("color", "COLOR", "color attribute"),
     ("image", "IMAGE", "image"),
+    ("curvature", "CURVATURE", "curvature"),
 )
 # What says how a source is used, and is nothing without one.
-_DETAILS = ("density_range", "spacing_factors", "density_interpolation")
+_DETAILS = ("density_range", "density_smoothing", "spacing_factors", "density_interpolation")
 _LEAST_FACTOR, _GREATEST_FACTOR = 0.05, 5.0
 
 
@@ -34,14 +35,21 @@ def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float])
     add("--density-attribute", metavar="NAME", help="float attribute of points")
     add("--density-color", metavar="NAME", help="color attribute: its brightness")
     add("--density-image", metavar="NAME", help="image in the .blend: its brightness")
-    add("--uv-map", metavar="NAME", help="UV map for --density-image; default: the active one")
+    add("--density-curvature", choices=CURVATURES, help="absolute curvature of the surface")
+    add(
+        "--density-smoothing",
+        type=number,
+        metavar="S",
+        help="average the curvature over so many halves of the spacing; default: 2",
+    )
+    add("--uv-map", metavar="NAME", help="for --density-image and --direction u; default: active")
     add(
         "--density-range",
         type=number,
         nargs=2,
         metavar=("LOW", "HIGH"),
         help="the values that get the two factors; default: 0 and 1, for attributes the least and "
-        "the greatest",
+        "the greatest, for curvature 0 and what 95 %% stay below",
     )
     add(
         "--spacing-factors",
@@ -60,7 +68,7 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
         names = " and ".join(f"--density-{option}" for option, _source, _kind in given[:2])
         return f"{names} are both given; choose one source of density"
     for option, _source, what in given:
-        if kind != ".blend":
+        if kind != ".blend" and option != "curvature":
             name = getattr(arguments, f"density_{option}")
             return f"unknown {what} {name!r}: a {kind} file has none; give a .blend to --input"
     if not given:
@@ -69,7 +77,13 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
                 option = detail.replace("_", "-")
                 return f"--{option} needs a source of density; give one such as --density-group"
     if arguments.uv_map is not None and arguments.density_image is None:
-        return "--uv-map is for --density-image; give both or none"
+        if arguments.direction not in ("u", "v"):
+            return "--uv-map is for --density-image and --direction u or v; give one of them"
+    if arguments.density_smoothing is not None:
+        if arguments.density_curvature is None:
+            return "--density-smoothing is for --density-curvature; give both or none"
+        if arguments.density_smoothing < 0:
+            return f"--density-smoothing {arguments.density_smoothing:g} is less than 0"
     for factor in arguments.spacing_factors or ():
         if not _LEAST_FACTOR <= factor <= _GREATEST_FACTOR:
             return (
@@ -94,6 +108,8 @@ def choice_of(arguments: argparse.Namespace, saved: Choice) -> Choice:
         changes["value_range"] = None  # what is saved is in the units of another source
     if arguments.uv_map is not None:
         changes["uv_map"] = arguments.uv_map
+    if arguments.density_smoothing is not None:
+        changes["smoothing"] = arguments.density_smoothing
     if arguments.density_range is not None:
         changes["value_range"] = tuple(arguments.density_range)
     if arguments.spacing_factors is not None:
@@ -113,5 +129,6 @@ def echo(arguments: argparse.Namespace, choice: Choice) -> dict[str, Any]:
     entries["uv_map"] = choice.uv_map or None if choice.source == "IMAGE" else None
     entries["density_range"] = choice.value_range if varies else None
     entries["spacing_factors"] = choice.factors if varies else None
+    entries["density_smoothing"] = choice.smoothing if choice.source == "CURVATURE" else None
     entries["density_interpolation"] = choice.interpolation if varies else None
     return entries

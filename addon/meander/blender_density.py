@@ -12,11 +12,12 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
 from numpy.typing import NDArray
 
-from . import blender_data
+from . import blender_data, core
 from .blender_data import DataError
 from .density import (
     Choice,
     Values,
+    curvature_density,
     luminance,
     mean_at_vertices,
     sample_repeated,
@@ -30,7 +31,7 @@ _COLOR_TYPES = ("FLOAT_COLOR", "BYTE_COLOR")
 # Settings
 
 
-def _attributes(
+def attributes_seen(
     settings: bpy.types.PropertyGroup, context: bpy.types.Context
 ) -> Iterable[bpy.types.Attribute]:
     """Of the surface as it is seen, so that those of Geometry Nodes are among them."""
@@ -45,13 +46,13 @@ def _attributes(
 def attribute_names(
     settings: bpy.types.PropertyGroup, context: bpy.types.Context, _text: str
 ) -> list[str]:
-    return [item.name for item in _attributes(settings, context) if _is_point_float(item)]
+    return [item.name for item in attributes_seen(settings, context) if _is_point_float(item)]
 
 
 def color_names(
     settings: bpy.types.PropertyGroup, context: bpy.types.Context, _text: str
 ) -> list[str]:
-    return [item.name for item in _attributes(settings, context) if _is_color(item)]
+    return [item.name for item in attributes_seen(settings, context) if _is_color(item)]
 
 
 def _is_point_float(attribute: bpy.types.Attribute) -> bool:
@@ -74,6 +75,7 @@ class DensitySettings:
             ("ATTRIBUTE", "Attribute", "A float attribute of points, as Geometry Nodes make"),
             ("COLOR", "Color Attribute", "The brightness of painted vertex colors"),
             ("IMAGE", "Image", "The brightness of an image through a UV map"),
+            ("CURVATURE", "Curvature", "How much the surface bends, and not which way"),
         ),
         default="GROUP",
         options=set(),
@@ -116,11 +118,39 @@ class DensitySettings:
         description="UV map that lays the image on the surface. Empty: the active one",
         options=set(),
     )
+    density_curvature: EnumProperty(
+        name="Curvature",
+        description="Which curvature varies the spacing; its sign does not count",
+        items=(
+            ("MEAN", "Mean", "Bending in any direction: edges, tubes and tips; 1 / length"),
+            (
+                "GAUSSIAN",
+                "Gaussian",
+                "Bending in both directions: tips, dents and saddles, "
+                "nothing along tubes; 1 / length squared",
+            ),
+        ),
+        default="MEAN",
+        options=set(),
+    )
+    density_smoothing: FloatProperty(
+        name="Smoothing",
+        description=(
+            "Average the curvature over this many halves of the spacing; more leaves out small "
+            "features, 0 takes every dent"
+        ),
+        default=2.0,
+        min=0.0,
+        soft_max=10.0,
+        precision=1,
+        step=50,
+        options=set(),
+    )
     use_density_range: BoolProperty(
         name="Custom Range",
         description=(
-            "Choose which values get the two factors. Off: 0 and 1 for weights and brightness, "
-            "else from the least value to the greatest"
+            "Choose which values get the two factors. Off: 0 and 1 for weights and brightness, the "
+            "least and the greatest for attributes, 0 and what 95 % stay below for curvature"
         ),
         default=False,
         options=set(),
@@ -134,9 +164,7 @@ class DensitySettings:
     )
     density_high: FloatProperty(
         name="High",
-        description=(
-            "The value that gets the high factor, as do all beyond it; may be below Low"
-        ),
+        description=("The value that gets the high factor, as do all beyond it; may be below Low"),
         default=1.0,
         precision=3,
         options=set(),
@@ -191,6 +219,8 @@ def choice_of(settings: bpy.types.PropertyGroup) -> Choice:
     name = ""
     if source == "IMAGE":
         name = settings.density_image.name if settings.density_image else ""
+    elif source == "CURVATURE":
+        name = settings.density_curvature.lower()
     elif source != "NONE":
         name = getattr(settings, f"density_{source.lower()}")
     value_range = (settings.density_low, settings.density_high)
@@ -201,6 +231,7 @@ def choice_of(settings: bpy.types.PropertyGroup) -> Choice:
         value_range=value_range if settings.use_density_range else None,
         factors=(settings.factor_0, settings.factor_1),
         interpolation=settings.density_interpolation.lower(),
+        smoothing=float(f"{settings.density_smoothing:.6g}"),
     )
 
 
@@ -209,6 +240,8 @@ def store_choice(choice: Choice, settings: bpy.types.PropertyGroup) -> None:
     settings.density_source = choice.source
     if choice.source == "IMAGE":
         settings.density_image = bpy.data.images.get(choice.name)
+    elif choice.source == "CURVATURE":
+        settings.density_curvature = choice.name.upper()
     elif choice.source != "NONE":
         setattr(settings, f"density_{choice.source.lower()}", choice.name)
     settings.density_uv_map = choice.uv_map
@@ -217,17 +250,26 @@ def store_choice(choice: Choice, settings: bpy.types.PropertyGroup) -> None:
         settings.density_low, settings.density_high = choice.value_range
     settings.factor_0, settings.factor_1 = choice.factors
     settings.density_interpolation = choice.interpolation.upper()
+    settings.density_smoothing = choice.smoothing
 
 
 def density_of(
-    choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
-) -> Values | None:
-    """The density per vertex of blender_data.triangles_of(), None for 1 everywhere.
+    choice: Choice,
+    surface: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    radius: float = 0.0,
+) -> Values | Callable[[core.Surface], Values] | None:
+    """The density per vertex of blender_data.triangles_of(), or what computes it; None for 1
+    everywhere.
+
+    radius   r, half the spacing; for the smoothing of curvature
 
     Raises DataError with one sentence for what is missing or of another kind.
     """
     if not choice.varies:
         return None
+    if choice.source == "CURVATURE":
+        return curvature_density(choice, radius)
     values = _READERS[choice.source](choice, surface, depsgraph)
     if not np.isfinite(values).all():
         vertex = int(np.flatnonzero(~np.isfinite(values))[0])
@@ -254,7 +296,9 @@ def _attribute_values(
     if not choice.name:
         raise DataError("The density has no attribute; choose a float attribute of points")
     with blender_data.surface_mesh(surface, depsgraph) as (mesh, _matrix):
-        attribute = _named(mesh, choice.name, surface, _is_point_float, "float attribute of points")
+        attribute = named_attribute(
+            mesh, choice.name, surface, _is_point_float, "float attribute of points"
+        )
         values = np.empty(len(mesh.vertices), dtype=np.float32)
         attribute.data.foreach_get("value", values)
     return values.astype(np.float64)
@@ -266,7 +310,7 @@ def _color_values(
     if not choice.name:
         raise DataError("The density has no color attribute; choose one, or paint one")
     with blender_data.surface_mesh(surface, depsgraph) as (mesh, _matrix):
-        attribute = _named(mesh, choice.name, surface, _is_color, "color attribute")
+        attribute = named_attribute(mesh, choice.name, surface, _is_color, "color attribute")
         colors = np.empty(4 * len(attribute.data), dtype=np.float32)
         attribute.data.foreach_get("color", colors)  # scene-linear, also of bytes
         values = luminance(colors.reshape(-1, 4))
@@ -282,14 +326,7 @@ def _image_values(
         raise DataError("The density has no image; open one, or choose another source")
     pixels, brightness = pixels_of(choice.name)
     with blender_data.surface_mesh(surface, depsgraph) as (mesh, _matrix):
-        layers = mesh.uv_layers
-        layer = layers.get(choice.uv_map) if choice.uv_map else layers.active
-        if layer is None:
-            raise DataError(
-                f"'{surface.name}' has no UV map '{choice.uv_map}'; choose one that it has"
-                if choice.uv_map
-                else f"'{surface.name}' has no UV map to lay the image on; unwrap it first"
-            )
+        layer = uv_layer_of(mesh, choice.uv_map, surface)
         uv = np.empty(2 * len(layer.data), dtype=np.float32)
         layer.data.foreach_get("uv", uv)
         values = sample_repeated(pixels, uv.reshape(-1, 2), brightness)
@@ -304,7 +341,21 @@ _READERS = {
 }
 
 
-def _named(
+def uv_layer_of(
+    mesh: bpy.types.Mesh, name: str, surface: bpy.types.Object
+) -> bpy.types.MeshUVLoopLayer:
+    """The UV map of that name; the active one for an empty name."""
+    layer = mesh.uv_layers.get(name) if name else mesh.uv_layers.active
+    if layer is None:
+        raise DataError(
+            f"'{surface.name}' has no UV map '{name}'; choose one that it has"
+            if name
+            else f"'{surface.name}' has no UV map; unwrap it first"
+        )
+    return layer
+
+
+def named_attribute(
     mesh: bpy.types.Mesh,
     name: str,
     surface: bpy.types.Object,
@@ -319,7 +370,7 @@ def _named(
         type_name = attribute.data_type.lower().replace("_", " ")
         raise DataError(
             f"'{name}' of '{surface.name}' is a {type_name} per {attribute.domain.lower()}; "
-            f"the density needs a {kind}"
+            f"choose a {kind}"
         )
     known = ", ".join(f"'{other.name}'" for other in mesh.attributes if fits(other))
     raise DataError(

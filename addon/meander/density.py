@@ -14,8 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from . import core
+
 Values = NDArray[np.float64]
 
+CURVATURES = ("mean", "gaussian")
 INTERPOLATIONS = ("linear", "smooth", "constant")
 
 # What a display shows as bright, of linear red, green and blue (ITU-R BT.709).
@@ -66,12 +69,13 @@ class Ramp:
 class Choice:
     """What the spacing follows, and how: as a panel or a command line says it."""
 
-    source: str = "NONE"  # or "GROUP", "ATTRIBUTE", "COLOR", "IMAGE"
-    name: str = ""  # of the group, attribute or image
+    source: str = "NONE"  # or "GROUP", "ATTRIBUTE", "COLOR", "IMAGE", "CURVATURE"
+    name: str = ""  # of the group, attribute or image; one of CURVATURES
     uv_map: str = ""  # for an image; empty: the active one
     value_range: tuple[float, float] | None = None  # None: by the source
     factors: tuple[float, float] = (1.0, 0.5)
     interpolation: str = "linear"
+    smoothing: float = 2.0  # of curvature, in units of r
 
     @property
     def varies(self) -> bool:
@@ -84,9 +88,31 @@ class Choice:
             low, high = self.value_range
         elif self.source == "ATTRIBUTE":
             low, high = float(values.min()), float(values.max())
+        elif self.source == "CURVATURE":
+            # From flat to what all but the sharpest places have: a sphere has one spacing, and a
+            # crease does not leave everything else on the low factor.
+            low, high = 0.0, float(np.percentile(values, 95.0))
         else:
             low, high = 0.0, 1.0
         return Ramp(low, high, *self.factors, self.interpolation)
+
+
+def curvature_density(choice: Choice, radius: float) -> Callable[[core.Surface], Values]:
+    """What computes the density from the absolute curvature of a surface.
+
+    Curvature is averaged over choice.smoothing times the radius, and values of less than a
+    millionth of what the size of the surface gives are those of a flat one.
+    """
+
+    def on(surface: core.Surface) -> Values:
+        diagonal = surface.statistics()["diagonal"]
+        smoothing = min(choice.smoothing * radius, diagonal)
+        values = surface.curvature(f"absolute_{choice.name}", smoothing)
+        noise = 1e-6 / diagonal ** (2 if choice.name == "gaussian" else 1)
+        values[values < noise] = 0.0
+        return choice.ramp(values).density(values)
+
+    return on
 
 
 def luminance(colors: NDArray[np.floating]) -> Values:

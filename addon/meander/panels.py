@@ -7,7 +7,6 @@ import bpy
 from bpy.props import FloatProperty
 
 from . import session
-from .blender_density import choice_of
 from .operators import (
     MEANDER_OT_propose_spacing,
     MEANDER_OT_run,
@@ -100,45 +99,6 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         )
 
 
-class MEANDER_PT_density(SubPanel, bpy.types.Panel):
-    bl_idname = "MEANDER_PT_density"
-    bl_label = "Density"
-    bl_order = ORDER["density"]
-
-    def draw(self, context: bpy.types.Context) -> None:
-        layout = self.layout
-        columns(layout)
-        active = context.active_object
-        settings: MeanderSettings = active.meander
-        layout.prop(settings, "density_source")
-        source = settings.density_source
-        if source == "NONE":
-            return
-        surface = surface_of(active)
-        if source == "GROUP":
-            layout.prop_search(settings, "density_group", surface, "vertex_groups", text="Group")
-        elif source == "ATTRIBUTE":
-            layout.prop(settings, "density_attribute", icon="SPREADSHEET")
-        elif source == "COLOR":
-            layout.prop(settings, "density_color", text="Color", icon="GROUP_VCOL")
-        elif source == "IMAGE":
-            layout.template_ID(settings, "density_image", open="image.open", text="Image")
-            layout.prop_search(settings, "density_uv_map", surface.data, "uv_layers")
-        self._draw_ramp(layout.column(), settings)
-
-    def _draw_ramp(self, layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
-        layout.active = choice_of(settings).varies
-        column = layout.column(align=True)
-        column.prop(settings, "factor_0")
-        column.prop(settings, "factor_1")
-        layout.prop(settings, "density_interpolation")
-        layout.prop(settings, "use_density_range")
-        column = layout.column(align=True)
-        column.active = settings.use_density_range
-        column.prop(settings, "density_low", text="From")
-        column.prop(settings, "density_high", text="To")
-
-
 class MEANDER_PT_options(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_options"
     bl_label = "Options"
@@ -223,7 +183,7 @@ def _percent(_manager: bpy.types.WindowManager) -> float:
     return round(100.0 * running.progress()) if running is not None else 0.0
 
 
-_CLASSES = (MEANDER_PT_main, MEANDER_PT_density, MEANDER_PT_options, MEANDER_PT_figures)
+_CLASSES = (MEANDER_PT_main, MEANDER_PT_options, MEANDER_PT_figures)
 
 
 def register() -> None:

@@ -16,8 +16,10 @@ from bpy.props import (
     StringProperty,
 )
 
+from .blender_alignment import AlignmentSettings
 from .blender_density import DensitySettings
 from .blender_preparation import MeanderProblem, PreparationSettings
+from .blender_terms import TermSettings
 from .motion_settings import MotionSettings
 from .profile import ProfileSettings
 from .strand_data import StrandSettings
@@ -78,8 +80,10 @@ class MeanderFigures(bpy.types.PropertyGroup):
 
 class MeanderSettings(
     DensitySettings,
+    AlignmentSettings,
     PreparationSettings,
     StrandSettings,
+    TermSettings,
     MotionSettings,
     ProfileSettings,
     bpy.types.PropertyGroup,
@@ -183,6 +187,8 @@ COPIED = (
     "seed",
     "spacing",
     *DensitySettings.__annotations__,
+    *AlignmentSettings.__annotations__,
+    *TermSettings.__annotations__,
     *StrandSettings.__annotations__,
     *PreparationSettings.__annotations__,
     *ProfileSettings.__annotations__,

@@ -16,8 +16,10 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from . import blender_data, blender_preparation, core, profile, properties, strand_data, strands
+from .blender_alignment import alignment_of, directions_of
 from .blender_data import DataError
 from .blender_density import choice_of, density_of
+from .blender_terms import terms_of
 from .preparation import described
 from .stepper import Problem, Snapshot, Stepper
 from .thinning import kept_points, merge_distance, thinned
@@ -85,7 +87,9 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
     vertices, faces = blender_data.triangles_of(surface, depsgraph)
     # As stored, so that a run that proposes its spacing and one that is given it are the same.
     spacing = settings.spacing or float(np.float32(blender_data.proposed_spacing(vertices, faces)))
-    density = density_of(choice_of(settings), surface, depsgraph)
+    density = density_of(choice_of(settings), surface, depsgraph, spacing / 2.0)
+    alignment = alignment_of(settings)
+    directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
     parts, dress = strand_data.parts_of(active, depsgraph, restart)
     seed = strands.assembled(parts, settings.seed_every_part)
     surface_options = blender_preparation.surface_options(
@@ -95,12 +99,16 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
         depsgraph,
     )
     options.radius = spacing / 2.0
+    terms_of(settings).apply(options)
+    options.alignment_weight = alignment.weight if directions is not None else 0.0
     options.border_distance = float(f"{settings.border_distance:.6g}")  # 0.5 exactly
     options.threads = settings.threads
     if settings.iteration_limit:
         options.iteration_limit = settings.iteration_limit
     return Plan(
-        problem=Problem(vertices, faces, options, seed, density, surface_options),
+        problem=Problem(
+            vertices, faces, options, seed, density, surface_options, directions, alignment.kind
+        ),
         surface=Key.of(surface),
         settings=Key.of(active),
         result=Key.of(active) if active is not surface else None,

@@ -35,7 +35,8 @@ class Snapshot:
 class Problem:
     """What to solve: arrays and options, nothing of a host.
 
-    density   per vertex, or what computes it from the surface once that is there
+    density     per vertex, or what computes it from the surface once that is there
+    directions  likewise, for options.alignment_weight; `alignment` is one of core.ALIGNMENTS
     """
 
     vertices: np.ndarray
@@ -44,6 +45,8 @@ class Problem:
     seed: core.Seed | None = None
     density: np.ndarray | Callable[[core.Surface], np.ndarray] | None = None
     surface_options: core.SurfaceOptions | None = None
+    directions: np.ndarray | Callable[[core.Surface], np.ndarray] | None = None
+    alignment: str = "along"
 
     def expected_length(self, density: np.ndarray | None) -> float:
         """The length of a curve that fills the surface: area over spacing, face by face."""
@@ -115,6 +118,9 @@ class Stepper:
             self.surface_figures = surface.statistics()
             self.density = evaluated(problem.density, surface)
             self._flow = core.Flow(surface, problem.options, problem.seed, self.density)
+            if problem.directions is not None:
+                directions = evaluated(problem.directions, surface)
+                self._flow.set_directions(directions, problem.alignment)
         # A mask leaves less to fill.
         share = self.surface_figures["area"] / problem.area()
         self._expected_length = share * problem.expected_length(self.density)

@@ -12,7 +12,7 @@ from types import SimpleNamespace
 import bpy
 import meander
 import pytest
-from meander import panels, session
+from meander import panels, session, term_panels
 from scenes import activate, cube, fill, poly_curve, sphere
 
 RELOADED = ("properties", "session", "operators", "panels")
@@ -113,7 +113,7 @@ def test_panel_without_a_mesh_says_what_to_do():
     assert draw(panels.MEANDER_PT_main) == ["Select a mesh to fill"]
     activate(poly_curve("Any", [[(0, 0, 0), (1, 0, 0)]], False))
     assert draw(panels.MEANDER_PT_main) == ["Select a mesh to fill"]
-    assert draw(panels.MEANDER_PT_density) is None
+    assert draw(term_panels.MEANDER_PT_density) is None
 
 
 def test_panel_on_a_mesh():
@@ -121,7 +121,7 @@ def test_panel_on_a_mesh():
     shown = draw(panels.MEANDER_PT_main)
     assert {"Surface", "Seed", "Spacing", "Fill with Curve"} <= set(shown)
     assert draw(panels.MEANDER_PT_figures) is None
-    assert "Group" in draw(panels.MEANDER_PT_density)
+    assert "Group" in draw(term_panels.MEANDER_PT_density)
     assert "Preset" in draw(panels.MEANDER_PT_options)
 
 
@@ -132,12 +132,38 @@ def test_density_panel_shows_what_its_source_needs():
         ("ATTRIBUTE", "Attribute"),
         ("COLOR", "Color"),
         ("IMAGE", "UV Map"),
+        ("CURVATURE", "Smoothing"),
     ):
         settings.density_source = source
-        shown = draw(panels.MEANDER_PT_density)
+        shown = draw(term_panels.MEANDER_PT_density)
         assert {"Source", label, "Factor Low", "Factor High", "Interpolation"} <= set(shown)
     settings.density_source = "NONE"
-    assert draw(panels.MEANDER_PT_density) == ["Source"]
+    assert draw(term_panels.MEANDER_PT_density) == ["Source"]
+
+
+def test_alignment_panel_shows_what_its_source_needs():
+    settings = cube().meander
+    assert draw(term_panels.MEANDER_PT_alignment) == ["Follow"]
+    for source, label in (
+        ("AXIS", "Space"),
+        ("CURVATURE", "Smoothing"),
+        ("SMOOTH", "Weight"),
+        ("STROKES", "Curves"),
+        ("UV", "UV Map"),
+        ("ATTRIBUTE", "Attribute"),
+    ):
+        settings.alignment_source = source
+        assert {label, "Weight", "Across"} <= set(draw(term_panels.MEANDER_PT_alignment))
+
+
+def test_weights_panel_warns_of_what_is_seldom_meant():
+    settings = cube().meander
+    quiet = draw(term_panels.MEANDER_PT_weights)
+    assert {"Custom Weights", "Bending", "Segment Length", "Reach", "Start Spacing"} <= set(quiet)
+    settings.segment_share = 0.9
+    warned = draw(term_panels.MEANDER_PT_weights)
+    assert len(warned) > len(quiet)
+    assert all(len(line) <= 36 for line in warned)
 
 
 def test_panel_on_a_result():

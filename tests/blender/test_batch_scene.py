@@ -91,6 +91,23 @@ def test_a_density_by_attribute_range_and_factors(scene, tmp_path):
     assert bpy.data.objects["Ball"].meander.density_source == "GROUP"
 
 
+def test_alignment_and_terms_are_kept_with_the_result(scene, tmp_path):
+    output = tmp_path / "out.blend"
+    done = run_batch(
+        *("--input", scene, "--object", "Ball", "--spacing", 0.3, "--iterations", 5, "--quiet"),
+        *("--alignment", 0.5, "--direction-object", "Ring", "--across"),
+        *("--bending", 2, "--max-radius", 0.6, "--output", output),
+    )
+    assert done.returncode == 0, done.stderr
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    (curve,) = (thing for thing in bpy.data.objects["Ball"].children if thing.type == "CURVE")
+    made_with = curve.meander
+    assert (made_with.alignment_source, made_with.alignment_weight) == ("STROKES", 0.5)
+    assert made_with.alignment_strokes == bpy.data.objects["Ring"] and made_with.align_across
+    assert made_with.use_weights and made_with.bending_weight == 2.0
+    assert made_with.reach == pytest.approx(4.0)
+
+
 @pytest.mark.parametrize(
     ("arguments", "word"),
     [
@@ -100,7 +117,9 @@ def test_a_density_by_attribute_range_and_factors(scene, tmp_path):
         (("--object", "Ball", "--seed-object", "Far"), "surface"),
         (("--object", "Ball", "--density-group", "Bottom"), "Bottom"),
         (("--object", "Ball", "--density-attribute", "depth"), "it has 'height'"),
-        (("--object", "Ball", "--density-color", "height"), "needs a color attribute"),
+        (("--object", "Ball", "--density-color", "height"), "choose a color attribute"),
+        (("--object", "Ball", "--alignment", 1, "--direction", "flow"), "vector attribute"),
+        (("--object", "Ball", "--alignment", 1, "--direction-object", "No"), "no curves"),
         (("--object", "Ball", "--density-image", "Map"), "no image 'Map'"),
         (("--object", "Ball", "--density-group", "Top", "--spacing-factors", 0, 1), "0.05 to 5"),
     ],

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from meander import blender_density, session
 from meander.density import Choice
-from scenes import fill, grid, mesh_object, poly_curve, refused, world_splines
+from scenes import fill, grid, mesh_object, poly_curve, refused, sphere, world_splines
 
 KINDS = [
     ("BYTE_COLOR", "POINT"),
@@ -169,6 +169,32 @@ def test_a_colour_and_an_image_of_the_same_grey_agree():
 # -- in a run --------------------------------------------------------------------------------------
 
 
+def test_curvature_makes_tips_denser():
+    """A long ellipsoid: most of the length of its curve lies near the tips, more than area says."""
+    surface = sphere()
+    surface.scale = (1.0, 1.0, 3.0)
+    plain = fill(surface, 0.3)
+    share = [share_near_tips(plain)]
+    bpy.data.objects.remove(plain)
+    settings = {"density_source": "CURVATURE", "density_curvature": "GAUSSIAN"}
+    result = fill(surface, 0.3, factor_0=1.0, factor_1=0.5, **settings)
+    share.append(share_near_tips(result))
+    assert share[1] > 1.15 * share[0]
+    assert result.meander.density_curvature == "GAUSSIAN"
+    plan = session.plan_run(bpy.context)
+    assert callable(plan.problem.density)  # Continue computes the same
+
+
+def share_near_tips(curve: bpy.types.Object) -> float:
+    near = total = 0.0
+    for points, _cyclic in world_splines(curve):
+        following = np.roll(points, -1, axis=0)
+        lengths = np.linalg.norm(following - points, axis=1)
+        total += lengths.sum()
+        near += lengths[np.abs(points[:, 2] + following[:, 2]) / 2.0 > 2.0].sum()
+    return near / total
+
+
 @pytest.mark.parametrize("source", ["ATTRIBUTE", "COLOR", "IMAGE"])
 def test_the_spacing_follows(source):
     """A square whose left half is to be twice as dense: twice the length lies there."""
@@ -229,6 +255,7 @@ def test_choices_go_into_settings_and_out_again():
         Choice("ATTRIBUTE", "height", value_range=(-2.0, 4.0)),
         Choice("COLOR", "Paint", interpolation="smooth"),
         Choice("IMAGE", "Map", uv_map="Flat"),
+        Choice("CURVATURE", "gaussian", smoothing=3.5),
     ):
         blender_density.store_choice(choice, thing.meander)
         assert asdict(blender_density.choice_of(thing.meander)) == asdict(choice)
@@ -245,7 +272,7 @@ def test_choices_go_into_settings_and_out_again():
         ({"density_source": "ATTRIBUTE", "density_attribute": "faces"}, "per face"),
         ({"density_source": "ATTRIBUTE", "density_attribute": "bad"}, "finite number at vertex 3"),
         ({"density_source": "COLOR"}, "no color attribute"),
-        ({"density_source": "COLOR", "density_color": "bad"}, "needs a color attribute"),
+        ({"density_source": "COLOR", "density_color": "bad"}, "choose a color attribute"),
         ({"density_source": "IMAGE"}, "no image"),
     ],
     ids=lambda value: value if isinstance(value, str) else "-".join(value.values()),

@@ -246,6 +246,14 @@ GOOD = ("--spacing", "0.2")
         (*GOOD, "--spacing-factors", "1", "0.5"),
         (*GOOD, "--density-interpolation", "smooth"),
         (*GOOD, "--uv-map", "UVMap"),
+        (*GOOD, "--density-curvature", "largest"),
+        (*GOOD, "--density-curvature", "mean", "--density-group", "a"),
+        (*GOOD, "--density-curvature", "mean", "--density-smoothing", "-1"),
+        (*GOOD, "--density-smoothing", "1"),
+        (*GOOD, "--alignment", "1", "--direction", "u"),
+        (*GOOD, "--alignment", "1", "--direction-object", "Curve"),
+        (*GOOD, "--alignment", "1", "--direction", "x", "--direction-object", "Curve"),
+        (*GOOD, "--alignment", "1", "--direction", "x", "--direction-smoothing", "1"),
         (*GOOD, "--object", "Cube"),
         (*GOOD, "--seed-object", "Curve"),
         (*GOOD, "--seed", "nowhere.obj"),
@@ -267,6 +275,34 @@ def test_bad_options(refused, square: Path, extra: tuple) -> None:
     if "finest" in extra and "finest" in core.PRESETS:
         pytest.skip("this version has the preset")
     refused(square, *extra)
+
+
+def test_directions_on_a_mesh_file(run, square: Path, tmp_path: Path) -> None:
+    """Along x most of the length lies along x, and across it along y."""
+    shares = []
+    for extra in ((), ("--across",)):
+        code, _out, err = run(square, *GOOD, "--alignment", "2", "--direction", "x", *extra)
+        assert code == 0, err
+        curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+        pieces = np.abs(np.diff(curve.points, axis=0))
+        shares.append(pieces[:, 0].sum() / pieces.sum())
+    assert shares[0] > 0.6 and shares[1] < 0.4
+    options = json.loads((tmp_path / "out.json").read_text())["options"]
+    assert (options["alignment"], options["direction"]) == (2.0, "x")
+    assert options["across"] is True
+
+
+def test_curvature_makes_a_mesh_file_denser(run, tmp_path: Path) -> None:
+    """A sphere bends alike everywhere: it gets the high factor, and a square the low one."""
+    ball = write_mesh(tmp_path / "ball.obj", *geometry.icosphere(3))
+    lengths = {}
+    for name in ("mean", "gaussian", None):
+        density = ("--density-curvature", name) if name else ()
+        code, _out, err = run(ball, "--spacing", "0.3", "--iterations", "300", *density)
+        assert code == 0, err
+        lengths[name] = json.loads((tmp_path / "out.json").read_text())["length"]
+    assert lengths["mean"] / lengths[None] == pytest.approx(2.0, rel=0.1)
+    assert lengths["gaussian"] / lengths[None] == pytest.approx(2.0, rel=0.1)
 
 
 def test_unknown_vertex_group_is_named(refused, square: Path) -> None:

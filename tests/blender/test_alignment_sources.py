@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every source of directions against vectors worked out by hand, and curves that follow them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict
+
+import bpy
+import numpy as np
+import pytest
+from mathutils import Matrix
+from meander import blender_alignment, blender_terms, core, session
+from meander.alignment import Alignment
+from meander.terms import Terms
+from scenes import fill, grid, poly_curve, refused, sphere, world_splines, world_triangles
+
+
+def directions(thing: bpy.types.Object, alignment: Alignment) -> np.ndarray:
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    found = blender_alignment.directions_of(alignment, thing, depsgraph, 0.1)
+    if callable(found):
+        with core.Surface(*world_triangles(thing)) as surface:
+            found = found(surface)
+    return found
+
+
+def assert_lines(found: np.ndarray, wanted: np.ndarray) -> None:
+    """The same lines, whatever their signs and lengths."""
+    lengths = np.linalg.norm(found, axis=1) * np.linalg.norm(wanted, axis=1)
+    assert (lengths > 0.0).all()
+    assert np.abs((found * wanted).sum(axis=1)) / lengths == pytest.approx(1.0, abs=1e-5)
+
+
+def turned_grid() -> bpy.types.Object:
+    thing = grid(cells=6)
+    thing.matrix_world = Matrix.Rotation(math.radians(30.0), 4, "Z") @ Matrix.Diagonal(
+        (1.0, 2.0, 1.0, 1.0)
+    )
+    bpy.context.view_layer.update()
+    return thing
+
+
+def test_axes_of_the_world_and_of_the_object():
+    thing = turned_grid()
+    count = len(thing.data.vertices)
+    found = directions(thing, Alignment("AXIS", choice="X"))
+    assert_lines(found, np.tile((1.0, 0.0, 0.0), (count, 1)))
+    found = directions(thing, Alignment("AXIS", choice="X", local=True))
+    assert_lines(found, np.tile((math.cos(math.pi / 6), math.sin(math.pi / 6), 0.0), (count, 1)))
+
+
+def test_a_vector_attribute_turns_with_the_object():
+    thing = turned_grid()
+    attribute = thing.data.attributes.new("flow", "FLOAT_VECTOR", "POINT")
+    vectors = np.random.default_rng(4).normal(size=(len(thing.data.vertices), 3))
+    attribute.data.foreach_set("vector", vectors.ravel())
+    found = directions(thing, Alignment("ATTRIBUTE", name="flow"))
+    matrix = np.array([row[:3] for row in thing.matrix_world[:3]])
+    assert_lines(found, np.array([matrix @ vector for vector in vectors]))
+    names = blender_alignment.vector_names(thing.meander, bpy.context, "")
+    assert "flow" in names
+
+
+@pytest.mark.parametrize(("choice", "column"), [("U", 0), ("V", 1)])
+def test_uv_lines(choice, column):
+    """The grid's own map has u along x and v along y; the object stretches and turns both."""
+    thing = turned_grid()
+    found = directions(thing, Alignment("UV", choice=choice))
+    matrix = np.array([row[:3] for row in thing.matrix_world[:3]])
+    assert_lines(found, np.tile(matrix[:, column], (len(found), 1)))
+
+
+@pytest.mark.parametrize(("choice", "along"), [("MIN", True), ("MAX", False)])
+def test_principal_directions_of_a_tube(choice, along):
+    bpy.ops.mesh.primitive_cylinder_add(vertices=48, radius=1.0, depth=4.0, end_fill_type="NOTHING")
+    tube = bpy.context.active_object
+    tube.modifiers.new("Triangulate", "TRIANGULATE")
+    found = directions(tube, Alignment("CURVATURE", choice=choice, smoothing=2.0))
+    steepness = np.abs(found[:, 2]) / np.linalg.norm(found, axis=1)
+    assert (steepness > 0.98).all() if along else (steepness < 0.2).all()
+
+
+def test_strokes_are_continued():
+    """Lines at 45 degrees across a square: so is everything between them."""
+    thing = grid(cells=10)
+    lines = [[(-0.8 + s, -0.8 - s, 0.0), (0.8 + s, 0.8 - s, 0.0)] for s in (-0.1, 0.1)]
+    poly_curve("Lines", lines, False)
+    bpy.context.view_layer.update()
+    found = directions(thing, Alignment("STROKES", name="Lines"))
+    assert_lines(found, np.tile((1.0, 1.0, 0.0), (len(found), 1)))
+    assert np.isfinite(directions(thing, Alignment("SMOOTH"))).all()
+
+
+@pytest.mark.parametrize("across", [False, True])
+def test_a_curve_follows_an_axis(across):
+    surface = grid(cells=20)
+    settings = {"alignment_source": "AXIS", "alignment_axis": "X", "alignment_weight": 2.0}
+    result = fill(surface, 0.2, align_across=across, **settings)
+    ((points, _cyclic),) = world_splines(result)
+    pieces = np.abs(np.roll(points, -1, axis=0) - points)
+    share = pieces[:, 0].sum() / pieces[:, :2].sum()
+    assert share < 0.35 if across else share > 0.65
+    assert result.meander.alignment_source == "AXIS"
+    assert session.plan_run(bpy.context).problem.options.alignment_weight == 2.0
+
+
+def test_without_a_source_the_weight_counts_nothing():
+    surface = grid(cells=4)
+    surface.meander.alignment_weight = 3.0
+    assert session.plan_run(bpy.context).problem.options.alignment_weight == 0.0
+    assert session.plan_run(bpy.context).problem.directions is None
+
+
+def test_alignments_and_terms_go_into_settings_and_out_again():
+    thing = sphere()
+    poly_curve("Lines", [[(0, 0, 1), (1, 0, 0)]], False)
+    for alignment in (
+        Alignment(),
+        Alignment("AXIS", 0.5, True, choice="Y", local=True),
+        Alignment("CURVATURE", choice="MAX", smoothing=3.0),
+        Alignment("SMOOTH", 2.0),
+        Alignment("STROKES", name="Lines"),
+        Alignment("UV", choice="V", name="Flat"),
+        Alignment("ATTRIBUTE", name="flow"),
+    ):
+        blender_alignment.store_alignment(alignment, thing.meander)
+        assert asdict(blender_alignment.alignment_of(thing.meander)) == asdict(alignment)
+    for terms in (
+        Terms(start_spacing_factor=1.0),
+        Terms(0.3, 1.7, 3.0, 2.5, 0.35, 4.5, 2.0),
+    ):
+        blender_terms.store_terms(terms, thing.meander)
+        assert asdict(blender_terms.terms_of(thing.meander)) == asdict(terms)
+
+
+def test_terms_reach_the_options():
+    surface = sphere()
+    settings = surface.meander
+    settings.spacing = 0.25
+    before = session.plan_run(bpy.context).problem.options
+    assert (before.segment_length, before.max_radius) == (0.0, 0.0)
+    settings.length_weight, settings.bending_weight = 0.3, 2.0
+    assert session.plan_run(bpy.context).problem.options == before  # not without the tick
+    settings.use_weights = True
+    settings.segment_share, settings.reach, settings.start_spacing_factor = 0.4, 2.4, 2.0
+    options = session.plan_run(bpy.context).problem.options
+    assert (options.length_weight, options.bending_weight) == (0.3, 2.0)
+    assert options.segment_length == pytest.approx(0.05)
+    assert options.max_radius == pytest.approx(0.3)
+    assert options.start_spacing_factor == 2.0
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"alignment_source": "ATTRIBUTE"}, "no attribute"),
+        ({"alignment_source": "ATTRIBUTE", "alignment_attribute": "x"}, "no vector attribute"),
+        ({"alignment_source": "STROKES"}, "no curves to follow"),
+        ({"alignment_source": "UV", "alignment_uv_map": "Nowhere"}, "no UV map 'Nowhere'"),
+        ({"alignment_source": "AXIS", "alignment_axis": "Z"}, "direction"),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "-".join(value.values()),
+)
+def test_what_gives_no_directions(settings, words):
+    assert words in refused(grid(cells=4), **settings)

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines of a UV map, means of lines, and what terms do to options."""
+
+from __future__ import annotations
+
+import geometry
+import numpy as np
+import pytest
+from meander import alignment, core, density
+from meander.density import Choice
+from meander.terms import Terms
+
+
+def test_uv_lines_are_those_of_the_map():
+    """Random triangles whose coordinates are linear in space: u and v lines are known."""
+    rng = np.random.default_rng(2)
+    places = rng.normal(size=(50, 3, 3))
+    frame = rng.normal(size=(50, 2, 3))  # du and dv in space
+    uv = np.einsum("mck,mik->mci", places, frame)
+    for axis in (0, 1):
+        lines = alignment.uv_lines(places, uv, axis)
+        a, b = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
+        normals = np.cross(a, b)
+        # In the face, the other coordinate constant, and as long as the root of twice the area.
+        assert np.abs((lines * normals).sum(axis=1)).max() < 1e-9
+        assert np.abs((lines * frame[:, 1 - axis]).sum(axis=1)).max() < 1e-9
+        lengths = np.linalg.norm(lines, axis=1)
+        assert lengths**2 == pytest.approx(np.linalg.norm(normals, axis=1))
+    degenerate = np.zeros_like(uv)
+    assert (alignment.uv_lines(places, degenerate, 0) == 0.0).all()
+
+
+def test_the_mean_of_lines_ignores_their_signs():
+    faces = np.array([[0, 1, 2], [0, 1, 2], [0, 3, 2]])
+    lines = np.array([[1.0, 0.1, 0.0], [-1.0, 0.1, 0.0], [0.0, 0.0, 0.0]])
+    mean = alignment.mean_lines(lines, faces, 5)
+    assert np.abs(mean[:3]) == pytest.approx(np.array([[1.0, 0, 0]] * 3))
+    assert (mean[3:] == 0.0).all()
+
+
+def test_terms_leave_to_the_preset_what_is_not_set():
+    options = core.default_options("even")
+    options.radius = 0.5
+    before = core.default_options("even")
+    before.radius = 0.5
+    Terms().apply(options)
+    assert options == before
+    Terms(1.0, 2.0, 3.0, 4.0, 0.3, 5.0, 6.0).apply(options)
+    assert (options.length_weight, options.bending_weight) == (1.0, 2.0)
+    assert options.polish_bending_weight == 2.0 * before.polish_bending_weight
+    assert (options.length_power, options.medial_power) == (3.0, 4.0)
+    assert (options.segment_length, options.max_radius) == (0.15, 2.5)
+    assert options.start_spacing_factor == 6.0
+
+
+@pytest.mark.parametrize("kind", density.CURVATURES)
+def test_density_by_curvature(kind):
+    """The ramp of the absolute curvature that the library gives, from 0 to its 95th percentile."""
+    vertices, faces = geometry.icosphere(3)
+    vertices = vertices * (1.0, 1.0, 2.0)
+    choice = Choice("CURVATURE", kind, factors=(1.0, 0.25), smoothing=1.5)
+    with core.Surface(vertices, faces) as surface:
+        found = density.curvature_density(choice, 0.2)(surface)
+        values = surface.curvature(f"absolute_{kind}", 0.3)
+    top = np.sort(values)[int(0.95 * len(values)) :].min()
+    for value, result in zip(values, found):
+        if value > 1.05 * top:
+            assert result == pytest.approx(16.0)
+        factor = 1.0 - 0.75 * min(value / np.percentile(values, 95.0), 1.0)
+        assert result == pytest.approx(1.0 / factor**2)
+    # The tips of the ellipsoid bend most.
+    assert found[np.argmax(np.abs(vertices[:, 2]))] > found[np.argmin(np.abs(vertices[:, 2]))]
+
+
+def test_a_flat_surface_has_no_curvature_to_follow():
+    vertices, faces = geometry.grid(6)
+    turn, _ = np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))
+    with core.Surface(vertices @ turn, faces) as surface:
+        found = density.curvature_density(Choice("CURVATURE", "mean"), 0.1)(surface)
+    assert (found == 1.0).all()
