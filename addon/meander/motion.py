@@ -142,6 +142,8 @@ def flow_of(plan: session.Plan) -> tuple[core.Flow, float]:
     with core.Surface(problem.vertices, problem.faces, problem.surface_options) as surface:
         density = evaluated(problem.density, surface)
         flow = core.Flow(surface, problem.options, problem.seed, density)
+        if problem.directions is not None:
+            flow.set_directions(evaluated(problem.directions, surface), problem.alignment)
     return flow, merge_distance(problem.options.radius, density)
 
 
