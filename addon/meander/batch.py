@@ -243,8 +243,6 @@ def _refuse_what_is_missing(arguments: argparse.Namespace) -> None:
     missing = None
     if arguments.medial_axis != "euclidean":
         missing = "the geodesic medial axis; leave --medial-axis out"
-    elif arguments.preset not in core.PRESETS:
-        missing = f"the preset {arguments.preset!r}; choose one of {', '.join(core.PRESETS)}"
     if missing is not None:
         raise BadInput(f"this version does not have {missing}")
 

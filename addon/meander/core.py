@@ -88,8 +88,8 @@ STATUS_NO_LIBRARY = -1
 # enum { MEANDER_ELEMENT_NONE = 0, ... MEANDER_ELEMENT_SEED_POINT = 4 };
 ELEMENT_KINDS = (None, "vertex", "face", "edge", "seed_point")
 
-# enum { MEANDER_PRESET_EVEN = 0, MEANDER_PRESET_PAPER = 1 };
-PRESETS = ("even", "paper")
+# enum { MEANDER_PRESET_EVEN = 0, MEANDER_PRESET_PAPER = 1, MEANDER_PRESET_FINEST = 2 };
+PRESETS = ("even", "paper", "finest")
 
 
 # enum { MEANDER_BOUNDARY_CENTRE = 0, MEANDER_BOUNDARY_OBSTACLE = 1 };
@@ -220,7 +220,7 @@ class _FlowOptions(Structure):
         ("boundary_rule", c_uint32),  # uint32_t boundary_rule;
         ("iteration_limit", c_uint32),  # uint32_t iteration_limit;
         ("threads", c_uint32),  # uint32_t threads;
-        ("reserved", c_uint32),  # uint32_t reserved;
+        ("ripening_iterations", c_uint32),  # uint32_t ripening_iterations;
     ]
 
 
@@ -1071,6 +1071,7 @@ class FlowOptions:
     boundary_rule: BoundaryRule
     iteration_limit: int
     threads: int
+    ripening_iterations: int
 
 
 def _preset_number(preset: str) -> int:
@@ -1097,7 +1098,7 @@ def default_options(preset: str = "even") -> FlowOptions:
 
 
 def _options_record(options: FlowOptions) -> _FlowOptions:
-    record = _FlowOptions(struct_size=sizeof(_FlowOptions), reserved=0)
+    record = _FlowOptions(struct_size=sizeof(_FlowOptions))
     kinds = {field[0]: field[1] for field in _FlowOptions._fields_}
     for field in fields(FlowOptions):
         value = getattr(options, field.name)

@@ -49,7 +49,7 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   require(o.boundary_rule == MEANDER_BOUNDARY_CENTRE || o.border_distance == 0.5,
           "A border_distance other than 0.5 needs MEANDER_BOUNDARY_CENTRE; with MEANDER_BOUNDARY_OBSTACLE strands stay "
           "a spacing away from the boundary.");
-  require(o.preset <= MEANDER_PRESET_PAPER, "The option preset is none of MEANDER_PRESET_...");
+  require(o.preset <= MEANDER_PRESET_FINEST, "The option preset is none of MEANDER_PRESET_...");
   require(o.iteration_limit >= 1, "The iteration limit must be at least 1.");
   require(o.threads <= 256, "The number of threads must be between 0 (all) and 256.");
   s.length_weight = o.length_weight;
@@ -62,6 +62,7 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   s.growth_coarsening = o.growth_coarsening;
   s.start_spacing_factor = o.start_spacing_factor;
   s.polish = o.polish != 0;
+  s.ripening_iterations = o.ripening_iterations;
   s.polish_bending_weight = o.polish_bending_weight;
   s.polish_length_offset = o.polish_length_offset;
   s.polish_length_gain = o.polish_length_gain;
@@ -104,7 +105,7 @@ std::string warning(const meander_flow_options& o, uint32_t index) {
 }  // namespace meander
 
 meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset) {
-  if (!options || preset > MEANDER_PRESET_PAPER) return MEANDER_INVALID_ARGUMENT;
+  if (!options || preset > MEANDER_PRESET_FINEST) return MEANDER_INVALID_ARGUMENT;
   meander_flow_options o{};
   o.struct_size = sizeof(meander_flow_options);
   o.preset = preset;
@@ -130,12 +131,18 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.growth_coarsening = 2;
     o.polish = 1;
     o.stop_rule = MEANDER_STOP_SETTLED;
-    o.polish_bending_weight = 1.5;
-    o.polish_length_offset = -0.65;
+    o.polish_bending_weight = 2;
+    o.polish_length_offset = -0.85;
     o.polish_length_gain = 1;
-    o.polish_medial_power = 4;
+    o.polish_medial_power = 6;
     o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
+    o.ripening_iterations = 50;
     o.iteration_limit = 600;
+  }
+  if (preset == MEANDER_PRESET_FINEST) {
+    o.polish_length_offset = -0.75;
+    o.ripening_iterations = 450;
+    o.iteration_limit = 2000;
   }
   *options = o;
   return MEANDER_OK;

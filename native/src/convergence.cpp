@@ -17,48 +17,45 @@ constexpr double kGrownClamped = 0.01;    // and fewer nodes than this still see
 constexpr double kGrownForSure = 0.005;   // or the length has all but stopped changing
 constexpr double kSettledLength = 0.0025;
 constexpr double kSettledDistance = 0.04; // mean distance from the curve a window before, in local r
+constexpr size_t kCoolingIterations = 6;
 constexpr double kIdle = 1e-9;            // nodes that move less than this (in r) do not move
 constexpr size_t kIdleIterations = 5;
 
 }  // namespace
 
 void Convergence::restart(double clamped_share) {
-  polishing_ = polishing_ || (polish_wanted_ && clamped_share < kGrownClamped);
-  converged_ = stalled_ = false;
-  phase_start_ = idle_ = quiet_ = 0;
   lengths_.clear();
+  const bool grown = phase_ != Phase::kGrowing || clamped_share < kGrownClamped;
+  // What has not ripened yet goes on with it: the polish would cut its segments finer at once.
+  begin(phase_ == Phase::kRipening        ? Phase::kRipening
+        : grown && polish_wanted_ ? Phase::kPolishing
+                                  : Phase::kGrowing);
+  converged_ = stalled_ = false;
+  idle_ = quiet_ = 0;
+}
+
+void Convergence::begin(Phase phase) {
+  phase_ = phase;
+  phase_start_ = lengths_.size();
   picture_.reset();
 }
 
-void Convergence::note(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
-                       const IterationFigures& figures, Team& team) {
-  lengths_.push_back(figures.length);
+bool Convergence::has_grown(double change, double clamped_share) const {
+  return (change < kGrownLength && clamped_share < kGrownClamped) || change < kGrownForSure;
+}
+
+/// Compares the curve with the one of a window before; the first time it only takes that one down.
+bool Convergence::has_settled(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+                              double change, Team& team) {
   const size_t now = lengths_.size();
-  idle_ = figures.moved < kIdle ? idle_ + 1 : 0;
-  stalled_ = idle_ >= kIdleIterations;
-  if (rule_ == StopRule::kPaper) {
-    quiet_ = figures.displacement_norm < kPaperLimit ? quiet_ + 1 : 0;
-    converged_ = quiet_ >= kPaperIterations;
-    return;
-  }
-  const size_t age = now - phase_start_;
-  const double change =
-      age > kWindow ? std::abs(figures.length / lengths_[now - 1 - kWindow] - 1) : 1;
-  if (polish_wanted_ && !polishing_) {
-    if ((change < kGrownLength && figures.clamped_share < kGrownClamped) || change < kGrownForSure) {
-      polishing_ = true;
-      phase_start_ = now;
-      picture_.reset();
-    }
-    return;
-  }
-  if (picture_ && now - picture_->iteration < kWindow) return;
+  if (picture_ && now - picture_->iteration < kWindow) return false;
   Picture present{now, {}, {}, {}};
   for (uint32_t i = 0; i < curve.size(); ++i) {
     present.nodes.push_back(position(surface, curve.nodes[i]));
     present.next.push_back(curve.next(i));
     present.previous.push_back(curve.previous(i));
   }
+  bool settled = false;
   if (picture_) {
     const PointTree tree(picture_->nodes);
     std::vector<double> distance(curve.size());
@@ -73,15 +70,44 @@ void Convergence::note(const Surface& surface, const Curve& curve, const std::ve
         distance[i] = d / local_radius[i];
       }
     });
-    double sum = 0, count = 0;
-    for (uint32_t i = 0; i < curve.size(); ++i) {
-      if (curve.on_guide(i)) continue;
-      sum += distance[i];
-      ++count;
-    }
-    converged_ = change < kSettledLength && sum / count < kSettledDistance;
+    double sum = 0;
+    for (const double d : distance) sum += d;
+    settled = change < kSettledLength && sum / curve.size() < kSettledDistance;
   }
   picture_ = std::move(present);
+  return settled;
+}
+
+void Convergence::note(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+                       const IterationFigures& figures, Team& team) {
+  lengths_.push_back(figures.length);
+  const size_t now = lengths_.size(), age = now - phase_start_;
+  idle_ = figures.moved < kIdle ? idle_ + 1 : 0;
+  stalled_ = idle_ >= kIdleIterations;
+  if (rule_ == StopRule::kPaper) {
+    quiet_ = figures.displacement_norm < kPaperLimit ? quiet_ + 1 : 0;
+    converged_ = quiet_ >= kPaperIterations;
+    return;
+  }
+  const double change = age > kWindow ? std::abs(figures.length / lengths_[now - 1 - kWindow] - 1) : 1;
+  switch (phase_) {
+    case Phase::kGrowing:
+      if (!polish_wanted_) {
+        if (has_settled(surface, curve, local_radius, change, team)) begin(Phase::kCooling);
+      } else if (has_grown(change, figures.clamped_share)) {
+        begin(ripening_iterations_ > 0 ? Phase::kRipening : Phase::kPolishing);
+      }
+      break;
+    case Phase::kRipening:
+      if (++ripened_ >= ripening_iterations_) begin(Phase::kPolishing);
+      break;
+    case Phase::kPolishing:
+      if (has_settled(surface, curve, local_radius, change, team)) begin(Phase::kCooling);
+      break;
+    case Phase::kCooling:
+      converged_ = age >= kCoolingIterations;
+      break;
+  }
 }
 
 }  // namespace meander

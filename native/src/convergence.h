@@ -21,9 +21,18 @@ struct IterationFigures {
 
 enum class StopRule { kSettled, kPaper };
 
+/// What the flow is about. Without a polish it is growing until the end.
+enum class Phase {
+  kGrowing,   ///< until the length hardly changes and little is empty
+  kRipening,  ///< a given number of iterations
+  kPolishing, ///< until the picture has stopped changing
+  kCooling    ///< a few iterations with short steps, so that nothing is left in mid-leap
+};
+
 class Convergence {
  public:
-  Convergence(StopRule rule, bool polish) : rule_(rule), polish_wanted_(polish) {}
+  Convergence(StopRule rule, bool polish, uint32_t ripening_iterations)
+      : rule_(rule), polish_wanted_(polish), ripening_iterations_(ripening_iterations) {}
 
   /// Takes note of an iteration and of the curve after it.
   void note(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
@@ -33,7 +42,9 @@ class Convergence {
   /// more than `clamped_share` of its nodes at the clamp, need not grow again and goes to the polish.
   void restart(double clamped_share);
 
-  bool polishing() const { return polishing_; }
+  Phase phase() const { return phase_; }
+  /// Is it past its growth?
+  bool polishing() const { return phase_ != Phase::kGrowing; }
   bool converged() const { return converged_; }
   bool stalled() const { return stalled_; }
 
@@ -41,10 +52,17 @@ class Convergence {
   /// Lengths and curves are compared with those of this many iterations before.
   static constexpr size_t kWindow = 10;
 
+  void begin(Phase phase);
+  bool has_grown(double change, double clamped_share) const;
+  bool has_settled(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+                   double change, Team& team);
+
   StopRule rule_;
-  bool polish_wanted_, polishing_ = false, converged_ = false, stalled_ = false;
+  bool polish_wanted_, converged_ = false, stalled_ = false;
+  uint32_t ripening_iterations_, ripened_ = 0;
+  Phase phase_ = Phase::kGrowing;
   std::vector<double> lengths_;
-  size_t phase_start_ = 0;  // iteration at which growth or polish began
+  size_t phase_start_ = 0;  // iteration at which the phase began
   size_t idle_ = 0;         // iterations in a row without movement
   size_t quiet_ = 0;        // iterations in a row below the paper's limit
   struct Picture {

@@ -38,7 +38,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
   retraction_.straighten(*surface_, curve_, team_, seconds_.move);
 
   double clamped = 1;
-  if (!convergence_.polishing() && approach_.arrived()) {
+  if (!polishing() && approach_.arrived()) {
     find_radii();
     clamped = clamped_share();
   }

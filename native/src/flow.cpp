@@ -7,6 +7,7 @@
 
 #include "ends.h"
 #include "first_curve.h"
+#include "hairpins.h"
 #include "run_tree.h"
 #include "solve.h"
 #include "stopwatch.h"
@@ -20,6 +21,9 @@ constexpr size_t kBlock = 2048;
 /// A node may move this share of its medial radius on the side to which it moves, so that it cannot
 /// leap over the strand beside it.
 constexpr double kMostOfRadius = 0.9;
+
+/// And this much of the local r while the flow cools down.
+constexpr double kMostWhileCooling = 0.04;
 
 /// A medial radius this near the clamp (relative) is one that found nothing.
 constexpr double kClamped = 1 - 1e-9;
@@ -36,6 +40,11 @@ constexpr double kNever = 1e100;
 
 /// Length weight taken from strands along the field before and in a polish, in units of beta.
 constexpr double kAlignedGrowth = 1, kAlignedPolish = 0.35;
+
+/// While the curve ripens this share of the runs between opposite hairpins is drawn in, the shortest,
+/// by this length weight.
+constexpr double kRipeningShare = 0.2;
+constexpr double kRipeningPull = 3;
 
 /// The spacing that the polish follows is smoothed along the curve over this many r.
 constexpr double kSmoothing = 2;
@@ -57,7 +66,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
       boundary_(std::in_place, *surface_, 0.5 * settings.segment_length),
       team_(settings.threads),
       curve_(first_curve(*surface_, seed, vertex_radius_, settings.widen_loops, team_)),
-      convergence_(settings.stop_rule, settings.polish),
+      convergence_(settings.stop_rule, settings.polish, settings.ripening_iterations),
       approach_(settings.start_spacing_factor, settings.radius, surface_->area()) {
   // Where r varies, parts of a cut guide may be long for the r at their own ends.
   constexpr int kMostCuts = 10;
@@ -273,6 +282,7 @@ void Flow::choose_weights() {
   if (convergence_.polishing() && q != 2) {
     for (double& t : weights_.length) t += polish_balance(q);
   }
+  if (convergence_.phase() == Phase::kRipening) unfold_short_runs();
   if (settings_.grow_into_empty) {
     for (uint32_t i = 0; i < n; ++i) {
       if (sees_nothing(i)) weights_.length[i] = kIntoEmpty;
@@ -357,6 +367,15 @@ void Flow::follow_spacing() {
   }
 }
 
+/// Draws in the fingers that lie on short runs; longer ones grow into the room that they leave. So
+/// hairpins become fewer, which no force of the model does (see hairpins.h).
+void Flow::unfold_short_runs() {
+  const std::vector<uint8_t> marked = mark_short_runs(curve_, local_radius_, kRipeningShare);
+  for (uint32_t i = 0; i < curve_.size(); ++i) {
+    if (marked[i]) weights_.length[i] = kRipeningPull;
+  }
+}
+
 /// The steps of all nodes (eq. 10) in the planes of their faces, capped by their medial radii.
 std::vector<Vec2> Flow::displacements() {
   std::vector<Vec2> d(curve_.size());
@@ -379,9 +398,11 @@ std::vector<Vec2> Flow::displacements() {
       for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
     }
   });
+  const bool cooling = convergence_.phase() == Phase::kCooling;
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     const double length = norm(d[i]);
-    const double most = kMostOfRadius * radii_[i][dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1];
+    double most = kMostOfRadius * radii_[i][dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1];
+    if (cooling) most = std::min(most, kMostWhileCooling * local_radius_[i]);
     if (length > most) d[i] = (most / length) * d[i];
     if (!std::isfinite(d[i].x) || !std::isfinite(d[i].y)) d[i] = {};
   }
@@ -394,8 +415,9 @@ std::vector<Vec2> Flow::displacements() {
 
 void Flow::refine() {
   find_local_radii();
-  const double h = settings_.segment_length *
-                   (settings_.polish && !convergence_.polishing() ? settings_.growth_coarsening : 1);
+  const Phase phase = convergence_.phase();
+  const bool coarse = settings_.polish && (phase == Phase::kGrowing || phase == Phase::kRipening);
+  const double h = settings_.segment_length * (coarse ? settings_.growth_coarsening : 1);
   std::vector<double> target(curve_.size());
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     target[i] = h * local_radius_[i] / settings_.radius;

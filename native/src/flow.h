@@ -37,6 +37,7 @@ struct FlowSettings {
   bool polish = false;
   double polish_bending_weight = 0, polish_length_offset = 0, polish_length_gain = 0;
   double polish_medial_power = 2;
+  uint32_t ripening_iterations = 0;
   /// Where both sides of a strand are empty no force acts on it: there it is made to grow.
   bool grow_into_empty = false;
   /// Free ends keep r from what is ahead of them, or go on until they do.
@@ -93,6 +94,7 @@ class Flow {
   const FlowSeconds& seconds() const { return seconds_; }
   /// Why a run would end now; kCancelled after a cancelled step or run, until the next one.
   StopReason stop_reason() const;
+  /// Is it past its growth?
   bool polishing() const { return convergence_.polishing(); }
 
   /// Figures of the curve as it is now; brings radii() up to date, and changes nothing else.
@@ -122,6 +124,7 @@ class Flow {
   void find_directions();
   void soften_young_strands();
   void follow_spacing();
+  void unfold_short_runs();
   std::vector<Vec2> displacements();
   void refine();
 

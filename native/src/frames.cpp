@@ -14,6 +14,11 @@ namespace {
 /// Averaging passes over the one-ring; a pass spreads by about one edge length.
 constexpr double kMostPasses = 40;
 
+/// The medial balls look to where a geodesic arrives after this much of the local r: the middle of the
+/// way to a ball's centre and a little beyond. Farther, and strands on thin limbs come to lie too far
+/// apart; nearer, and those at creases come too close.
+constexpr double kLook = 0.75;
+
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   const double n = v.norm();
   return n > 0 ? Vec3(v / n) : otherwise;
@@ -86,8 +91,9 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
         const Vec2 t = flat_tangent(curve, i);
         frames.tangent[i] = t;
         frames.bitangent2[i] = Vec2{0, -1} * t;
-        walks.emplace_back(surface, curve.nodes[i], local_radius[i] * frames.bitangent2[i]);
-        walks.emplace_back(surface, curve.nodes[i], -local_radius[i] * frames.bitangent2[i]);
+        const double look = kLook * local_radius[i];
+        walks.emplace_back(surface, curve.nodes[i], look * frames.bitangent2[i]);
+        walks.emplace_back(surface, curve.nodes[i], -look * frames.bitangent2[i]);
       }
       lead_together(walks, [](size_t) {});
       for (uint32_t i = first; i < last; ++i) {

@@ -267,13 +267,10 @@ GOOD = ("--spacing", "0.2")
         (*GOOD, "--start-spacing", "0.5"),
         # in the contract, but not in this version:
         (*GOOD, "--medial-axis", "geodesic"),
-        (*GOOD, "--preset", "finest"),
     ],
     ids=" ".join,
 )
 def test_bad_options(refused, square: Path, extra: tuple) -> None:
-    if "finest" in extra and "finest" in core.PRESETS:
-        pytest.skip("this version has the preset")
     refused(square, *extra)
 
 

@@ -33,6 +33,7 @@ FlowSettings settings_of(uint32_t preset, const Surface& surface, double spacing
   s.polish_length_offset = o.polish_length_offset;
   s.polish_length_gain = o.polish_length_gain;
   s.polish_medial_power = o.polish_medial_power;
+  s.ripening_iterations = o.ripening_iterations;
   s.grow_into_empty = s.widen_loops = preset != MEANDER_PRESET_PAPER;
   s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = BoundaryRule::kCentre;
@@ -318,6 +319,46 @@ TEST_P(EveryIteration, PolylinesAreOnTheCallersMesh) {
     }
     EXPECT_LE(farthest, kRounding * s.scale());
   }
+}
+
+/// Of every node from the curve before, in units of r; by comparing with all segments.
+double largest_movement(const std::vector<Vec3>& before, const std::vector<Vec3>& after, double r) {
+  double largest = 0;
+  for (const Vec3& p : after) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (size_t k = 0; k < before.size(); ++k) {
+      const Vec3 &a = before[k], &b = before[(k + 1) % before.size()];
+      const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (p - a - t * (b - a)).norm());
+    }
+    largest = std::max(largest, nearest / r);
+  }
+  return largest;
+}
+
+std::vector<Vec3> positions_of(const Flow& flow) {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& p : flow.curve().nodes) positions.push_back(position(flow.surface(), p));
+  return positions;
+}
+
+TEST(FlowToTheEnd, RipensKeepsItsInvariantsAndEndsStill) {
+  const Mesh mesh = torus(24, 12);
+  const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
+  FlowSettings settings = settings_of(MEANDER_PRESET_FINEST, *surface, spacing_for(*surface, 150));
+  settings.ripening_iterations = 60;
+  Flow flow(surface, nullptr, {}, settings);
+  std::vector<Vec3> before;
+  int steps = 0;
+  while (flow.stop_reason() == StopReason::kRunning) {
+    before = positions_of(flow);
+    ASSERT_TRUE(flow.step(kNeverCancelled));
+    if (++steps % 10 == 0) expect_valid(*surface, flow.curve());
+  }
+  EXPECT_EQ(flow.stop_reason(), StopReason::kConverged);
+  EXPECT_TRUE(flow.polishing());
+  expect_valid(*surface, flow.curve());
+  EXPECT_LE(largest_movement(before, positions_of(flow), settings.radius), 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, EveryIteration,

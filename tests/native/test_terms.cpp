@@ -59,7 +59,8 @@ class Draw {
   FlowHandle make(uint32_t threads) {
     options_.threads = threads;
     const meander_seed seed{sizeof(meander_seed), static_cast<uint32_t>(closed_.size()), points_.data(),
-                            offsets_.data(),      closed_.data(),                        fixed_.data()};
+                            offsets_.data(),      closed_.data(),                        fixed_.data(),
+                            nullptr,              0,                                     0};
     meander_flow* flow = nullptr;
     check(meander_flow_create(surface_.get(), closed_.empty() ? nullptr : &seed,
                               density_.empty() ? nullptr : density_.data(), &options_, &flow, &error_));

@@ -255,7 +255,8 @@ typedef struct meander_seed {
 /* Presets for meander_flow_options_init. */
 enum {
   MEANDER_PRESET_EVEN = 0,  /* the default: evenly spaced, few hairpins, no gaps */
-  MEANDER_PRESET_PAPER = 1  /* the authors' weights, step and stopping rule */
+  MEANDER_PRESET_PAPER = 1, /* the authors' weights, step and stopping rule */
+  MEANDER_PRESET_FINEST = 2 /* as even, with a third of the hairpins less, in about twice the time */
 };
 
 /* How a medial ball ends at the boundary of an open surface. */
@@ -309,7 +310,8 @@ typedef struct meander_flow_options {
   uint32_t boundary_rule;   /* MEANDER_BOUNDARY_... */
   uint32_t iteration_limit; /* of meander_flow_run, counted over the life of the flow; >= 1 */
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
-  uint32_t reserved;
+  uint32_t ripening_iterations; /* between growth and polish: so long the fingers on the shortest runs between
+                               hairpins are drawn in, and others grow into their room; 0: not at all */
 } meander_flow_options;
 
 /* Fills every field of `options` with the preset's values; radius is set to 0 and must be chosen.

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hairpins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace meander {
+namespace {
+
+constexpr double kWindow = 4;  // in r
+constexpr double kTurn = 2 * std::numbers::pi / 3;
+constexpr double kReach = 2;   // in r
+
+/// Way along a strand, in units of the local r, and turning up to a node; a closed strand goes round
+/// for ever, so nodes are numbered before the first and after the last as well.
+class Course {
+ public:
+  Course(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius)
+      : closed_(strand.closed), count_(strand.count), way_(strand.count + 1, 0), turn_(strand.count + 1, 0) {
+    for (uint32_t k = 0; k < strand.count; ++k) {
+      const uint32_t i = strand.first + k, before = curve.previous(i);
+      double turn = 0;
+      if (before != kNone && curve.has_segment(i)) {
+        const Vec2 t = curve.shapes[i].leaving * conj(curve.shapes[before].arriving);
+        turn = std::atan2(t.y, t.x);
+      }
+      turn_[k + 1] = turn_[k] + turn;
+      way_[k + 1] = way_[k] + (curve.has_segment(i) ? curve.shapes[i].length / local_radius[i] : 0);
+    }
+  }
+
+  int64_t begin() const { return closed_ ? -count_ : 0; }
+  int64_t end() const { return closed_ ? 2 * count_ : count_; }
+  double total() const { return way_[static_cast<size_t>(count_)]; }
+  double way(int64_t k) const { return at(way_, k); }
+  /// Sum of the turns at the nodes before k.
+  double turn(int64_t k) const { return at(turn_, k); }
+
+  /// The first node at or after this place.
+  int64_t first_after(double place) const {
+    int64_t low = begin(), high = end();
+    while (low < high) {
+      const int64_t middle = low + (high - low) / 2;
+      if (way(middle) < place) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
+
+ private:
+  double at(const std::vector<double>& sums, int64_t k) const {
+    if (k == count_) return sums[static_cast<size_t>(k)];
+    const int64_t rounds = k < 0 ? -1 : k / count_;
+    return sums[static_cast<size_t>(k - rounds * count_)] + static_cast<double>(rounds) * sums.back();
+  }
+
+  bool closed_;
+  int64_t count_;
+  std::vector<double> way_, turn_;
+};
+
+std::vector<Hairpin> find(const Course& course, const Strand& strand) {
+  // Turning within half a window to both sides of every node.
+  std::vector<double> turning(strand.count);
+  int64_t first = course.begin(), last = course.begin();
+  for (int64_t k = 0; k < strand.count; ++k) {
+    const double place = course.way(k);
+    while (first < k && course.way(first) < place - kWindow / 2) ++first;
+    while (last < course.end() && course.way(last) < place + kWindow / 2) ++last;
+    turning[static_cast<size_t>(k)] = course.turn(last) - course.turn(first);
+  }
+  std::vector<Hairpin> hairpins;
+  const auto at = [&](int64_t k) { return turning[static_cast<size_t>(k % strand.count)]; };
+  for (int64_t k = 0; k < strand.count; ++k) {
+    const int side = at(k) > 0 ? 1 : -1;
+    const auto turns = [&](int64_t j) { return side * at(j) >= kTurn; };
+    const bool has_before = strand.closed || k > 0;
+    if (!turns(k) || (has_before && turns(k + strand.count - 1))) continue;
+    int64_t end = k;
+    while (end < (strand.closed ? k + strand.count : int64_t{strand.count}) && turns(end)) ++end;
+    hairpins.push_back({0.5 * (course.way(k) + course.way(end - 1)), side});
+  }
+  return hairpins;
+}
+
+}  // namespace
+
+std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand,
+                                   const std::vector<double>& local_radius) {
+  return find(Course(curve, strand, local_radius), strand);
+}
+
+std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<double>& local_radius, double share) {
+  struct Run {
+    size_t strand;
+    double from, to;
+  };
+  std::vector<Run> runs;
+  std::vector<Course> courses;
+  for (size_t s = 0; s < curve.strands.size(); ++s) {
+    const Strand& strand = curve.strands[s];
+    courses.emplace_back(curve, strand, local_radius);
+    const std::vector<Hairpin> hairpins = find(courses.back(), strand);
+    for (size_t h = 0; h < hairpins.size(); ++h) {
+      const bool wraps = h + 1 == hairpins.size();
+      if (wraps && (!strand.closed || hairpins.size() < 2)) continue;
+      const Hairpin& next = hairpins[wraps ? 0 : h + 1];
+      if (next.side == hairpins[h].side) continue;
+      runs.push_back({s, hairpins[h].at, next.at + (wraps ? courses.back().total() : 0)});
+    }
+  }
+  const auto chosen = static_cast<size_t>(share * static_cast<double>(runs.size()));
+  std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.to - a.from < b.to - b.from; });
+  runs.resize(chosen);
+
+  std::vector<uint8_t> marked(curve.size(), 0);
+  for (const Run& run : runs) {
+    const Strand& strand = curve.strands[run.strand];
+    const Course& course = courses[run.strand];
+    // Never more than once round.
+    const int64_t begin = course.first_after(run.from - kReach);
+    const int64_t end = std::min(course.first_after(run.to + kReach), begin + strand.count);
+    for (int64_t k = begin; k < end; ++k) {
+      marked[strand.first + static_cast<size_t>((k + strand.count) % strand.count)] = 1;
+    }
+  }
+  return marked;
+}
+
+}  // namespace meander
