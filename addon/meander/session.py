@@ -24,7 +24,7 @@ from .preparation import described
 from .stepper import Problem, Snapshot, Stepper
 from .thinning import kept_points, merge_distance, thinned
 
-TICKS_PER_SECOND = 10
+TICKS_PER_SECOND = 12
 KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
 # How far above the surface the preview is drawn, in spacings.
 PREVIEW_LIFT = 0.05
