@@ -54,6 +54,7 @@ Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NO
   find(flow_get_history, "meander_flow_get_history");
   find(flow_get_polylines, "meander_flow_get_polylines");
   find(flow_get_nodes, "meander_flow_get_nodes");
+  find(flow_set_vertices, "meander_flow_set_vertices");
 }
 
 std::string library_of_this_build() {

@@ -31,6 +31,7 @@ class Library {
   MEANDER_BENCH_CALL(flow_get_history);
   MEANDER_BENCH_CALL(flow_get_polylines);
   MEANDER_BENCH_CALL(flow_get_nodes);
+  MEANDER_BENCH_CALL(flow_set_vertices);
 #undef MEANDER_BENCH_CALL
 
  private:

@@ -23,6 +23,10 @@ static_assert(std::is_trivially_copyable_v<Measurement>);
 constexpr size_t kLastIterations = 10;
 constexpr int kExtraIterations = 5;
 
+/// A moving surface: so many frames of so many iterations, each this much longer along x.
+constexpr int kFrames = 12, kFrameSteps = 3;
+constexpr double kFrameStretch = 0.005;
+
 /// Nodes are between h and 2 h apart, in the mean about 1.4 h with h = 0.2 r, and the length is
 /// A / (2 r): a curve of n nodes has this n r^2 / A.
 constexpr double kNodesPerArea = 1.75;
@@ -70,6 +74,10 @@ class Session {
   }
   void run() { check(library_.flow_run(flow_, nullptr, &error_)); }
   void step() { check(library_.flow_step(flow_, nullptr, &error_)); }
+
+  void set_vertices(const std::vector<Point>& vertices) {
+    check(library_.flow_set_vertices(flow_, vertices[0].data(), vertices.size(), &error_));
+  }
 
   meander_flow_statistics statistics() {
     meander_flow_statistics s{};
@@ -143,6 +151,29 @@ double median_of_last(const std::vector<meander_iteration>& history) {
   return seconds[seconds.size() / 2];
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The surface is stretched frame by frame, and the curve follows.
+void measure_motion(Session& session, const Mesh& mesh, Measurement& m) {
+  std::vector<Point> moved = mesh.vertices;
+  std::vector<double> set, frame;
+  const ProcessorClock processor;
+  for (int k = 1; k <= kFrames; ++k) {
+    for (size_t v = 0; v < moved.size(); ++v) moved[v][0] = (1 + k * kFrameStretch) * mesh.vertices[v][0];
+    const Clock clock;
+    session.set_vertices(moved);
+    set.push_back(clock.seconds());
+    for (int s = 0; s < kFrameSteps; ++s) session.step();
+    frame.push_back(clock.seconds());
+  }
+  m.frame_cpu_seconds = processor.seconds() / kFrames;
+  m.set_vertices_seconds = median(set);
+  m.frame_seconds = median(frame);
+}
+
 void measure(const std::string& path, const Case& which, uint32_t iteration_limit, Measurement& m) {
   const Library library(path);
   std::snprintf(m.version, sizeof m.version, "%s", library.version());
@@ -190,6 +221,7 @@ void measure(const std::string& path, const Case& which, uint32_t iteration_limi
   m.iteration_cpu_seconds = extra.seconds() / kExtraIterations;
   m.last_stages = mean_between(m.stages, stages_of(session.statistics()), kExtraIterations);
   m.floor = measure_floor(mesh, nodes, m.radius);
+  measure_motion(session, mesh, m);
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ struct Measurement {
   double iteration_seconds = 0;  ///< one iteration at the end: median of the last kLastIterations
   StageSeconds last_stages;      ///< mean of kExtraIterations more
   double iteration_cpu_seconds = 0;  ///< processor time of all threads, mean of the same
+  double set_vertices_seconds = 0;   ///< the surface moves: median of kFrames,
+  double frame_seconds = 0;          ///< and with kFrameSteps iterations,
+  double frame_cpu_seconds = 0;      ///< processor time of all threads, mean of the same
   uint64_t memory = 0;         ///< greatest resident memory up to the end of the flow, in bytes
   uint64_t memory_before = 0;  ///< the same before the mesh was handed over
   uint64_t fingerprint = 0;    ///< of the bytes of the polylines

@@ -100,6 +100,10 @@ void print_json(const Row& row) {
   std::printf(", \"iteration_cpu_seconds\": %.6g",
               row.median_of([](const Measurement& x) { return x.iteration_cpu_seconds; }));
   print_stages("last_stages", m.last_stages);
+  std::printf(", \"set_vertices_seconds\": %.6g, \"frame_seconds\": %.6g, \"frame_cpu_seconds\": %.6g",
+              row.median_of([](const Measurement& x) { return x.set_vertices_seconds; }),
+              row.median_of([](const Measurement& x) { return x.frame_seconds; }),
+              row.median_of([](const Measurement& x) { return x.frame_cpu_seconds; }));
   std::printf(
       ", \"floor_tree_seconds\": %.6g, \"floor_query_seconds\": %.6g, \"floor_seconds\": %.6g, "
       "\"floor_cpu_seconds\": %.6g, \"floor_ratio\": %.4g, \"floor_cpu_ratio\": %.4g",
