@@ -205,7 +205,7 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
         if problem:
             notice(layout, problem, "ERROR")
         elif settings.follow and not context.scene.render.use_lock_interface:
-            notice(layout, "Renders need a bake, or Lock Interface")
+            notice(layout, "Bake before rendering")
         layout.operator_context = "INVOKE_DEFAULT"
         column = layout.column(align=True)
         column.operator(MEANDER_OT_bake_motion.bl_idname, icon="RENDER_ANIMATION")
