@@ -40,8 +40,8 @@ BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
 
 void compute_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                          const BoundaryObstacle& boundary, BoundaryRule rule,
-                         const std::vector<double>& max_radius, const std::vector<double>& overhang, Team& team,
-                         std::vector<Radii>& radii) {
+                         const std::vector<double>& max_radius, const std::vector<double>& overhang,
+                         const std::vector<double>& least_rest, Team& team, std::vector<Radii>& radii) {
   const uint32_t n = curve.size();
   radii.resize(n, Radii{0, 0});
   std::vector<Vec3> obstacles = frames.position;
@@ -69,6 +69,9 @@ void compute_medial_axis(const Surface& surface, const Curve& curve, const Frame
           const Trace trace = trace_geodesic(surface, curve.nodes[i], sign * way * frames.bitangent2[i], scratch);
           if (trace.hit_boundary) most = std::min(most, trace.length + overhang[i]);
         }
+        // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
+        // boundaries would else settle at half of their distance from each other.
+        if (near_boundary && most < least_rest[i]) most -= least_rest[i] - most;
         radii[i][side] = most > 0 ? largest_ball(tree, x, frames.outward[i][side], most, radii[i][side]) : 0;
       }
     }

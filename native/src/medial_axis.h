@@ -40,10 +40,11 @@ class BoundaryObstacle {
 /// `max_radius`  clamp of every node, at most RunTree::kMostRadius
 /// `overhang`    BoundaryRule::kCentre: how far the centre of a node's ball may pass the boundary, or,
 ///               where negative, must stay away from it
+/// `least_rest`  BoundaryRule::kCentre: what a ball that ends so falls short of this counts twice
 /// `radii`       in: radii of an earlier state (0: unknown), which only save time; out: the result
 void compute_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                          const BoundaryObstacle& boundary, BoundaryRule rule,
-                         const std::vector<double>& max_radius, const std::vector<double>& overhang, Team& team,
-                         std::vector<Radii>& radii);
+                         const std::vector<double>& max_radius, const std::vector<double>& overhang,
+                         const std::vector<double>& least_rest, Team& team, std::vector<Radii>& radii);
 
 }  // namespace meander

@@ -42,7 +42,7 @@ struct Scene {
     const std::vector<double> vertex_radius(surface.vertex_count(), 0.05);
     compute_frames(surface, curve, local_radius, vertex_radius, team, frames);
     compute_medial_axis(surface, curve, frames, boundary, rule, max_radius, std::vector<double>(curve.size(), 0),
-                        team, radii);
+                        std::vector<double>(curve.size(), 0), team, radii);
   }
 
   Surface surface;
