@@ -348,6 +348,27 @@ _PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_int32,
         (c_void_p, POINTER(_SurfaceStatistics), POINTER(_Error)),
     ),
+    # meander_status meander_surface_get_outlines(const meander_surface* surface, double distance,
+    #     double spacing, double* positions, size_t point_capacity, size_t* point_count,
+    #     uint32_t* offsets, uint8_t* closed, size_t strand_capacity, size_t* strand_count,
+    #     uint32_t* skipped, meander_error* error);
+    "meander_surface_get_outlines": (
+        c_int32,
+        (
+            c_void_p,
+            c_double,
+            c_double,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            c_void_p,
+            c_void_p,
+            c_size_t,
+            POINTER(c_size_t),
+            c_void_p,
+            POINTER(_Error),
+        ),
+    ),
     # meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset);
     "meander_flow_options_init": (c_int32, (POINTER(_FlowOptions), c_uint32)),
     # size_t meander_flow_options_get_warning(const meander_flow_options* options, uint32_t index,
@@ -929,6 +950,50 @@ class Surface(_Handle):
             _raise(status, error)
         return _figures(record)
 
+    def outlines(self, distance: float, spacing: float) -> tuple[Seed, int]:
+        """Lines along the boundary at a distance from it, as guides for a seed.
+
+        Returns them, none for a closed surface, and how many stretches were left out because
+        nothing fits there; see meander_surface_get_outlines. Raises MeanderError for lengths out
+        of range.
+        """
+        function = _library().meander_surface_get_outlines
+        error = _new_error()
+        points, strands = c_size_t(), c_size_t()
+        skipped = np.zeros(1, dtype=np.uint32)
+        point_room, strand_room = _OUTLINE_ROOM
+        while True:
+            positions = np.empty((point_room, 3))
+            offsets = np.zeros(strand_room + 1, dtype=np.uint32)
+            closed = np.empty(strand_room, dtype=np.uint8)
+            status = function(
+                self._alive(),
+                float(distance),
+                float(spacing),
+                _address(positions),
+                point_room,
+                byref(points),
+                _address(offsets),
+                _address(closed),
+                strand_room,
+                byref(strands),
+                _address(skipped),
+                byref(error),
+            )
+            if status != Status.OK:
+                _raise(status, error)
+            if points.value <= point_room and strands.value <= strand_room:
+                break
+            point_room, strand_room = points.value, strands.value
+        count = strands.value
+        seed = Seed(
+            positions[: points.value].copy(),
+            offsets[: count + 1].copy(),
+            closed[:count].copy(),
+            guides=np.ones(count, dtype=np.uint8),
+            loops=True,
+        )
+        return seed, int(skipped[0])
 
     def curvature(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
         """Curvature at every vertex, (vertex count,) float64; see meander_surface_get_curvature.
@@ -1007,6 +1072,10 @@ def _choice(what: str, value: str, choices: tuple[str, ...]) -> int:
     if value not in choices:
         raise MeanderError(f"there is no {what} {value!r}; choose one of {', '.join(choices)}")
     return choices.index(value)
+
+
+# Room for outlines that is offered at once, in points and strands: asking would compute twice.
+_OUTLINE_ROOM = (1 << 14, 1 << 8)
 
 
 def _figures(record: Structure) -> dict[str, Any]:

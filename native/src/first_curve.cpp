@@ -101,11 +101,11 @@ void add_loop(const Surface& surface, Curve& curve, const Region& region, double
 }  // namespace
 
 Curve first_curve(const Surface& surface, const SeedStrands* seed, const std::vector<double>& radius, bool widen,
-                  Team& team) {
+                  const PointTree& boundary, double border, Team& team) {
   Curve curve;
   if (seed) curve = lay_seed(surface, *seed, radius, team);
   if (!seed || seed->loops) {
-    for (const Region& region : find_regions(surface, curve, radius)) {
+    for (const Region& region : find_regions(surface, curve, radius, &boundary, border)) {
       if (!region.growing) {
         add_loop(surface, curve, region, radius_at(surface, radius, region.middle), widen, team);
       }

@@ -7,6 +7,7 @@
 
 #include "curve.h"
 #include "parallel.h"
+#include "point_tree.h"
 #include "seed.h"
 
 namespace meander {
@@ -20,8 +21,10 @@ namespace meander {
 /// radius would make a loop much smaller than r collapse instead of grow. Beside guides it is a circle
 /// about as far from them as it is wide.
 ///
+/// `boundary`, `border`: see find_regions.
+///
 /// Throws Failure(MEANDER_INVALID_SEED); `radius` is r at every vertex.
 Curve first_curve(const Surface& surface, const SeedStrands* seed, const std::vector<double>& radius, bool widen,
-                  Team& team);
+                  const PointTree& boundary, double border, Team& team);
 
 }  // namespace meander

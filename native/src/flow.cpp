@@ -65,7 +65,8 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
       vertex_radius_(wanted_radius_),
       boundary_(std::in_place, *surface_, 0.5 * settings.segment_length),
       team_(settings.threads),
-      curve_(first_curve(*surface_, seed, vertex_radius_, settings.widen_loops, team_)),
+      curve_(first_curve(*surface_, seed, vertex_radius_, settings.widen_loops, boundary_->tree(),
+                         2 * settings.border_distance, team_)),
       convergence_(settings.stop_rule, settings.polish, settings.ripening_iterations),
       approach_(settings.start_spacing_factor, settings.radius, surface_->area()) {
   // Where r varies, parts of a cut guide may be long for the r at their own ends.

@@ -18,6 +18,7 @@ namespace {
 constexpr double kSampling = 0.5;      // distance of samples, in r
 constexpr double kFarEnough = 2.5;     // in r: the first place this far from all guides is taken
 constexpr double kLeastRoom = 0.5;     // in r
+constexpr double kWorthALoop = 0.8;    // in r: narrower places are covered by the guides around
 constexpr uint32_t kMostOnEdge = 64;   // samples on one edge, and rows of them in one face
 
 class Union {
@@ -198,7 +199,14 @@ class Samples {
 
 }  // namespace
 
-std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius) {
+std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius,
+                                 const PointTree* boundary, double border) {
+  constexpr double kInsideBorder = 0.15;  // of r: clear of an outline that runs at the border's distance
+  const auto in_border = [&](const SurfacePoint& p) {
+    if (!boundary) return false;
+    const double near = (border + kInsideBorder) * radius_at(surface, radius, p);
+    return boundary->nearest(position(surface, p), near * near).has_value();
+  };
   std::vector<uint8_t> guided(surface.component_count(), 0), growing(surface.component_count(), 0);
   for (const Strand& s : curve.strands) {
     (s.guide ? guided : growing)[surface.component(curve.nodes[s.first].face)] = 1;
@@ -241,13 +249,13 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
       Region region{{}, 0, true, grows[root] != 0};
       double most = 0;  // room in units of r
       for (const uint32_t i : members[root]) {
-        if (samples.relative_room(i) <= most) continue;
+        if (samples.relative_room(i) <= most || in_border(samples.point(i))) continue;
         most = samples.relative_room(i);
         region.middle = samples.point(i);
         region.room = samples.room(i);
         if (most >= kFarEnough) break;
       }
-      if (most >= kLeastRoom) regions.push_back(region);
+      if (most >= kWorthALoop) regions.push_back(region);
     }
   }
   return regions;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "curve.h"
+#include "point_tree.h"
 
 namespace meander {
 
@@ -24,6 +25,10 @@ struct Region {
 /// strand would go through are closed. Its place is the first sample that lies 2.5 r away from all
 /// guides, or else the farthest. What is narrower than the samples is left out: the guides cover it.
 /// `radius` is r at every vertex.
-std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius);
+///
+/// `boundary`, `border`   points of the boundary, or null, and the distance from it, in local radii, that
+///                        strands keep: no place lies nearer, so that strips along it stay empty
+std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius,
+                                 const PointTree* boundary = nullptr, double border = 0);
 
 }  // namespace meander

@@ -222,6 +222,30 @@ MEANDER_API meander_status meander_surface_get_statistics(const meander_surface*
                                                           meander_surface_statistics* statistics,
                                                           meander_error* error);
 
+/* Finds lines along the boundary at a distance from it, to be guides of a seed: what grows then fills
+ * the rest, and the border is outlined evenly.
+ *
+ * Stretches that come within half a spacing of another one are left out, since nothing fits between
+ * them, and so are strands shorter than three spacings; a line that is interrupted so gives open
+ * strands. Lines do not cross. The distance is measured along the surface.
+ *
+ * distance         in mesh units; from a tenth of the spacing to twice the spacing
+ * spacing          of the curve to come, in mesh units; points are about a quarter of it apart
+ * positions        double[3 * point_capacity]
+ * point_capacity   room, in points
+ * point_count      receives the number of points
+ * offsets          uint32_t[strand_capacity + 1], as in meander_flow_get_polylines
+ * closed           uint8_t[strand_capacity]
+ * strand_capacity  room in `closed`, in strands
+ * strand_count     receives the number of strands; 0 for a closed surface
+ * skipped          receives how many stretches and strands were left out; may be NULL
+ *
+ * Two-call sizing as in meander_flow_get_polylines, but every call computes anew. Any thread. */
+MEANDER_API meander_status meander_surface_get_outlines(
+    const meander_surface* surface, double distance, double spacing, double* positions,
+    size_t point_capacity, size_t* point_count, uint32_t* offsets, uint8_t* closed,
+    size_t strand_capacity, size_t* strand_count, uint32_t* skipped, meander_error* error);
+
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: seed, options                                                                          */
 
