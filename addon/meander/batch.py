@@ -74,7 +74,7 @@ from . import (  # noqa: E402
 )
 from .alignment import Alignment, Directions  # noqa: E402
 from .density import Choice, curvature_density  # noqa: E402
-from .preparation import Mask, Repair, described  # noqa: E402
+from .preparation import Mask, Repair, described, outlined  # noqa: E402
 from .stepper import evaluated  # noqa: E402
 
 # A line of progress for every so many iterations, or seconds.
@@ -299,6 +299,7 @@ def _echo(
         "spacing": arguments.spacing,
         **batch_density.echo(arguments, problem.density_choice),
         **batch_preparation.echo(problem.repair, problem.mask),
+        "outline": arguments.outline,
         "medial_axis": arguments.medial_axis,
         **batch_terms.echo(arguments, options),
     }
@@ -623,6 +624,7 @@ def _write_scene(
         strand_data.note_guides(curve_object, guides, keep=True)
         blender_preparation.store_repair(problem.repair, made_with)
         blender_preparation.store_mask(problem.mask, made_with)
+        made_with.use_outline = arguments.outline
         if arguments.border_distance is not None:
             made_with.border_distance = arguments.border_distance
         try:
@@ -691,6 +693,13 @@ def _process(argv: Sequence[str]) -> None:
     with _surface(problem) as surface:
         problem.density = evaluated(problem.density, surface)
         surface_figures = surface.statistics()
+        if arguments.outline:
+            problem.seed, surface_figures["skipped_outlines"] = outlined(
+                problem.seed,
+                surface,
+                options.border_distance * arguments.spacing,
+                arguments.spacing,
+            )
         try:
             flow = core.Flow(surface, options, problem.seed, problem.density)
             directions = evaluated(problem.directions, surface)

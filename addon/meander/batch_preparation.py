@@ -45,6 +45,11 @@ def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float])
         metavar="D",
         help="of the last strand from borders, in spacings, from 0 to 2; default: 0.5",
     )
+    mask.add_argument(
+        "--outline",
+        action="store_true",
+        help="lay a fixed strand along every border at that distance first",
+    )
     repair = parser.add_argument_group(
         "mesh repair", "A mesh with faults is refused unless these mend it; the report counts."
     )
@@ -80,6 +85,9 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
         return f"--mask-threshold {arguments.mask_threshold:g} is no weight; choose from 0 to 1"
     if arguments.mask_invert and not given:
         return "--mask-invert needs a mask; give one such as --mask-group"
+    if arguments.outline and arguments.border_distance is not None:
+        if arguments.border_distance < 0.1:
+            return "--outline needs a --border-distance of at least 0.1; choose a larger one"
     if arguments.merge_distance is not None and arguments.merge_distance < 0:
         return f"--merge-distance {arguments.merge_distance:g} is less than 0"
     if arguments.border_distance is not None and not 0 <= arguments.border_distance <= 2:
@@ -117,4 +125,7 @@ def echo(repair: Repair, mask: Mask) -> dict[str, Any]:
 
 def counts(figures: Mapping[str, Any], loose_edges: int) -> dict[str, int]:
     """What was done to the mesh, for the report's "preparation"."""
-    return {key: int(figures[key]) for key in _COUNTED} | {"loose_edges": loose_edges}
+    return {key: int(figures[key]) for key in _COUNTED} | {
+        "loose_edges": loose_edges,
+        "skipped_outlines": int(figures.get("skipped_outlines", 0)),
+    }

@@ -99,6 +99,15 @@ class PreparationSettings:
         step=5,
         options=set(),
     )
+    use_outline: BoolProperty(
+        name="Outline First",
+        description=(
+            "Lay a fixed strand along every border at the border distance, and fill what is "
+            "left inside"
+        ),
+        default=False,
+        options=set(),
+    )
     use_merge: BoolProperty(
         name="Merge Close Vertices",
         description="Take vertices that are very near each other as one; the mesh stays as it is",

@@ -7,6 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from . import core
+
 
 @dataclass(frozen=True)
 class Repair:
@@ -35,7 +39,7 @@ def _count(number: int, one: str, many: str) -> str:
 def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
     """What was done to a mesh, in words; empty if nothing was.
 
-    figures      of core.Surface.statistics()
+    figures      of core.Surface.statistics(); with "skipped_outlines", of Surface.outlines()
     loose_edges  of the mesh, in no face
     """
     parts = [
@@ -52,6 +56,40 @@ def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
         )
         if figures[key]
     ]
+    if figures.get("skipped_outlines"):
+        count = _count(int(figures["skipped_outlines"]), "stretch", "stretches")
+        parts.append(f"left out {count} of the outline for want of room")
     if loose_edges:
         parts.append(f"ignored {_count(loose_edges, 'loose edge', 'loose edges')}")
     return ", ".join(parts)
+
+
+def outlined(
+    seed: core.Seed | None, surface: core.Surface, distance: float, spacing: float
+) -> tuple[core.Seed | None, int]:
+    """The seed with outlines along the border as guides behind it, and how many had no room.
+
+    distance, spacing   in the surface's units
+    """
+    outlines, skipped = surface.outlines(distance, spacing)
+    count = len(outlines.closed)
+    if not count:
+        return seed, skipped
+    if seed is None:
+        return outlines, skipped
+    flags = [part.guides for part in (seed, outlines)]
+    guides = np.concatenate(
+        [np.zeros(len(seed.closed), np.uint8) if flags[0] is None else flags[0], flags[1]]
+    )
+    moving = np.zeros(len(seed.points), np.uint8) if seed.fixed is None else seed.fixed
+    joined = core.Seed(
+        points=np.vstack([seed.points, outlines.points]),
+        offsets=np.concatenate([seed.offsets, outlines.offsets[1:] + len(seed.points)]).astype(
+            np.uint32
+        ),
+        closed=np.concatenate([seed.closed, outlines.closed]).astype(np.uint8),
+        fixed=np.concatenate([moving, np.zeros(len(outlines.points), np.uint8)]),
+        guides=guides.astype(np.uint8),
+        loops=seed.loops or bool(guides.all()),
+    )
+    return joined, skipped

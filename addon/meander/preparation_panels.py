@@ -86,6 +86,7 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
                 layout.prop(settings, "mask_threshold")
             layout.prop(settings, "mask_inverted")
         layout.prop(settings, "border_distance", text="Border Distance")
+        layout.prop(settings, "use_outline")
 
 
 class MEANDER_PT_repair(SubPanel, bpy.types.Panel):

@@ -103,11 +103,24 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
     options.alignment_weight = alignment.weight if directions is not None else 0.0
     options.border_distance = float(f"{settings.border_distance:.6g}")  # 0.5 exactly
     options.threads = settings.threads
+    outline = 0.0
+    if settings.use_outline and _wants_outline(active, surface, restart):
+        outline = options.border_distance * spacing
+        if options.border_distance < 0.1:
+            raise DataError("An outline needs a border distance of 0.1 or more; raise it")
     if settings.iteration_limit:
         options.iteration_limit = settings.iteration_limit
     return Plan(
         problem=Problem(
-            vertices, faces, options, seed, density, surface_options, directions, alignment.kind
+            vertices,
+            faces,
+            options,
+            seed,
+            density,
+            surface_options,
+            directions,
+            alignment.kind,
+            outline,
         ),
         surface=Key.of(surface),
         settings=Key.of(active),
@@ -122,6 +135,18 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
         flat=settings.flat_profile,
         radius_follows=settings.radius_follows,
     )
+
+
+def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart: bool) -> bool:
+    """Whether a run lays the outline anew: a result that has kept it goes on with its own."""
+    if active is surface or restart or not active.meander.figures.guides:
+        return True
+    if active.meander.guides is not None or active.meander.guide_collection is not None:
+        raise DataError(
+            f"'{active.name}' has drawn guides and an outline, which cannot be told apart; use "
+            "Start Over"
+        )
+    return False
 
 
 class _Window:

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from . import core
+from .preparation import outlined
 
 
 @dataclass(frozen=True)
@@ -47,6 +48,7 @@ class Problem:
     surface_options: core.SurfaceOptions | None = None
     directions: np.ndarray | Callable[[core.Surface], np.ndarray] | None = None
     alignment: str = "along"
+    outline: float = 0.0  # distance of outlines from the border; 0: none
 
     def expected_length(self, density: np.ndarray | None) -> float:
         """The length of a curve that fills the surface: area over spacing, face by face."""
@@ -117,7 +119,13 @@ class Stepper:
         with core.Surface(problem.vertices, problem.faces, problem.surface_options) as surface:
             self.surface_figures = surface.statistics()
             self.density = evaluated(problem.density, surface)
-            self._flow = core.Flow(surface, problem.options, problem.seed, self.density)
+            seed = problem.seed
+            if problem.outline:
+                seed, skipped = outlined(
+                    seed, surface, problem.outline, 2.0 * problem.options.radius
+                )
+                self.surface_figures["skipped_outlines"] = skipped
+            self._flow = core.Flow(surface, problem.options, seed, self.density)
             if problem.directions is not None:
                 directions = evaluated(problem.directions, surface)
                 self._flow.set_directions(directions, problem.alignment)

@@ -211,12 +211,18 @@ void Flow::find_local_radii() {
   local_radius_.resize(curve_.size());
   max_radius_.resize(curve_.size());
   overhang_.resize(curve_.size());
+  // In front of a strip wider than a spacing strands have room to give way; pushed harder there, those
+  // that are between two such strips never come to rest.
+  constexpr double kWideStrip = 1;
+  const bool narrow = settings_.border_distance <= kWideStrip;
+  least_rest_.resize(curve_.size());
   const double clamp = settings_.max_radius / settings_.radius;
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       local_radius_[i] = radius_at(*surface_, vertex_radius_, curve_.nodes[i]);
       max_radius_[i] = std::min(clamp * local_radius_[i], RunTree::kMostRadius);
       overhang_[i] = (1 - 2 * settings_.border_distance) * local_radius_[i];
+      least_rest_[i] = narrow ? local_radius_[i] : 0;
     }
   });
 }
@@ -231,7 +237,7 @@ void Flow::find_radii() {
   find_local_radii();
   compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
   compute_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
-                      local_radius_, team_, radii_);
+                      least_rest_, team_, radii_);
   felt_radii_.resize(radii_.size());
   constexpr double kLeastStretch = 0.5, kMostStretch = 2;
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {

@@ -140,7 +140,7 @@ class Flow {
   bool guides_cut_ = false;        // as finely as they ever need to be
   std::vector<Radii> radii_;       // as they are
   std::vector<Radii> felt_radii_;  // as the energy sees them where the density varies
-  std::vector<double> local_radius_, max_radius_, overhang_;
+  std::vector<double> local_radius_, max_radius_, overhang_, least_rest_;
   Frames frames_;
   Weights weights_;
   Retraction retraction_;

@@ -95,6 +95,20 @@ def test_the_distance_from_the_border():
         assert 0.2 * distance * 0.3 < side[0] < 0.2 * distance * 1.1
 
 
+def test_an_outline_first():
+    surface = grid(20)
+    curve = fill(surface, 0.2, use_outline=True, border_distance=0.75)
+    strands = world_splines(curve)
+    assert len(strands) == 2 and all(closed for _points, closed in strands)
+    side = 1.0 - np.abs(strands[0][0][:, :2]).max(axis=1)
+    assert abs(np.median(side) - 0.15) < 0.01
+    assert (1.0 - np.abs(strands[1][0][:, :2]).max(axis=1)).min() > 0.2
+    activate(curve)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert len(world_splines(curve)) == 2
+    assert "0.1" in refused(surface, 0.2, border_distance=0.0)
+
+
 def test_loose_edges_and_vertices_are_reported():
     surface = mesh_object("Loose", [*SQUARE, (5, 5, 5), (6, 6, 6), (7, 7, 7)], [(0, 1, 2, 3)])
     surface.data.edges.add(1)
@@ -188,7 +202,7 @@ def test_the_batch_command(tmp_path):
     done = run_batch(
         *base,
         *("--mask-group", "Slope", "--mask-threshold", "0.62", "--border-distance", "1"),
-        *("--merge-distance", "0.0001", "--split-bow-ties", "--drop-degenerate"),
+        *("--merge-distance", "0.0001", "--split-bow-ties", "--drop-degenerate", "--outline"),
     )
     assert done.returncode == 0, done.stderr
     record = json.loads(report.read_text())
@@ -199,6 +213,7 @@ def test_the_batch_command(tmp_path):
     assert record["preparation"]["clipped_faces"] > 0
     assert record["preparation"]["merged_vertices"] == 0
     assert "clipped" in done.stdout
+    assert record["guides"] == 1 and record["preparation"]["skipped_outlines"] == 0
     x = [float(line.split()[1]) for line in curve.read_text().splitlines() if line[:2] == "v "]
     assert min(x) > 0.3
     before = curve.read_bytes()
