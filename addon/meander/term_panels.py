@@ -13,7 +13,7 @@ from .properties import MeanderSettings, surface_of
 from .sidebar import ORDER, SubPanel, columns, notice
 
 # How many letters of a sentence fit beside an icon in a sidebar of the usual width.
-_LINE = 36
+_LINE = 23
 
 
 class MEANDER_PT_density(SubPanel, bpy.types.Panel):
@@ -50,8 +50,8 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.prop(settings, "factor_0")
         column.prop(settings, "factor_1")
-        layout.prop(settings, "density_interpolation")
-        layout.prop(settings, "use_density_range")
+        layout.prop(settings, "density_interpolation", text="Ramp")
+        layout.column(heading="Range").prop(settings, "use_density_range", text="Custom")
         column = layout.column(align=True)
         column.active = settings.use_density_range
         column.prop(settings, "density_low", text="From")
@@ -101,17 +101,17 @@ class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
-        layout.prop(settings, "use_weights")
+        layout.column(heading="Weights").prop(settings, "use_weights", text="Custom")
         column = layout.column(align=True)
         column.active = settings.use_weights
         column.prop(settings, "length_weight")
         column.prop(settings, "bending_weight")
-        column.prop(settings, "length_power")
-        column.prop(settings, "medial_power")
+        column.prop(settings, "length_power", text="Power p")
+        column.prop(settings, "medial_power", text="Power q")
         column = layout.column(align=True)
-        column.prop(settings, "segment_share")
+        column.prop(settings, "segment_share", text="Segments")
         column.prop(settings, "reach")
-        column.prop(settings, "start_spacing_factor")
+        column.prop(settings, "start_spacing_factor", text="Start At")
         for warning in warnings_of(settings):
             first, *others = textwrap.wrap(warning, _LINE)
             lines = layout.column(align=True)

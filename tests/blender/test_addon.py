@@ -136,7 +136,7 @@ def test_density_panel_shows_what_its_source_needs():
     ):
         settings.density_source = source
         shown = draw(term_panels.MEANDER_PT_density)
-        assert {"Source", label, "Factor Low", "Factor High", "Interpolation"} <= set(shown)
+        assert {"Source", label, "Factor Low", "Factor High", "Ramp"} <= set(shown)
     settings.density_source = "NONE"
     assert draw(term_panels.MEANDER_PT_density) == ["Source"]
 
@@ -159,7 +159,7 @@ def test_alignment_panel_shows_what_its_source_needs():
 def test_weights_panel_warns_of_what_is_seldom_meant():
     settings = cube().meander
     quiet = draw(term_panels.MEANDER_PT_weights)
-    assert {"Custom Weights", "Bending", "Segment Length", "Reach", "Start Spacing"} <= set(quiet)
+    assert {"Custom", "Bending", "Segments", "Reach", "Start At"} <= set(quiet)
     settings.segment_share = 0.9
     warned = draw(term_panels.MEANDER_PT_weights)
     assert len(warned) > len(quiet)
