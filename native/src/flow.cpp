@@ -46,6 +46,13 @@ constexpr double kAlignedGrowth = 1, kAlignedPolish = 0.35;
 constexpr double kRipeningShare = 0.2;
 constexpr double kRipeningPull = 3;
 
+/// Length weight in a strip along the boundary that is to stay empty.
+constexpr double kOutOfStrip = 3;
+
+/// Higher powers hardly feel balls that are smaller than r, which are what pushes strands out of a wide
+/// strip.
+constexpr double kMostPowerAtStrips = 4;
+
 /// The spacing that the polish follows is smoothed along the curve over this many r.
 constexpr double kSmoothing = 2;
 
@@ -285,6 +292,9 @@ void Flow::choose_weights() {
   weights_.length_power = settings_.length_power;
   weights_.length.assign(n, settings_.length_weight);
   weights_.bending.assign(n, convergence_.polishing() ? settings_.polish_bending_weight : settings_.bending_weight);
+  if (convergence_.polishing() && settings_.border_distance > 1) {
+    weights_.medial_power = std::max(q, std::min(weights_.medial_power, kMostPowerAtStrips));
+  }
   if (convergence_.polishing()) follow_spacing();
   if (convergence_.polishing() && q != 2) {
     for (double& t : weights_.length) t += polish_balance(q);
@@ -296,6 +306,13 @@ void Flow::choose_weights() {
     }
   }
   find_directions();
+  if (settings_.border_distance > 0.5) {
+    // In a strip that is to stay empty strands have no room at all on one side; pushed alone they would
+    // only crowd together there.
+    for (uint32_t i = 0; i < n; ++i) {
+      if (std::min(radii_[i][0], radii_[i][1]) <= 0) weights_.length[i] = kOutOfStrip;
+    }
+  }
   soften_young_strands();
 }
 
