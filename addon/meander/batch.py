@@ -186,7 +186,12 @@ def _parser() -> argparse.ArgumentParser:
     add("--segment-length", type=_positive, metavar="H", help="default: a tenth of the spacing")
     add("--max-radius", type=_positive, metavar="RMAX", help="limit of the medial radius")
     add("--iterations", type=_count(1, 2**31 - 1), metavar="N", help="iteration limit")
-    add("--medial-axis", choices=("euclidean", "geodesic"), default="euclidean")
+    add(
+        "--medial-axis",
+        choices=("euclidean", "geodesic"),
+        default="euclidean",
+        help="measure distances between strands through space, or along the surface",
+    )
     add("--preset", choices=("even", "finest", "paper"), default="even")
     add("--threads", type=_count(0, 256), default=0, metavar="T", help="0: all; same result")
     add("--quiet", action="store_true", help="print nothing but errors")
@@ -210,7 +215,6 @@ def _arguments_of_process() -> list[str]:
 
 def _check_arguments(arguments: argparse.Namespace) -> None:
     """Refuses what can be refused before any file is read."""
-    _refuse_what_is_missing(arguments)
     kind = arguments.input.suffix.lower()
     if kind not in (".obj", ".ply", ".stl", ".blend"):
         raise BadInput(f"--input {arguments.input} is no .obj, .ply, .stl or .blend file")
@@ -238,15 +242,6 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
     _check_outputs(arguments)
 
 
-def _refuse_what_is_missing(arguments: argparse.Namespace) -> None:
-    """Options of the contract whose feature this version does not have."""
-    missing = None
-    if arguments.medial_axis != "euclidean":
-        missing = "the geodesic medial axis; leave --medial-axis out"
-    if missing is not None:
-        raise BadInput(f"this version does not have {missing}")
-
-
 def _check_outputs(arguments: argparse.Namespace) -> None:
     taken = {"--input": arguments.input, "--seed": arguments.seed, "--guides": arguments.guides}
     for option, path in (("--output", arguments.output), ("--report", arguments.report)):
@@ -271,6 +266,7 @@ def _flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
     options = core.default_options(arguments.preset)
     options.radius = arguments.spacing / 2
     options.threads = arguments.threads
+    options.medial_axis = core.MedialAxis[arguments.medial_axis.upper()]
     if arguments.border_distance is not None:
         options.border_distance = arguments.border_distance
     if arguments.iterations is not None:
@@ -300,10 +296,10 @@ def _echo(
         **batch_density.echo(arguments, problem.density_choice),
         **batch_preparation.echo(problem.repair, problem.mask),
         "outline": arguments.outline,
-        "medial_axis": arguments.medial_axis,
         **batch_terms.echo(arguments, options),
     }
     echo.update(asdict(options))
+    echo["medial_axis"] = arguments.medial_axis
     if options.segment_length == 0:
         echo["segment_length"] = 0.2 * options.radius  # what 0 stands for in the C API
     if options.max_radius == 0:
@@ -614,6 +610,7 @@ def _write_scene(
         made_with.surface = surface_object
         made_with.spacing = arguments.spacing
         made_with.preset = arguments.preset.upper()
+        made_with.medial_axis = arguments.medial_axis.upper()
         blender_density.store_choice(problem.density_choice, made_with)
         blender_alignment.store_alignment(problem.alignment, made_with)
         blender_terms.store_terms(batch_terms.terms_of(arguments), made_with)

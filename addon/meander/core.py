@@ -100,6 +100,14 @@ class BoundaryRule(IntEnum):
     OBSTACLE = 1
 
 
+# enum { MEANDER_MEDIAL_AXIS_EUCLIDEAN = 0, MEANDER_MEDIAL_AXIS_GEODESIC = 1 };
+class MedialAxis(IntEnum):
+    """How distances between strands are measured: through space or along the surface."""
+
+    EUCLIDEAN = 0
+    GEODESIC = 1
+
+
 # enum { MEANDER_STOP_SETTLED = 0, MEANDER_STOP_PAPER = 1 };
 class StopRule(IntEnum):
     """When a flow has converged."""
@@ -221,6 +229,8 @@ class _FlowOptions(Structure):
         ("iteration_limit", c_uint32),  # uint32_t iteration_limit;
         ("threads", c_uint32),  # uint32_t threads;
         ("ripening_iterations", c_uint32),  # uint32_t ripening_iterations;
+        ("medial_axis", c_uint32),  # uint32_t medial_axis;
+        ("reserved", c_uint32),  # uint32_t reserved;
     ]
 
 
@@ -1141,6 +1151,7 @@ class FlowOptions:
     iteration_limit: int
     threads: int
     ripening_iterations: int
+    medial_axis: MedialAxis
 
 
 def _preset_number(preset: str) -> int:
@@ -1163,6 +1174,7 @@ def default_options(preset: str = "even") -> FlowOptions:
     values["polish"] = bool(record.polish)
     values["stop_rule"] = StopRule(record.stop_rule)
     values["boundary_rule"] = BoundaryRule(record.boundary_rule)
+    values["medial_axis"] = MedialAxis(record.medial_axis)
     return FlowOptions(**values)
 
 

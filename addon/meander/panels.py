@@ -110,6 +110,7 @@ class MEANDER_PT_options(SubPanel, bpy.types.Panel):
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
         layout.prop(settings, "preset")
+        layout.prop(settings, "medial_axis")
         layout.prop(settings, "iteration_limit")
         layout.prop(settings, "threads")
         layout.prop(settings, "use_bevel")

@@ -138,6 +138,24 @@ class MeanderSettings(
         default="EVEN",
         options=set(),
     )
+    medial_axis: EnumProperty(
+        name="Distances",
+        description="How distances between strands are measured",
+        items=(
+            (
+                "EUCLIDEAN",
+                "Through Space",
+                "Fast. Strands on sheets that lie close together keep clear of each other",
+            ),
+            (
+                "GEODESIC",
+                "Along Surface",
+                "Fills both sides of thin parts and sheets that pass through each other; slower",
+            ),
+        ),
+        default="EUCLIDEAN",
+        options=set(),
+    )
     iteration_limit: IntProperty(
         name="Iteration Limit",
         description="Stop after this many iterations at the latest; 0 leaves it to the preset",
@@ -197,6 +215,7 @@ COPIED = (
     "motion_steps",
     "fixed_ends",
     "preset",
+    "medial_axis",
     "iteration_limit",
     "threads",
     "use_bevel",

@@ -103,6 +103,7 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
     options.alignment_weight = alignment.weight if directions is not None else 0.0
     options.border_distance = float(f"{settings.border_distance:.6g}")  # 0.5 exactly
     options.threads = settings.threads
+    options.medial_axis = core.MedialAxis[settings.medial_axis]
     outline = 0.0
     if settings.use_outline and _wants_outline(active, surface, restart):
         outline = options.border_distance * spacing

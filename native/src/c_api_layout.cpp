@@ -45,7 +45,8 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
                  AT(length_weight), AT(bending_weight), AT(medial_weight), AT(alignment_weight), AT(length_power),
                  AT(medial_power), AT(step), AT(growth_coarsening), AT(start_spacing_factor), AT(polish),
                  AT(stop_rule), AT(polish_bending_weight), AT(polish_length_offset), AT(polish_length_gain), AT(polish_medial_power),
-                 AT(border_distance), AT(boundary_rule), AT(iteration_limit), AT(threads), AT(ripening_iterations)});
+                 AT(border_distance), AT(boundary_rule), AT(iteration_limit), AT(threads), AT(ripening_iterations),
+                 AT(medial_axis), AT(reserved)});
   }
   if (std::strcmp(name, "meander_flow_statistics") == 0) {
     using S = meander_flow_statistics;

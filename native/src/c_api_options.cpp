@@ -49,6 +49,7 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   require(o.boundary_rule == MEANDER_BOUNDARY_CENTRE || o.border_distance == 0.5,
           "A border_distance other than 0.5 needs MEANDER_BOUNDARY_CENTRE; with MEANDER_BOUNDARY_OBSTACLE strands stay "
           "a spacing away from the boundary.");
+  require(o.medial_axis <= MEANDER_MEDIAL_AXIS_GEODESIC, "The option medial_axis is none of MEANDER_MEDIAL_AXIS_...");
   require(o.preset <= MEANDER_PRESET_FINEST, "The option preset is none of MEANDER_PRESET_...");
   require(o.iteration_limit >= 1, "The iteration limit must be at least 1.");
   require(o.threads <= 256, "The number of threads must be between 0 (all) and 256.");
@@ -71,6 +72,7 @@ FlowSettings checked_settings(const meander_flow_options& o, const Surface& surf
   s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
   s.border_distance = o.border_distance;
+  s.medial_axis = o.medial_axis == MEANDER_MEDIAL_AXIS_GEODESIC ? MedialAxis::kGeodesic : MedialAxis::kEuclidean;
   s.iteration_limit = o.iteration_limit;
   s.threads = o.threads;
   return s;
@@ -114,6 +116,7 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
   o.length_power = o.medial_power = 2;
   o.start_spacing_factor = 1;
   o.threads = 0;
+  o.medial_axis = MEANDER_MEDIAL_AXIS_EUCLIDEAN;
   if (preset == MEANDER_PRESET_PAPER) {
     o.length_weight = 1;
     o.bending_weight = 0;

@@ -7,6 +7,7 @@
 
 #include "ends.h"
 #include "first_curve.h"
+#include "geodesic_medial_axis.h"
 #include "hairpins.h"
 #include "run_tree.h"
 #include "solve.h"
@@ -243,8 +244,13 @@ void Flow::find_local_radii() {
 void Flow::find_radii() {
   find_local_radii();
   compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
-  compute_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
-                      least_rest_, team_, radii_);
+  if (settings_.medial_axis == MedialAxis::kGeodesic) {
+    compute_geodesic_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, local_radius_,
+                                 max_radius_, overhang_, least_rest_, team_, radii_);
+  } else {
+    compute_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
+                        least_rest_, team_, radii_);
+  }
   felt_radii_.resize(radii_.size());
   constexpr double kLeastStretch = 0.5, kMostStretch = 2;
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {

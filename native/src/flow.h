@@ -46,6 +46,7 @@ struct FlowSettings {
   StopRule stop_rule = StopRule::kSettled;
   BoundaryRule boundary_rule = BoundaryRule::kCentre;
   double border_distance = 0.5;  ///< of the last strand from the boundary, in (local) spacings
+  MedialAxis medial_axis = MedialAxis::kEuclidean;
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geodesic_trace.h"
 #include "run_tree.h"
@@ -13,14 +14,17 @@ namespace {
 /// A ball may start this much larger than the node's last one before it is known to be large enough.
 constexpr double kWarmth = 1.2;
 
-std::vector<Vec3> sample_boundary(const Surface& surface, double step) {
+std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vector<HalfEdge>& edges) {
   std::vector<Vec3> samples;
   for (const HalfEdge e : surface.boundary()) {
     const Triangle& t = surface.face(face_of(e));
     const Vec3& a = surface.position(t[corner_of(e)]);
     const Vec3& b = surface.position(t[next_corner(corner_of(e))]);
     const int pieces = std::max(1, static_cast<int>(std::min(1e6, std::ceil((b - a).norm() / step))));
-    for (int k = 0; k < pieces; ++k) samples.push_back(a + (b - a) * (double(k) / pieces));
+    for (int k = 0; k < pieces; ++k) {
+      samples.push_back(a + (b - a) * (double(k) / pieces));
+      edges.push_back(e);
+    }
   }
   return samples;
 }
@@ -36,7 +40,35 @@ double largest_ball(const RunTree& tree, const Vec3& x, const Vec3& outward, dou
 }  // namespace
 
 BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
-    : tree_(sample_boundary(surface, step)) {}
+    : tree_(sample_boundary(surface, step, edges_)) {}
+
+std::array<Reach, 2> reach_of_balls(const Surface& surface, const Curve& curve, const Frames& frames,
+                                    const BoundaryObstacle& boundary, uint32_t node, double max_radius,
+                                    double overhang, double least_rest, std::vector<Crossing>& scratch) {
+  std::array<Reach, 2> reach{Reach{max_radius, max_radius}, Reach{max_radius, max_radius}};
+  if (boundary.empty()) return reach;
+  // From here on the boundary is too far to end a ball; never less than twice the clamp, so that a
+  // winding way to it counts as well.
+  const double far = std::max(2 * max_radius, max_radius - 2 * overhang);
+  if (!boundary.tree().nearest(frames.position[node], far * far)) return reach;
+  for (int side = 0; side < 2; ++side) {
+    double& radius = reach[side].radius;
+    double length = frames.to_boundary[node][side];
+    if (length < 0) {
+      scratch.clear();
+      const double way = max_radius + std::max(0.0, -overhang);
+      const Vec2 direction = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[node];
+      const Trace trace = trace_geodesic(surface, curve.nodes[node], way * direction, scratch);
+      length = trace.hit_boundary ? trace.length : std::numeric_limits<double>::infinity();
+    }
+    radius = std::min(max_radius, length + overhang);
+    reach[side].centre = std::min(max_radius, length);
+    // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
+    // boundaries would else settle at half of their distance from each other.
+    if (radius < least_rest) radius -= least_rest - radius;
+  }
+  return reach;
+}
 
 void compute_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                          const BoundaryObstacle& boundary, BoundaryRule rule,
@@ -54,24 +86,11 @@ void compute_medial_axis(const Surface& surface, const Curve& curve, const Frame
     std::vector<Crossing> scratch;
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       const Vec3& x = frames.position[i];
-      // From here on the boundary is too far to end a ball; never less than twice the clamp, so that a
-      // winding way to it counts as well.
-      const double reach = std::max(2 * max_radius[i], max_radius[i] - 2 * overhang[i]);
-      const bool near_boundary = !walls && !boundary.empty() && boundary.tree().nearest(x, reach * reach).has_value();
+      std::array<Reach, 2> reach{Reach{max_radius[i], max_radius[i]}, Reach{max_radius[i], max_radius[i]}};
+      if (!walls) reach = reach_of_balls(surface, curve, frames, boundary, i, max_radius[i], overhang[i], least_rest[i],
+                                          scratch);
       for (int side = 0; side < 2; ++side) {
-        const double sign = side == 0 ? 1 : -1;
-        double most = max_radius[i];
-        if (near_boundary && frames.to_boundary[i][side] >= 0) {
-          most = std::min(most, frames.to_boundary[i][side] + overhang[i]);
-        } else if (near_boundary) {
-          scratch.clear();
-          const double way = most - overhang[i];
-          const Trace trace = trace_geodesic(surface, curve.nodes[i], sign * way * frames.bitangent2[i], scratch);
-          if (trace.hit_boundary) most = std::min(most, trace.length + overhang[i]);
-        }
-        // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
-        // boundaries would else settle at half of their distance from each other.
-        if (near_boundary && most < least_rest[i]) most -= least_rest[i] - most;
+        const double most = reach[side].radius;
         radii[i][side] = most > 0 ? largest_ball(tree, x, frames.outward[i][side], most, radii[i][side]) : 0;
       }
     }

@@ -16,6 +16,9 @@ namespace meander {
 /// How a ball ends at the boundary of the surface; see MEANDER_BOUNDARY_...
 enum class BoundaryRule { kCentre, kObstacle };
 
+/// Whether balls are straight through space or along the surface; see MEANDER_MEDIAL_AXIS_...
+enum class MedialAxis { kEuclidean, kGeodesic };
+
 /// r+ (on the side of the bitangent) and r- of a node.
 using Radii = std::array<double, 2>;
 
@@ -26,12 +29,26 @@ class BoundaryObstacle {
   BoundaryObstacle(const Surface& surface, double step);
 
   const std::vector<Vec3>& samples() const { return tree_.points(); }
+  /// The boundary edges that the samples lie on.
+  const std::vector<HalfEdge>& edges() const { return edges_; }
   const PointTree& tree() const { return tree_; }
   bool empty() const { return tree_.points().empty(); }
 
  private:
+  std::vector<HalfEdge> edges_;
   PointTree tree_;
 };
+
+/// What the boundary leaves of a node's ball on one side: its largest radius, and how far its centre may
+/// go on the surface, which is less where the centre may pass the boundary.
+struct Reach {
+  double radius = 0, centre = 0;
+};
+
+/// Both sides of a node under BoundaryRule::kCentre; see compute_medial_axis.
+std::array<Reach, 2> reach_of_balls(const Surface& surface, const Curve& curve, const Frames& frames,
+                                    const BoundaryObstacle& boundary, uint32_t node, double max_radius,
+                                    double overhang, double least_rest, std::vector<Crossing>& scratch);
 
 /// Computes both radii of every node, exactly: tangent balls at a node are nested, so the largest one
 /// that is empty is the smallest of those through any other node (after Ma, Bae, Choi, "3D medial axis

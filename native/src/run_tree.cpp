@@ -147,7 +147,9 @@ uint32_t RunTree::build(std::vector<Node>& nodes, uint32_t first, uint32_t last,
   return at;
 }
 
-double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most) const {
+double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
+                             uint32_t* touched) const {
+  if (touched) *touched = UINT32_MAX;
   if (nodes_.empty()) return most;
   struct Place {
     uint32_t id;
@@ -173,6 +175,7 @@ double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b,
         if (squared < 2 * radius * ahead) {
           radius = squared / (2 * ahead);
           smaller = true;
+          if (touched) *touched = static_cast<uint32_t>(i);
         }
       }
       if (smaller) {
@@ -197,6 +200,35 @@ double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b,
     }
   }
   return radius;
+}
+
+void RunTree::inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const {
+  found.clear();
+  if (nodes_.empty()) return;
+  constexpr int kMostPlaces = 64;
+  uint32_t stack[kMostPlaces];
+  int top = 0;
+  stack[top++] = 0;
+  const Ball ball(centre, Eigen::Vector3d::Zero(), radius);
+  while (top > 0) {
+    const uint32_t id = stack[--top];
+    if (id & kLeaf) {
+      const size_t first = size_t{id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_.size());
+      for (size_t i = first; i < end; ++i) {
+        if ((points_[i] - centre).squaredNorm() < radius * radius) found.push_back(static_cast<uint32_t>(i));
+      }
+      continue;
+    }
+    const Node& n = nodes_[id];
+    const Float4 dx = larger(larger(load(n.low[0]) - ball.x, ball.x - load(n.high[0])), all(0));
+    const Float4 dy = larger(larger(load(n.low[1]) - ball.y, ball.y - load(n.high[1])), all(0));
+    const Float4 dz = larger(larger(load(n.low[2]) - ball.z, ball.z - load(n.high[2])), all(0));
+    const Float4 distance = dx * dx + dy * dy + dz * dz;
+    for (int k = 0; k < 4; ++k) {
+      if (distance[k] < ball.squared) stack[top++] = n.child[k];
+    }
+  }
+  std::sort(found.begin(), found.end());
 }
 
 }  // namespace meander

@@ -30,7 +30,13 @@ class RunTree {
   /// it, and holds none of the points; at most `most`. It is exactly
   ///   min(most, min over points p ahead of |p - x|^2 / (2 (p - x) . b)),
   /// in the order of no tree: the tree only skips points that cannot be the least.
-  double largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most) const;
+  ///
+  /// `touched`  if not null, receives the index of the point that limits it, UINT32_MAX if none does
+  double largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
+                      uint32_t* touched = nullptr) const;
+
+  /// The indices of all points nearer to `centre` than `radius`, in rising order.
+  void inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const;
 
   /// Queries with radii beyond this are not meant: rounding in single precision is allowed for up to
   /// here.

@@ -99,6 +99,8 @@ class Surface {
   }
   /// A vector of the plane of face f, in space.
   Vec3 to_space(uint32_t f, Vec2 v) const { return v.x * axis_[2 * f] + v.y * axis_[2 * f + 1]; }
+  /// A vector in space, projected to the plane of face f.
+  Vec2 to_plane(uint32_t f, const Vec3& v) const { return {v.dot(axis_[2 * f]), v.dot(axis_[2 * f + 1])}; }
   const Vec3& face_normal(uint32_t f) const { return face_normal_[f]; }
   double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
   /// Sum of the angles of the faces around v.

@@ -55,6 +55,18 @@ def test_a_surface_is_filled_without_a_seed(build):
     assert packing(surface, result) == PACKING
 
 
+def test_both_sides_of_a_thin_plate_are_filled_along_the_surface():
+    surface = cube()
+    surface.scale = (1.0, 1.0, 0.01)
+    bpy.context.view_layer.update()
+    surface.meander.medial_axis = "GEODESIC"
+    result = fill(surface, 0.2)
+    assert result.meander.medial_axis == "GEODESIC"
+    assert packing(surface, result) == PACKING
+    surface.meander.medial_axis = "EUCLIDEAN"
+    assert packing(surface, fill(surface, 0.2)) < 0.8
+
+
 def test_seed_strands_keep_their_number_order_and_kind():
     surface = sphere()
     seed = poly_curve("Seed", [circle_points(0.45, 0.89), circle_points(0.45, -0.89)], True)

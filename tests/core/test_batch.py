@@ -156,6 +156,7 @@ def test_options_reach_the_flow(run, square: Path, tmp_path: Path) -> None:
     assert options["preset"] == "paper"
     assert options["length_weight"] == 0.5 and options["bending_weight"] == 0.25
     assert options["segment_length"] == 0.05 and options["max_radius"] == 0.4
+    assert options["medial_axis"] == "euclidean"
 
 
 def test_bending_keeps_the_proportion_of_the_polish(run, square: Path, tmp_path: Path) -> None:
@@ -265,8 +266,7 @@ GOOD = ("--spacing", "0.2")
         (*GOOD, "--length-power", "1"),
         (*GOOD, "--medial-power", "9"),
         (*GOOD, "--start-spacing", "0.5"),
-        # in the contract, but not in this version:
-        (*GOOD, "--medial-axis", "geodesic"),
+        (*GOOD, "--medial-axis", "along"),
     ],
     ids=" ".join,
 )

@@ -118,6 +118,7 @@ def test_constants_are_those_of_the_header() -> None:
     }
     ours |= {f"MEANDER_PRESET_{name.upper()}": at for at, name in enumerate(core.PRESETS)}
     ours |= {f"MEANDER_BOUNDARY_{rule.name}": int(rule) for rule in core.BoundaryRule}
+    ours |= {f"MEANDER_MEDIAL_AXIS_{axis.name}": int(axis) for axis in core.MedialAxis}
     ours |= {f"MEANDER_STOP_{rule.name}": int(rule) for rule in core.StopRule}
     for prefix, names in (
         ("CURVATURE", core.CURVATURES),

@@ -109,6 +109,22 @@ TEST_P(EveryIteration, KeepsTheCurveWhole) {
   }
 }
 
+TEST(GeodesicMedialAxisFlow, KeepsTheCurveWhole) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const auto surface = std::make_shared<const Surface>(make_surface(c.mesh));
+    FlowSettings settings = settings_of(MEANDER_PRESET_EVEN, *surface, spacing_for(*surface, c.ratio));
+    settings.medial_axis = MedialAxis::kGeodesic;
+    Flow flow(surface, nullptr, {}, settings);
+    for (int k = 0; k < c.iterations && !HasFatalFailure(); ++k) {
+      SCOPED_TRACE("iteration " + std::to_string(k + 1));
+      ASSERT_TRUE(flow.step(kNeverCancelled));
+      expect_valid(*surface, flow.curve());
+      for (const Radii& radii : flow.radii()) ASSERT_TRUE(radii[0] >= 0 && radii[1] >= 0);
+    }
+  }
+}
+
 /// Ends of the seed, in the mesh's own space.
 struct Line {
   std::vector<Vec3> points;

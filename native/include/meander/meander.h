@@ -290,6 +290,14 @@ enum {
   MEANDER_BOUNDARY_OBSTACLE = 1 /* it touches the boundary, as the paper has it: strands stay 2 r away */
 };
 
+/* How distances between strands are measured. */
+enum {
+  MEANDER_MEDIAL_AXIS_EUCLIDEAN = 0, /* straight through space: fast; strands on sheets that lie close
+                                        together, or pass through each other, keep clear of one another */
+  MEANDER_MEDIAL_AXIS_GEODESIC = 1   /* along the surface: every sheet is filled by itself, and the
+                                        spacing is kept where the surface bends sharply */
+};
+
 /* When a flow has converged. */
 enum {
   MEANDER_STOP_SETTLED = 0, /* the picture has stopped changing: nodes are in the mean within 0.04
@@ -336,6 +344,8 @@ typedef struct meander_flow_options {
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
   uint32_t ripening_iterations; /* between growth and polish: so long the fingers on the shortest runs between
                                hairpins are drawn in, and others grow into their room; 0: not at all */
+  uint32_t medial_axis;     /* MEANDER_MEDIAL_AXIS_... */
+  uint32_t reserved;
 } meander_flow_options;
 
 /* Fills every field of `options` with the preset's values; radius is set to 0 and must be chosen.
