@@ -238,9 +238,9 @@ void Flow::find_local_radii() {
 /// Frames and medial radii of the present curve, and what the energy makes of them.
 ///
 /// Where the spacing is to vary, distances count in units of the local r: a side that runs into a
-/// finer region feels larger than it is. The distance R along a geodesic on which r grows with the
-/// slope g is then about R / (1 + g R / (2 r)), in units of the node's own r. Without this, strands
-/// that follow a density would be pulled back to equal distances, and would never come to rest.
+/// finer region feels larger than it is. The diameter 2 R along a geodesic on which r grows with the
+/// slope g is then (r / g) log(1 + 2 g R / r), in units of the node's own r. Without this, strands that
+/// follow a density would be pulled back to equal distances, and would never come to rest.
 void Flow::find_radii() {
   find_local_radii();
   compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
@@ -252,12 +252,13 @@ void Flow::find_radii() {
                         least_rest_, team_, radii_);
   }
   felt_radii_.resize(radii_.size());
-  constexpr double kLeastStretch = 0.5, kMostStretch = 2;
+  constexpr double kLeastGrowth = -0.75, kMostGrowth = 3;  // of r along a diameter, where it jumps
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       for (int side = 0; side < 2; ++side) {
-        const double stretch = 1 + frames_.radius_slope[i][side] * radii_[i][side] / (2 * local_radius_[i]);
-        felt_radii_[i][side] = radii_[i][side] / std::clamp(stretch, kLeastStretch, kMostStretch);
+        const double growth = std::clamp(2 * frames_.radius_slope[i][side] * radii_[i][side] / local_radius_[i],
+                                         kLeastGrowth, kMostGrowth);
+        felt_radii_[i][side] = growth == 0 ? radii_[i][side] : radii_[i][side] * (std::log1p(growth) / growth);
       }
     }
   });

@@ -337,6 +337,35 @@ TEST_P(EveryIteration, PolylinesAreOnTheCallersMesh) {
   }
 }
 
+/// Where r grows from side to side, strands are evenly spaced when the way between them, measured in
+/// the r that it passes, is 2; then both sides of each must feel alike, or they would drift for ever.
+TEST(FlowUnderADensity, StrandsInMetricDistanceAreAtRest) {
+  const Mesh mesh = flat_grid(16);
+  const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
+  const double low = 0.02, slope = 0.08;  // r = low + slope x
+  std::vector<double> density;
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    density.push_back(std::pow(low / (low + slope * mesh.at(v).x()), 2));
+  }
+  SeedStrands seed;
+  seed.offsets.push_back(0);
+  for (double x = 0.05; x < 0.95; x = ((low + slope * x) * std::exp(2 * slope) - low) / slope) {
+    for (int k = 0; k <= 50; ++k) seed.points.emplace_back(x, 0.001 + 0.998 * k / 50, 0);
+    seed.offsets.push_back(static_cast<uint32_t>(seed.points.size()));
+    seed.closed.push_back(0);
+  }
+  FlowSettings settings = settings_of(MEANDER_PRESET_EVEN, *surface, 2 * low);
+  Flow flow(surface, &seed, density, settings);
+  std::vector<double> spacing = flow.measure().spacing;
+  for (double& d : spacing) d /= 2 * settings.radius;
+  // Only the outer sides of the first and the last strand look to the boundary. There are nine strands,
+  // and most nodes are on the first, where r is least.
+  EXPECT_GT(spacing.front(), 0.99);
+  size_t at_rest = 0;
+  for (const double d : spacing) at_rest += std::abs(d - 1) < 0.01;
+  EXPECT_GT(static_cast<double>(at_rest) / static_cast<double>(spacing.size()), 0.7);
+}
+
 /// Of every node from the curve before, in units of r; by comparing with all segments.
 double largest_movement(const std::vector<Vec3>& before, const std::vector<Vec3>& after, double r) {
   double largest = 0;
