@@ -27,6 +27,10 @@ constexpr double kNearlyTouching = 1.2;
 constexpr int kMostShots = 6;
 constexpr double kLost = 0.7;
 
+/// Balls larger than this many r are seen only while a curve grows, and fine faces make the search in them
+/// dear: there straight paths that a shot finds are all that counts.
+constexpr double kLarge = 3;
+
 /// A ball in space that holds this many nodes is hardly ever empty on the surface.
 constexpr size_t kCrowd = 4;
 
@@ -46,10 +50,11 @@ class Balls {
 
   /// The radius of the largest empty ball that starts at a node towards `way` (unit, in the plane of its
   /// face). `outward` is about the direction of its centre in space, `usual` about the radius to be
-  /// expected where that misleads; they only save time.
+  /// expected where that misleads.
   double largest(uint32_t node, Vec2 way, const Vec3& outward, const Reach& reach, double usual) {
     node_ = node;
     way_ = way;
+    large_ = kLarge * usual * (1 + kEmpty);
     const double most = std::min(reach.radius, reach.centre);
     const double radius = largest_on_surface(outward, most, usual);
     return radius < most || reach.radius <= most ? radius : largest_beyond(most, reach.radius);
@@ -108,7 +113,14 @@ class Balls {
     for (const uint32_t p : inside_) {
       targets_.push_back({obstacles_.points[p], obstacles_.positions[p], reach, {}, false});
     }
-    distance_.measure(c.point, targets_, nearest_only);
+    if (reach <= large_) return distance_.measure(c.point, targets_, nearest_only);
+    for (size_t k = 0; k < inside_.size(); ++k) {
+      const std::optional<Sight> sight = shoot(c.point, inside_[k]);
+      if (!sight || !(sight->distance < reach)) continue;
+      targets_[k].distance = sight->distance;
+      targets_[k].direction = sight->direction;
+      targets_[k].reached = true;
+    }
   }
 
   /// Tries larger and larger balls until one is not empty.
@@ -165,7 +177,7 @@ class Balls {
     for (int round = 0; round < kMostRounds && high - low > kEmpty * high; ++round) {
       const Centre c = centre(radius);
       std::optional<Sight> sight = shoot(c.point, point);
-      if (!sight) sight = search(c.point, point, kNearlyTouching * radius);
+      if (!sight && radius <= large_) sight = search(c.point, point, kNearlyTouching * radius);
       if (!sight && round == 0) return most;
       (sight && sight->distance < radius ? high : low) = radius;
       double next = sight ? in_plane(radius, *sight, c.arriving) : high;
@@ -226,6 +238,7 @@ class Balls {
   GeodesicDistance distance_;
   uint32_t node_ = 0;
   Vec2 way_;
+  double large_ = 0;
   std::vector<uint32_t> inside_;
   std::vector<GeodesicDistance::Target> targets_;
 };
