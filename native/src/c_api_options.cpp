@@ -143,9 +143,9 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.iteration_limit = 600;
   }
   if (preset == MEANDER_PRESET_FINEST) {
-    o.polish_length_offset = -0.75;
-    o.ripening_iterations = 450;
-    o.iteration_limit = 2000;
+    o.polish_length_offset = -0.8;
+    o.ripening_iterations = 700;
+    o.iteration_limit = 2500;
   }
   *options = o;
   return MEANDER_OK;

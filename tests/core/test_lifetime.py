@@ -84,7 +84,8 @@ def test_everything_can_be_asked_before_the_first_step() -> None:
         assert figures["crossings"] == 0 and figures["length"] > 0
         assert flow.history() == []
         assert len(flow.polylines().positions) >= 3
-        assert np.all(flow.nodes().radii > 0)  # of the statistics' medial axis
+        # Of the statistics' medial axis. Towards the boundary it may be 0, and is not on both sides.
+        assert np.all(flow.nodes().radii.max(axis=1) > 0)
 
 
 def test_steps_and_a_run_give_the_same_curve() -> None:

@@ -280,7 +280,7 @@ typedef struct meander_seed {
 enum {
   MEANDER_PRESET_EVEN = 0,  /* the default: evenly spaced, few hairpins, no gaps */
   MEANDER_PRESET_PAPER = 1, /* the authors' weights, step and stopping rule */
-  MEANDER_PRESET_FINEST = 2 /* as even, with a third of the hairpins less, in about twice the time */
+  MEANDER_PRESET_FINEST = 2 /* as even, with a third of the hairpins less, in two to three times the time */
 };
 
 /* How a medial ball ends at the boundary of an open surface. */
@@ -688,7 +688,9 @@ MEANDER_API meander_status meander_flow_get_guides(const meander_flow* flow, uin
  * faces          uint32_t[capacity]: index of the face, as passed to meander_surface_create
  * barycentrics   double[3 * capacity]: weights of the face's vertices in the caller's order; sum 1
  * radii          double[2 * capacity]: r+ and r- of the node (eq. 6), clamped at r_max, of the last
- *                medial axis, be it a step's or the statistics' (0 before the first), or NULL
+ *                medial axis, be it a step's or the statistics' (0 before the first), or NULL. Towards a
+ *                boundary that is nearer than border_distance it is as much less as the flow feels it
+ *                to be: r minus twice what the distance falls short of, 0 at half the distance and below
  * fixed          uint8_t[capacity], or NULL
  * capacity       room in the arrays, in nodes
  * count          receives the number of nodes; when it exceeds capacity nothing is copied */
