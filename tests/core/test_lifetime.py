@@ -84,7 +84,7 @@ def test_everything_can_be_asked_before_the_first_step() -> None:
         assert figures["crossings"] == 0 and figures["length"] > 0
         assert flow.history() == []
         assert len(flow.polylines().positions) >= 3
-        # Of the statistics' medial axis. Towards the boundary it may be 0, and is not on both sides.
+        # Of the statistics' medial axis. Towards a boundary it may be 0, but not on both sides.
         assert np.all(flow.nodes().radii.max(axis=1) > 0)
 
 
