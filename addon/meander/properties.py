@@ -132,7 +132,7 @@ class MeanderSettings(
         description="Weights, step and stopping rule of the flow",
         items=(
             ("EVEN", "Even", "Evenly spaced, few hairpins, no gaps"),
-            ("FINEST", "Finest", "A third fewer hairpins than Even, in two to three times the time"),
+            ("FINEST", "Finest", "A third fewer hairpins than Even, in up to three times the time"),
             ("PAPER", "Paper", "As published: faster, more winding, less even"),
         ),
         default="EVEN",
