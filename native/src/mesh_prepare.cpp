@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <unordered_map>
 
 #include <Eigen/Geometry>
 
 #include "failure.h"
+#include "groups.h"
 #include "mesh_check.h"
 
 namespace meander {
@@ -35,26 +35,6 @@ Weights between(const Weights& a, const Weights& b, double t) {
 }
 
 uint64_t edge_key(uint32_t a, uint32_t b) { return (uint64_t{std::min(a, b)} << 32) | std::max(a, b); }
-
-/// Groups of vertices or corners that are one, each named by its lowest member.
-class Groups {
- public:
-  explicit Groups(size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  uint32_t find(uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// False if they were one before.
-  bool join(uint32_t i, uint32_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-    return i != j;
-  }
-
- private:
-  std::vector<uint32_t> parent_;
-};
 
 }  // namespace
 

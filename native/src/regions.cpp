@@ -10,6 +10,7 @@
 
 #include "crossings.h"
 #include "frames.h"
+#include "groups.h"
 #include "point_tree.h"
 
 namespace meander {
@@ -20,23 +21,6 @@ constexpr double kFarEnough = 2.5;     // in r: the first place this far from al
 constexpr double kLeastRoom = 0.5;     // in r
 constexpr double kWorthALoop = 0.8;    // in r: narrower places are covered by the guides around
 constexpr uint32_t kMostOnEdge = 64;   // samples on one edge, and rows of them in one face
-
-class Union {
- public:
-  explicit Union(size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  uint32_t root(uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void join(uint32_t a, uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);  // so that the numbering does not depend on the order
-  }
-
- private:
-  std::vector<uint32_t> parent_;
-};
 
 /// Points along all guides, `step` apart at most.
 std::vector<Vec3> points_along(const Surface& surface, const Curve& curve, const std::vector<Piece>& pieces,
@@ -70,7 +54,7 @@ class Samples {
       room_.push_back(std::sqrt(guides.nearest(position(surface, p))->squared_distance));
       relative_room_.push_back(room_.back() / radius_at(surface, radius, p));
     }
-    joined_ = Union(points_.size());
+    joined_ = Groups(points_.size());
     for (uint32_t f = 0; f < surface.face_count(); ++f) {
       if (guided[surface.component(f)]) join(f);
     }
@@ -78,7 +62,7 @@ class Samples {
 
   size_t size() const { return points_.size(); }
   const SurfacePoint& point(uint32_t i) const { return points_[i]; }
-  uint32_t region(uint32_t i) { return joined_.root(i); }
+  uint32_t region(uint32_t i) { return joined_.find(i); }
   double room(uint32_t i) const { return room_[i]; }                    ///< to the nearest guide
   double relative_room(uint32_t i) const { return relative_room_[i]; }  ///< in r
 
@@ -180,7 +164,7 @@ class Samples {
         const Vec2 d = b.second - a.second;
         if (d.x > reach) break;
         if (std::abs(d.y) > reach || std::abs(d.x + d.y) > reach) continue;
-        if (joined_.root(a.first) != joined_.root(b.first) && clear(f, a.second, b.second)) {
+        if (joined_.find(a.first) != joined_.find(b.first) && clear(f, a.second, b.second)) {
           joined_.join(a.first, b.first);
         }
       }
@@ -194,7 +178,7 @@ class Samples {
   std::vector<uint32_t> first_inside_, inside_count_;        // per face
   std::vector<SurfacePoint> points_;
   std::vector<double> room_, relative_room_;                 // per point
-  Union joined_{0};
+  Groups joined_{0};
 };
 
 }  // namespace
