@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace meander {
 namespace {
@@ -12,6 +13,15 @@ constexpr double kShortest = 1e-6;
 
 double segment_length(const Curve& curve, uint32_t i, double r) {
   return std::max(curve.shapes[i].length, kShortest * r);
+}
+
+/// x^e; for the even whole numbers that presets use without the general function's cost.
+double power(double x, double e) {
+  if (e == 0) return 1;
+  if (e == 2) return x * x;
+  if (e == 4) return (x * x) * (x * x);
+  if (e == 6) return (x * x) * (x * x) * (x * x);
+  return std::pow(x, e);
 }
 
 struct MedialForce {
@@ -24,8 +34,41 @@ struct MedialForce {
 MedialForce medial_force(const Radii& radii, double r, double q) {
   if (q == 2) return {radii[0] - radii[1], 2};
   const double a = radii[0] / r, b = radii[1] / r;
-  const double a2 = std::pow(a, q - 2), b2 = std::pow(b, q - 2);
+  const double a2 = power(a, q - 2), b2 = power(b, q - 2);
   return {r * (a2 * a - b2 * b), (q - 1) * (a2 + b2)};
+}
+
+/// Nodes or terms that a thread takes at a time.
+constexpr uint32_t kBlock = 2048;
+
+/// Fills the frames of a strand's nodes, carried parallel from (1, 0) on, and the directions of its
+/// segments in them; returns the frame that arrives after the last segment.
+///
+/// Every block begins with (1, 0) too, and is turned by what the blocks before it arrive with.
+Vec2 carry_frames(const Curve& curve, const Strand& strand, Team& team, std::vector<Vec2>& frames,
+                  std::vector<Vec2>& directions) {
+  std::vector<Vec2> start(Team::block_count(strand.count, kBlock) + 1, Vec2{1, 0});
+  team.for_blocks(strand.count, kBlock, [&](size_t block, size_t begin, size_t end) {
+    Vec2 frame{1, 0};
+    for (size_t k = begin; k < end; ++k) {
+      frames[k] = frame;
+      const auto i = static_cast<uint32_t>(strand.first + k);
+      if (!curve.has_segment(i)) break;
+      const PathShape& shape = curve.shapes[i];
+      directions[k] = shape.leaving * conj(frame);
+      frame = unit(shape.arriving * conj(directions[k]));
+    }
+    start[block + 1] = frame;
+  });
+  for (size_t block = 2; block < start.size(); ++block) start[block] = unit(start[block] * start[block - 1]);
+  team.for_blocks(strand.count, kBlock, [&](size_t block, size_t begin, size_t end) {
+    if (block == 0) return;
+    for (size_t k = begin; k < end; ++k) {
+      frames[k] = frames[k] * start[block];
+      directions[k] = directions[k] * conj(start[block]);
+    }
+  });
+  return start.back();
 }
 
 /// A medial radius this small (in r) would make powers below 2 infinitely stiff.
@@ -68,7 +111,7 @@ Vec2 across_field(Vec2 from, Vec2 to) {
 /// Eq. 13's medial term over alpha w; |r+|^2 + |r-|^2 for q = 2.
 double medial_energy(const Radii& radii, double r, double q) {
   if (q == 2) return radii[0] * radii[0] + radii[1] * radii[1];
-  return 2 / q * r * r * (std::pow(radii[0] / r, q) + std::pow(radii[1] / r, q));
+  return 2 / q * r * r * (power(radii[0] / r, q) + power(radii[1] / r, q));
 }
 
 }  // namespace
@@ -96,21 +139,14 @@ void StrandSystem::resize(size_t n) {
 }
 
 void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
-              const std::vector<double>& local_radius, const Weights& weights, StrandSystem& system) {
+              const std::vector<double>& local_radius, const Weights& weights, Team& team, StrandSystem& system) {
   const uint32_t n = strand.count, s = strand.first;
   system.closed = strand.closed;
   system.resize(n);
 
   // The frame of node k, and the direction u of segment k in it.
   std::vector<Vec2> direction(n);
-  Vec2 frame{1, 0};
-  for (uint32_t k = 0; k < n; ++k) {
-    system.frame[k] = frame;
-    if (!curve.has_segment(s + k)) break;
-    const PathShape& shape = curve.shapes[s + k];
-    direction[k] = shape.leaving * conj(frame);
-    frame = unit(shape.arriving * conj(direction[k]));
-  }
+  const Vec2 frame = carry_frames(curve, strand, team, system.frame, direction);
   // After the join the frame has become `frame` where the first node's was (1, 0).
   system.holonomy = strand.closed ? unit(system.frame[0] * conj(frame)) : Vec2{1, 0};
 
@@ -124,6 +160,18 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     if (k >= n) g = conj(system.holonomy) * g;
     Vec2& right = system.right[wrapped(k)];
     right = right - g;
+  };
+
+  // A term adds to its node and to the next two at most. So that no two threads add to one node, the
+  // last two terms of every block follow when all threads are done.
+  const auto for_terms = [&](uint32_t count, const auto& term) {
+    team.for_blocks(count, kBlock, [&](size_t, size_t begin, size_t end) {
+      for (size_t k = begin; k + 2 < end; ++k) term(static_cast<uint32_t>(k));
+    });
+    for (uint32_t begin = 0; begin < count; begin += kBlock) {
+      const uint32_t end = std::min(begin + kBlock, count);
+      for (uint32_t k = end - std::min(end - begin, 2u); k < end; ++k) term(k);
+    }
   };
 
   const bool coupled = weights.coupled();
@@ -141,7 +189,7 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
   const uint32_t segments = strand.segment_count();
   const double p = weights.length_power;
   const std::vector<double> factor = p != 2 ? power_factors(curve, strand, local_radius, p) : std::vector<double>{};
-  for (uint32_t k = 0; k < segments; ++k) {
+  for_terms(segments, [&](uint32_t k) {
     const uint32_t i = s + k, j = s + wrapped(k + 1);
     const double l = segment_length(curve, i, local_radius[i]);
     const double scale = p != 2 ? factor[k] : 1;
@@ -153,7 +201,7 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     add_gradient(k, -2 * t * scale * direction[k]);
     add_gradient(k + 1, 2 * t * scale * direction[k]);
     if (p != 2) stiffen_along(k, (p - 2) * stiffness, direction[k]);
-    if (weights.alignment.empty()) continue;
+    if (weights.alignment.empty()) return;
     const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
     const Vec2 there = weights.field[j] * conj(system.frame[wrapped(k + 1)]);
     const Vec2 across = across_field(weights.field[i] * conj(system.frame[k]),
@@ -162,9 +210,9 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     stiffen_along(k, 2 * beta / l, across);
     add_gradient(k, -pull * across);
     add_gradient(k + 1, pull * across);
-  }
+  });
 
-  for (uint32_t k = 0; k < n; ++k) {
+  for_terms(n, [&](uint32_t k) {
     const uint32_t i = s + k, before = curve.previous(i);
     const double r = local_radius[i];
     const double w = 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
@@ -180,16 +228,16 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
       system.diagonal[k] += 2 * alpha * w * f.stiffness;
     }
     add_gradient(k, -2 * alpha * w * f.pull * b);
-  }
+  });
 
   // Bending at the node between segments k and k + 1, nodes k, k + 1, k + 2.
-  for (uint32_t k = 0; k + (strand.closed ? 0 : 1) < segments; ++k) {
+  for_terms(strand.closed || segments == 0 ? segments : segments - 1, [&](uint32_t k) {
     const uint32_t middle = wrapped(k + 1);
     const uint32_t i = s + middle;
     const double r = local_radius[i];
     const double l0 = segment_length(curve, s + k, r), l1 = segment_length(curve, i, r);
     const double stiffness = 2 * weights.bending[i] * r * r / (0.5 * (l0 + l1));
-    if (stiffness == 0) continue;
+    if (stiffness == 0) return;
     const double c[3] = {1 / l0, -(1 / l0 + 1 / l1), 1 / l1};
     const uint32_t node[3] = {k, k + 1, k + 2};
     // Past the join the direction is stored in the first node's frame.
@@ -202,7 +250,7 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     couple(wrapped(k), 1, stiffness * c[0] * c[1]);
     couple(middle, 1, stiffness * c[1] * c[2]);
     couple(wrapped(k), 2, stiffness * c[0] * c[2]);
-  }
+  });
 
   for (uint32_t k = 0; k < n; ++k) {
     if (!curve.fixed[s + k]) continue;
@@ -218,21 +266,24 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
 }
 
 double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
-              const Weights& weights) {
-  double sum = 0;
-  for (uint32_t i = 0; i < curve.size(); ++i) {
-    const uint32_t before = curve.previous(i);
-    const double r = local_radius[i];
-    const double l0 = before != kNone ? curve.shapes[before].length : 0;
-    const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
-    const double w = 0.5 * (l0 + l1);
-    const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
-    sum += weights.length[i] * w + alpha * w * medial_energy(radii[i], r, weights.medial_power);
-    if (l0 > 0 && l1 > 0) {
-      const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
-      sum += weights.bending[i] * r * r * dot(turn, turn) / w;
+              const Weights& weights, Team& team) {
+  std::vector<double> sums(Team::block_count(curve.size(), kBlock), 0);
+  team.for_blocks(curve.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      const uint32_t before = curve.previous(i);
+      const double r = local_radius[i];
+      const double l0 = before != kNone ? curve.shapes[before].length : 0;
+      const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
+      const double w = 0.5 * (l0 + l1);
+      const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
+      sums[block] += weights.length[i] * w + alpha * w * medial_energy(radii[i], r, weights.medial_power);
+      if (l0 > 0 && l1 > 0) {
+        const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
+        sums[block] += weights.bending[i] * r * r * dot(turn, turn) / w;
+      }
     }
-  }
+  });
+  double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
   if (weights.length_power != 2) {
     const double p = weights.length_power;
     for (const Strand& strand : curve.strands) {

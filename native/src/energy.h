@@ -31,6 +31,7 @@
 
 #include "frames.h"
 #include "medial_axis.h"
+#include "parallel.h"
 
 namespace meander {
 
@@ -90,11 +91,11 @@ struct StrandSystem {
 
 /// Builds the system of one strand. Fixed nodes are eliminated: z = 0.
 void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
-              const std::vector<double>& local_radius, const Weights& weights, StrandSystem& system);
+              const std::vector<double>& local_radius, const Weights& weights, Team& team, StrandSystem& system);
 
 /// The energy of the curve as it is: t L + alpha E_M + b r^2 sum |u_i - u_(i-1)|^2 / w_i (eqs. 1, 2), and
 /// the field term.
 double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
-              const Weights& weights);
+              const Weights& weights, Team& team);
 
 }  // namespace meander

@@ -128,7 +128,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
 
   IterationRecord record;
   record.mean_step = sum / n;
-  record.energy = energy(curve_, felt_radii_, local_radius_, weights_);
+  record.energy = energy(curve_, felt_radii_, local_radius_, weights_, team_);
   const double held = retraction_.move(*surface_, curve_, displacement, team_, seconds_.move);
   figures.moved = held < 1 ? record.mean_step / settings_.radius : 0;
   watch.lap();
@@ -180,7 +180,7 @@ Flow::Measure Flow::measure() {
   choose_weights();
   Measure m;
   m.length = curve_.length();
-  m.energy = energy(curve_, felt_radii_, local_radius_, weights_);
+  m.energy = energy(curve_, felt_radii_, local_radius_, weights_, team_);
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     if (curve_.on_guide(i)) continue;
     const double nominal = 2 * settings_.radius * approach_.factor();
@@ -364,38 +364,59 @@ void Flow::soften_young_strands() {
   }
 }
 
+/// Long strands one after another, each by all threads; short ones side by side.
+void Flow::for_strands(const std::function<void(const Strand&, Team&)>& body) {
+  const auto is_long = [](const Strand& strand) { return strand.count >= 2 * kLeastChunk; };
+  for (const Strand& strand : curve_.strands) {
+    if (is_long(strand)) body(strand, team_);
+  }
+  team_.for_blocks(curve_.strands.size(), 1, [&](size_t, size_t begin, size_t end) {
+    Team alone(1);
+    for (size_t s = begin; s < end; ++s) {
+      if (!is_long(curve_.strands[s])) body(curve_.strands[s], alone);
+    }
+  });
+}
+
 /// Length weights of the polish: where strands are too far apart they may grow, where they are too
 /// near they are drawn together.
 void Flow::follow_spacing() {
-  StrandSystem system;
-  for (const Strand& strand : curve_.strands) {
+  for_strands([&](const Strand& strand, Team& team) {
     const uint32_t n = strand.count;
+    StrandSystem system;
     system.resize(n);
     system.closed = strand.closed;
-    system.holonomy = {1, 0};
     // Implicit smoothing of u along the strand: (1 - (2 r)^2 d^2 / ds^2) u = raw u.
-    for (uint32_t k = 0; k < n; ++k) {
-      const uint32_t i = strand.first + k;
+    const auto stiffness_after = [&](uint32_t i) {
       const double r = local_radius_[i];
-      const double raw = 0.5 * (std::min(felt_radii_[i][0], 2 * r) + std::min(felt_radii_[i][1], 2 * r)) / r;
-      const uint32_t before = curve_.previous(i);
-      const double l0 = before != kNone ? curve_.shapes[before].length : 0;
-      const double l1 = curve_.has_segment(i) ? curve_.shapes[i].length : 0;
-      const double w = 0.5 * (l0 + l1);
-      system.diagonal[k] += w;
-      system.right[k].x = w * raw;
-      if (!curve_.has_segment(i)) continue;
-      const double stiffness = kSmoothing * kSmoothing * r * r / std::max(l1, 1e-6 * r);
-      system.diagonal[k] += stiffness;
-      system.diagonal[k + 1 == n ? 0 : k + 1] += stiffness;
-      system.first[k] = -stiffness;
-    }
-    const std::vector<Vec2> u = solve(system);
+      return kSmoothing * kSmoothing * r * r / std::max(curve_.shapes[i].length, 1e-6 * r);
+    };
+    team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
+      for (size_t k = begin; k < end; ++k) {
+        const uint32_t i = strand.first + static_cast<uint32_t>(k), before = curve_.previous(i);
+        const double r = local_radius_[i];
+        const double raw = 0.5 * (std::min(felt_radii_[i][0], 2 * r) + std::min(felt_radii_[i][1], 2 * r)) / r;
+        double w = 0;
+        if (before != kNone) {
+          w += 0.5 * curve_.shapes[before].length;
+          system.diagonal[k] += stiffness_after(before);
+        }
+        if (curve_.has_segment(i)) {
+          w += 0.5 * curve_.shapes[i].length;
+          const double stiffness = stiffness_after(i);
+          system.diagonal[k] += stiffness;
+          system.first[k] = -stiffness;
+        }
+        system.diagonal[k] += w;
+        system.right[k].x = w * raw;
+      }
+    });
+    const std::vector<Vec2> u = solve(system, team);
     for (uint32_t k = 0; k < n; ++k) {
       weights_.length[strand.first + k] =
           std::clamp(settings_.polish_length_offset - settings_.polish_length_gain * (u[k].x - 1), -1.0, 3.0);
     }
-  }
+  });
 }
 
 /// Draws in the fingers that lie on short runs; longer ones grow into the room that they leave. So
@@ -415,28 +436,27 @@ std::vector<Vec2> Flow::displacements() {
     ends = find_free_ends(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
                           local_radius_, team_);
   }
-  team_.for_blocks(curve_.strands.size(), 1, [&](size_t, size_t begin, size_t end) {
+  for_strands([&](const Strand& strand, Team& team) {
+    if (strand.guide) return;
     StrandSystem system;
-    for (size_t s = begin; s < end; ++s) {
-      const Strand& strand = curve_.strands[s];
-      if (strand.guide) continue;
-      assemble(curve_, strand, frames_, felt_radii_, local_radius_, weights_, system);
-      auto end_here = std::ranges::lower_bound(ends, strand.first, {}, &FreeEnd::node);
-      for (; end_here != ends.end() && end_here->node < strand.end(); ++end_here) {
-        add_end_term(*end_here, end_here->node - strand.first, local_radius_[end_here->node], weights_.medial, system);
-      }
-      const std::vector<Vec2> z = solve(system);
-      for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
+    assemble(curve_, strand, frames_, felt_radii_, local_radius_, weights_, team, system);
+    auto end_here = std::ranges::lower_bound(ends, strand.first, {}, &FreeEnd::node);
+    for (; end_here != ends.end() && end_here->node < strand.end(); ++end_here) {
+      add_end_term(*end_here, end_here->node - strand.first, local_radius_[end_here->node], weights_.medial, system);
     }
+    const std::vector<Vec2> z = solve(system, team);
+    for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
   });
   const bool cooling = convergence_.phase() == Phase::kCooling;
-  for (uint32_t i = 0; i < curve_.size(); ++i) {
-    const double length = norm(d[i]);
-    double most = kMostOfRadius * radii_[i][dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1];
-    if (cooling) most = std::min(most, kMostWhileCooling * local_radius_[i]);
-    if (length > most) d[i] = (most / length) * d[i];
-    if (!std::isfinite(d[i].x) || !std::isfinite(d[i].y)) d[i] = {};
-  }
+  team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const double length = norm(d[i]);
+      double most = kMostOfRadius * radii_[i][dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1];
+      if (cooling) most = std::min(most, kMostWhileCooling * local_radius_[i]);
+      if (length > most) d[i] = (most / length) * d[i];
+      if (!std::isfinite(d[i].x) || !std::isfinite(d[i].y)) d[i] = {};
+    }
+  });
   for (const FreeEnd& end : ends) {
     const double beyond = dot(d[end.node], end.ahead) - kMostOfRadius * end.radius;
     if (beyond > 0) d[end.node] = d[end.node] - beyond * end.ahead;

@@ -124,6 +124,7 @@ class Flow {
   void choose_weights();
   void find_directions();
   void soften_young_strands();
+  void for_strands(const std::function<void(const Strand&, Team&)>& body);
   void follow_spacing();
   void unfold_short_runs();
   std::vector<Vec2> displacements();

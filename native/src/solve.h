@@ -6,14 +6,20 @@
 #include <vector>
 
 #include "energy.h"
+#include "parallel.h"
 
 namespace meander {
 
+/// Nodes of a chunk that a thread solves by itself: many more than the hundreds which feel its ends.
+inline constexpr size_t kLeastChunk = 2048;
+
 /// Solves system H z = -g; returns z, one a node, in the parallel frames.
 ///
-/// Open: L D L^T of the real pentadiagonal matrix. Closed: the same for all but the last two nodes,
-/// which are eliminated through their Schur complement, where the holonomy enters. Where the two
-/// components of a node are coupled, see coupled_solve.h.
-std::vector<Vec2> solve(const StrandSystem& system);
+/// L D L^T of the real pentadiagonal matrix. Pairs of nodes part the strand into chunks of at least
+/// `least_chunk` nodes (a few at least), which threads solve side by side; then the pairs follow through
+/// their Schur complement. One pair always stands at the join of a closed strand, where the holonomy
+/// enters. The chunks depend on the number of nodes only. Where the two components of a node are coupled
+/// one thread solves the whole strand, see coupled_solve.h.
+std::vector<Vec2> solve(const StrandSystem& system, Team& team, size_t least_chunk = kLeastChunk);
 
 }  // namespace meander

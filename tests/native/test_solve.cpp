@@ -65,12 +65,13 @@ struct Scene {
   }
 
   /// Steps of all nodes in space, by the library.
-  Eigen::VectorXd banded_step() const {
+  Eigen::VectorXd banded_step(unsigned threads = 1, size_t least_chunk = kLeastChunk) const {
     Eigen::VectorXd d(3 * curve.size());
+    Team team(threads);
     for (const Strand& strand : curve.strands) {
       StrandSystem system;
-      assemble(curve, strand, frames, radii, radius, weights, system);
-      const std::vector<Vec2> z = solve(system);
+      assemble(curve, strand, frames, radii, radius, weights, team, system);
+      const std::vector<Vec2> z = solve(system, team, least_chunk);
       for (uint32_t k = 0; k < strand.count; ++k) {
         const uint32_t i = strand.first + k;
         d.segment<3>(3 * i) = surface.to_space(curve.nodes[i].face, system.frame[k] * z[k]);
@@ -179,8 +180,9 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
       ASSERT_TRUE(whole(scene.surface, scene.curve));
       scene.fill(rng, {0.2, 1, 0.5}, 0);
       StrandSystem system;
+      Team team(1);
       assemble(scene.curve, scene.curve.strands[0], scene.frames, scene.radii, scene.radius,
-               scene.weights, system);
+               scene.weights, team, system);
       const double angle = std::atan2(system.holonomy.y, system.holonomy.x);
       const double missing = 2 * kPi - scene.surface.total_angle(0);
       constexpr double kRounding = 1e-6;  // the cone's own faces are flat to 2^-30 only
@@ -192,17 +194,38 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
   }
 }
 
+/// Chunks of every length, down to the shortest, whose ends feel one another.
+TEST(Step, OfStrandsInChunksEqualsTheLiteralModel) {
+  Rng rng(46);
+  for (const Mesh& mesh : curved_meshes()) {
+    Scene scene(mesh);
+    add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.03, 41, 0.8, rng);
+    while (!add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.08, 37, 0.2, rng)) {
+    }
+    for (const Range& range : kRanges) {
+      scene.fill(rng, range, 0.1);
+      const Eigen::VectorXd expected = scene.literal().dense_step(scene.curve.fixed);
+      for (const size_t chunk : {0, 4, 5, 6, 7, 9, 12, 18, 20}) {
+        const Eigen::VectorXd step = scene.banded_step(1, chunk);
+        EXPECT_LE((step - expected).norm(), kAgreement * expected.norm()) << "chunks of " << chunk;
+        EXPECT_EQ(step, scene.banded_step(2, chunk)) << "chunks of " << chunk;
+      }
+    }
+  }
+}
+
 /// Dense algebra would take too long: H d + g must vanish.
 TEST(Step, OfLongStrandsLeavesNoResidual) {
   Rng rng(44);
   for (const Mesh& mesh : {sphere(3), torus(20, 10)}) {
     Scene scene(mesh);
-    add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.02, 2000, 0.8, rng);
+    add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.02, mesh.vertex_count() > 300 ? 2 * kLeastChunk + 500 : 500, 0.8, rng);
     add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.2, 1000, 0.02, rng);
     add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.3, 600, 0.02, rng);
     for (const Range& range : kRanges) {
       scene.fill(rng, range, 0.01);
       const Eigen::VectorXd step = scene.banded_step();
+      EXPECT_EQ(step, scene.banded_step(2));
       Eigen::VectorXd magnitude;
       const Eigen::VectorXd residual = scene.literal().gradient(step, &magnitude);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
