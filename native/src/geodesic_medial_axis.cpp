@@ -34,6 +34,15 @@ constexpr double kLarge = 3;
 /// A ball in space that holds this many nodes is hardly ever empty on the surface.
 constexpr size_t kCrowd = 4;
 
+/// In space, the search for a ball starts from this many times the node's last radius.
+constexpr double kWarmth = 1.2;
+
+/// In a large ball no more is looked for after this many points that no shot hit.
+constexpr int kMostMissed = 8;
+
+/// A straight path that is longer than the chord by no more than this share counts as the shortest.
+constexpr double kDirect = 0.005;
+
 constexpr int kMostRounds = 30;
 
 /// Everything that balls may touch.
@@ -50,13 +59,14 @@ class Balls {
 
   /// The radius of the largest empty ball that starts at a node towards `way` (unit, in the plane of its
   /// face). `outward` is about the direction of its centre in space, `usual` about the radius to be
-  /// expected where that misleads.
-  double largest(uint32_t node, Vec2 way, const Vec3& outward, const Reach& reach, double usual) {
+  /// expected where that misleads, `last` that of an earlier state, or 0.
+  double largest(uint32_t node, Vec2 way, const Vec3& outward, const Reach& reach, double usual, double last) {
     node_ = node;
     way_ = way;
+    ray_.reset(surface_, obstacles_.points[node], way);
     large_ = kLarge * usual * (1 + kEmpty);
     const double most = std::min(reach.radius, reach.centre);
-    const double radius = largest_on_surface(outward, most, usual);
+    const double radius = largest_on_surface(outward, most, usual, last);
     return radius < most || reach.radius <= most ? radius : largest_beyond(most, reach.radius);
   }
 
@@ -73,19 +83,27 @@ class Balls {
     Vec2 direction;
   };
 
-  Centre centre(double radius) const {
-    const Landing landing = walk_straight(surface_, obstacles_.points[node_], radius * way_);
+  Centre centre(double radius) {
+    const Landing landing = ray_.at(radius);
     return {landing.end, conj(landing.turn) * way_};
   }
 
-  double largest_on_surface(const Vec3& outward, double most, double usual) {
+  double largest_on_surface(const Vec3& outward, double most, double usual, double last) {
     uint32_t touched = kNone;
-    const double guess = tree_.largest_ball(obstacles_.positions[node_], outward, most, &touched);
+    const double guess = largest_in_space(outward, most, last, touched);
     if (touched == kNone) return shrink(most);
     const double radius = through(touched, guess, most);
-    if (radius < most) return shrink(radius);
+    if (radius < most) return shrink(radius, touched);
     // Another sheet, most likely. The right ball is larger, but hardly as large as it may be.
     return grow(std::min(most, std::max(2 * guess, 1.25 * usual)), most);
+  }
+
+  /// The largest empty ball in space and the point that it touches; `last` only saves time.
+  double largest_in_space(const Vec3& outward, double most, double last, uint32_t& touched) const {
+    const double start = last > 0 ? std::min(most, kWarmth * last) : most;
+    const double radius = tree_.largest_ball(obstacles_.positions[node_], outward, start, &touched);
+    if (touched != kNone || start == most) return radius;
+    return tree_.largest_ball(obstacles_.positions[node_], outward, most, &touched);
   }
 
   /// The largest empty ball whose centre may pass the boundary, which it reaches after `edge`.
@@ -107,19 +125,36 @@ class Balls {
     std::erase(inside_, node_);
   }
 
-  /// Measures what was found along the surface.
+  /// Measures what was found along the surface: all of it, or only the nearest, and then others as far as
+  /// they come to light on the way. A shot does for a point that is reached on hardly more than the
+  /// chord: no path is shorter.
   void measure_inside(const Centre& c, double reach, bool nearest_only) {
+    const bool large = reach > large_;
+    const Vec3 from = position(surface_, c.point);
+    if (large) {
+      std::ranges::sort(inside_, {}, [&](uint32_t p) { return (obstacles_.positions[p] - from).squaredNorm(); });
+    }
     targets_.clear();
     for (const uint32_t p : inside_) {
       targets_.push_back({obstacles_.points[p], obstacles_.positions[p], reach, {}, false});
     }
-    if (reach <= large_) return distance_.measure(c.point, targets_, nearest_only);
-    for (size_t k = 0; k < inside_.size(); ++k) {
+    double least = reach;
+    int missed = 0;
+    for (size_t k = 0; k < inside_.size() && missed < kMostMissed; ++k) {
+      const double chord = (targets_[k].position - from).norm();
+      if (large && nearest_only && !(chord < least)) break;
       const std::optional<Sight> sight = shoot(c.point, inside_[k]);
+      if (!large && !(sight && sight->distance <= (1 + kDirect) * chord)) {
+        for (GeodesicDistance::Target& t : targets_) t.distance = reach;
+        distance_.measure(c.point, targets_, nearest_only);
+        break;
+      }
+      missed += !sight;
       if (!sight || !(sight->distance < reach)) continue;
       targets_[k].distance = sight->distance;
       targets_[k].direction = sight->direction;
       targets_[k].reached = true;
+      least = std::min(least, sight->distance);
     }
   }
 
@@ -132,12 +167,13 @@ class Balls {
     }
   }
 
-  /// The largest empty ball that is not larger than `radius`.
-  double shrink(double radius) {
+  /// The largest empty ball that is not larger than `radius`, at which the ball touches `touched`.
+  double shrink(double radius, uint32_t touched = kNone) {
     for (int round = 0; round < kMostRounds; ++round) {
       const Centre c = centre(radius);
       const double reach = radius * (1 - kEmpty);
       find_inside(c, reach);
+      if (touched != kNone) std::erase(inside_, touched);
       if (inside_.empty()) return radius;
       if (inside_.size() >= kCrowd) {
         // Much too large, most likely: a shot is enough to know.
@@ -145,21 +181,23 @@ class Balls {
         const std::optional<Sight> sight = shoot(c.point, near);
         if (sight && sight->distance < reach) {
           radius = std::min(reach, through(near, in_plane(radius, *sight, c.arriving), radius));
+          touched = near;
           continue;
         }
       }
       measure_inside(c, reach, true);
       double least = radius;
-      uint32_t touched = kNone;
+      uint32_t nearest = kNone;
       for (size_t k = 0; k < inside_.size(); ++k) {
         if (!targets_[k].reached) continue;
         const double r = in_plane(radius, {targets_[k].distance, targets_[k].direction}, c.arriving);
         if (r < least) {
           least = r;
-          touched = inside_[k];
+          nearest = inside_[k];
         }
       }
-      if (touched == kNone) return radius;
+      if (nearest == kNone) return radius;
+      touched = nearest;
       radius = radius - least > kClose * radius ? std::min(radius, through(touched, least, radius)) : least;
     }
     return radius;
@@ -236,6 +274,7 @@ class Balls {
   const Obstacles& obstacles_;
   const RunTree& tree_;
   GeodesicDistance distance_;
+  StraightRay ray_;
   uint32_t node_ = 0;
   Vec2 way_;
   double large_ = 0;
@@ -260,7 +299,7 @@ void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, co
                                   const std::vector<double>& overhang, const std::vector<double>& least_rest,
                                   Team& team, std::vector<Radii>& radii) {
   const uint32_t n = curve.size();
-  radii.resize(n);
+  radii.resize(n, Radii{0, 0});
   Obstacles obstacles{{}, frames.position};
   for (const SurfacePoint& p : curve.nodes) obstacles.points.push_back({p.face, flat(surface, p)});
   const bool walls = rule == BoundaryRule::kObstacle;
@@ -277,9 +316,10 @@ void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, co
                                                         walls ? 0 : overhang[i], walls ? 0 : least_rest[i], scratch);
       for (int side = 0; side < 2; ++side) {
         const Vec2 way = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
-        radii[i][side] = reach[side].radius > 0
-                             ? balls.largest(i, way, frames.outward[i][side], reach[side], local_radius[i])
-                             : 0;
+        double& radius = radii[i][side];
+        radius = reach[side].radius > 0
+                     ? balls.largest(i, way, frames.outward[i][side], reach[side], local_radius[i], radius)
+                     : 0;
       }
     }
   });

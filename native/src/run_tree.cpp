@@ -172,10 +172,18 @@ double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b,
         const double ux = points_[i].x() - x.x(), uy = points_[i].y() - x.y(), uz = points_[i].z() - x.z();
         const double squared = ux * ux + uy * uy + uz * uz;
         const double ahead = ux * b.x() + uy * b.y() + uz * b.z();
-        if (squared < 2 * radius * ahead) {
+        if (touched) {
+          // Of points that limit the ball alike the first is the one, in whatever order they come.
+          constexpr double kRounding = 1 + 1e-14;
+          if (!(ahead > 0) || !(squared <= 2 * radius * ahead * kRounding)) continue;
+          const double r = squared / (2 * ahead);
+          if (!(r < radius || (r == radius && *touched != UINT32_MAX && i < *touched))) continue;
+          smaller = smaller || r < radius;
+          radius = r;
+          *touched = static_cast<uint32_t>(i);
+        } else if (squared < 2 * radius * ahead) {
           radius = squared / (2 * ahead);
           smaller = true;
-          if (touched) *touched = static_cast<uint32_t>(i);
         }
       }
       if (smaller) {

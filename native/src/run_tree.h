@@ -31,7 +31,8 @@ class RunTree {
   ///   min(most, min over points p ahead of |p - x|^2 / (2 (p - x) . b)),
   /// in the order of no tree: the tree only skips points that cannot be the least.
   ///
-  /// `touched`  if not null, receives the index of the point that limits it, UINT32_MAX if none does
+  /// `touched`  if not null, receives the index of the point that limits it, of several the first;
+  ///            UINT32_MAX if none does
   double largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                       uint32_t* touched = nullptr) const;
 

@@ -194,8 +194,9 @@ TEST(GeodesicMedialAxis, AnyNumberOfThreadsGivesTheSameBytes) {
 }
 
 TEST(GeodesicMedialAxis, BallsAreEmptyAndTouchOnCurvedSurfaces) {
-  // A ball is empty exactly, and touches to the share that the plane's formula is trusted for.
-  constexpr double kInside = 1e-6, kTouching = 0.01;
+  // A ball is empty to the square of the share that the plane's formula is trusted for, and touches to a
+  // part of that share.
+  constexpr double kInside = 1e-3, kTouching = 0.01;
   for (const Mesh& mesh : {torus(40, 20), sphere(4), with_noise(sphere(3), 0.1, 5), bumpy_grid(14)}) {
     const Surface s = make_surface(mesh);
     Curve curve;
