@@ -7,9 +7,14 @@
 
 Prints JSON objects, one a line:
 
+    bare      redraws of the 3D view for a second that Blender reaches in this window while nothing
+              of ours is there and nothing else is done, and seconds of all processors for each;
+              `smooth` with Blender's smoothing of edges, `plain` without
     watched   medians of the same run in one go and in the modal operator: `solver_speed`, ratio of
               the seconds of the iterations alone; `speed`, ratio of the seconds until the window
-              knows of the end (1: showing costs nothing); redraws of the 3D view, and copies of the
+              knows of the end (1: showing costs nothing); `finishing`, seconds from there to the
+              finished result; `cpu_alone` and `cpu_watched`, seconds of all processors until the
+              end is known; redraws of the 3D view, of the sidebar beside it, and copies of the
               curve shown, for a second
     write     seconds to write a curve of 200,000 points into a curve object
 
@@ -30,6 +35,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
+import gpu
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -38,17 +44,35 @@ sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
 import meander  # noqa: E402
 from meander import blender_data, core, session  # noqa: E402
 
-# Fine enough for 30,000 points, and short.
-SPACING, ITERATIONS = 0.04, 120
+# Fine enough for 30,000 points; converges before the limit.
+SPACING, ITERATIONS = 0.04, 400
 POINTS, STRANDS = 200_000, 20
 
+BARE_REDRAWS = 12
+
 redraws = 0
+panel_redraws = 0
 shown = 0
+known = known_processors = 0.0
 
 
 def count_redraw() -> None:
     global redraws
     redraws += 1
+
+
+def count_panel_redraw() -> None:
+    global panel_redraws
+    panel_redraws += 1
+
+
+def note_end(original):
+    def keep(self, context):
+        global known, known_processors
+        known, known_processors = time.perf_counter(), time.process_time()
+        return original(self, context)
+
+    return keep
 
 
 def count_shown(original):
@@ -80,31 +104,36 @@ def view_override() -> dict:
     return {"window": window, "area": area, "region": region}
 
 
-def in_one_go() -> tuple[float, float, int]:
+def in_one_go() -> tuple[float, float, float, int]:
     with bpy.context.temp_override(**view_override()):
         plan = session.plan_run(bpy.context)
     stepper = session.Stepper(plan.problem)
-    begin = time.perf_counter()
+    begin, begin_processors = time.perf_counter(), time.process_time()
     stepper.run()
     seconds = time.perf_counter() - begin
+    processors = time.process_time() - begin_processors
     figures = stepper.result()[1]
-    return seconds, figures["seconds_total"], figures["iterations"]
+    return seconds, processors, figures["seconds_total"], figures["iterations"]
 
 
 def watched() -> Iterator[float]:
     """Runs the operator; leaves its seconds, iterations, redraws and pictures in `last`."""
-    global redraws, shown
+    global redraws, panel_redraws, shown
     with bpy.context.temp_override(**view_override()):
-        redraws = shown = 0
-        begin = time.perf_counter()
+        redraws = panel_redraws = shown = 0
+        begin, begin_processors = time.perf_counter(), time.process_time()
         outcome = bpy.ops.meander.run("INVOKE_DEFAULT")
     assert outcome == {"RUNNING_MODAL"}, outcome
-    stepper = session.current().stepper
-    while not stepper.finished:
-        yield 0.005
-    last.update(seconds=time.perf_counter() - begin, redraws=redraws, shown=shown)
     while session.current() is not None:
         yield 0.05
+    last.update(
+        seconds=known - begin,
+        processors=known_processors - begin_processors,
+        finishing=time.perf_counter() - known,
+        redraws=redraws,
+        panel_redraws=panel_redraws,
+        shown=shown,
+    )
     result = bpy.context.view_layer.objects.active
     figures = result.meander.figures
     last.update(iterations=figures.iterations, solver=figures.seconds)
@@ -132,32 +161,72 @@ def write_seconds(surface: bpy.types.Object) -> float:
     return seconds
 
 
+def bare_rate() -> dict[str, float]:
+    """Redraws for a second, and what each costs, while nothing but Blender's own is drawn."""
+    with bpy.context.temp_override(**view_override()):
+        bpy.ops.wm.redraw_timer(type="DRAW_SWAP", iterations=1)
+        begin, begin_processors = time.perf_counter(), time.process_time()
+        for _ in range(BARE_REDRAWS):
+            view_override()["region"].tag_redraw()
+            bpy.ops.wm.redraw_timer(type="DRAW_SWAP", iterations=1)
+        seconds = time.perf_counter() - begin
+        processors = time.process_time() - begin_processors
+    return {
+        "redraws_per_second": round(BARE_REDRAWS / seconds, 1),
+        "cpu_seconds": round(processors / BARE_REDRAWS, 4),
+    }
+
+
+def bare() -> None:
+    system = bpy.context.preferences.system
+    before = system.viewport_aa
+    smooth = bare_rate()
+    system.viewport_aa = "OFF"
+    plain = bare_rate()
+    system.viewport_aa = before
+    window = bpy.context.window_manager.windows[0]
+    row = {"row": "bare", "width": window.width, "height": window.height}
+    row["renderer"] = gpu.platform.renderer_get()
+    print(json.dumps({**row, "smooth": smooth, "plain": plain}), flush=True)
+
+
 def story() -> Iterator[float]:
     yield 1.0
     surface = build_scene()
+    view_override()["area"].spaces.active.show_region_ui = True
     yield 0.5
+    bare()
     writes = [write_seconds(surface) for _ in range(5)]
     print(json.dumps({"row": "write", "points": POINTS, "strands": STRANDS,
                       "seconds": round(statistics.median(writes), 4),
                       "all_seconds": [round(s, 4) for s in writes]}), flush=True)
     yield from watched()  # the first drawing compiles its programs
-    alone, seen, solver, rates, pictures = [], [], [], [], []
+    cpu_alone, cpu_watched, finishing = [], [], []
+    alone, seen, solver, rates, panels, pictures = [], [], [], [], [], []
     for _ in range(given.repeat):
         bpy.context.view_layer.objects.active = surface
-        seconds, solver_seconds, iterations = in_one_go()
+        seconds, processors, solver_seconds, iterations = in_one_go()
         alone.append(seconds)
+        cpu_alone.append(processors)
         yield from watched()
         assert last["iterations"] == iterations, (last, iterations)
         seen.append(last["seconds"])
+        cpu_watched.append(last["processors"])
+        finishing.append(last["finishing"])
         solver.append(solver_seconds / last["solver"])
         rates.append(last["redraws"] / last["seconds"])
+        panels.append(last["panel_redraws"] / last["seconds"])
         pictures.append(last["shown"] / last["seconds"])
     print(json.dumps({"row": "watched", "threads": given.threads, "iterations": iterations,
                       "seconds_alone": round(statistics.median(alone), 3),
                       "seconds_watched": round(statistics.median(seen), 3),
                       "speed": round(statistics.median(a / s for a, s in zip(alone, seen)), 3),
                       "solver_speed": round(statistics.median(solver), 3),
+                      "finishing": round(statistics.median(finishing), 3),
+                      "cpu_alone": round(statistics.median(cpu_alone), 3),
+                      "cpu_watched": round(statistics.median(cpu_watched), 3),
                       "redraws_per_second": round(statistics.median(rates), 1),
+                      "panel_redraws_per_second": round(statistics.median(panels), 1),
                       "shown_per_second": round(statistics.median(pictures), 1)}), flush=True)
 
 
@@ -180,6 +249,8 @@ given = parser.parse_args(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.ar
 bpy.context.preferences.view.show_splash = False
 meander.register()
 session.Session._show = count_shown(session.Session._show)
+session.Session.keep = note_end(session.Session.keep)
 bpy.types.SpaceView3D.draw_handler_add(count_redraw, (), "WINDOW", "POST_VIEW")
+bpy.types.SpaceView3D.draw_handler_add(count_panel_redraw, (), "UI", "POST_PIXEL")
 telling = story()
 bpy.app.timers.register(tell, first_interval=0.5, persistent=True)

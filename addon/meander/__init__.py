@@ -4,6 +4,7 @@
 core        the native library, numpy in and numpy out        (no bpy)
 stepper     one run of the flow, watched or in one go         (no bpy)
 toolpath    the curve for machines: resampled, as CSV or JSON  (no bpy)
+pace        how often a growing curve is shown             (no bpy)
 thinning    the curve without points that nearly coincide  (no bpy)
 blender_data    meshes, curves and weights in, curves out
 density     from values on a surface to the density        (no bpy)
@@ -44,6 +45,7 @@ _SUBMODULES = (
     "stepper",
     "toolpath",
     "thinning",
+    "pace",
     "blender_data",
     "density",
     "blender_density",

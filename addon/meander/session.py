@@ -8,6 +8,8 @@ cancelled leaves a continued result exactly as it was.
 
 from __future__ import annotations
 
+import os
+import time
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,12 +22,15 @@ from .blender_alignment import alignment_of, directions_of
 from .blender_data import DataError
 from .blender_density import choice_of, density_of
 from .blender_terms import terms_of
+from .pace import Pace
 from .preparation import described
 from .stepper import Problem, Snapshot, Stepper
 from .thinning import kept_points, merge_distance, thinned
 
 TICKS_PER_SECOND = 12
 KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
+# Of the share that drawing may have where the processors draw, for the sidebar between pictures.
+PANEL_SHARE = 0.15
 # How far above the surface the preview is drawn, in spacings.
 PREVIEW_LIFT = 0.05
 # So many gaps are kept with a result, the largest: a run that was stopped early has thousands.
@@ -151,23 +156,67 @@ def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart:
 
 
 class _Window:
-    """What a run borrows from the window: a timer, the status bar, the progress at the cursor."""
+    """What a run borrows from the window: a timer, the status bar, the progress at the cursor.
+
+    On a machine that draws slowly also the smoothing of edges, for which Blender would draw every
+    picture eight times.
+    """
 
     def __init__(self, context: bpy.types.Context) -> None:
         manager = context.window_manager
         self._timer = manager.event_timer_add(1.0 / TICKS_PER_SECOND, window=context.window)
         self._workspaces: set[str] = set()
+        self._shown = ("", "")
+        self._software = _draws_by_software()
+        self._paces = {
+            region: Pace(1.0 / TICKS_PER_SECOND, os.cpu_count() or 1, self._software)
+            for region in ("WINDOW", "UI")
+        }
+        if self._software:
+            # The sidebar itself is quick, but the whole window is put together anew for it.
+            self._paces["UI"].share *= PANEL_SHARE
+        self._smoothing: str | None = None
+        self._handlers = {
+            region: bpy.types.SpaceView3D.draw_handler_add(
+                self._drawn, (region,), region, "POST_PIXEL"
+            )
+            for region in self._paces
+        }
         manager.progress_begin(0.0, 100.0)
 
+    def picture_due(self) -> bool:
+        """Whether the curve may be shown anew without taking too much from the solver."""
+        pace = self._paces["WINDOW"]
+        due = pace.tick(time.perf_counter())
+        if self._software and pace.slow and self._smoothing is None:
+            self._smoothing = self._smooth("OFF")
+        return due
+
+    def picture_given(self) -> None:
+        self._paces["WINDOW"].asked(time.perf_counter())
+
     def show(self, context: bpy.types.Context, text: str, progress: float) -> None:
-        context.window_manager.progress_update(100.0 * progress)
+        """Shows how far the run is, in the status bar and in panels."""
         # The text belongs to the workspace in front, and the user may change to another.
         self._workspaces.add(context.workspace.name)
+        shown = (context.workspace.name, text)
+        # Together with a picture it costs next to nothing.
+        due = self._paces["UI"].tick(time.perf_counter()) or self._paces["WINDOW"].waiting
+        if not due or shown == self._shown:
+            return
+        self._shown = shown
+        context.window_manager.progress_update(100.0 * progress)
         context.workspace.status_text_set(f"{text}    |    {KEYS}")
         self._redraw_panels()
+        if not self._paces["WINDOW"].waiting:
+            self._paces["UI"].asked(time.perf_counter())
 
     def give_back(self) -> None:
         context = bpy.context
+        for region, handler in self._handlers.items():
+            bpy.types.SpaceView3D.draw_handler_remove(handler, region)
+        if self._smoothing is not None:
+            self._smooth(self._smoothing)
         context.window_manager.event_timer_remove(self._timer)
         context.window_manager.progress_end()
         for name in self._workspaces:
@@ -177,11 +226,35 @@ class _Window:
                     workspace.status_text_set(None)
         self._redraw_panels()
 
-    def _redraw_panels(self) -> None:
+    def _drawn(self, region: str) -> None:
+        self._paces[region].drawn(time.perf_counter())
+
+    @staticmethod
+    def _smooth(choice: str) -> str:
+        """Chooses how edges are smoothed and returns what was chosen before."""
+        preferences = bpy.context.preferences
+        before, dirty = preferences.system.viewport_aa, preferences.is_dirty
+        preferences.system.viewport_aa = choice
+        preferences.is_dirty = dirty  # or Blender would save it
+        return before
+
+    @staticmethod
+    def _redraw_panels() -> None:
+        """Only them: the view is drawn again by itself when the curve in it has changed."""
         for window in bpy.context.window_manager.windows:
             for area in window.screen.areas:
                 if area.type == "VIEW_3D":
-                    area.tag_redraw()
+                    for region in area.regions:
+                        if region.type == "UI":
+                            region.tag_redraw()
+
+
+def _draws_by_software() -> bool:
+    """Whether the processors draw, for want of a graphics card. Only for windows."""
+    import gpu  # needs one
+
+    renderer = gpu.platform.renderer_get().lower()
+    return any(name in renderer for name in ("llvmpipe", "softpipe", "swr", "swiftshader"))
 
 
 class Session:
@@ -195,6 +268,7 @@ class Session:
         self.plan = plan
         self.stepper = Stepper(plan.problem)
         self.latest: Snapshot | None = None
+        self._shown = True  # whether the view has what is in `latest`
         self.stop_wanted = False
         self.ended = False
         self._window: _Window | None = None
@@ -220,7 +294,11 @@ class Session:
         snapshot = self.stepper.poll()
         if snapshot is not None:
             self.latest = snapshot
-            self._show(snapshot.polylines)
+            self._shown = False
+        if self._window.picture_due() and not self._shown and not self.stepper.finished:
+            self._show(self.latest.polylines)
+            self._shown = True
+            self._window.picture_given()
         self._window.show(context, self.progress_text(), self.progress())
         return not self.stepper.finished
 

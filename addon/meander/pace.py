@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How often a growing curve is shown, so that drawing leaves the processors to the solver; no bpy.
+
+Where there is a graphics card a redraw costs the processor some milliseconds, and every tick of the
+timer may show a picture. Where the processors draw, one redraw can take longer than an iteration;
+pictures then come so rarely that drawing has a small share of the time, whatever the machine.
+"""
+
+from __future__ import annotations
+
+# The largest share of the time that drawing may have on two processors. While the processors draw,
+# the solver gets about half of them, so that it keeps nine tenths of its speed.
+SHARE_ON_TWO = 0.15
+# With more processors and a graphics card, drawing keeps only one of them from solving.
+LARGEST_SHARE = 0.6
+# However slow the drawing, a picture is tried this often, in seconds.
+LONGEST_WAIT = 3.0
+# A redraw that takes longer than this, in seconds, is worth drawing in a plainer way.
+SLOW = 0.1
+
+
+class Pace:
+    """Says at which ticks of a timer a picture is due, from what the last ones took.
+
+    asked() when a picture has been handed over, drawn() whenever a view has been drawn, tick() at
+    every tick. Times are seconds of any clock that does not go back.
+
+    interval     between ticks
+    processors   how many there are
+    software     whether they draw as well, for want of a graphics card
+    """
+
+    def __init__(self, interval: float, processors: int, software: bool) -> None:
+        self._interval = interval
+        many = SHARE_ON_TWO * max(processors, 2) / 2
+        self.share = SHARE_ON_TWO if software else min(many, LARGEST_SHARE)
+        self.cost = 0.0  # what the last picture took
+        self._asked: float | None = None
+        self._drawn: float | None = None
+        self._due = 0.0
+
+    def asked(self, now: float) -> None:
+        """A picture has been handed over at this moment; its drawing begins."""
+        self._asked, self._drawn = now, None
+
+    def drawn(self, now: float) -> None:
+        """A view has been drawn; of several the last one counts."""
+        if self._asked is not None:
+            self._drawn = now
+
+    def tick(self, now: float) -> bool:
+        """Whether a picture is due."""
+        if self._asked is not None:
+            late = now - self._asked
+            if late > 1.5 * self._interval:
+                # The tick itself had to wait: for the drawing, and for what follows it.
+                self.cost = late
+            else:
+                self.cost = self._drawn - self._asked if self._drawn is not None else 0.0
+            self._due = self._asked + min(self.cost / self.share, LONGEST_WAIT)
+            self._asked = None
+        return now >= self._due
+
+    @property
+    def waiting(self) -> bool:
+        """Whether a picture has been handed over since the last tick."""
+        return self._asked is not None
+
+    @property
+    def slow(self) -> bool:
+        """Whether drawing takes so long that a plainer picture would be welcome."""
+        return self.cost > SLOW
