@@ -250,8 +250,10 @@ class _Window:
 
 
 def _draws_by_software() -> bool:
-    """Whether the processors draw, for want of a graphics card. Only for windows."""
-    import gpu  # needs one
+    """Whether the processors draw, for want of a graphics card."""
+    if bpy.app.background:
+        return False
+    import gpu  # asking it crashes without a window
 
     renderer = gpu.platform.renderer_get().lower()
     return any(name in renderer for name in ("llvmpipe", "softpipe", "swr", "swiftshader"))

@@ -264,6 +264,12 @@ class FakeWindow:
     def __init__(self, _context) -> None:
         self.texts: list[str | None] = []
 
+    def picture_due(self) -> bool:
+        return True
+
+    def picture_given(self) -> None:
+        pass
+
     def show(self, _context, text: str, _progress: float) -> None:
         self.texts.append(text)
 
