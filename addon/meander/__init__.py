@@ -19,7 +19,8 @@ profile     tilt and radius of a result's points
 motion      curves on surfaces that move: followed, and baked
 properties  the settings on an object
 session     one run as Blender sees it: preview, keep, restore
-export_toolpath     the points of a result as a file, and as a mesh with attributes
+point_attributes    what is known of every point, as attributes of a mesh or of hair curves
+export_toolpath     the points of a result as a file, and as such objects
 operators, sidebar, panels, ..._panel   buttons
 
 Nothing here imports bpy before register(), so that `meander.core` can be used without Blender.
@@ -57,6 +58,7 @@ _SUBMODULES = (
     "preparation",
     "blender_preparation",
     "profile",
+    "point_attributes",
     "motion_settings",
     "properties",
     "session",

@@ -71,6 +71,7 @@ from . import (  # noqa: E402
     report,
     strands,
     thinning,
+    toolpath,
 )
 from .alignment import Alignment, Directions  # noqa: E402
 from .density import Choice, curvature_density  # noqa: E402
@@ -360,6 +361,15 @@ def _need_bpy(path: Path) -> None:
         raise BadInput(f"{path} needs Blender; run this command with blender --background --python")
 
 
+def _refuse_points(points: str | None) -> None:
+    from . import blender_data, point_attributes
+
+    try:
+        point_attributes.refuse((points or "none").upper())
+    except blender_data.DataError as refusal:
+        raise BadInput(f"--points {points} is not possible here: {refusal}") from refusal
+
+
 def _empty_scene() -> None:
     import bpy
 
@@ -572,6 +582,7 @@ def _write_scene(
     arguments: argparse.Namespace,
     problem: Problem,
     curve: core.Polylines,
+    data: core.PointData,
     guides: NDArray[np.bool_],
 ) -> None:
     """Adds the curve beside its surface and saves a copy of the scene at `path`.
@@ -586,6 +597,7 @@ def _write_scene(
         blender_density,
         blender_preparation,
         blender_terms,
+        point_attributes,
         properties,
         strand_data,
     )
@@ -600,9 +612,10 @@ def _write_scene(
         surface_object = bpy.data.objects.new(name, mesh)
         bpy.context.scene.collection.objects.link(surface_object)
     name = f"{surface_object.name} Meander"
-    curve = thinning.thinned(
-        curve, thinning.merge_distance(arguments.spacing / 2, problem.density)
-    )
+    whole = curve
+    distance = thinning.merge_distance(arguments.spacing / 2, problem.density)
+    kept = thinning.kept_points(whole, distance)
+    curve = thinning.thinned(whole, distance)
     curve_object = blender_data.write_curve(curve, surface_object, name)
     with _saved_settings():
         properties.copy_settings(surface_object.meander, curve_object.meander)
@@ -619,6 +632,17 @@ def _write_scene(
             made_with.guides = bpy.context.scene.objects.get(arguments.guides_object)
         made_with.keep_guides = not arguments.leave_out_guides
         strand_data.note_guides(curve_object, guides, keep=True)
+        matrix = blender_data.world_matrix(surface_object)
+        point_attributes.remember_room(curve_object, data.radii[kept], matrix)
+        if arguments.points is not None:
+            made_with.points_as = arguments.points.upper()
+            made_with.figures.points = point_attributes.make(
+                made_with.points_as,
+                f"{curve_object.name} Points",
+                toolpath.strands_of(whole, data),
+                surface_object,
+                matrix,
+            )
         blender_preparation.store_repair(problem.repair, made_with)
         blender_preparation.store_mask(problem.mask, made_with)
         made_with.use_outline = arguments.outline
@@ -639,6 +663,7 @@ def _write_outputs(
     arguments: argparse.Namespace,
     problem: Problem,
     curve: core.Polylines,
+    data: core.PointData,
     guides: NDArray[np.bool_],
     record: dict[str, Any],
 ) -> None:
@@ -651,9 +676,10 @@ def _write_outputs(
         if arguments.output.suffix.lower() == ".obj":
             mesh_files.write_obj_curve(curve_path, curve)
         elif batch_toolpath.is_wanted(arguments.output):
-            batch_toolpath.write(curve_path, arguments, curve)
+            mesh = toolpath.Mesh(problem.vertices, problem.faces)
+            batch_toolpath.write(curve_path, arguments, curve, data, mesh)
         else:
-            _write_scene(curve_path, arguments, problem, curve, guides)
+            _write_scene(curve_path, arguments, problem, curve, data, guides)
         if report_path is not None:
             report.write_report(report_path, record)
 
@@ -681,6 +707,7 @@ def _process(argv: Sequence[str]) -> None:
     _check_arguments(arguments)
     if arguments.output.suffix.lower() == ".blend":
         _need_bpy(arguments.output)
+        _refuse_points(arguments.points)
     options = _flow_options(arguments)
     problem = _read_problem(arguments)
     options.alignment_weight = problem.alignment.weight
@@ -711,8 +738,11 @@ def _process(argv: Sequence[str]) -> None:
         history = flow.history()
         gaps = flow.gaps()
         curve = flow.polylines()
+        data = flow.point_data()
         guides = flow.guides()
         if arguments.leave_out_guides:
+            kept = strands.points_without_guides(curve, guides)
+            data = core.PointData(*(values[kept] for values in data))
             curve = strands.without_guides(curve, guides)
             guides = guides[~guides]
     record = report.build_report(
@@ -725,7 +755,7 @@ def _process(argv: Sequence[str]) -> None:
     )
     record["warnings"] = warnings
     record["preparation"] = batch_preparation.counts(surface_figures, problem.loose_edges)
-    _write_outputs(arguments, problem, curve, guides, record)
+    _write_outputs(arguments, problem, curve, data, guides, record)
     if not arguments.quiet:
         if figures["empty_components"]:
             print(f"meander: {strands.empty_parts(figures['empty_components'])}")

@@ -31,6 +31,13 @@ def add_options(parser: argparse.ArgumentParser, positive: Callable[[str], float
     )
 
 
+    add(
+        "--points",
+        choices=("mesh", "curves"),
+        help="an --output of kind .blend also gets an object of all points, with attributes",
+    )
+
+
 def problem_of(arguments: argparse.Namespace) -> str | None:
     """What is wrong with the options, as a sentence, or None."""
     given = [
@@ -42,6 +49,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--resample-step and --chord-tolerance are both given; choose one"
     if given and not is_wanted(arguments.output):
         return f"{given[0]} needs an --output of kind .csv or .json"
+    if arguments.points is not None and arguments.output.suffix.lower() != ".blend":
+        return "--points needs an --output of kind .blend; .csv and .json have the same in columns"
     return None
 
 
@@ -55,10 +64,19 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     return {
         "resample_step": arguments.resample_step,
         "chord_tolerance": arguments.chord_tolerance,
+        "points": arguments.points,
     }
 
 
-def write(path: Path, arguments: argparse.Namespace, curve: core.Polylines) -> None:
+def write(
+    path: Path,
+    arguments: argparse.Namespace,
+    curve: core.Polylines,
+    data: core.PointData,
+    mesh: toolpath.Mesh,
+) -> None:
     """Writes the curve, resampled as the options say."""
-    strands = toolpath.resampled(curve, arguments.resample_step, arguments.chord_tolerance)
+    strands = toolpath.resampled(
+        curve, arguments.resample_step, arguments.chord_tolerance, data, mesh
+    )
     toolpath.write(path, strands, core.library_version())

@@ -382,7 +382,7 @@ def write_curve(
 def new_curve_object(name: str, surface_object: bpy.types.Object) -> bpy.types.Object:
     """An empty curve object beside the surface: its child, with no transform of its own."""
     curve_object = bpy.data.objects.new(name, bpy.data.curves.new(name, "CURVE"))
-    _collection_of(surface_object).objects.link(curve_object)
+    collection_of(surface_object).objects.link(curve_object)
     curve_object.parent = surface_object
     return curve_object
 
@@ -443,7 +443,7 @@ def select_points_around(curve_object: bpy.types.Object, centres: np.ndarray, re
     return int(chosen.sum())
 
 
-def _collection_of(object: bpy.types.Object) -> bpy.types.Collection:
+def collection_of(object: bpy.types.Object) -> bpy.types.Collection:
     """Where to put something beside an object: its first collection that can be changed."""
     for collection in object.users_collection:
         if collection.library is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is known of every point of a result: as a file for machines, as attributes of a mesh."""
+"""What is known of every point of a result: as a file for machines, as attributes of an object."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty, FloatProperty, StringProperty
 
-from . import blender_data, core, mesh_files, motion, session, toolpath
+from . import blender_data, core, mesh_files, motion, point_attributes, session, toolpath
 from .blender_data import DataError
 from .sidebar import ORDER, SubPanel, columns
 
@@ -128,9 +128,9 @@ class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         result = context.active_object
         try:
-            curve, _index, _weights = polylines_of(result, context.evaluated_depsgraph_get())
-            strands = toolpath.resampled(
-                curve,
+            strands = _strands_of(
+                result,
+                context.evaluated_depsgraph_get(),
                 self.step if self.resample == "STEP" else None,
                 self.tolerance if self.resample == "TOLERANCE" else None,
             )
@@ -145,60 +145,70 @@ class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class MEANDER_OT_points_to_mesh(_OnResult, bpy.types.Operator):
-    """Make a mesh of the curve's points and edges, with what is known of them as attributes"""
+def _strands_of(
+    result: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    step: float | None = None,
+    tolerance: float | None = None,
+) -> list[toolpath.Strand]:
+    """A result's strands with all that is known of them. Raises DataError, FileError."""
+    curve, index, weights = polylines_of(result, depsgraph)
+    surface = result.meander.surface
+    matrix = blender_data.world_matrix(surface.evaluated_get(depsgraph))
+    radii = point_attributes.room_of(result, len(curve.positions), matrix)
+    data = point_attributes.data_of(index, weights, radii)
+    mesh = toolpath.Mesh(*blender_data.triangles_of(surface, depsgraph))
+    return toolpath.resampled(curve, step, tolerance, data, mesh)
 
-    bl_idname = "meander.points_to_mesh"
-    bl_label = "Points to Mesh"
-    bl_description = (
-        "Make a mesh of the points and edges of the curve, with arc length, normal, tangent, "
-        "strand, triangle and weights as attributes for Geometry Nodes and materials"
-    )
+
+class _PointsToObject(_OnResult):
     bl_options = {"REGISTER", "UNDO"}
+    kind = ""
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         result = context.active_object
         surface = result.meander.surface
         depsgraph = context.evaluated_depsgraph_get()
         try:
-            curve, index, weights = polylines_of(result, depsgraph)
+            point_attributes.refuse(self.kind)
+            strands = _strands_of(result, depsgraph)
         except DataError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         matrix = blender_data.world_matrix(surface.evaluated_get(depsgraph))
-        name = f"{result.name} Points"
-        mesh = bpy.data.meshes.new(name)
-        offsets = np.asarray(curve.offsets, dtype=np.int64)
-        edges = []
-        for begin, end, closed in zip(offsets[:-1], offsets[1:], curve.closed):
-            edges += [(at, at + 1) for at in range(begin, end - 1)]
-            if closed:
-                edges.append((end - 1, begin))
-        local = blender_data.to_local(curve.positions, matrix)
-        mesh.from_pydata(local.tolist(), edges, [])
-        strands = toolpath.strands_of(curve)
-        values = {
-            "arc_length": ("FLOAT", np.concatenate([item.arc_lengths for item in strands])),
-            "surface_normal": ("FLOAT_VECTOR", curve.normals),
-            "tangent": ("FLOAT_VECTOR", np.vstack([item.tangents for item in strands])),
-            "strand": ("INT", np.repeat(np.arange(len(strands)), np.diff(offsets))),
-            "triangle": ("INT", index),
-            "weights": ("FLOAT_VECTOR", weights),
-        }
-        for attribute_name, (kind, data) in values.items():
-            attribute = mesh.attributes.new(attribute_name, kind, "POINT")
-            if kind == "INT":
-                attribute.data.foreach_set("value", np.asarray(data, dtype=np.int32))
-            else:
-                key = "value" if kind == "FLOAT" else "vector"
-                attribute.data.foreach_set(key, np.asarray(data, dtype=np.float32).ravel())
-        mesh.update()
-        thing = bpy.data.objects.new(name, mesh)
-        for collection in result.users_collection[:1] or [context.scene.collection]:
-            collection.objects.link(thing)
-        thing.parent = surface
-        self.report({"INFO"}, f"{name}: {len(local):,} points with {len(values)} attributes")
+        thickness = result.data.bevel_depth * blender_data.mean_scale(matrix)
+        thing = point_attributes.make(
+            self.kind, f"{result.name} Points", strands, surface, matrix, thickness
+        )
+        count = sum(len(strand.points) for strand in strands)
+        self.report({"INFO"}, f"{thing.name}: {count:,} points with attributes")
+        if any(strand.radii is None for strand in strands):
+            self.report(
+                {"WARNING"},
+                f"{result.name} has been changed since its run, so r+ and r- are not known; "
+                "Continue finds them",
+            )
         return {"FINISHED"}
+
+
+class MEANDER_OT_points_to_mesh(_PointsToObject, bpy.types.Operator):
+    bl_idname = "meander.points_to_mesh"
+    bl_label = "Points to Mesh"
+    bl_description = (
+        "Make a mesh of the points and edges of the curve, with arc length, normal, tangent, r+, "
+        "r-, strand, triangle and weights as attributes for Geometry Nodes and materials"
+    )
+    kind = "MESH"
+
+
+class MEANDER_OT_points_to_curves(_PointsToObject, bpy.types.Operator):
+    bl_idname = "meander.points_to_curves"
+    bl_label = "Points to Hair Curves"
+    bl_description = (
+        "Make hair curves of the points of the curve, with arc length, normal, tangent, r+, r-, "
+        "strand, triangle and weights as attributes; Blender 4.2 or later"
+    )
+    kind = "CURVES"
 
 
 class MEANDER_PT_points(SubPanel, bpy.types.Panel):
@@ -219,9 +229,15 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
         column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
+        column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")
 
 
-_CLASSES = (MEANDER_OT_export_toolpath, MEANDER_OT_points_to_mesh, MEANDER_PT_points)
+_CLASSES = (
+    MEANDER_OT_export_toolpath,
+    MEANDER_OT_points_to_mesh,
+    MEANDER_OT_points_to_curves,
+    MEANDER_PT_points,
+)
 
 
 def register() -> None:

@@ -15,7 +15,7 @@ import bpy
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-from . import blender_data, core, profile, session
+from . import blender_data, core, point_attributes, profile, session
 from .blender_data import DataError
 from .stepper import evaluated
 from .thinning import kept_points, merge_distance, thinned
@@ -157,6 +157,8 @@ def write(
     """Writes polylines into a curve that is the result's or a frame of it."""
     materials = [spline.material_index for spline in result.data.splines]
     blender_data.write_splines(curve, polylines, matrix)
+    if curve == result.data and result.meander.figures.room:
+        point_attributes.forget_room(result)
     profile.dress_points(curve, polylines, matrix, result.meander.flat_profile, factors)
     for spline, index in zip(curve.splines, materials):
         spline.material_index = index

@@ -119,6 +119,7 @@ class MEANDER_PT_options(SubPanel, bpy.types.Panel):
         row.prop(settings, "bevel_share")
         layout.prop(settings, "flat_profile")
         layout.prop(settings, "radius_follows")
+        layout.prop(settings, "points_as")
 
 
 class MEANDER_PT_figures(SubPanel, bpy.types.Panel):

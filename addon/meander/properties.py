@@ -21,6 +21,7 @@ from .blender_density import DensitySettings
 from .blender_preparation import MeanderProblem, PreparationSettings
 from .blender_terms import TermSettings
 from .motion_settings import MotionSettings
+from .point_attributes import PointSettings
 from .profile import ProfileSettings
 from .strand_data import StrandSettings
 
@@ -76,6 +77,8 @@ class MeanderFigures(bpy.types.PropertyGroup):
     preparation: StringProperty(name="Preparation", options=set())
     # On results only, and of many gaps only the largest.
     gaps: CollectionProperty(type=MeanderGap, options=set())
+    room: StringProperty(name="Room", options=set())  # r+ and r- of every point, packed
+    points: PointerProperty(type=bpy.types.Object, name="Points", options=set())
 
 
 class MeanderSettings(
@@ -86,6 +89,7 @@ class MeanderSettings(
     TermSettings,
     MotionSettings,
     ProfileSettings,
+    PointSettings,
     bpy.types.PropertyGroup,
 ):
     """How to fill a surface; the parts that a feature of its own needs come from its module."""
@@ -211,6 +215,7 @@ COPIED = (
     *StrandSettings.__annotations__,
     *PreparationSettings.__annotations__,
     *ProfileSettings.__annotations__,
+    *PointSettings.__annotations__,
     "motion",
     "motion_steps",
     "fixed_ends",

@@ -17,7 +17,17 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from . import blender_data, blender_preparation, core, profile, properties, strand_data, strands
+from . import (
+    blender_data,
+    blender_preparation,
+    core,
+    point_attributes,
+    profile,
+    properties,
+    strand_data,
+    strands,
+    toolpath,
+)
 from .blender_alignment import alignment_of, directions_of
 from .blender_data import DataError
 from .blender_density import choice_of, density_of
@@ -69,6 +79,7 @@ class Plan:
     loose_edges: int = 0  # of the surface, in no face
     flat: bool = False  # tilt for profiles that lie on the surface
     radius_follows: bool = False
+    points_as: str = "NONE"  # a second object of all points: one of point_attributes.KINDS
 
 
 def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
@@ -87,6 +98,7 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
             f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
         )
     settings = active.meander
+    point_attributes.refuse(settings.points_as)
     options = core.default_options(settings.preset.lower())
     depsgraph = context.evaluated_depsgraph_get()
     vertices, faces = blender_data.triangles_of(surface, depsgraph)
@@ -140,6 +152,7 @@ def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
         loose_edges=blender_preparation.loose_edge_count(surface, depsgraph),
         flat=settings.flat_profile,
         radius_follows=settings.radius_follows,
+        points_as=settings.points_as,
     )
 
 
@@ -358,15 +371,45 @@ class Session:
             bevel_depth=plan.bevel_depth,
         )
         radius = plan.problem.options.radius
-        factors = profile.room_factors(self.stepper.radii[kept], radius)
+        data = self.stepper.point_data
+        factors = profile.room_factors(data.radii[kept], radius)
         profile.dress_points(
             result.data, curve, plan.matrix, plan.flat, factors if plan.radius_follows else None
         )
         strand_data.put_on(result.data, plan.dress)
         self._store(surface, result, statistics, self.stepper.gaps, stop_reason)
-        strand_data.note_guides(result, self.stepper.guides, result.meander.keep_guides)
+        guides, keep_guides = self.stepper.guides, result.meander.keep_guides
+        strand_data.note_guides(result, guides, keep_guides)
+        grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)
+        point_attributes.remember_room(result, data.radii[kept][grown], plan.matrix)
+        if plan.points_as != "NONE":
+            self._make_points(surface, result, snapshot.polylines, data)
         _select_only(context, result)
         return result, statistics
+
+    def _make_points(
+        self,
+        surface: bpy.types.Object,
+        result: bpy.types.Object,
+        polylines: core.Polylines,
+        data: core.PointData,
+    ) -> None:
+        """Makes the object of all points beside the result, instead of the last run's."""
+        every = toolpath.strands_of(polylines, data)
+        if not result.meander.keep_guides:
+            flags = self.stepper.guides
+            every = [strand for strand, is_guide in zip(every, flags) if not is_guide]
+        earlier = result.meander.figures.points
+        if earlier is not None and earlier.library is None:
+            bpy.data.batch_remove([earlier, earlier.data])
+        result.meander.figures.points = point_attributes.make(
+            self.plan.points_as,
+            f"{result.name} Points",
+            every,
+            surface,
+            self.plan.matrix,
+            self.plan.bevel_depth,
+        )
 
     def end(self) -> None:
         """Ends the run, gives back what it borrowed, and takes away what keep() has not kept.

@@ -90,7 +90,7 @@ class Stepper:
         # Of the result, once there is one: what it leaves empty, and which strands are guides.
         self.gaps: core.Gaps | None = None
         self.guides: np.ndarray | None = None
-        self.radii: np.ndarray | None = None  # r+ and r- of every point
+        self.point_data: core.PointData | None = None  # of every point
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
         self._expected_length = math.inf
 
@@ -173,7 +173,7 @@ class Stepper:
         statistics = self._flow.statistics()
         self.gaps = self._flow.gaps()
         self.guides = self._flow.guides()
-        self.radii = self._flow.point_data().radii
+        self.point_data = self._flow.point_data()
         snapshot = self._snapshot(
             self._flow.polylines(),
             statistics["iterations"],

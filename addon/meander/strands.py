@@ -74,10 +74,17 @@ def span(seed: core.Seed, begin: int, end: int) -> core.Seed:
     )
 
 
+def points_without_guides(
+    polylines: core.Polylines, guides: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
+    """Which points are of strands that have grown."""
+    return np.repeat(~guides, np.diff(polylines.offsets.astype(np.int64)))
+
+
 def without_guides(polylines: core.Polylines, guides: NDArray[np.bool_]) -> core.Polylines:
     """The polylines of the strands that have grown."""
     counts = np.diff(polylines.offsets.astype(np.int64))
-    points = np.repeat(~guides, counts)
+    points = points_without_guides(polylines, guides)
     return core.Polylines(
         positions=polylines.positions[points],
         normals=polylines.normals[points],

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bpy
 import meander
+import numpy as np
 import pytest
 from scenes import circle_points, farthest_from, length_of, poly_curve, sphere
 
@@ -130,3 +131,27 @@ def test_bad_scenes_are_refused(scene, tmp_path, arguments, word):
     assert done.returncode == 2
     assert word in done.stderr
     assert not output.exists()
+
+
+@pytest.mark.parametrize("kind", ["mesh", "curves"])
+def test_points_come_beside_the_curve(scene: Path, tmp_path: Path, kind: str) -> None:
+    output = tmp_path / "filled.blend"
+    done = run_batch(
+        *("--input", scene, "--object", "Ball", "--output", output),
+        *("--spacing", 0.4, "--points", kind, "--quiet"),
+    )
+    if kind == "curves" and bpy.app.version < (4, 2):
+        assert done.returncode == 2
+        assert "4.2" in done.stderr
+        assert not output.exists()
+        return
+    assert done.returncode == 0, done.stderr
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    points = bpy.data.objects["Ball Meander Points"]
+    assert points.type == kind.upper()
+    room = points.data.attributes["r_plus"].data
+    values = np.empty(len(room), dtype=np.float32)
+    room.foreach_get("value", values)
+    assert 0.16 < np.median(values) < 0.24
+    splines = bpy.data.objects["Ball Meander"].data.splines
+    assert len(values) >= sum(len(spline.points) for spline in splines)

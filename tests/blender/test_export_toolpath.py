@@ -9,6 +9,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+import pytest
 import scenes
 
 
@@ -58,3 +59,95 @@ def test_mesh_has_the_attributes() -> None:
     normals, tangents = values("surface_normal", "float", 3), values("tangent", "float", 3)
     assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-5)
     assert np.abs((normals * tangents).sum(axis=1)).max() < 0.3
+
+
+def _attribute(data, name: str, width: int = 1) -> np.ndarray:
+    attribute = data.attributes[name]
+    whole = attribute.data_type == "INT"
+    buffer = np.empty(width * len(attribute.data), dtype=np.int32 if whole else np.float32)
+    attribute.data.foreach_get("vector" if width == 3 else "value", buffer)
+    return buffer.reshape(-1, width) if width > 1 else buffer
+
+
+def _check_points(thing: bpy.types.Object, result: bpy.types.Object, radius: float) -> None:
+    """Positions against triangles and weights, directions and room against the surface."""
+    data, surface = thing.data, result.meander.surface
+    if thing.type == "MESH":
+        local = np.array([vertex.co for vertex in data.vertices])
+    else:
+        local = _attribute(data, "position", 3)
+    matrix = np.array([row[:] for row in surface.matrix_world])
+    points = local @ matrix[:3, :3].T + matrix[:3, 3]
+    vertices, faces = scenes.world_triangles(surface)
+    corners = vertices[faces[_attribute(data, "triangle")]]
+    rebuilt = np.einsum("nk,nkj->nj", _attribute(data, "weights", 3), corners)
+    assert np.allclose(rebuilt, points, atol=2e-4)
+    normals, tangents = _attribute(data, "surface_normal", 3), _attribute(data, "tangent", 3)
+    assert np.abs((normals * tangents).sum(axis=1)).max() < 0.3
+    room = np.column_stack([_attribute(data, "r_plus"), _attribute(data, "r_minus")])
+    assert (room > 0.0).all()
+    assert 0.8 * radius < np.median(room) < 1.2 * radius
+    assert result.parent == surface == thing.parent
+
+
+@pytest.mark.parametrize("kind", ["MESH", "CURVES"])
+def test_a_run_makes_an_object_of_all_points(kind: str) -> None:
+    ball = scenes.sphere()
+    ball.scale = (1.5, 1.5, 1.5)
+    ball.meander.points_as = kind
+    if kind == "CURVES" and bpy.app.version < (4, 2):
+        ball.meander.spacing = 0.4
+        with pytest.raises(RuntimeError, match="4.2"):
+            bpy.ops.meander.run()
+        return
+    result = scenes.fill(ball, 0.4)
+    thing = result.meander.figures.points
+    assert thing.name == f"{result.name} Points"
+    assert thing.type == kind
+    _check_points(thing, result, 0.2)
+    if kind == "CURVES":
+        assert len(thing.data.curves) == len(result.data.splines)
+        cyclic = [item.value for item in thing.data.attributes["cyclic"].data]
+        assert cyclic == [spline.use_cyclic_u for spline in result.data.splines]
+        assert {item.value for item in thing.data.attributes["curve_type"].data} == {1}
+    # More than the result has: nothing that nearly coincides was taken out.
+    own = sum(len(spline.points) for spline in result.data.splines)
+    assert len(thing.data.attributes["r_plus"].data) >= own
+    # Going on replaces it.
+    count = len(bpy.data.objects)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert len(bpy.data.objects) == count
+
+
+def test_the_room_is_known_until_the_points_change(tmp_path: Path) -> None:
+    scenes.fill(scenes.sphere(), 0.4)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "kept.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "kept.blend"))
+    result = scenes.activate(bpy.data.objects["Icosphere Meander"])
+    assert bpy.ops.meander.points_to_mesh() == {"FINISHED"}
+    _check_points(bpy.data.objects[f"{result.name} Points"], result, 0.2)
+    path = tmp_path / "path.json"
+    export = bpy.ops.meander.export_toolpath
+    scenes.activate(result)
+    assert export(filepath=str(path), file_format="JSON", resample="STEP", step=0.05) == {
+        "FINISHED"
+    }
+    strand = json.loads(path.read_text())["strands"][0]
+    assert 0.16 < np.median([strand["r_plus"], strand["r_minus"]]) < 0.24
+    assert len(strand["weights"]) == len(strand["faces"]) == len(strand["points"])
+    result.data.splines[0].points.add(1)
+    assert export(filepath=str(path), file_format="JSON") == {"FINISHED"}
+    assert json.loads(path.read_text())["strands"][0]["r_plus"] is None
+
+
+def test_points_to_hair_curves() -> None:
+    result = scenes.fill(scenes.sphere(), 0.4)
+    if bpy.app.version < (4, 2):
+        with pytest.raises(RuntimeError, match="4.2"):
+            bpy.ops.meander.points_to_curves()
+        return
+    assert bpy.ops.meander.points_to_curves() == {"FINISHED"}
+    thing = bpy.data.objects[f"{result.name} Points"]
+    _check_points(thing, result, 0.2)
+    radius = _attribute(thing.data, "radius")
+    assert np.allclose(radius, result.data.bevel_depth)

@@ -10,7 +10,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from meander import batch
+from meander import batch, mesh_files
 from sentences import assert_sentence
 
 
@@ -47,6 +47,12 @@ def test_step_and_tolerance_give_the_same_curve(square: Path) -> None:
     assert ways[0] <= 0.05
     assert 3 <= len(rows) < sum(len(strand["points"]) for strand in whole)
     assert np.allclose(np.abs([float(row["nz"]) for row in rows]), 1.0)
+    assert all(0.01 < float(row["r_plus"]) < 0.5 for row in rows)
+    vertices, faces = mesh_files.read_obj_mesh(square)
+    for row in rows:
+        corners = vertices[faces[int(row["face"])]]
+        rebuilt = np.array([float(row[f"w{corner}"]) for corner in range(3)]) @ corners
+        assert np.allclose(rebuilt, [float(row[axis]) for axis in "xyz"], atol=1e-9)
     assert {row["strand"] for row in rows} == {str(at) for at in range(len(whole))}
 
 
@@ -56,6 +62,7 @@ def test_bad_combinations_are_refused(square: Path, capsys: pytest.CaptureFixtur
         ("out.csv", ("--resample-step", "0.1", "--chord-tolerance", "1"), "choose one"),
         ("out.csv", ("--resample-step", "0"), "greater than 0"),
         ("out.csv", ("--resample-step", "1e-12"), "longer one"),
+        ("out.csv", ("--points", "mesh"), "kind .blend"),
         ("out.txt", (), ".csv or .json"),
     ):
         (square.parent / name).write_text("earlier")

@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import json
 
+import geometry
 import numpy as np
 import pytest
 from meander import core, mesh_files, toolpath
@@ -119,3 +120,71 @@ def test_files_hold_the_strands(tmp_path):
 def test_a_step_beyond_all_counting_is_refused():
     with pytest.raises(mesh_files.FileError, match="longer"):
         toolpath.resampled(_polylines(), step=1e-12)
+
+
+def _plate(count=6):
+    """A wavy plate, and a polyline along it whose pieces each lie in one triangle."""
+    vertices, faces = geometry.grid(count)
+    vertices = np.column_stack([vertices[:, :2], 0.2 * np.sin(3.0 * vertices[:, 0])])
+    return toolpath.Mesh(vertices, faces.astype(np.uint32))
+
+
+def test_resampling_keeps_to_the_triangles_and_blends_the_room():
+    mesh = _plate()
+    with core.Surface(mesh.vertices, mesh.faces) as surface:
+        options = core.default_options("even")
+        options.radius, options.iteration_limit = 0.06, 60
+        flow = core.Flow(surface, options)
+    with flow:
+        flow.run()
+        curve, data = flow.polylines(), flow.point_data()
+    whole = toolpath.resampled(curve, data=data)
+    stepped = toolpath.resampled(curve, step=0.013, data=data, mesh=mesh)
+    few = toolpath.resampled(curve, tolerance=0.02, data=data, mesh=mesh)
+    for strands in (whole, stepped, few):
+        for strand in strands:
+            corners = mesh.vertices[mesh.faces[strand.faces]]
+            rebuilt = np.einsum("nk,nkj->nj", strand.weights, corners)
+            assert np.abs(rebuilt - strand.points).max() < 1e-9
+            assert strand.weights.min() >= 0.0
+            assert np.allclose(strand.weights.sum(axis=1), 1.0)
+            assert strand.radii.shape == (len(strand.points), 2)
+    for given, strand in zip(whole, stepped, strict=True):
+        # In proportion to the way, against numpy's own interpolation.
+        ways = np.append(given.arc_lengths, given.length)
+        for side in range(2):
+            values = np.append(given.radii[:, side], given.radii[0, side])
+            assert np.allclose(strand.radii[:, side], np.interp(strand.arc_lengths, ways, values))
+    assert np.array_equal(np.vstack([strand.radii for strand in whole]), data.radii)
+
+
+def test_files_hold_the_room_and_the_triangles_or_leave_them_empty(tmp_path):
+    curve = _polylines()
+    count = len(curve.positions)
+    numbers = np.arange(count)
+    data = core.PointData(
+        None,
+        None,
+        None,
+        np.column_stack([numbers + 0.25, numbers + 0.5]),
+        numbers.astype(np.uint32),
+        np.tile([0.5, 0.25, 0.25], (count, 1)),
+    )
+    for strands, known in ((toolpath.resampled(curve, data=data), True),
+                           (toolpath.resampled(curve), False)):  # fmt: skip
+        toolpath.write(tmp_path / "path.csv", strands, "1")
+        toolpath.write(tmp_path / "path.json", strands, "1")
+        with (tmp_path / "path.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        record = json.loads((tmp_path / "path.json").read_text())["strands"]
+        assert len(rows) == count
+        if known:
+            assert [float(row["r_plus"]) for row in rows] == list(numbers + 0.25)
+            assert [float(row["r_minus"]) for row in rows] == list(numbers + 0.5)
+            assert [int(row["face"]) for row in rows] == list(numbers)
+            assert {(row["w0"], row["w1"], row["w2"]) for row in rows} == {("0.5", "0.25", "0.25")}
+            assert [r for strand in record for r in strand["r_minus"]] == list(numbers + 0.5)
+            assert [f for strand in record for f in strand["faces"]] == list(numbers)
+        else:
+            assert {row[name] for row in rows for name in ("r_plus", "face", "w2")} == {""}
+            assert {strand["r_plus"] for strand in record} == {None}
