@@ -62,6 +62,7 @@ if not globals().get("__package__"):
 # The package has to be known first.
 from . import (  # noqa: E402
     batch_density,
+    batch_motion,
     batch_preparation,
     batch_strands,
     batch_terms,
@@ -201,6 +202,7 @@ def _parser() -> argparse.ArgumentParser:
     batch_strands.add_options(parser, _number, _count(0, 2**31 - 1))
     batch_preparation.add_options(parser, _number)
     batch_toolpath.add_options(parser, _positive)
+    batch_motion.add_options(parser, _count(1, 1000))
     return parser
 
 
@@ -226,7 +228,7 @@ def _check_arguments(arguments: argparse.Namespace) -> None:
             if getattr(arguments, option) is not None:
                 name = option.replace("_", "-")
                 raise BadInput(f"--{name} names an object of a .blend, but --input is {kind}")
-    for part in (batch_density, batch_preparation, batch_terms):
+    for part in (batch_density, batch_preparation, batch_terms, batch_motion):
         wrong = part.problem_of(arguments, kind)
         if wrong is not None:
             raise BadInput(wrong)
@@ -298,6 +300,7 @@ def _echo(
         **batch_preparation.echo(problem.repair, problem.mask),
         "outline": arguments.outline,
         **batch_terms.echo(arguments, options),
+        **batch_motion.echo(arguments),
     }
     echo.update(asdict(options))
     echo["medial_axis"] = arguments.medial_axis
@@ -648,6 +651,10 @@ def _write_scene(
         made_with.use_outline = arguments.outline
         if arguments.border_distance is not None:
             made_with.border_distance = arguments.border_distance
+        try:
+            batch_motion.bake(arguments, curve_object)
+        except blender_data.DataError as refusal:
+            raise BadInput(f"the frames cannot be baked: {refusal}") from refusal
         try:
             bpy.ops.wm.save_as_mainfile(
                 filepath=str(path.absolute()), copy=True, check_existing=False
