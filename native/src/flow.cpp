@@ -23,6 +23,10 @@ constexpr size_t kBlock = 2048;
 /// leap over the strand beside it.
 constexpr double kMostOfRadius = 0.9;
 
+/// But this much of the local r where it is the boundary that ends the ball: in a corner of the surface
+/// there may be none at all on either side, and no node could leave it.
+constexpr double kMostAtBoundary = 0.25;
+
 /// And this much of the local r while the flow cools down.
 constexpr double kMostWhileCooling = 0.04;
 
@@ -244,12 +248,13 @@ void Flow::find_local_radii() {
 void Flow::find_radii() {
   find_local_radii();
   compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
+  compute_reach(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, settings_.medial_axis, max_radius_,
+                overhang_, least_rest_, team_, reach_);
   if (settings_.medial_axis == MedialAxis::kGeodesic) {
-    compute_geodesic_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, local_radius_,
-                                 max_radius_, overhang_, least_rest_, team_, radii_);
+    compute_geodesic_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, local_radius_, reach_,
+                                 team_, radii_);
   } else {
-    compute_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
-                        least_rest_, team_, radii_);
+    compute_medial_axis(frames_, *boundary_, settings_.boundary_rule, reach_, team_, radii_);
   }
   felt_radii_.resize(radii_.size());
   constexpr double kLeastGrowth = -0.75, kMostGrowth = 3;  // of r along a diameter, where it jumps
@@ -262,6 +267,17 @@ void Flow::find_radii() {
       }
     }
   });
+}
+
+/// The radii that drive the nodes: where the boundary is to push harder than a ball of no size does, the
+/// other side has the rest.
+std::vector<Radii> Flow::driving_radii() const {
+  std::vector<Radii> radii = felt_radii_;
+  if (boundary_->empty()) return radii;
+  for (size_t i = 0; i < radii.size(); ++i) {
+    for (size_t side = 0; side < 2; ++side) radii[i][side] += std::max(0.0, -reach_[i][1 - side].radius);
+  }
+  return radii;
 }
 
 /// Where both sides of a strand are empty its radii are alike and nothing pulls it anywhere; a wide
@@ -431,6 +447,7 @@ void Flow::unfold_short_runs() {
 /// The steps of all nodes (eq. 10) in the planes of their faces, capped by their medial radii.
 std::vector<Vec2> Flow::displacements() {
   std::vector<Vec2> d(curve_.size());
+  const std::vector<Radii> radii = driving_radii();
   std::vector<FreeEnd> ends;
   if (settings_.hold_ends) {
     ends = find_free_ends(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
@@ -439,7 +456,7 @@ std::vector<Vec2> Flow::displacements() {
   for_strands([&](const Strand& strand, Team& team) {
     if (strand.guide) return;
     StrandSystem system;
-    assemble(curve_, strand, frames_, felt_radii_, local_radius_, weights_, team, system);
+    assemble(curve_, strand, frames_, radii, local_radius_, weights_, team, system);
     auto end_here = std::ranges::lower_bound(ends, strand.first, {}, &FreeEnd::node);
     for (; end_here != ends.end() && end_here->node < strand.end(); ++end_here) {
       add_end_term(*end_here, end_here->node - strand.first, local_radius_[end_here->node], weights_.medial, system);
@@ -451,7 +468,9 @@ std::vector<Vec2> Flow::displacements() {
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double length = norm(d[i]);
-      double most = kMostOfRadius * radii_[i][dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1];
+      const size_t side = dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1;
+      double most = kMostOfRadius * radii_[i][side];
+      if (reach_[i][side].radius <= radii_[i][side]) most = std::max(most, kMostAtBoundary * local_radius_[i]);
       if (cooling) most = std::min(most, kMostWhileCooling * local_radius_[i]);
       if (length > most) d[i] = (most / length) * d[i];
       if (!std::isfinite(d[i].x) || !std::isfinite(d[i].y)) d[i] = {};

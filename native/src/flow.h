@@ -119,6 +119,7 @@ class Flow {
   double clamped_share() const;
   void find_local_radii();
   void find_radii();
+  std::vector<Radii> driving_radii() const;
   void stir_empty_stretches();
   bool sees_nothing(uint32_t node) const;
   void choose_weights();
@@ -144,6 +145,7 @@ class Flow {
   std::vector<Radii> felt_radii_;  // as the energy sees them where the density varies
   std::vector<double> local_radius_, max_radius_, overhang_, least_rest_;
   Frames frames_;
+  std::vector<Reach> reach_;
   Weights weights_;
   Retraction retraction_;
   Refinement refinement_;

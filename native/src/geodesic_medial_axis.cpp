@@ -60,7 +60,7 @@ class Balls {
   /// The radius of the largest empty ball that starts at a node towards `way` (unit, in the plane of its
   /// face). `outward` is about the direction of its centre in space, `usual` about the radius to be
   /// expected where that misleads, `last` that of an earlier state, or 0.
-  double largest(uint32_t node, Vec2 way, const Vec3& outward, const Reach& reach, double usual, double last) {
+  double largest(uint32_t node, Vec2 way, const Vec3& outward, const ReachOfSide& reach, double usual, double last) {
     node_ = node;
     way_ = way;
     ray_.reset(surface_, obstacles_.points[node], way);
@@ -295,8 +295,7 @@ void add_boundary(const Surface& surface, const BoundaryObstacle& boundary, Obst
 
 void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                                   const BoundaryObstacle& boundary, BoundaryRule rule,
-                                  const std::vector<double>& local_radius, const std::vector<double>& max_radius,
-                                  const std::vector<double>& overhang, const std::vector<double>& least_rest,
+                                  const std::vector<double>& local_radius, const std::vector<Reach>& reach,
                                   Team& team, std::vector<Radii>& radii) {
   const uint32_t n = curve.size();
   radii.resize(n, Radii{0, 0});
@@ -309,16 +308,12 @@ void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, co
   constexpr size_t kBlock = 64;
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
     Balls balls(surface, obstacles, tree);
-    std::vector<Crossing> scratch;
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
-      // Whatever else a ball may not pass, its centre is a point of the surface.
-      const std::array<Reach, 2> reach = reach_of_balls(surface, curve, frames, boundary, i, max_radius[i],
-                                                        walls ? 0 : overhang[i], walls ? 0 : least_rest[i], scratch);
-      for (int side = 0; side < 2; ++side) {
+      for (size_t side = 0; side < 2; ++side) {
         const Vec2 way = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
         double& radius = radii[i][side];
-        radius = reach[side].radius > 0
-                     ? balls.largest(i, way, frames.outward[i][side], reach[side], local_radius[i], radius)
+        radius = reach[i][side].radius > 0
+                     ? balls.largest(i, way, frames.outward[i][side], reach[i][side], local_radius[i], radius)
                      : 0;
       }
     }

@@ -26,8 +26,7 @@ namespace meander {
 /// `radii`         in: radii of an earlier state (0: unknown), which only save time; out: the result
 void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                                   const BoundaryObstacle& boundary, BoundaryRule rule,
-                                  const std::vector<double>& local_radius, const std::vector<double>& max_radius,
-                                  const std::vector<double>& overhang, const std::vector<double>& least_rest,
+                                  const std::vector<double>& local_radius, const std::vector<Reach>& reach,
                                   Team& team, std::vector<Radii>& radii);
 
 }  // namespace meander

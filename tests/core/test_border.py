@@ -86,6 +86,45 @@ def test_strands_rest_at_the_distance_asked_for(distance: float) -> None:
     assert np.median(holes) == pytest.approx(distance, abs=1.25 * tolerance)
 
 
+def border_edges(faces: np.ndarray) -> np.ndarray:
+    sides = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    edges, count = np.unique(sides, axis=0, return_counts=True)
+    return edges[count == 1]
+
+
+def distance_from_border(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    edges = border_edges(faces)
+    begin, way = vertices[edges[:, 0]], vertices[edges[:, 1]] - vertices[edges[:, 0]]
+    share = ((points[:, None] - begin) * way).sum(axis=2) / (way * way).sum(axis=1)
+    nearest = begin + np.clip(share, 0.0, 1.0)[:, :, None] * way
+    return np.linalg.norm(nearest - points[:, None], axis=2).min(axis=1)
+
+
+@pytest.mark.parametrize("cells", [1, 6, 15, 30])
+def test_no_strand_stays_in_the_corner_where_it_began(cells: int) -> None:
+    # The first face, where the curve begins, is one in the corner of the square.
+    vertices, faces = grid(cells)
+    curve = fill(core.Surface(vertices, faces), 0.5).polylines()
+    assert distance_from_border(curve.positions, vertices, faces).min() > 0.5 * SPACING / 2
+    assert distances(square_outline(), curve).max() < 1.7 * SPACING / 2
+
+
+def test_strands_keep_away_from_corners_that_jut_out() -> None:
+    vertices, faces = grid(15)
+    middle = vertices[faces].mean(axis=1)
+    holes = np.abs(middle[:, :2, None] - (0.85, 2.15)).min(axis=2).max(axis=1) < 0.3
+    # Jagged edges; the outline of the square stays.
+    inside = np.abs(vertices[:, :2] - 1.5).max(axis=1) < 1.49
+    rng = np.random.default_rng(1)
+    vertices[inside, :2] += rng.uniform(-0.06, 0.06, (inside.sum(), 2))
+    faces = faces[~holes]
+    curve = fill(core.Surface(vertices, faces), 0.5).polylines()
+    assert distance_from_border(curve.positions, vertices, faces).min() > 0.5 * SPACING / 2
+    edges = vertices[border_edges(faces)]
+    points = np.vstack([(1 - t) * edges[:, 0] + t * edges[:, 1] for t in (0.0, 0.25, 0.5, 0.75)])
+    assert distances(points, curve).max() < 1.8 * SPACING / 2
+
+
 def test_at_distance_0_strands_run_along_the_border() -> None:
     outline = distances(square_outline(), fill(with_holes(), 0.0).polylines()) / SPACING
     assert np.median(outline) < 0.03

@@ -30,8 +30,11 @@ Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
   const std::vector<double> vertex(s.vertex_count(), setting.local);
   const BoundaryObstacle boundary(s, 0.01);
   compute_frames(s, curve, local, vertex, team, result.frames);
-  compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, local, most, overhang, least_rest, team, result.geodesic);
-  compute_medial_axis(s, curve, result.frames, boundary, setting.rule, most, overhang, least_rest, team, result.euclidean);
+  std::vector<Reach> reach;
+  compute_reach(s, curve, result.frames, boundary, setting.rule, MedialAxis::kGeodesic, most, overhang, least_rest, team,
+                reach);
+  compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, local, reach, team, result.geodesic);
+  compute_medial_axis(result.frames, boundary, setting.rule, reach, team, result.euclidean);
   return result;
 }
 

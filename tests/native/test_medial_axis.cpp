@@ -41,8 +41,10 @@ struct Scene {
     max_radius.assign(curve.size(), most);
     const std::vector<double> vertex_radius(surface.vertex_count(), 0.05);
     compute_frames(surface, curve, local_radius, vertex_radius, team, frames);
-    compute_medial_axis(surface, curve, frames, boundary, rule, max_radius, std::vector<double>(curve.size(), 0),
-                        std::vector<double>(curve.size(), 0), team, radii);
+    const std::vector<double> none(curve.size(), 0);
+    std::vector<Reach> reach;
+    compute_reach(surface, curve, frames, boundary, rule, MedialAxis::kEuclidean, max_radius, none, none, team, reach);
+    compute_medial_axis(frames, boundary, rule, reach, team, radii);
   }
 
   Surface surface;

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the boundary leaves of the balls, against the way to it and every point of it.
+#include <gtest/gtest.h>
+
+#include "boundary_reach.h"
+#include "geodesic_trace.h"
+#include "medial_axis.h"
+#include "test_curves.h"
+
+namespace meander::test {
+namespace {
+
+struct Scene {
+  explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)), boundary(surface, 0.01) {
+    Rng rng(71);
+    for (int k = 0; k < 40; ++k) {
+      add_walk(surface, curve, random_point(surface, rng), 0.02, 10, 0.4, rng);
+    }
+    Team team(1);
+    compute_frames(surface, curve, std::vector<double>(curve.size(), kRadius),
+                   std::vector<double>(surface.vertex_count(), kRadius), team, frames);
+  }
+
+  std::vector<Reach> reach(BoundaryRule rule, MedialAxis axis, double most, double overhang, double rest,
+                           unsigned threads = 1) const {
+    Team team(threads);
+    const auto all = [&](double value) { return std::vector<double>(curve.size(), value); };
+    std::vector<Reach> result;
+    compute_reach(surface, curve, frames, boundary, rule, axis, all(most), all(overhang), all(rest), team, result);
+    return result;
+  }
+
+  /// The way along the surface, infinite where the boundary is farther than `most`.
+  double way(uint32_t node, size_t side, double most) const {
+    Path path;
+    const Trace trace =
+        trace_geodesic(surface, curve.nodes[node], (side == 0 ? most : -most) * frames.bitangent2[node], path);
+    return trace.hit_boundary ? trace.length : std::numeric_limits<double>::infinity();
+  }
+
+  /// |d|^2 over what of d is ahead: twice the radius of the ball that touches the sample at d. Only of
+  /// samples that look back, by 60 degrees at most.
+  double way_to_corners(uint32_t node, size_t side) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (size_t k = 0; k < boundary.samples().size(); ++k) {
+      const Vec3 d = boundary.samples()[k] - frames.position[node];
+      const double ahead = d.dot(frames.outward[node][side]);
+      if (boundary.inward()[k].dot(frames.outward[node][side]) > -0.5) continue;
+      if (ahead > 0) least = std::min(least, d.squaredNorm() / ahead);
+    }
+    return least;
+  }
+
+  static constexpr double kRadius = 0.1;
+  Surface surface;
+  BoundaryObstacle boundary;
+  Curve curve;
+  Frames frames;
+};
+
+constexpr double kMost = 0.3, kRounding = 1e-12;
+
+TEST(Reach, IsTheClampWhereThereIsNoBoundary) {
+  const Scene scene(sphere(2));
+  for (const Reach& reach : scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, Scene::kRadius)) {
+    for (const ReachOfSide& side : reach) {
+      EXPECT_EQ(side.radius, kMost);
+      EXPECT_EQ(side.centre, kMost);
+    }
+  }
+}
+
+TEST(Reach, IsTheWayToTheBoundary) {
+  const Scene scene(grid_with_hole(9));
+  for (const double overhang : {-0.05, 0.0, 0.05}) {
+    const std::vector<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kGeodesic, kMost, overhang, 0);
+    for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        const double way = scene.way(i, side, 1);
+        EXPECT_NEAR(reach[i][side].radius, std::clamp(way + overhang, 0.0, kMost), kRounding);
+        EXPECT_NEAR(reach[i][side].centre, std::min(kMost, way), kRounding);
+      }
+    }
+  }
+}
+
+TEST(Reach, OfAnObstacleIsTheWayAlone) {
+  const Scene scene(grid_with_hole(9));
+  const std::vector<Reach> plain = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, 0);
+  const std::vector<Reach> walls =
+      scene.reach(BoundaryRule::kObstacle, MedialAxis::kEuclidean, kMost, 0.05, Scene::kRadius);
+  for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+    for (size_t side = 0; side < 2; ++side) EXPECT_EQ(plain[i][side].radius, walls[i][side].radius);
+  }
+}
+
+/// In the square's plane: away from the outline, and out of the hole, at corners between both edges.
+TEST(Reach, SamplesKnowTheWayIntoTheSurface) {
+  const Scene scene(grid_with_hole(9));
+  const Surface& s = scene.surface;
+  for (size_t k = 0; k < scene.boundary.samples().size(); ++k) {
+    const Vec3 &x = scene.boundary.samples()[k], &in = scene.boundary.inward()[k];
+    EXPECT_NEAR(in.norm(), 1, kRounding);
+    const uint32_t f = face_of(scene.boundary.edges()[k]);
+    const Vec3 middle = (s.position(s.face(f)[0]) + s.position(s.face(f)[1]) + s.position(s.face(f)[2])) / 3;
+    EXPECT_NEAR(in.dot(s.face_normal(f)), 0, 1e-6);
+    const bool within = k > 0 && scene.boundary.edges()[k - 1] == scene.boundary.edges()[k];
+    if (within) {
+      EXPECT_GT(in.dot(middle - x), 0);
+    }
+  }
+}
+
+/// A strand that runs into the boundary has room to both sides: what it runs into does not face them.
+TEST(Reach, OfAStrandThatRunsIntoTheBoundaryIsTheWayAlone) {
+  const Scene scene(flat_grid(9));
+  const std::vector<Reach> reach =
+      scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, Scene::kRadius);
+  int nodes = 0;
+  for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+    const double way = std::min(scene.way(i, 0, 1), scene.way(i, 1, 1));
+    const double nearest =
+        std::sqrt(scene.boundary.tree().nearest(scene.frames.position[i])->squared_distance);
+    if (nearest > 0.5 * Scene::kRadius || way < kMost) continue;
+    ++nodes;
+    for (size_t side = 0; side < 2; ++side) EXPECT_EQ(reach[i][side].radius, kMost);
+  }
+  EXPECT_GT(nodes, 0);
+}
+
+/// Nearer than the distance wanted corners beside the way count, and the nearer the boundary, the
+/// harder it pushes.
+TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
+  const Scene scene(grid_with_hole(9));
+  const double rest = Scene::kRadius;
+  const std::vector<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest);
+  EXPECT_EQ(scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest, 2).size(), reach.size());
+  int corners = 0;
+  std::vector<std::array<double, 2>> felt;  // the way, and the reach
+  for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+    for (size_t side = 0; side < 2; ++side) {
+      const double straight = scene.way(i, side, 1), corner = scene.way_to_corners(i, side);
+      const double way = corner < rest ? std::min(straight, corner) : straight;
+      const double radius = reach[i][side].radius;
+      if (way >= rest) {
+        EXPECT_NEAR(radius, std::min(kMost, way), kRounding);
+        continue;
+      }
+      corners += corner < straight - 0.1 * rest;
+      EXPECT_LT(radius, way);
+      felt.push_back({way, radius});
+    }
+  }
+  EXPECT_GT(corners, 5);
+  ASSERT_GT(felt.size(), 20u);
+  std::sort(felt.begin(), felt.end());
+  for (size_t k = 1; k < felt.size(); ++k) {
+    EXPECT_GE(felt[k][1] - felt[k - 1][1], 2 * (felt[k][0] - felt[k - 1][0]) - kRounding);
+  }
+  EXPECT_LT(felt.front()[1], 0) << "at the boundary it pushes harder than an empty ball";
+}
+
+}  // namespace
+}  // namespace meander::test
