@@ -28,6 +28,21 @@ def forget() -> None:
     _problems.clear()
 
 
+def begin(result: bpy.types.Object, context: bpy.types.Context) -> None:
+    """Lets a result follow from the present frame on, in which its curve fits, or no more."""
+    key = session.Key.of(result)
+    _followers.pop(key, None)
+    _problems.pop(key, None)
+    settings: MeanderSettings = result.meander
+    if not settings.follow or settings.surface is None or session.current() is not None:
+        return
+    try:
+        depsgraph = context.evaluated_depsgraph_get()
+        _followers[key] = motion.follower_of(result, context.scene, depsgraph)
+    except (DataError, core.MeanderError) as error:
+        _problems[key] = str(error)
+
+
 def _may_change(scene: bpy.types.Scene) -> bool:
     """A render in a window runs on a thread of its own while the window draws the same data."""
     return not _rendering or bpy.app.background or scene.render.use_lock_interface

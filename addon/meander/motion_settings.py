@@ -5,6 +5,13 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, PointerProperty
 
 
+def _begin_again(settings: bpy.types.PropertyGroup, context: bpy.types.Context) -> None:
+    """What follows was made for the settings as they were."""
+    from . import motion_panel  # which needs these settings
+
+    motion_panel.begin(settings.id_data, context)
+
+
 class MotionSettings:
     """Settings on a result, mixed into MeanderSettings."""
 
@@ -16,6 +23,7 @@ class MotionSettings:
         ),
         default=False,
         options=set(),
+        update=_begin_again,
     )
     motion: EnumProperty(
         name="Motion",
@@ -26,6 +34,7 @@ class MotionSettings:
         ),
         default="EVEN",
         options=set(),
+        update=_begin_again,
     )
     motion_steps: IntProperty(
         name="Steps",
@@ -35,6 +44,7 @@ class MotionSettings:
         soft_max=20,
         max=1000,
         options=set(),
+        update=_begin_again,
     )
     bake: PointerProperty(
         type=bpy.types.Collection,

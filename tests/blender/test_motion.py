@@ -100,6 +100,10 @@ def test_follow_can_stick(tube: bpy.types.Object, result: bpy.types.Object) -> N
     bpy.context.scene.frame_set(1)
     bpy.context.scene.frame_set(6)
     assert np.allclose(_points(result), start, atol=1e-5)
+    # Another choice holds from the next frame on.
+    result.meander.motion = "EVEN"
+    bpy.context.scene.frame_set(7)
+    assert len(_points(result)) != count
 
 
 def test_a_mesh_that_changes_is_a_sentence_in_the_panel(
