@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: frames a second while a curve follows a tube that an armature bends.
 
-    blender --background --factory-startup --python-exit-code 1 --python scripts/bench_motion.py -- \\
-        [--spacing S] [--steps N] [--threads T]
+    blender --background --factory-startup --python-exit-code 1 \\
+        --python scripts/bench_motion.py -- [--spacing S] [--steps N] [--threads T]
 
 Prints a JSON object for Blender's own evaluation, the frame set and nothing following, and for both
 ways to follow: medians over the frames of seconds by the clock and of seconds of all processors,
