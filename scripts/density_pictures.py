@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "addon"))
 
 import meander  # noqa: E402  (the path comes first)
+from meander import blender_ramp  # noqa: E402
 
 SIZE = (360, 270)
 
@@ -42,6 +43,16 @@ def ramp_sheet() -> bpy.types.Object:
     values.data.foreach_set("value", [vertex.co.x for vertex in sheet.data.vertices])
     sheet.meander.density_source = "ATTRIBUTE"
     sheet.meander.density_attribute = "rise"
+    return sheet
+
+
+def shaped_sheet() -> bpy.types.Object:
+    """The same with a ramp that has its least factor a third of the way, and another at the end."""
+    sheet = ramp_sheet()
+    sheet.meander.density_interpolation = "FREE"
+    sheet.meander.density_ramp = blender_ramp.ramp_of(
+        ((0.0, 0.0), (0.35, 1.0), (0.7, 0.0), (1.0, 0.6))
+    )
     return sheet
 
 
@@ -114,6 +125,7 @@ def main() -> None:
         for name, build, spacing, eye, settings in (
             ("density_ramp", ramp_sheet, 0.12, above, {"factor_1": 0.25}),
             ("density_falling", ramp_sheet, 0.12, above, {"factor_0": 0.25, "factor_1": 1.0}),
+            ("density_free", shaped_sheet, 0.12, above, {"factor_1": 0.3}),
             ("density_image", image_sheet, 0.1, above, {"factor_1": 0.3}),
             ("density_even", curved_body, 0.1, front, {"density_source": "NONE"}),
             ("density_curvature", curved_body, 0.1, front, {"factor_1": 0.35}),

@@ -8,6 +8,7 @@ pace        how often a growing curve is shown             (no bpy)
 thinning    the curve without points that nearly coincide  (no bpy)
 blender_data    meshes, curves and weights in, curves out
 density     from values on a surface to the density        (no bpy)
+blender_ramp        a ramp that is shaped by hand
 blender_density     what the density is chosen from: weights, attributes, colours, images
 blender_alignment   which directions strands follow
 terms       weights, powers and lengths of the flow        (no bpy)
@@ -49,6 +50,7 @@ _SUBMODULES = (
     "pace",
     "blender_data",
     "density",
+    "blender_ramp",
     "blender_density",
     "blender_alignment",
     "terms",

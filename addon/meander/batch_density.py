@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from .density import CURVATURES, INTERPOLATIONS, Choice
+from .density import CURVATURES, FREE, INTERPOLATIONS, Choice, Stops
 
 # How an option's name ends, its source, and what it names.
 _SOURCES = (
@@ -19,7 +19,13 @@ _SOURCES = (
     ("curvature", "CURVATURE", "curvature"),
 )
 # What says how a source is used, and is nothing without one.
-_DETAILS = ("density_range", "density_smoothing", "spacing_factors", "density_interpolation")
+_DETAILS = (
+    "density_range",
+    "density_smoothing",
+    "spacing_factors",
+    "density_interpolation",
+    "density_ramp",
+)
 _LEAST_FACTOR, _GREATEST_FACTOR = 0.05, 5.0
 
 
@@ -59,6 +65,12 @@ def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float])
         help="what the spacing is multiplied by at both; 0.05 to 5; default: 1 and 0.5",
     )
     add("--density-interpolation", choices=INTERPOLATIONS, help="default: linear")
+    add(
+        "--density-ramp",
+        metavar="STOPS",
+        help="instead of both: factors at places in the range, from 0 at LOW to 1 at HIGH, such as "
+        "0:0.5,0.4:1,1:2; straight in between",
+    )
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
@@ -90,7 +102,46 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
                 f"--spacing-factors {factor:g} is out of range; choose from {_LEAST_FACTOR:g} to "
                 f"{_GREATEST_FACTOR:g}"
             )
-    return None
+    if arguments.density_ramp is None:
+        return None
+    for detail in ("spacing_factors", "density_interpolation"):
+        if getattr(arguments, detail) is not None:
+            return f"--density-ramp and --{detail.replace('_', '-')} are both given; choose one"
+    stops = _read_stops(arguments.density_ramp)
+    return f"--density-ramp {arguments.density_ramp}: {stops}" if isinstance(stops, str) else None
+
+
+def _read_stops(text: str) -> Stops | str:
+    """Places and factors of --density-ramp, or what is wrong with them."""
+    stops = []
+    for part in text.split(","):
+        try:
+            place, factor = (float(number) for number in part.split(":"))
+        except ValueError:
+            return f"{part.strip()!r} is no stop; write PLACE:FACTOR, such as 0.4:1"
+        if not 0.0 <= place <= 1.0:
+            return f"the place {place:g} is out of range; choose from 0 to 1"
+        if not _LEAST_FACTOR <= factor <= _GREATEST_FACTOR:
+            return (
+                f"the factor {factor:g} is out of range; choose from {_LEAST_FACTOR:g} to "
+                f"{_GREATEST_FACTOR:g}"
+            )
+        if stops and place <= stops[-1][0]:
+            return (
+                f"the place {place:g} does not come after {stops[-1][0]:g}; put the stops in order"
+            )
+        stops.append((place, factor))
+    if len(stops) < 2:
+        return "one stop makes no ramp; give two or more"
+    return tuple(stops)
+
+
+def _free_ramp(stops: Stops) -> dict[str, Any]:
+    """What of a Choice says factors at places: the least and the greatest, and the way between."""
+    least, greatest = min(factor for _, factor in stops), max(factor for _, factor in stops)
+    span = (greatest - least) or 1.0
+    shape = tuple((place, (factor - least) / span) for place, factor in stops)
+    return {"factors": (least, greatest), "interpolation": FREE, "stops": shape}
 
 
 def _given(arguments: argparse.Namespace) -> list[tuple[str, str, str]]:
@@ -116,6 +167,9 @@ def choice_of(arguments: argparse.Namespace, saved: Choice) -> Choice:
         changes["factors"] = tuple(arguments.spacing_factors)
     if arguments.density_interpolation is not None:
         changes["interpolation"] = arguments.density_interpolation
+        changes["stops"] = ()
+    if arguments.density_ramp is not None:
+        changes.update(_free_ramp(_read_stops(arguments.density_ramp)))
     return replace(saved, **changes)
 
 
@@ -131,4 +185,5 @@ def echo(arguments: argparse.Namespace, choice: Choice) -> dict[str, Any]:
     entries["spacing_factors"] = choice.factors if varies else None
     entries["density_smoothing"] = choice.smoothing if choice.source == "CURVATURE" else None
     entries["density_interpolation"] = choice.interpolation if varies else None
+    entries["density_ramp"] = choice.stops if varies and choice.stops else None
     return entries

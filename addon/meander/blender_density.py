@@ -12,10 +12,12 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
 from numpy.typing import NDArray
 
-from . import blender_data, core
+from . import blender_data, blender_ramp, core
 from .blender_data import DataError
 from .density import (
+    FREE,
     Choice,
+    Stops,
     Values,
     curvature_density,
     luminance,
@@ -61,6 +63,13 @@ def _is_point_float(attribute: bpy.types.Attribute) -> bool:
 
 def _is_color(attribute: bpy.types.Attribute) -> bool:
     return attribute.data_type in _COLOR_TYPES and attribute.domain in {"POINT", "CORNER"}
+
+
+def _shape_chosen(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
+    """Gives an object the curve that the panel shows for a free ramp."""
+    if settings.density_interpolation == FREE.upper():
+        if blender_ramp.node_of(settings.density_ramp) is None:
+            settings.density_ramp = blender_ramp.new_ramp()
 
 
 class DensitySettings:
@@ -203,8 +212,16 @@ class DensitySettings:
             ("LINEAR", "Linear", "In proportion to the value"),
             ("SMOOTH", "Smooth", "Slowly at both ends, so that the range shows no edge"),
             ("CONSTANT", "Constant", "At once, in the middle of the range; strands crowd there"),
+            ("FREE", "Curve", "As drawn: to the right the value, up the way to the high factor"),
         ),
         default="LINEAR",
+        options=set(),
+        update=_shape_chosen,
+    )
+    density_ramp: PointerProperty(
+        type=bpy.types.NodeTree,
+        name="Ramp",
+        description="Holds the curve of the ramp; made when Curve is chosen",
         options=set(),
     )
 
@@ -232,7 +249,14 @@ def choice_of(settings: bpy.types.PropertyGroup) -> Choice:
         factors=(settings.factor_0, settings.factor_1),
         interpolation=settings.density_interpolation.lower(),
         smoothing=float(f"{settings.density_smoothing:.6g}"),
+        stops=_stops_of(settings),
     )
+
+
+def _stops_of(settings: bpy.types.PropertyGroup) -> Stops:
+    if settings.density_interpolation != FREE.upper():
+        return ()
+    return blender_ramp.stops_of(settings.density_ramp)
 
 
 def store_choice(choice: Choice, settings: bpy.types.PropertyGroup) -> None:
@@ -249,6 +273,8 @@ def store_choice(choice: Choice, settings: bpy.types.PropertyGroup) -> None:
     if choice.value_range is not None:
         settings.density_low, settings.density_high = choice.value_range
     settings.factor_0, settings.factor_1 = choice.factors
+    if choice.stops and choice.stops != blender_ramp.stops_of(settings.density_ramp):
+        settings.density_ramp = blender_ramp.ramp_of(choice.stops)
     settings.density_interpolation = choice.interpolation.upper()
     settings.density_smoothing = choice.smoothing
 

@@ -20,6 +20,11 @@ Values = NDArray[np.float64]
 
 CURVATURES = ("mean", "gaussian")
 INTERPOLATIONS = ("linear", "smooth", "constant")
+# One more, which needs stops.
+FREE = "free"
+
+# Where in the range, and how far from the low factor to the high one, both in [0, 1]; in order.
+Stops = tuple[tuple[float, float], ...]
 
 # What a display shows as bright, of linear red, green and blue (ITU-R BT.709).
 _LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
@@ -34,7 +39,8 @@ class Ramp:
     is a step: factor_high above them.
 
     interpolation   "linear"; "smooth": flat at both ends, 3 t^2 - 2 t^3; "constant": a step in the
-                    middle of the range
+                    middle of the range; "free": straight from stop to stop
+    stops           of "free"; before the first one and after the last the factor stays the same
     """
 
     low: float = 0.0
@@ -42,6 +48,7 @@ class Ramp:
     factor_low: float = 1.0
     factor_high: float = 0.5
     interpolation: str = "linear"
+    stops: Stops = ()
 
     def factors(self, values: Values) -> Values:
         if self.low == self.high:
@@ -52,6 +59,9 @@ class Ramp:
             t = t * t * (3.0 - 2.0 * t)
         elif self.interpolation == "constant":
             t = (t >= 0.5).astype(np.float64)
+        elif self.interpolation == FREE:
+            if self.stops:
+                t = np.interp(t, *zip(*self.stops))
         elif self.interpolation != "linear":
             raise ValueError(
                 f"unknown interpolation {self.interpolation!r}; choose one of "
@@ -76,6 +86,7 @@ class Choice:
     factors: tuple[float, float] = (1.0, 0.5)
     interpolation: str = "linear"
     smoothing: float = 2.0  # of curvature, in units of r
+    stops: Stops = ()  # of the interpolation "free"
 
     @property
     def varies(self) -> bool:
@@ -94,7 +105,7 @@ class Choice:
             low, high = 0.0, float(np.percentile(values, 95.0))
         else:
             low, high = 0.0, 1.0
-        return Ramp(low, high, *self.factors, self.interpolation)
+        return Ramp(low, high, *self.factors, self.interpolation, self.stops)
 
 
 def curvature_density(choice: Choice, radius: float) -> Callable[[core.Surface], Values]:

@@ -232,6 +232,9 @@ def copy_settings(source: MeanderSettings, target: MeanderSettings) -> None:
     """Copies what a user can choose, not the surface and not the figures."""
     for name in COPIED:
         setattr(target, name, getattr(source, name))
+    if target.density_ramp is not None:
+        # Each has its own, so that one may be changed and the other is what it was made with.
+        target.density_ramp = target.density_ramp.copy()
 
 
 def surface_of(object: bpy.types.Object | None) -> bpy.types.Object | None:

@@ -12,9 +12,11 @@ import bpy
 from . import session
 from .properties import surface_of
 
-# Top to bottom: what the curve is to be like, then how it is computed, then what came of it.
+# Top to bottom: what came of the last run, where it is seen without scrolling; then what the curve
+# is to be like, how it is computed, and what can be done with it.
 # Gaps between the numbers are for what comes in between.
 ORDER = {
+    "figures": 5,
     "density": 10,
     "alignment": 20,
     "guides": 30,
@@ -25,7 +27,6 @@ ORDER = {
     "options": 60,
     "result": 70,
     "motion": 80,
-    "figures": 90,
 }
 
 

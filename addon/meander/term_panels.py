@@ -7,6 +7,7 @@ import textwrap
 
 import bpy
 
+from . import blender_ramp
 from .blender_density import choice_of
 from .blender_terms import warnings_of
 from .properties import MeanderSettings, surface_of
@@ -51,6 +52,10 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         column.prop(settings, "factor_0")
         column.prop(settings, "factor_1")
         layout.prop(settings, "density_interpolation", text="Ramp")
+        if settings.density_interpolation == "FREE":
+            node = blender_ramp.node_of(settings.density_ramp)
+            if node is not None:
+                layout.template_curve_mapping(node, "mapping")
         layout.column(heading="Range").prop(settings, "use_density_range", text="Custom")
         column = layout.column(align=True)
         column.active = settings.use_density_range

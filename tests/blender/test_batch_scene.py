@@ -12,6 +12,7 @@ import bpy
 import meander
 import numpy as np
 import pytest
+from meander import blender_density
 from scenes import circle_points, farthest_from, length_of, poly_curve, sphere
 
 BATCH = Path(meander.__file__).parent / "batch.py"
@@ -90,6 +91,26 @@ def test_a_density_by_attribute_range_and_factors(scene, tmp_path):
     assert made_with.density_interpolation == "SMOOTH"
     # The surface's own settings are the user's, not the command's.
     assert bpy.data.objects["Ball"].meander.density_source == "GROUP"
+
+
+def test_a_ramp_of_stops_is_kept_with_the_result(scene, tmp_path):
+    output, report = tmp_path / "out.blend", tmp_path / "out.json"
+    done = run_batch(
+        *("--input", scene, "--object", "Ball", "--spacing", 0.3, "--iterations", 5),
+        *("--density-attribute", "height", "--density-ramp", "0:0.5,0.4:1,1:2"),
+        *("--output", output, "--report", report, "--quiet"),
+    )
+    assert done.returncode == 0, done.stderr
+    options = json.loads(report.read_text())["options"]
+    assert options["spacing_factors"] == [0.5, 2.0]
+    assert options["density_interpolation"] == "free"
+    places = np.array(options["density_ramp"])
+    assert np.allclose(places, [[0.0, 0.0], [0.4, 1.0 / 3.0], [1.0, 1.0]])
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    (curve,) = (thing for thing in bpy.data.objects["Ball"].children if thing.type == "CURVE")
+    ramp = blender_density.choice_of(curve.meander).ramp(np.array([0.0, 1.0]))
+    wanted = np.interp(np.linspace(0.0, 1.0, 21), [0.0, 0.4, 1.0], [0.5, 1.0, 2.0])
+    assert np.allclose(ramp.factors(np.linspace(0.0, 1.0, 21)), wanted, atol=0.01)
 
 
 def test_alignment_and_terms_are_kept_with_the_result(scene, tmp_path):

@@ -8,7 +8,7 @@ from dataclasses import asdict
 import bpy
 import numpy as np
 import pytest
-from meander import blender_density, session
+from meander import blender_density, blender_ramp, session
 from meander.density import Choice
 from scenes import fill, grid, mesh_object, poly_curve, refused, sphere, world_splines
 
@@ -259,6 +259,54 @@ def test_choices_go_into_settings_and_out_again():
     ):
         blender_density.store_choice(choice, thing.meander)
         assert asdict(blender_density.choice_of(thing.meander)) == asdict(choice)
+
+
+def test_a_curve_shapes_the_ramp():
+    """What the widget shows against factors read off by hand."""
+    thing = folded_strip()
+    values = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 0.0], dtype=np.float32)
+    thing.data.attributes.new("height", "FLOAT", "POINT").data.foreach_set("value", values)
+    settings = thing.meander
+    settings.density_source, settings.density_attribute = "ATTRIBUTE", "height"
+    settings.factor_0, settings.factor_1 = 1.0, 3.0
+    settings.density_interpolation = "FREE"
+    assert density(thing, blender_density.choice_of(settings)) == pytest.approx(
+        (1.0 + 2.0 * values) ** -2.0, rel=1e-4
+    )
+    mapping = blender_ramp.node_of(settings.density_ramp).mapping
+    point = mapping.curves[0].points.new(0.5, 1.0)
+    for other in mapping.curves[0].points:
+        other.handle_type = "VECTOR"
+    mapping.curves[0].points[-1].location = (1.0, 0.5)
+    mapping.update()
+    heights = np.array([0.0, 0.5, 1.0, 0.75, 0.5, 0.0])
+    found = density(thing, blender_density.choice_of(settings))
+    assert found == pytest.approx((1.0 + 2.0 * heights) ** -2.0, rel=0.02)
+    assert point is not None
+    # Without its node, as somebody may have left it, the ramp is straight.
+    settings.density_ramp.nodes.clear()
+    assert density(thing, blender_density.choice_of(settings)) == pytest.approx(
+        (1.0 + 2.0 * values) ** -2.0, rel=1e-5
+    )
+
+
+def test_a_result_has_a_curve_of_its_own(tmp_path):
+    thing = grid(cells=6)
+    heights = thing.data.attributes.new("height", "FLOAT", "POINT")
+    heights.data.foreach_set("value", [vertex.co.x for vertex in thing.data.vertices])
+    stops = ((0.0, 0.0), (0.5, 1.0), (1.0, 0.25))
+    choice = Choice("ATTRIBUTE", "height", factors=(1.0, 2.0), interpolation="free", stops=stops)
+    blender_density.store_choice(choice, thing.meander)
+    result = fill(thing, 0.4)
+    own, source = result.meander.density_ramp, thing.meander.density_ramp
+    assert own != source
+    assert blender_ramp.stops_of(own) == blender_ramp.stops_of(source)
+    path = tmp_path / "kept.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    bpy.ops.wm.open_mainfile(filepath=str(path))
+    kept = blender_ramp.stops_of(bpy.data.objects["Grid Meander"].meander.density_ramp)
+    shares, shape = np.array(kept).T
+    assert shape == pytest.approx(np.interp(shares, *np.array(stops).T), abs=0.01)
 
 
 # -- refusals --------------------------------------------------------------------------------------

@@ -251,6 +251,16 @@ GOOD = ("--spacing", "0.2")
         (*GOOD, "--density-curvature", "mean", "--density-group", "a"),
         (*GOOD, "--density-curvature", "mean", "--density-smoothing", "-1"),
         (*GOOD, "--density-smoothing", "1"),
+        (*GOOD, "--density-ramp", "0:1,1:2"),
+        *(
+            (*GOOD, "--density-curvature", "mean", "--density-ramp", stops)
+            for stops in ("", "0:1", "0:1,x:2", "0:1,1:2:3", "0:1,2:1", "0:1,1:9", "0:1,0:2",
+                          "0.5:1,0.2:1", "0:nan,1:1", "nan:1,1:1")
+        ),
+        (*GOOD, "--density-curvature", "mean", "--density-ramp", "0:1,1:2",
+         "--spacing-factors", "1", "2"),
+        (*GOOD, "--density-curvature", "mean", "--density-ramp", "0:1,1:2",
+         "--density-interpolation", "smooth"),
         (*GOOD, "--alignment", "1", "--direction", "u"),
         (*GOOD, "--alignment", "1", "--direction-object", "Curve"),
         (*GOOD, "--alignment", "1", "--direction", "x", "--direction-object", "Curve"),

@@ -31,6 +31,31 @@ def test_an_empty_range_is_a_step():
     assert ramp.factors(np.array([1.0, 2.0, 2.5])).tolist() == [1.0, 1.0, 0.5]
 
 
+@pytest.mark.parametrize(("low", "high"), [(0.0, 1.0), (-2.0, 3.0), (3.0, -2.0)])
+def test_a_free_ramp_is_straight_between_its_stops(low, high):
+    stops = ((0.1, 0.0), (0.4, 1.0), (0.5, 0.2), (1.0, 0.6))
+    ramp = Ramp(low, high, 0.5, 2.5, density.FREE, stops)
+
+    def literal(value: float) -> float:
+        t = (value - low) / (high - low)
+        if t <= 0.1:
+            return 0.5
+        for (begin, before), (end, after) in zip(stops[:-1], stops[1:]):
+            if t <= end:
+                return 0.5 + 2.0 * (before + (after - before) * (t - begin) / (end - begin))
+        return 0.5 + 2.0 * 0.6
+
+    values = np.linspace(-5.0, 6.0, 333)
+    assert ramp.factors(values) == pytest.approx([literal(value) for value in values])
+    assert ramp.density(np.array([low]))[0] == pytest.approx(4.0)
+
+
+def test_a_free_ramp_without_stops_is_linear():
+    values = np.linspace(-1.0, 2.0, 50)
+    free = Ramp(interpolation=density.FREE).factors(values)
+    assert free.tolist() == Ramp().factors(values).tolist()
+
+
 def test_an_unknown_interpolation_is_refused():
     with pytest.raises(ValueError, match="'round'; choose one of linear, smooth, constant"):
         Ramp(interpolation="round").factors(np.zeros(1))
