@@ -233,7 +233,13 @@ class MEANDER_OT_show_gaps(bpy.types.Operator):
         active = context.active_object
         figures = active.meander.figures
         if not len(figures.gaps):
-            self.report({"INFO"}, f"{active.name}: the last run left no gaps")
+            known = figures.gap_count >= 0
+            self.report(
+                {"INFO"},
+                f"{active.name}: the last run left no gaps"
+                if known
+                else f"{active.name}: a run that was stopped has gaps everywhere; let it go on",
+            )
             return {"CANCELLED"}
         if context.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")

@@ -149,12 +149,14 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
                 *_gaps(figures),
             ),
         )
-        if _is_result(active) and figures.gap_count:
+        if _is_result(active) and figures.gap_count > 0:
             self.layout.operator(MEANDER_OT_show_gaps.bl_idname, icon="RESTRICT_SELECT_OFF")
 
 
 def _gaps(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
     """How many, and the largest in units of half the spacing there: a row each, to fit."""
+    if figures.gap_count < 0:
+        return (("Gaps", "Not sought"),)
     if not figures.gap_count:
         return (("Gaps", "None"),)
     return (("Gaps", f"{figures.gap_count:,}"), ("Largest", f"{figures.largest_gap:.2f}"))

@@ -37,7 +37,7 @@ from .preparation import described
 from .stepper import Problem, Snapshot, Stepper
 from .thinning import kept_points, merge_distance, thinned
 
-TICKS_PER_SECOND = 12
+TICKS_PER_SECOND = 15
 KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
 # Of the share that drawing may have where the processors draw, for the sidebar between pictures.
 PANEL_SHARE = 0.15
@@ -482,7 +482,7 @@ class Session:
         surface: bpy.types.Object,
         result: bpy.types.Object,
         statistics: dict[str, Any],
-        gaps: core.Gaps,
+        gaps: core.Gaps | None,
         stop_reason: str,
     ) -> None:
         """Writes the settings and the figures of the run to the result, and to whoever asked."""
@@ -509,12 +509,13 @@ class Session:
             self._store_gaps(figures, gaps, target == result)
 
     def _store_gaps(
-        self, figures: properties.MeanderFigures, gaps: core.Gaps, on_result: bool
+        self, figures: properties.MeanderFigures, gaps: core.Gaps | None, on_result: bool
     ) -> None:
-        figures.gap_count = len(gaps)
-        figures.largest_gap = float(gaps.sizes[0]) if len(gaps) else 0.0
+        """None: nobody has looked for them, which a count of -1 says."""
+        figures.gap_count = -1 if gaps is None else len(gaps)
+        figures.largest_gap = float(gaps.sizes[0]) if gaps else 0.0
         figures.gaps.clear()
-        if not on_result:  # positions mean nothing beside another object's curve
+        if gaps is None or not on_result:  # positions mean nothing beside another object's curve
             return
         positions = blender_data.to_local(gaps.positions[:MOST_GAPS], self.plan.matrix)
         for position, size in zip(positions.tolist(), gaps.sizes.tolist()):

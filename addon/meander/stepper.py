@@ -87,7 +87,8 @@ class Stepper:
         self._error: Exception | None = None
         self._stop_reason = "running"
         self.density: np.ndarray | None = None  # per vertex, once the run has been prepared
-        # Of the result, once there is one: what it leaves empty, and which strands are guides.
+        # Of the result, once there is one: what it leaves empty, unless it was cancelled, and which
+        # strands are guides.
         self.gaps: core.Gaps | None = None
         self.guides: np.ndarray | None = None
         self.point_data: core.PointData | None = None  # of every point
@@ -171,7 +172,8 @@ class Stepper:
         if self._error is not None:
             raise self._error
         statistics = self._flow.statistics()
-        self.gaps = self._flow.gaps()
+        # One that was stopped by hand has them everywhere, and finding them all takes seconds.
+        self.gaps = None if self._stop_reason == "cancelled" else self._flow.gaps()
         self.guides = self._flow.guides()
         self.point_data = self._flow.point_data()
         snapshot = self._snapshot(

@@ -369,6 +369,8 @@ def test_stop_keeps_what_has_grown(windowed):
     running.end()
     assert result.meander.figures.stop_reason == "cancelled"
     assert figures["nodes"] > 0 and len(result.data.splines) == 1
+    # It has gaps everywhere: nobody looked for them, and the panel says so.
+    assert result.meander.figures.gap_count == -1 and not result.meander.figures.gaps
 
 
 def test_stopping_at_once_keeps_the_seed(windowed):
