@@ -78,6 +78,15 @@ def _on_change(*_arguments: object) -> None:
 
 
 @persistent
+def _on_load(*_arguments: object) -> None:
+    """A file is opened in the frame in which its curves fit; the next one may be far away."""
+    context = bpy.context
+    for result in context.scene.objects:
+        if result.type == "CURVE" and result.meander.follow:
+            begin(result, context)
+
+
+@persistent
 def _on_render(*_arguments: object) -> None:
     global _rendering
     _rendering = True
@@ -94,6 +103,7 @@ _HANDLERS = (
     ("undo_post", _on_change),
     ("redo_post", _on_change),
     ("load_pre", _on_change),
+    ("load_post", _on_load),
     ("render_init", _on_render),
     ("render_complete", _on_render_end),
     ("render_cancel", _on_render_end),

@@ -87,6 +87,20 @@ def test_follow_keeps_the_spacing_and_the_surface(
     assert scenes.length_of(result) == pytest.approx(now, rel=1e-5)
 
 
+def test_a_file_goes_on_following_wherever_it_jumps(
+    tube: bpy.types.Object, result: bpy.types.Object, tmp_path
+) -> None:
+    result.meander.follow = True
+    result.meander.motion_steps = 30
+    path = tmp_path / "following.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    bpy.ops.wm.open_mainfile(filepath=str(path))
+    tube, result = bpy.data.objects["Tube"], bpy.data.objects["Tube Meander"]
+    bpy.context.scene.frame_set(8)
+    assert scenes.farthest_from(tube, result) < ON_SURFACE
+    assert 0.9 < scenes.packing(tube, result) < 1.1
+
+
 def test_follow_can_stick(tube: bpy.types.Object, result: bpy.types.Object) -> None:
     result.meander.motion = "STICK"
     result.meander.follow = True
