@@ -171,6 +171,7 @@ def assert_nothing_left_over() -> None:
     assert last_session is not None and last_session.stepper.finished
     assert_no_python_thread()
     assert status_texts and status_texts[-1] is None, status_texts[-3:]
+    assert bpy.context.preferences.system.viewport_aa == smoothing  # off while drawing is slow
 
 
 # How many timer events the window gets: none, once a run has given its own back.
@@ -411,6 +412,7 @@ def spy() -> None:
 
 PICTURES.mkdir(parents=True, exist_ok=True)
 bpy.context.preferences.view.show_splash = False
+smoothing = bpy.context.preferences.system.viewport_aa
 spy()
 meander.register()
 bpy.utils.register_class(TEST_OT_count_timers)
