@@ -206,6 +206,7 @@ class _Window:
         return due
 
     def picture_given(self) -> None:
+        self._redraw("WINDOW")
         self._paces["WINDOW"].asked(time.perf_counter())
 
     def show(self, context: bpy.types.Context, text: str, progress: float) -> None:
@@ -220,7 +221,7 @@ class _Window:
         self._shown = shown
         context.window_manager.progress_update(100.0 * progress)
         context.workspace.status_text_set(f"{text}    |    {KEYS}")
-        self._redraw_panels()
+        self._redraw("UI")
         if not self._paces["WINDOW"].waiting:
             self._paces["UI"].asked(time.perf_counter())
 
@@ -237,7 +238,8 @@ class _Window:
             if workspace is not None:
                 with context.temp_override(workspace=workspace):
                     workspace.status_text_set(None)
-        self._redraw_panels()
+        self._redraw("WINDOW")
+        self._redraw("UI")
 
     def _drawn(self, region: str) -> None:
         self._paces[region].drawn(time.perf_counter())
@@ -252,13 +254,13 @@ class _Window:
         return before
 
     @staticmethod
-    def _redraw_panels() -> None:
-        """Only them: the view is drawn again by itself when the curve in it has changed."""
+    def _redraw(kind: str) -> None:
+        """The views, or the sidebars beside them."""
         for window in bpy.context.window_manager.windows:
             for area in window.screen.areas:
                 if area.type == "VIEW_3D":
                     for region in area.regions:
-                        if region.type == "UI":
+                        if region.type == kind:
                             region.tag_redraw()
 
 
@@ -442,7 +444,7 @@ class Session:
             self._begin_preview()
         # A line that lies in the surface flickers; seen a little above it, it is clear.
         lifted = polylines.positions + PREVIEW_LIFT * self.plan.spacing * polylines.normals
-        blender_data.write_splines(
+        blender_data.update_splines(
             self._preview.find().data, polylines._replace(positions=lifted), self.plan.matrix
         )
 
