@@ -151,3 +151,29 @@ def test_points_to_hair_curves() -> None:
     _check_points(thing, result, 0.2)
     radius = _attribute(thing.data, "radius")
     assert np.allclose(radius, result.data.bevel_depth)
+
+
+@pytest.mark.parametrize("mirror", [1.0, -1.0])
+def test_the_room_is_on_the_side_that_its_name_says(mirror: float) -> None:
+    """Two rings: between them there is little room, inside the smaller one there is much."""
+    sheet = scenes.grid(cells=20)
+    sheet.scale = (mirror, 1.0, 1.0)
+    sheet.meander.points_as = "MESH"
+    rings = [scenes.circle_points(radius, 0.0, 60) for radius in (0.4, 0.5)]
+    sheet.meander.seed = scenes.poly_curve("Rings", rings, True)
+    result = scenes.fill(sheet, 0.1, iteration_limit=1)
+    data = result.meander.figures.points.data
+    linear = np.array([row[:3] for row in result.meander.surface.matrix_world])[:3]
+    points = np.array([vertex.co for vertex in data.vertices]) @ linear.T
+    tangents = _attribute(data, "tangent", 3) @ linear.T
+    normals = _attribute(data, "surface_normal", 3) @ np.linalg.inv(linear)
+    assert (normals[:, 2] > 0.99).all()  # to the outside, also of a mirrored mesh
+    right = np.cross(tangents, normals)
+    inner = _attribute(data, "strand") == 0
+    to_the_right = (right * points).sum(axis=1)[inner] > 0.0
+    plus, minus = _attribute(data, "r_plus")[inner], _attribute(data, "r_minus")[inner]
+    between = np.where(to_the_right, plus, minus)
+    inside = np.where(to_the_right, minus, plus)
+    distance = [np.median(np.linalg.norm(points[ring], axis=1)) for ring in (inner, ~inner)]
+    assert np.median(between) == pytest.approx((distance[1] - distance[0]) / 2.0, rel=0.02)
+    assert np.median(inside) > 1.1 * np.median(between)
