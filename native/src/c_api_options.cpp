@@ -97,8 +97,8 @@ std::string warning(const meander_flow_options& o, uint32_t index) {
        "; above 5 the curve stays much wider than the spacing, or shrinks to nothing.");
   warn(o.bending_weight > 10, "The bending weight is " + number(o.bending_weight) +
        "; above 10 the curve is too stiff to turn at the spacing and leaves gaps.");
-  warn(o.alignment_weight > 10, "The alignment weight is " + number(o.alignment_weight) +
-       "; above 10 strands hardly turn round at their ends, and gaps remain there.");
+  warn(o.alignment_weight > 5, "The alignment weight is " + number(o.alignment_weight) +
+       "; above 5 strands hardly turn round any more, and zigzag across the field instead.");
   return sentence;
 }
 

@@ -43,8 +43,14 @@ constexpr double kIntoEmpty = -1;
 /// A segment length that is never reached.
 constexpr double kNever = 1e100;
 
-/// Length weight taken from strands along the field before and in a polish, in units of beta.
-constexpr double kAlignedGrowth = 1, kAlignedPolish = 0.35;
+/// Length weight taken from strands along the field before and in a polish, in units of beta; and no
+/// more than this.
+constexpr double kAlignedGrowth = 1, kMostAlignedGrowth = 2;
+constexpr double kAlignedPolish = 0.35, kMostAlignedPolish = 1.6;
+
+/// Where strands are nearer than the smaller of these spacings (in units of the local one) nothing
+/// pushes them along the field, from the larger on all of it does.
+constexpr double kOverfull = 0.4, kHardlyOverfull = 0.7;
 
 /// While the curve ripens this share of the runs between opposite hairpins is drawn in, the shortest,
 /// by this length weight.
@@ -318,7 +324,10 @@ void Flow::choose_weights() {
   if (convergence_.polishing() && settings_.border_distance > 1) {
     weights_.medial_power = std::max(q, std::min(weights_.medial_power, kMostPowerAtStrips));
   }
-  if (convergence_.polishing()) follow_spacing();
+  const bool aligned = !field_.empty() && settings_.alignment_weight > 0;
+  std::vector<double> spacing;
+  if (convergence_.polishing() || (aligned && settings_.polish)) spacing = smoothed_spacing();
+  if (convergence_.polishing()) follow_spacing(spacing);
   if (convergence_.polishing() && q != 2) {
     for (double& t : weights_.length) t += polish_balance(q);
   }
@@ -328,7 +337,7 @@ void Flow::choose_weights() {
       if (sees_nothing(i)) weights_.length[i] = kIntoEmpty;
     }
   }
-  find_directions();
+  if (aligned) find_directions(spacing);
   if (settings_.border_distance > 0.5) {
     // In a strip that is to stay empty strands have no room at all on one side; pushed alone they would
     // only crowd together there.
@@ -343,21 +352,30 @@ void Flow::choose_weights() {
 ///
 /// Eq. 11 counts length across the field only, so what does not lie along it is drawn in, and the curve
 /// fills less. Before and in a polish a strand is therefore pushed out again by a length weight: where
-/// it lies along the field it grows, and pushes others out of the way that lie across. With beta = 2
-/// that took the length within 15 degrees of the field from 0.6 to 0.86 on a square of 30 x 30
-/// spacings, to 0.93 on a sheet of 50 x 10. A weight that rises from 0, or falls from 3 times its
-/// value, in the first 100 iterations did worse: 0.78 and 0.83 where a constant one had 0.87, with 37
-/// and 25 hairpins in 1000 r instead of 23.
-void Flow::find_directions() {
-  if (field_.empty() || settings_.alignment_weight == 0) return;
+/// it lies along the field it grows, and pushes others out of the way that lie across. A weight that
+/// rises from 0, or falls from 3 times its value, in the first 100 iterations did worse than a constant
+/// one, with more hairpins.
+///
+/// Nothing would end that growth but bending: strands at half of their spacing push on. So the push
+/// fades where they are too near already; without that, hand_closed with beta = 2 along the smoothest
+/// field had 0.6 instead of 0.93 of its spacing near the one asked for.
+///
+/// A push that rises with beta beyond 2 fills overfull as well; a beta of 6 with a push of 2 leaves zigzags, since nothing can turn any more and tilted strands are
+/// all that still fills. With beta = 4 and a push of 2 the share of the length within 15 degrees of the
+/// field is the same wherever the seed lies, which with beta = 2 it is not, see docs/terms.md.
+void Flow::find_directions(const std::vector<double>& spacing) {
   weights_.alignment.assign(curve_.size(), settings_.alignment_weight);
   weights_.field.resize(curve_.size());
-  const double push =
-      settings_.polish ? settings_.alignment_weight * (convergence_.polishing() ? kAlignedPolish : kAlignedGrowth) : 0;
+  const double beta = settings_.alignment_weight;
+  const double push = !settings_.polish          ? 0
+                      : convergence_.polishing() ? std::min(kAlignedPolish * beta, kMostAlignedPolish)
+                                                 : std::min(kAlignedGrowth * beta, kMostAlignedGrowth);
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec2 line = weights_.field[i] = field_.at(curve_.nodes[i]);
-      weights_.length[i] -= push * dot(line, line);
+      if (push == 0) continue;
+      const double room = (spacing[i] - kOverfull) / (kHardlyOverfull - kOverfull);
+      weights_.length[i] -= push * dot(line, line) * std::clamp(room, 0.0, 1.0);
     }
   });
 }
@@ -394,9 +412,9 @@ void Flow::for_strands(const std::function<void(const Strand&, Team&)>& body) {
   });
 }
 
-/// Length weights of the polish: where strands are too far apart they may grow, where they are too
-/// near they are drawn together.
-void Flow::follow_spacing() {
+/// The mean medial radius of both sides in units of r, smoothed along the curve over kSmoothing r.
+std::vector<double> Flow::smoothed_spacing() {
+  std::vector<double> spacing(curve_.size());
   for_strands([&](const Strand& strand, Team& team) {
     const uint32_t n = strand.count;
     StrandSystem system;
@@ -428,11 +446,18 @@ void Flow::follow_spacing() {
       }
     });
     const std::vector<Vec2> u = solve(system, team);
-    for (uint32_t k = 0; k < n; ++k) {
-      weights_.length[strand.first + k] =
-          std::clamp(settings_.polish_length_offset - settings_.polish_length_gain * (u[k].x - 1), -1.0, 3.0);
-    }
+    for (uint32_t k = 0; k < n; ++k) spacing[strand.first + k] = u[k].x;
   });
+  return spacing;
+}
+
+/// Length weights of the polish: where strands are too far apart they may grow, where they are too
+/// near they are drawn together.
+void Flow::follow_spacing(const std::vector<double>& spacing) {
+  for (uint32_t i = 0; i < curve_.size(); ++i) {
+    weights_.length[i] =
+        std::clamp(settings_.polish_length_offset - settings_.polish_length_gain * (spacing[i] - 1), -1.0, 3.0);
+  }
 }
 
 /// Draws in the fingers that lie on short runs; longer ones grow into the room that they leave. So

@@ -123,10 +123,11 @@ class Flow {
   void stir_empty_stretches();
   bool sees_nothing(uint32_t node) const;
   void choose_weights();
-  void find_directions();
+  void find_directions(const std::vector<double>& spacing);
   void soften_young_strands();
   void for_strands(const std::function<void(const Strand&, Team&)>& body);
-  void follow_spacing();
+  std::vector<double> smoothed_spacing();
+  void follow_spacing(const std::vector<double>& spacing);
   void unfold_short_runs();
   std::vector<Vec2> displacements();
   void refine();

@@ -28,13 +28,14 @@ def grow(
     preset: str = "even",
     directions: NDArray | None = None,
     kind: str = "along",
+    seed: core.Seed | None = None,
     **changes,
 ) -> tuple[core.Polylines, dict]:
     options = core.default_options(preset)
     options.radius = SPACING / 2
     for name, value in changes.items():
         setattr(options, name, value)
-    flow = core.Flow(core.Surface(*mesh), options)
+    flow = core.Flow(core.Surface(*mesh), options, seed=seed)
     if directions is not None:
         flow.set_directions(directions, kind)
     flow.run()
@@ -97,6 +98,26 @@ def test_the_curve_lies_along_a_field() -> None:
     curve, figures = grow(mesh, directions=field, alignment_weight=2.0)
     assert aligned_share(curve, (1, 0, 0)) > 0.9 > 0.75 > aligned_share(plain, (1, 0, 0))
     assert median(figures) == pytest.approx(1, abs=0.12)
+
+
+def loop(x: float, y: float) -> core.Seed:
+    """A closed strand of 6 x 1 spacings around a point of a sheet."""
+    along = np.linspace(-3, 3, 20)
+    lower = np.stack([along, 0 * along - 0.5, 0 * along], axis=1)
+    points = np.concatenate([lower, lower[::-1] * [1, -1, 1]]) * SPACING + [x, y, 0]
+    return core.Seed(points, np.array([0, len(points)], np.uint32), np.array([1], np.uint8))
+
+
+@pytest.mark.parametrize("at", [0.25, 0.5])
+def test_a_large_weight_leaves_little_but_turns(at: float) -> None:
+    """Wherever it begins: of 33 spacings 2.3 have to turn, see docs/terms.md."""
+    mesh = sheet(33 * SPACING, 17 * SPACING)
+    field = np.tile([1.0, 0, 0], (len(mesh[0]), 1))
+    seed = loop(at * 33 * SPACING, 8.5 * SPACING)
+    curve, figures = grow(mesh, directions=field, seed=seed, alignment_weight=4.0)
+    assert 1 - 2.3 / 33 + 0.02 > aligned_share(curve, (1, 0, 0)) > 0.84
+    assert median(figures) == pytest.approx(1, abs=0.15)
+    assert figures["spacing_p05"] > 0.5 * SPACING
 
 
 def test_the_curve_lies_across_a_field() -> None:
@@ -219,7 +240,7 @@ def test_defaults_give_no_warning() -> None:
         ("max_radius", 1.9, 2.0),
         ("length_weight", 6.0, 1.0),
         ("bending_weight", 20.0, 2.0),
-        ("alignment_weight", 20.0, 2.0),
+        ("alignment_weight", 6.0, 4.0),
     ],
 )
 def test_what_is_seldom_meant_is_said(name: str, value: float, fine: float) -> None:

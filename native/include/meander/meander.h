@@ -319,7 +319,7 @@ typedef struct meander_flow_options {
   double bending_weight;    /* b, weight of b r^2 sum |t_i - t_(i-1)|^2 / w_i (scaled eq. 12); >= 0 */
   double medial_weight;     /* factor on alpha = 2 sqrt(2) / r^2 of eq. 9; in [1e-6, 1e6]; 1 keeps the spacing */
   double alignment_weight;  /* beta_F of eq. 11, towards the field of meander_flow_set_directions; in [0, 1e6];
-                               0: off. The paper's 0.5 to 1 are useful values */
+                               0: off. 0.5 to 1 steer, as in the paper; 4 leaves little but turns across the field */
   double length_power;      /* p of eq. 13, in [1.5, 8]; 2: plain. Scaled so that the whole strand pulls as with 2 */
   double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A polish
                                takes the larger of this and polish_medial_power */
