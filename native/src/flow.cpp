@@ -204,7 +204,8 @@ Flow::Measure Flow::measure() {
 
 std::vector<Gap> Flow::gaps(double least_size) {
   find_radii();
-  std::vector<Gap> gaps = find_gaps(*surface_, curve_, frames_, radii_, vertex_radius_, least_size, team_);
+  std::vector<Gap> gaps = find_gaps(*surface_, curve_, frames_, radii_, vertex_radius_, least_size,
+                                    settings_.medial_axis == MedialAxis::kGeodesic, team_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
   if (settings_.border_distance > 0.5 && !boundary_->empty()) {

@@ -32,13 +32,16 @@ inline constexpr double kGapSize = 1.2;
 /// climbs to where the distance has a maximum, and what it finds is measured anew. That is a local
 /// search, so where balls end at the clamp in one large void the size is a lower bound.
 ///
-/// Distance is straight through space, as the medial axis has it: a sheet that lies closer than the
-/// spacing to another one is covered by the strands of both.
+/// Distance is straight through space, as the Euclidean medial axis has it: a sheet that lies closer than
+/// the spacing to another one is covered by the strands of both. `along_surface`: only to what of the
+/// curve hangs together with the place, on the part of the surface that is no farther from it; gaps on
+/// sheets that face each other are then two. What only strands of another sheet are near to counts as at
+/// most 3 r from the curve.
 ///
 /// `frames`, `radii`  of the present curve, see compute_frames and compute_medial_axis
 /// `vertex_radius`    local r at the vertices
 std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
                            const std::vector<Radii>& radii, const std::vector<double>& vertex_radius,
-                           double least_size, Team& team);
+                           double least_size, bool along_surface, Team& team);
 
 }  // namespace meander

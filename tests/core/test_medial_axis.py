@@ -95,6 +95,33 @@ def test_both_sides_are_filled(name: str) -> None:
     assert max(uncovered(mesh, through, side) for side in sides) > 1.7
 
 
+def test_an_empty_side_of_a_plate_is_a_gap_along_the_surface() -> None:
+    """The same curve, laid with both kinds of distance: through space one side covers the other."""
+    mesh = SCENES["thin plate"]
+    vertices = mesh.vertices
+    curve = grow(mesh, core.MedialAxis.EUCLIDEAN).polylines()
+    seed = core.Seed(curve.positions, curve.offsets, curve.closed)
+    found = {}
+    for axis in core.MedialAxis:
+        options = core.default_options("even")
+        options.radius = RADIUS
+        options.medial_axis = axis
+        flow = core.Flow(core.Surface(*mesh), options, seed=seed)
+        nodes = flow.polylines().positions
+        found[axis] = flow.gaps()
+        assert flow.gaps().sizes.tobytes() == found[axis].sizes.tobytes()
+    through, along = found[core.MedialAxis.EUCLIDEAN], found[core.MedialAxis.GEODESIC]
+    assert np.max(through.sizes, initial=0) < 1.5
+    assert along.sizes[0] > 1.7
+    # The nearest node on its own side of the plate is not much farther than the curve there.
+    middle = (vertices[:, 2].min() + vertices[:, 2].max()) / 2
+    for place, radius in zip(along.positions[:5], along.radii):
+        same_side = nodes[(nodes[:, 2] > middle) == (place[2] > middle)]
+        distance = np.linalg.norm(same_side - place, axis=1).min()
+        assert radius <= distance + 1e-9
+        assert radius > min(distance - 0.4 * RADIUS, 2.99 * RADIUS)  # sizes end at 3 here
+
+
 def test_any_number_of_threads_gives_the_same_bytes() -> None:
     options = core.default_options("even")
     options.radius = RADIUS

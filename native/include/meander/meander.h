@@ -729,7 +729,9 @@ MEANDER_API meander_status meander_flow_get_point_data(meander_flow* flow, doubl
  *
  * The search starts from the nodes' medial balls and from the middles of faces, so it also sees parts
  * of the surface that no strand has reached. Their sizes are lower bounds where a place is larger than
- * r_max. It does not see the far side of a sheet thinner than r: the strands of one side cover both.
+ * r_max. With MEANDER_MEDIAL_AXIS_EUCLIDEAN it does not see the far side of a sheet thinner than r: the
+ * strands of one side cover both. With MEANDER_MEDIAL_AXIS_GEODESIC only what hangs together with a
+ * place covers it, and where strands of another sheet are near sizes end at 3.
  * Where border_distance keeps a strip along the boundary empty, only what lies farther from the curve
  * than that asks for is a gap.
  *
