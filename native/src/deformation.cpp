@@ -45,6 +45,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
   convergence_.restart(clamped);
   started_at_ = history_.size();
   cancelled_ = false;
+  cut_guides();
   refine();
   find_local_radii();
 }

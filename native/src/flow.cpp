@@ -87,13 +87,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
                          2 * settings.border_distance, team_)),
       convergence_(settings.stop_rule, settings.polish, settings.ripening_iterations),
       approach_(settings.start_spacing_factor, settings.radius, surface_->area()) {
-  // Where r varies, parts of a cut guide may be long for the r at their own ends.
-  constexpr int kMostCuts = 10;
-  for (uint32_t k = 0, before = 0; k < kMostCuts && curve_.has_guides() && curve_.size() != before; ++k) {
-    before = curve_.size();
-    refine();
-  }
-  guides_cut_ = true;
+  cut_guides();
   scale_radii(approach_.factor());
   refine();
 }
@@ -509,6 +503,18 @@ std::vector<Vec2> Flow::displacements() {
   return d;
 }
 
+/// Cuts guides as finely as everything else is.
+void Flow::cut_guides() {
+  // Where r varies, parts of a cut guide may be long for the r at their own ends.
+  constexpr int kMostCuts = 10;
+  guides_cut_ = false;
+  for (uint32_t k = 0, before = 0; k < kMostCuts && curve_.has_guides() && curve_.size() != before; ++k) {
+    before = curve_.size();
+    refine();
+  }
+  guides_cut_ = true;
+}
+
 void Flow::refine() {
   find_local_radii();
   const Phase phase = convergence_.phase();
@@ -518,7 +524,7 @@ void Flow::refine() {
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     target[i] = h * local_radius_[i] / settings_.radius;
     if (!curve_.on_guide(i)) continue;
-    // Guides are cut up once, and then stay as they are to the last bit.
+    // Guides are cut up at first and when the surface moves, and else stay as they are to the last bit.
     target[i] = guides_cut_ ? kNever : settings_.segment_length * local_radius_[i] / settings_.radius;
   }
   std::vector<uint32_t> origin;

@@ -130,6 +130,7 @@ class Flow {
   void follow_spacing(const std::vector<double>& spacing);
   void unfold_short_runs();
   std::vector<Vec2> displacements();
+  void cut_guides();
   void refine();
 
   std::shared_ptr<const Surface> surface_;
@@ -141,7 +142,7 @@ class Flow {
   std::optional<BoundaryObstacle> boundary_;  // always there; made anew when the surface moves
   Team team_;
   Curve curve_;
-  bool guides_cut_ = false;        // as finely as they ever need to be
+  bool guides_cut_ = false;        // as finely as they need to be
   std::vector<Radii> radii_;       // as they are
   std::vector<Radii> felt_radii_;  // as the energy sees them where the density varies
   std::vector<double> local_radius_, max_radius_, overhang_, least_rest_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <queue>
 #include <unordered_map>
 
 #include "crossings.h"
@@ -65,6 +66,50 @@ class Samples {
   uint32_t region(uint32_t i) { return joined_.find(i); }
   double room(uint32_t i) const { return room_[i]; }                    ///< to the nearest guide
   double relative_room(uint32_t i) const { return relative_room_[i]; }  ///< in r
+
+  /// The samples of the shortest way over samples between two points.
+  std::optional<std::vector<uint32_t>> way(const SurfacePoint& from, const SurfacePoint& to) const {
+    const Vec3 goal = position(surface_, to);
+    const auto place = [&](uint32_t i) { return position(surface_, points_[i]); };
+    std::vector<double> cost(points_.size(), std::numeric_limits<double>::infinity());
+    std::vector<uint32_t> before(points_.size(), kNone);
+    using Entry = std::pair<double, uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    const auto reach = [&](uint32_t i, double c, uint32_t by) {
+      if (!(c < cost[i])) return;
+      cost[i] = c;
+      before[i] = by;
+      queue.push({c + (place(i) - goal).norm(), i});
+    };
+    const auto usable = [&](uint32_t i) { return relative_room_[i] >= kLeastRoom; };
+    const Vec3 start = position(surface_, from);
+    for (const auto& [i, b] : of_face(from.face)) {
+      if (usable(i) && clear(from.face, from.b, b)) reach(i, (place(i) - start).norm(), kNone);
+    }
+    std::vector<uint8_t> last(points_.size(), 0), done(points_.size(), 0);
+    for (const auto& [i, b] : of_face(to.face)) last[i] = usable(i) && clear(to.face, to.b, b);
+    while (!queue.empty()) {
+      const uint32_t i = queue.top().second;
+      queue.pop();
+      if (done[i]) continue;
+      done[i] = 1;
+      if (last[i]) {
+        std::vector<uint32_t> samples;
+        for (uint32_t k = i; k != kNone; k = before[k]) samples.push_back(k);
+        std::ranges::reverse(samples);
+        return samples;
+      }
+      const Vec3 here = place(i);
+      for (const uint32_t f : faces_of(i)) {
+        const std::vector<Seen> seen = of_face(f);
+        const auto self = std::ranges::find(seen, i, &Seen::first);
+        for (const auto& [k, b] : seen) {
+          if (!done[k] && usable(k) && clear(f, self->second, b)) reach(k, cost[i] + (place(k) - here).norm(), i);
+        }
+      }
+    }
+    return std::nullopt;
+  }
 
   /// The region of a point of a face, kNone where guides hide all samples from it.
   uint32_t region_of(const SurfacePoint& p) {
@@ -133,6 +178,15 @@ class Samples {
       seen.push_back({sample, points_[sample].b});
     }
     return seen;
+  }
+  /// One face, or the two at an edge.
+  std::vector<uint32_t> faces_of(uint32_t i) const {
+    const uint32_t f = points_[i].face;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge e = 3 * f + k;
+      if (first_on_edge_[e] != kNone && i - first_on_edge_[e] < on_edge_[e]) return {f, face_of(surface_.twin(e))};
+    }
+    return {f};
   }
   bool clear(uint32_t f, Vec2 from, Vec2 to) const {
     const auto found = guides_.find(f);
@@ -243,6 +297,22 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
     }
   }
   return regions;
+}
+
+std::optional<std::vector<SurfacePoint>> way_round_guides(const Surface& surface, const Curve& curve,
+                                                          const std::vector<double>& radius,
+                                                          const SurfacePoint& from, const SurfacePoint& to) {
+  std::vector<uint8_t> guided(surface.component_count(), 0);
+  guided[surface.component(from.face)] = 1;
+  std::vector<Piece> pieces;
+  curve.pieces(surface, pieces);
+  const PointTree guides(points_along(surface, curve, pieces, radius));
+  const Samples samples(surface, curve, radius, pieces, guides, guided);
+  const auto way = samples.way(from, to);
+  if (!way) return std::nullopt;
+  std::vector<SurfacePoint> places;
+  for (const uint32_t i : *way) places.push_back(samples.point(i));
+  return places;
 }
 
 }  // namespace meander

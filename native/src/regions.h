@@ -3,6 +3,7 @@
 // The regions into which guides divide a surface: what grows in one never reaches another.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "curve.h"
@@ -30,5 +31,12 @@ struct Region {
 ///                        strands keep: no place lies nearer, so that strips along it stay empty
 std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius,
                                  const PointTree* boundary = nullptr, double border = 0);
+
+/// Places to pass on a short way between two points that meets no guide, without the two; nothing where
+/// guides part them, or leave less than a spacing between them. The way leads over the same samples, so
+/// it keeps r / 2 from guides but at its ends.
+std::optional<std::vector<SurfacePoint>> way_round_guides(const Surface& surface, const Curve& curve,
+                                                          const std::vector<double>& radius,
+                                                          const SurfacePoint& from, const SurfacePoint& to);
 
 }  // namespace meander

@@ -10,6 +10,7 @@
 #include "crossings.h"
 #include "failure.h"
 #include "frames.h"
+#include "regions.h"
 
 namespace meander {
 namespace {
@@ -86,6 +87,73 @@ void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed) {
   curve.shapes.emplace_back();
 }
 
+/// Both ends of a strand that has nothing else stay where they are: a stroke from one point to another.
+bool is_stroke(const Curve& curve, const Strand& strand) {
+  return !strand.closed && !strand.guide && strand.count == 2 && curve.fixed[strand.first] &&
+         curve.fixed[strand.first + 1];
+}
+
+/// Leads strokes round the guides that the shortest way between their ends meets. `point_of_node` gives
+/// every node of the curve the seed's point.
+void lead_round_guides(const Surface& surface, const SeedStrands& seed, const std::vector<double>& radius, Team& team,
+                       Curve& curve, std::vector<size_t>& point_of_node) {
+  if (!curve.has_guides()) return;
+  CrossingTest test;
+  std::vector<uint8_t> meets(curve.size(), 0);
+  bool any = false;
+  for (const auto& [first, second] : test.find(surface, curve, team)) {
+    for (const auto& [a, b] : {std::pair{first, second}, {second, first}}) {
+      const auto strand = std::ranges::find_if(curve.strands, [&](const Strand& s) { return s.first == a; });
+      if (!curve.on_guide(b) || strand == curve.strands.end() || !is_stroke(curve, *strand)) continue;
+      meets[a] = 1;
+      any = true;
+    }
+  }
+  if (!any) return;
+  Curve led;
+  std::vector<size_t> points;
+  PathShortener shortener(surface);
+  for (const Strand& strand : curve.strands) {
+    const uint32_t first = led.size();
+    const auto take = [&](uint32_t i) {
+      add_node(led, curve.nodes[i], curve.fixed[i]);
+      led.paths.back() = curve.paths[i];
+      led.shapes.back() = curve.shapes[i];
+      points.push_back(point_of_node[i]);
+    };
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      take(i);
+      if (!meets[i]) continue;
+      const size_t a = point_of_node[i], b = point_of_node[i + 1];
+      const auto way = way_round_guides(surface, curve, radius, curve.nodes[i], curve.nodes[i + 1]);
+      if (!way) {
+        throw Failure(MEANDER_INVALID_SEED,
+                      "Strand " + std::to_string(strand_of(seed, a)) + " of the seed cannot reach from point " +
+                          std::to_string(a) + " to point " + std::to_string(b) +
+                          ", because guides part the two or leave too little room between them; open the guides, or "
+                          "move both points to the same side of them.",
+                      MEANDER_ELEMENT_SEED_POINT, static_cast<uint32_t>(a), static_cast<uint32_t>(b));
+      }
+      for (const SurfacePoint& p : *way) {
+        add_node(led, p, 0);
+        points.push_back(a);
+      }
+      led.strands.push_back({first, led.size() - first + 1, false, false});
+    }
+    if (!meets[strand.first]) led.strands.push_back({first, strand.count, strand.closed, strand.guide});
+  }
+  led.link();
+  for (uint32_t i = 0, s = 0; i < led.size(); ++i) {
+    while (i >= led.strands[s].end()) ++s;
+    const uint32_t j = led.next(i);
+    if (j == kNone || led.strands[s].count == curve.strands[s].count) continue;
+    connect_faces(surface, led.nodes[i].face, led.nodes[j], led.paths[i] = {});
+    led.shapes[i] = shortener.shorten(led.nodes[i], led.nodes[j], led.paths[i]);
+  }
+  curve = std::move(led);
+  point_of_node = std::move(points);
+}
+
 }  // namespace
 
 Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vector<double>& radius, Team& team) {
@@ -143,6 +211,7 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
     }
     curve.shapes[i] = shortener.shorten(curve.nodes[i], curve.nodes[j], curve.paths[i]);
   }
+  lead_round_guides(surface, seed, radius, team, curve, point_of_node);
   CrossingTest test;
   const auto pairs = test.find(surface, curve, team);
   if (!pairs.empty()) {

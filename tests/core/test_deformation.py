@@ -50,6 +50,37 @@ def test_spacing_stays_even_while_the_surface_stretches(grown):
         assert figures["spacing_target"] == pytest.approx(0.5)
 
 
+def test_guides_ride_along_and_are_cut_as_finely_as_the_surface_stretches():
+    """On faces that stretch evenly a straight guide stays straight, and keeps its faces and weights."""
+    vertices, faces = _tube()
+    up = np.column_stack([np.full(30, 0.98), np.full(30, 0.1), np.linspace(0.6, 4.4, 30)])
+    seed = core.Seed(up, np.array([0, 30], np.uint32), np.array([0], np.uint8))
+    seed.guides, seed.loops = np.ones(1, dtype=np.uint8), True
+    options = core.default_options()
+    options.radius, options.segment_length = 0.25, 0.05
+    with core.Surface(vertices, faces) as surface:
+        flow = core.Flow(surface, options, seed)
+    with flow:
+        flow.run()
+        curve = flow.polylines()
+        first = curve.positions[curve.offsets[0] : curve.offsets[1]]
+        for stretch in (1.3, 2.0, 3.0):
+            way = np.array([1.0, 1.0, stretch])
+            flow.set_vertices(vertices * way)
+            for _ in range(5):
+                flow.step()
+            assert flow.statistics()["crossings"] == 0
+            curve = flow.polylines()
+            moved = curve.positions[curve.offsets[0] : curve.offsets[1]]
+            lengths = np.linalg.norm(np.diff(moved, axis=0), axis=1)
+            assert lengths.max() < 2.01 * 0.05
+            distance = np.linalg.norm(moved[None] - (first * way)[:, None], axis=2).min(axis=1)
+            assert distance.max() < 1e-6  # where it was drawn it still is
+        # Nothing grows nearer to it than to itself.
+        rest = curve.positions[curve.offsets[1] :]
+        assert np.linalg.norm(rest[:, None] - moved[None], axis=2).min() > 0.5 * 0.25
+
+
 def test_refusals_are_sentences_and_leave_the_flow_alone(grown):
     vertices, _faces, flow = grown
     before = flow.polylines().positions

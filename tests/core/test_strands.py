@@ -163,6 +163,40 @@ def test_a_guide_across_the_seed_is_refused_naming_both() -> None:
     assert "point 1 of spline 2 of 'Drawn' and point 1 of spline 1 of 'Fence'" in told
 
 
+@pytest.mark.parametrize("cells", [1, 6, 40])
+def test_a_stroke_is_led_round_guides(cells: int) -> None:
+    begin, end = [0.5, 0.2, 0.0], [0.5, 0.9, 0.0]
+    hook = [[0.9, 0.45, 0.0], [0.3, 0.45, 0.0], [0.3, 0.7, 0.0], [0.7, 0.75, 0.0]]
+    fence = part("Fence", (BAR, False), (hook, False), guide=True)
+    drawn = strands.Part("Drawn", strands.stroke(begin, end), False)
+    result = grow(geometry.grid(cells), 0.03, strands.assembled([drawn, fence]))
+    figures = result.statistics
+    assert (figures["guides"], figures["strands"], figures["crossings"]) == (2, 3, 0)
+    way = strand(result.curve, 0)
+    assert np.abs(way[[0, -1]] - [begin, end]).max() < 1e-8
+    # It had to leave the hook at its open side, and fills what it comes to.
+    assert figures["length"] > 0.8 * 1 / 0.06
+    samples = geometry.samples_of(*result.curve[::2], result.curve.closed, 0.01)
+    distances = geometry.distance_to_samples(geometry.sample_surface(geometry.grid(6), 2000), samples)
+    assert np.quantile(distances, 0.99) < 1.5 * 0.03
+
+
+@pytest.mark.parametrize(
+    "walls",
+    [
+        ([[0.3, 0.7, 0], [0.7, 0.7, 0], [0.7, 0.98, 0], [0.3, 0.98, 0]], True),
+        ([[0, 0.5, 0], [1, 0.55, 0]], False),
+    ],
+    ids=["closed", "from side to side"],
+)
+def test_a_stroke_that_guides_part_is_refused(walls: tuple) -> None:
+    fence = part("Fence", walls, guide=True)
+    drawn = strands.Part("Drawn", strands.stroke([0.5, 0.2, 0], [0.5, 0.9, 0]), False)
+    error = refusal(strands.assembled([drawn, fence]))
+    assert error.elements == (0, 1)
+    assert "guides part the two" in str(error)
+
+
 def test_a_flag_too_few_is_refused() -> None:
     seed = seed_of((BAR, False), ([[0.1, 0.1, 0], [0.9, 0.1, 0]], False))
     seed.guides = np.ones(1, dtype=np.uint8)

@@ -255,6 +255,9 @@ MEANDER_API meander_status meander_surface_get_outlines(
  * strand with fewer than 3 different points, an open one with fewer than 2; consecutive points on
  * different components.
  *
+ * An open strand of two fixed points, a stroke from one to the other, is led round guides that its
+ * shortest way would meet; refused where they part the two points.
+ *
  * Guides are strands that stay as they are laid, while the others keep the spacing from them as from
  * each other. They are part of the curve: they come out with it, and figures of the whole curve count
  * them; those of the spacing and of convergence leave them out. Guides may cross and touch each other
