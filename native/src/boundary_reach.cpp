@@ -83,7 +83,7 @@ void compute_reach(const Surface& surface, const Curve& curve, const Frames& fra
     std::vector<uint32_t> near;
     for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
       const double most = max_radius[i];
-      reach[i] = {ReachOfSide{most, most}, ReachOfSide{most, most}};
+      reach[i].fill({most, most, most});
       if (boundary.empty()) continue;
       const double beyond = rule == BoundaryRule::kCentre ? overhang[i] : 0;
       const double rest = rule == BoundaryRule::kCentre ? least_rest[i] : 0;
@@ -105,16 +105,17 @@ void compute_reach(const Surface& surface, const Curve& curve, const Frames& fra
           const double corner = way_to_corner(boundary, x, frames.outward[i][side], rest, near);
           if (corner < rest) way = std::min(way, corner);
         }
-        double& radius = reach[i][side].radius;
-        radius = std::min(most, way + beyond);
-        reach[i][side].centre = std::min(most, way);
+        ReachOfSide& r = reach[i][side];
+        r.radius = std::clamp(way + beyond, 0.0, most);
+        r.centre = std::min(most, way);
         // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
         // boundaries would else settle at half of their distance from each other. And harder yet where
         // they are very near, as at a corner, which pushes a few nodes only.
-        if (rest <= 0) {
-          radius = std::max(radius, 0.0);
-        } else if (radius < rest) {
-          radius -= rest - radius + kVeryNearPush * std::max(0.0, kVeryNear * rest - radius);
+        const double lacking = rest - (way + beyond);
+        if (rest > 0 && lacking > 0) {
+          r.driving = rest - 2 * lacking - kVeryNearPush * std::max(0.0, lacking - (1 - kVeryNear) * rest);
+        } else {
+          r.driving = r.radius;
         }
       }
     }

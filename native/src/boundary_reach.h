@@ -38,11 +38,13 @@ class BoundaryObstacle {
   PointTree tree_;
 };
 
-/// What the boundary leaves of a ball on one side of a node: its largest radius, negative where a node is
-/// so near that it is to be pushed harder than an empty ball pushes; and how far the centre may go on the
-/// surface, which is less where the centre may pass the boundary.
+/// What the boundary leaves of a ball on one side of a node.
 struct ReachOfSide {
-  double radius = 0, centre = 0;
+  double radius = 0;  ///< the largest
+  double centre = 0;  ///< how far its centre may go on the surface: less where it may pass the boundary
+  /// As what the boundary counts for the forces: less than `radius` where the node is nearer than it
+  /// should be, negative where it is to be pushed harder than an empty ball pushes.
+  double driving = 0;
 };
 
 /// On the side of the bitangent, and on the other.
@@ -55,8 +57,8 @@ using Reach = std::array<ReachOfSide, 2>;
 /// `max_radius`  clamp of every node, at most RunTree::kMostRadius
 /// `overhang`    how far the centre of a ball may pass the boundary, or, where negative, must stay away
 ///               from it
-/// `least_rest`  what a ball that ends so falls short of this counts twice, and more where it is far
-///               short; 0: never
+/// `least_rest`  in `driving`, what a ball that ends so falls short of this counts twice, and more
+///               where it is far short; 0: nowhere
 ///
 /// Under BoundaryRule::kObstacle the last two are taken to be 0.
 void compute_reach(const Surface& surface, const Curve& curve, const Frames& frames,

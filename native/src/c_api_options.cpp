@@ -139,11 +139,12 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.polish_length_gain = 1;
     o.polish_medial_power = 6;
     o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
-    o.ripening_iterations = 50;
+    o.ripening_iterations = 100;
     o.iteration_limit = 600;
   }
   if (preset == MEANDER_PRESET_FINEST) {
-    o.polish_length_offset = -0.8;
+    o.polish_bending_weight = 1.75;
+    o.polish_length_offset = -0.75;
     o.ripening_iterations = 700;
     o.iteration_limit = 2500;
   }

@@ -44,7 +44,7 @@ class Convergence {
 
   Phase phase() const { return phase_; }
   /// Is it past its growth?
-  bool polishing() const { return phase_ != Phase::kGrowing; }
+  bool polishing() const { return polish_wanted_ && phase_ != Phase::kGrowing; }
   bool converged() const { return converged_; }
   bool stalled() const { return stalled_; }
 

@@ -188,7 +188,9 @@ Flow::Measure Flow::measure() {
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     if (curve_.on_guide(i)) continue;
     const double nominal = 2 * settings_.radius * approach_.factor();
-    for (const double r : felt_radii_[i]) m.spacing.push_back(nominal * r / local_radius_[i]);
+    for (size_t side = 0; side < 2; ++side) {
+      m.spacing.push_back(nominal * in_metric(i, side, radii_[i][side]) / local_radius_[i]);
+    }
   }
   std::sort(m.spacing.begin(), m.spacing.end());
   CrossingTest test;
@@ -258,16 +260,21 @@ void Flow::find_radii() {
     compute_medial_axis(frames_, *boundary_, settings_.boundary_rule, reach_, team_, radii_);
   }
   felt_radii_.resize(radii_.size());
-  constexpr double kLeastGrowth = -0.75, kMostGrowth = 3;  // of r along a diameter, where it jumps
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      for (int side = 0; side < 2; ++side) {
-        const double growth = std::clamp(2 * frames_.radius_slope[i][side] * radii_[i][side] / local_radius_[i],
-                                         kLeastGrowth, kMostGrowth);
-        felt_radii_[i][side] = growth == 0 ? radii_[i][side] : radii_[i][side] * (std::log1p(growth) / growth);
+      for (size_t side = 0; side < 2; ++side) {
+        felt_radii_[i][side] = in_metric(i, side, std::min(radii_[i][side], std::max(0.0, reach_[i][side].driving)));
       }
     }
   });
+}
+
+/// A radius on a side of a node in units of the local r on the way, times the node's own.
+double Flow::in_metric(size_t node, size_t side, double radius) const {
+  constexpr double kLeastGrowth = -0.75, kMostGrowth = 3;  // of r along a diameter, where it jumps
+  const double growth =
+      std::clamp(2 * frames_.radius_slope[node][side] * radius / local_radius_[node], kLeastGrowth, kMostGrowth);
+  return growth == 0 ? radius : radius * (std::log1p(growth) / growth);
 }
 
 /// The radii that drive the nodes: where the boundary is to push harder than a ball of no size does, the
@@ -276,7 +283,7 @@ std::vector<Radii> Flow::driving_radii() const {
   std::vector<Radii> radii = felt_radii_;
   if (boundary_->empty()) return radii;
   for (size_t i = 0; i < radii.size(); ++i) {
-    for (size_t side = 0; side < 2; ++side) radii[i][side] += std::max(0.0, -reach_[i][1 - side].radius);
+    for (size_t side = 0; side < 2; ++side) radii[i][side] += std::max(0.0, -reach_[i][1 - side].driving);
   }
   return radii;
 }
@@ -337,7 +344,7 @@ void Flow::choose_weights() {
     // In a strip that is to stay empty strands have no room at all on one side; pushed alone they would
     // only crowd together there.
     for (uint32_t i = 0; i < n; ++i) {
-      if (std::min(radii_[i][0], radii_[i][1]) <= 0) weights_.length[i] = kOutOfStrip;
+      if (std::min(felt_radii_[i][0], felt_radii_[i][1]) <= 0) weights_.length[i] = kOutOfStrip;
     }
   }
   soften_young_strands();

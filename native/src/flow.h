@@ -119,6 +119,7 @@ class Flow {
   double clamped_share() const;
   void find_local_radii();
   void find_radii();
+  double in_metric(size_t node, size_t side, double radius) const;
   std::vector<Radii> driving_radii() const;
   void stir_empty_stretches();
   bool sees_nothing(uint32_t node) const;
@@ -144,7 +145,7 @@ class Flow {
   Curve curve_;
   bool guides_cut_ = false;        // as finely as they need to be
   std::vector<Radii> radii_;       // as they are
-  std::vector<Radii> felt_radii_;  // as the energy sees them where the density varies
+  std::vector<Radii> felt_radii_;  // as the energy sees them: under a density, and near a boundary
   std::vector<double> local_radius_, max_radius_, overhang_, least_rest_;
   Frames frames_;
   std::vector<Reach> reach_;

@@ -137,19 +137,20 @@ TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
   const std::vector<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest);
   EXPECT_EQ(scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest, 2).size(), reach.size());
   int corners = 0;
-  std::vector<std::array<double, 2>> felt;  // the way, and the reach
+  std::vector<std::array<double, 2>> felt;  // the way, and what drives
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) {
       const double straight = scene.way(i, side, 1), corner = scene.way_to_corners(i, side);
       const double way = corner < rest ? std::min(straight, corner) : straight;
-      const double radius = reach[i][side].radius;
+      const double driving = reach[i][side].driving;
+      EXPECT_NEAR(reach[i][side].radius, std::min(kMost, way), kRounding);
       if (way >= rest) {
-        EXPECT_NEAR(radius, std::min(kMost, way), kRounding);
+        EXPECT_EQ(driving, reach[i][side].radius);
         continue;
       }
       corners += corner < straight - 0.1 * rest;
-      EXPECT_LT(radius, way);
-      felt.push_back({way, radius});
+      EXPECT_LT(driving, way);
+      felt.push_back({way, driving});
     }
   }
   EXPECT_GT(corners, 5);

@@ -205,7 +205,7 @@ TEST(Deformation, LinesOfAFieldRide) {
 TEST(Deformation, RigidMotionKeepsEveryNode) {
   const Mesh mesh = torus(24, 12);
   const FlowHandle flow = make_flow(mesh, 0.4);
-  step(flow, 120);  // into the polish, where segments no more become finer
+  step(flow, 220);  // into the polish, where segments no more become finer
   const Curve before = flow->flow->curve();
   const double scale = flow->flow->surface().scale();
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();

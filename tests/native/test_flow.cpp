@@ -406,6 +406,20 @@ TEST(FlowToTheEnd, RipensKeepsItsInvariantsAndEndsStill) {
   EXPECT_LE(largest_movement(before, positions_of(flow), settings.radius), 0.05);
 }
 
+/// Without a polish nothing but the size of the steps changes at the end.
+TEST(FlowToTheEnd, WithoutAPolishKeepsItsLengthWhileItCoolsDown) {
+  const Mesh mesh = torus(24, 12);
+  const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
+  FlowSettings settings = settings_of(MEANDER_PRESET_PAPER, *surface, spacing_for(*surface, 60));
+  settings.stop_rule = StopRule::kSettled;
+  Flow flow(surface, nullptr, {}, settings);
+  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+  EXPECT_FALSE(flow.polishing());
+  ASSERT_GT(flow.history().size(), 20u);
+  const double before = flow.history()[flow.history().size() - 12].length;
+  EXPECT_NEAR(flow.history().back().length, before, 0.01 * before);
+}
+
 INSTANTIATE_TEST_SUITE_P(Presets, EveryIteration,
                          testing::Values(uint32_t{MEANDER_PRESET_EVEN},
                                          uint32_t{MEANDER_PRESET_PAPER}));

@@ -692,8 +692,8 @@ MEANDER_API meander_status meander_flow_get_guides(const meander_flow* flow, uin
  * barycentrics   double[3 * capacity]: weights of the face's vertices in the caller's order; sum 1
  * radii          double[2 * capacity]: r+ and r- of the node (eq. 6), clamped at r_max, of the last
  *                medial axis, be it a step's or the statistics' (0 before the first), or NULL. Towards a
- *                boundary that is nearer than border_distance it is as much less as the flow feels it
- *                to be: r minus twice what the distance falls short of, 0 at half the distance and below
+ *                boundary it is no more than the distance of the node from there, along the surface,
+ *                plus r (1 - 2 border_distance)
  * fixed          uint8_t[capacity], or NULL
  * capacity       room in the arrays, in nodes
  * count          receives the number of nodes; when it exceeds capacity nothing is copied */
