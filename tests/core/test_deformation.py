@@ -51,7 +51,7 @@ def test_spacing_stays_even_while_the_surface_stretches(grown):
 
 
 def test_guides_ride_along_and_are_cut_as_finely_as_the_surface_stretches():
-    """On faces that stretch evenly a straight guide stays straight, and keeps its faces and weights."""
+    """On faces that stretch evenly a straight guide stays straight, and on its faces."""
     vertices, faces = _tube()
     up = np.column_stack([np.full(30, 0.98), np.full(30, 0.1), np.linspace(0.6, 4.4, 30)])
     seed = core.Seed(up, np.array([0, 30], np.uint32), np.array([0], np.uint8))

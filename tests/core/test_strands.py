@@ -177,7 +177,9 @@ def test_a_stroke_is_led_round_guides(cells: int) -> None:
     # It had to leave the hook at its open side, and fills what it comes to.
     assert figures["length"] > 0.8 * 1 / 0.06
     samples = geometry.samples_of(*result.curve[::2], result.curve.closed, 0.01)
-    distances = geometry.distance_to_samples(geometry.sample_surface(geometry.grid(6), 2000), samples)
+    distances = geometry.distance_to_samples(
+        geometry.sample_surface(geometry.grid(6), 2000), samples
+    )
     assert np.quantile(distances, 0.99) < 1.5 * 0.03
 
 
