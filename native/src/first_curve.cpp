@@ -18,6 +18,10 @@ constexpr double kWide = 1.5;    // radius of a loop, of r
 constexpr double kInset = 0.02;  // keeps the outline of a face off its edges
 constexpr uint32_t kRays = 24;
 
+/// The outline of a face whose incircle is smaller than this, in r and as a share of its perimeter, has
+/// no room to move in: it would stay where it is for ever.
+constexpr double kTight = 0.3, kSliver = 0.02;
+
 /// A circle beside guides may be this much narrower before its region counts as too small for one.
 constexpr double kNarrowest = 0.01;
 /// Of the distance to the nearest guide.
@@ -92,7 +96,9 @@ void add_loop(const Surface& surface, Curve& curve, const Region& region, double
   const uint32_t f = region.middle.face;
   double perimeter = 0;
   for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface.corner(f, next_corner(k)) - surface.corner(f, k));
-  for (; widen && perimeter < 2 * std::numbers::pi * wide; wide /= 2) {
+  const double incircle = 2 * surface.face_area(f) / perimeter;
+  const bool sliver = incircle < kTight * r && incircle < kSliver * perimeter;
+  for (; (widen && perimeter < 2 * std::numbers::pi * wide) || (sliver && wide > kNarrowest * r); wide /= 2) {
     if (add_circle(surface, curve, region.middle, wide, team)) return;
   }
   add_outline(surface, curve, f);

@@ -279,3 +279,23 @@ def test_strand_on_one_component_leaves_the_other_alone() -> None:
     grown = grow(mesh, 0.15, seed)
     assert grown.curve.closed.tolist() == [1]
     assert grown.curve.positions[:, 0].max() < 1.5
+
+
+@pytest.mark.parametrize("preset", ["even", "paper"])
+def test_a_sliver_for_a_first_face_is_no_trap(preset: str) -> None:
+    # The curve begins in the first face; in a sliver its outline would have no room to move in.
+    vertices = np.zeros((7, 3))
+    vertices[:3, :2] = [(0, 0), (0.6, 0), (0.25, 0.016)]
+    vertices[3:, :2] = [(-1, -1), (2, -1), (2, 2), (-1, 2)]
+    p, q, s, a, b, c, d = range(7)
+    faces = [(p, q, s), (a, b, q), (a, q, p), (b, c, q), (q, c, s), (s, c, d), (s, d, p), (d, a, p)]
+    options = core.default_options(preset)
+    options.radius = 0.1
+    with core.Flow(core.Surface(vertices, np.array(faces, dtype=np.uint32)), options) as flow:
+        assert len(set(flow.nodes().faces)) > 1
+        first = flow.polylines().positions
+        assert np.ptp(first[:, 1]) > options.radius  # a circle, wide enough to turn round in
+        flow.run()
+        figures = flow.statistics()
+    assert figures["crossings"] == 0
+    assert figures["length"] * 2 * options.radius > 0.9 * 9  # of the area
