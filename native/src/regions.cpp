@@ -235,6 +235,23 @@ class Samples {
   Groups joined_{0};
 };
 
+SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
+
+/// Of the middles of a component's faces the one that is farthest from the boundary, or `otherwise`.
+SurfacePoint farthest_from(const Surface& surface, const PointTree& boundary, uint32_t component,
+                           const SurfacePoint& otherwise) {
+  SurfacePoint best = otherwise;
+  double most = 0;
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    if (surface.component(f) != component) continue;
+    const auto nearest = boundary.nearest(position(surface, middle_of(f)));
+    if (!nearest || nearest->squared_distance <= most) continue;
+    most = nearest->squared_distance;
+    best = middle_of(f);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius,
@@ -280,7 +297,10 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
     seen[c] = 1;
     if (!guided[c]) {
       const double infinity = std::numeric_limits<double>::infinity();
-      regions.push_back({make_point(f, 1.0 / 3, 1.0 / 3, 1.0 / 3), infinity, false, growing[c] != 0});
+      SurfacePoint middle = middle_of(f);
+      // Only where a strip along the boundary is to stay empty: r from it a loop may well begin.
+      if (border > 1 && in_border(middle)) middle = farthest_from(surface, *boundary, c, middle);
+      regions.push_back({middle, infinity, false, growing[c] != 0});
       continue;
     }
     for (const uint32_t root : of_component[c]) {

@@ -20,7 +20,8 @@ struct Region {
 
 /// All regions, component by component in the order of their first faces.
 ///
-/// A component without guides is one region, and its place the middle of its first face. Elsewhere
+/// A component without guides is one region, and its place the middle of its first face, or of the one
+/// farthest from the boundary where that lies in a strip to be left empty. Elsewhere
 /// samples of faces and edges, about r / 2 apart and at least as far from all guides, are joined where
 /// the straight way between them meets none: what hangs together is a region, so that gaps which no
 /// strand would go through are closed. Its place is the first sample that lies 2.5 r away from all

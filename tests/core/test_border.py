@@ -141,6 +141,16 @@ def test_a_strip_left_empty_on_purpose_is_no_gap() -> None:
     assert to_corner.max(initial=0.0) < spacing  # a corner is farther away than a side
 
 
+@pytest.mark.parametrize(("spacing", "distance"), [(0.2, 2.0), (0.3, 1.0), (0.3, 1.5)])
+def test_a_curve_does_not_begin_in_a_strip_to_be_left_empty(
+    spacing: float, distance: float
+) -> None:
+    # The first face is in a corner of the square; from there the curve once found no way out.
+    flow = fill(with_holes(), distance, spacing)
+    assert flow.statistics()["stop_reason"] == "converged"
+    assert flow.statistics()["length"] * spacing > 0.5 * 9
+
+
 def test_the_density_scales_the_distance() -> None:
     vertices, faces = grid(1)
     options = core.default_options()
