@@ -143,8 +143,8 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.iteration_limit = 600;
   }
   if (preset == MEANDER_PRESET_FINEST) {
-    o.polish_bending_weight = 1.75;
-    o.polish_length_offset = -0.75;
+    o.polish_bending_weight = 1.5;
+    o.polish_length_offset = -0.6;
     o.ripening_iterations = 450;
     o.iteration_limit = 2500;
   }
