@@ -70,13 +70,31 @@ class Follower(Protocol):
         """The curve in world units when the surface is there. Raises DataError, MeanderError."""
 
 
+# Of the sides of a mesh's triangles. Polygons keep their own sides however they are divided, which
+# is all of them in a mesh of triangles, two thirds among quads, more than a third in any other.
+_LEAST_KEPT = 0.3
+
+
 def _same_faces(faces: np.ndarray, wanted: np.ndarray) -> None:
-    """Quads are divided along the shorter diagonal, so that only their number is sure to stay."""
+    """Quads are divided along the shorter diagonal, so not every triangle stays what it was."""
     if len(faces) != len(wanted):
         raise DataError(
             f"The surface has {len(faces)} triangles now and had {len(wanted)}; only its shape may "
             "change while a curve follows it, so leave out modifiers that change the mesh"
         )
+    if np.array_equal(faces, wanted):
+        return
+    if np.isin(_sides(wanted), _sides(faces)).mean() < _LEAST_KEPT:
+        raise DataError(
+            "The faces of the surface join other vertices now; only its shape may change while a "
+            "curve follows it, so leave out modifiers that change the mesh"
+        )
+
+
+def _sides(faces: np.ndarray) -> np.ndarray:
+    """A number for every side of a triangle, the same from both of its faces."""
+    pairs = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    return (pairs[:, 0].astype(np.uint64) << np.uint64(32)) | pairs[:, 1].astype(np.uint64)
 
 
 class EvenFollower:

@@ -137,6 +137,28 @@ def test_a_mesh_that_changes_is_a_sentence_in_the_panel(
     bpy.context.scene.frame_set(2)
 
 
+@pytest.mark.parametrize("motion", ["EVEN", "STICK"])
+def test_other_faces_between_as_many_vertices_are_a_sentence(
+    tube: bpy.types.Object, result: bpy.types.Object, motion: str
+) -> None:
+    from meander import motion_panel, session
+
+    result.meander.motion = motion
+    result.meander.follow = True
+    bpy.context.scene.frame_set(2)
+    before = _points(result)
+    # As many triangles, but between other vertices.
+    mesh = tube.data
+    corners = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("vertex_index", corners)
+    order = np.random.default_rng(1).permutation(len(mesh.vertices)).astype(np.int32)
+    mesh.loops.foreach_set("vertex_index", order[corners])
+    mesh.update(calc_edges=True)
+    bpy.context.scene.frame_set(3)
+    assert "join other vertices now" in motion_panel._problems[session.Key.of(result)]
+    assert np.array_equal(_points(result), before)
+
+
 def _shown(collection: bpy.types.Collection) -> list[bpy.types.Object]:
     return [thing for thing in collection.objects if not thing.hide_render]
 
