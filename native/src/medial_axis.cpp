@@ -11,14 +11,6 @@ namespace {
 /// A ball may start this much larger than the node's last one before it is known to be large enough.
 constexpr double kWarmth = 1.2;
 
-/// The largest empty ball, found sooner where the last radius still is a good guess.
-double largest_ball(const RunTree& tree, const Vec3& x, const Vec3& outward, double most, double last) {
-  const double start = last > 0 ? std::min(most, kWarmth * last) : most;
-  const double radius = tree.largest_ball(x, outward, start);
-  // An empty ball that no point limits is only a lower bound: start again from the clamp.
-  return radius < start || start == most ? radius : tree.largest_ball(x, outward, most);
-}
-
 }  // namespace
 
 void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
@@ -32,11 +24,20 @@ void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary,
 
   constexpr size_t kBlock = 256;
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
+    std::array<Radii, kBlock> start;
+    for (size_t i = begin; i < end; ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        const double most = std::max(0.0, reach[i][side].radius), last = radii[i][side];
+        start[i - begin][side] = radii[i][side] = last > 0 ? std::min(most, kWarmth * last) : most;
+      }
+    }
+    tree.largest_balls(begin, end, frames.outward, radii);
     for (size_t i = begin; i < end; ++i) {
       for (size_t side = 0; side < 2; ++side) {
         const double most = reach[i][side].radius;
-        radii[i][side] =
-            most > 0 ? largest_ball(tree, frames.position[i], frames.outward[i][side], most, radii[i][side]) : 0;
+        // An empty ball that no point limits is only a lower bound: start again from the clamp.
+        if (radii[i][side] < start[i - begin][side] || !(radii[i][side] < most)) continue;
+        radii[i][side] = tree.largest_ball(frames.position[i], frames.outward[i][side], most);
       }
     }
   });

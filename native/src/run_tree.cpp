@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace meander {
@@ -11,10 +12,28 @@ namespace {
 
 /// Four lanes that every compiler for every processor here knows (GCC's and Clang's vector types).
 using Float4 = float __attribute__((vector_size(16)));
+using Int4 = int32_t __attribute__((vector_size(16)));
+using Double2 = double __attribute__((vector_size(16)));
 
-Float4 load(const float* p) { return Float4{p[0], p[1], p[2], p[3]}; }
+template <class Lanes, class Number>
+Lanes load(const Number* p) {
+  Lanes v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+Float4 load(const float* p) { return load<Float4>(p); }
 Float4 all(float v) { return Float4{v, v, v, v}; }
+Double2 both(double v) { return Double2{v, v}; }
 Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
+
+/// A bit for each lane in which a comparison holds.
+uint32_t lanes_of(Int4 comparison) {
+  const Int4 bits = comparison & Int4{1, 2, 4, 8};
+  uint64_t halves[2];
+  std::memcpy(halves, &bits, sizeof halves);
+  const uint64_t both_halves = halves[0] | halves[1];
+  return static_cast<uint32_t>(both_halves | both_halves >> 32);
+}
 
 float rounded_down(double v) {
   const float f = static_cast<float>(v);
@@ -43,6 +62,14 @@ struct Ball {
     const double r = radius + kSlack * (1 + radius);
     squared = rounded_up(r * r);
   }
+
+  /// Squared distances of the centre from four boxes, axis by axis.
+  Float4 distances(Float4 low_x, Float4 high_x, Float4 low_y, Float4 high_y, Float4 low_z, Float4 high_z) const {
+    const Float4 dx = larger(larger(low_x - x, x - high_x), all(0));
+    const Float4 dy = larger(larger(low_y - y, y - high_y), all(0));
+    const Float4 dz = larger(larger(low_z - z, z - high_z), all(0));
+    return dx * dx + dy * dy + dz * dz;
+  }
 };
 
 }  // namespace
@@ -50,6 +77,7 @@ struct Ball {
 RunTree::RunTree(const std::vector<Eigen::Vector3d>& points, Team& team) : points_(points) {
   const uint32_t count = static_cast<uint32_t>((points.size() + kRun - 1) / kRun);
   boxes_.resize(count);
+  lanes_.resize(count);
   runs_.resize(count);
   team.for_blocks(count, 256, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
@@ -57,6 +85,12 @@ RunTree::RunTree(const std::vector<Eigen::Vector3d>& points, Team& team) : point
       for (size_t i = k * kRun; i < std::min(points.size(), (k + 1) * kRun); ++i) {
         low = low.cwiseMin(points[i]);
         high = high.cwiseMax(points[i]);
+      }
+      for (size_t i = 0; i < kRun; ++i) {
+        const Eigen::Vector3d& p = points[std::min(k * kRun + i, points.size() - 1)];
+        lanes_[k].x[i] = p.x();
+        lanes_[k].y[i] = p.y();
+        lanes_[k].z[i] = p.z();
       }
       for (int a = 0; a < 3; ++a) {
         boxes_[k].low[a] = rounded_down(low[a]);
@@ -194,10 +228,8 @@ double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b,
       continue;
     }
     const Node& n = nodes_[place.id];
-    const Float4 dx = larger(larger(load(n.low[0]) - ball.x, ball.x - load(n.high[0])), all(0));
-    const Float4 dy = larger(larger(load(n.low[1]) - ball.y, ball.y - load(n.high[1])), all(0));
-    const Float4 dz = larger(larger(load(n.low[2]) - ball.z, ball.z - load(n.high[2])), all(0));
-    const Float4 distance = dx * dx + dy * dy + dz * dz;
+    const Float4 distance = ball.distances(load(n.low[0]), load(n.high[0]), load(n.low[1]), load(n.high[1]),
+                                           load(n.low[2]), load(n.high[2]));
     // The nearest child comes last, to be looked at first: it shrinks the ball most.
     const int base = top;
     for (int k = 0; k < 4; ++k) {
@@ -208,6 +240,116 @@ double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b,
     }
   }
   return radius;
+}
+
+/// All runs whose boxes meet this one; false if there are too many.
+bool RunTree::runs_near(const Box& box, Candidates& found) const {
+  found.count = 0;
+  constexpr int kMostPlaces = 64;
+  uint32_t stack[kMostPlaces];
+  int top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& n = nodes_[stack[--top]];
+    Int4 meets = Int4{-1, -1, -1, -1};
+    for (size_t axis = 0; axis < 3; ++axis) {
+      meets &= (load(n.low[axis]) <= all(box.high[axis])) & (load(n.high[axis]) >= all(box.low[axis]));
+    }
+    for (uint32_t lanes = lanes_of(meets); lanes != 0; lanes &= lanes - 1) {
+      const int k = std::countr_zero(lanes);
+      if (!(n.child[k] & kLeaf)) {
+        stack[top++] = n.child[k];
+        continue;
+      }
+      if (found.count == Candidates::kMost) return false;
+      const uint32_t at = found.count++;
+      found.run[at] = n.child[k] & ~kLeaf;
+      for (size_t axis = 0; axis < 3; ++axis) {
+        found.low[axis][at] = n.low[axis][k];
+        found.high[axis][at] = n.high[axis][k];
+      }
+    }
+  }
+  for (uint32_t at = found.count; at % 4 != 0; ++at) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      found.low[axis][at] = std::numeric_limits<float>::infinity();
+      found.high[axis][at] = -std::numeric_limits<float>::infinity();
+    }
+  }
+  return true;
+}
+
+/// The largest ball as far as these runs limit it. `limiting` is a run to look at first, the one that
+/// limited the ball beside this one, and receives the one that limits this; UINT32_MAX for none.
+double RunTree::largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
+                                   double most, uint32_t& limiting) const {
+  double radius = most;
+  const auto shrinks = [&](uint32_t run) {
+    const Points& p = lanes_[run];
+    bool smaller = false;
+    for (size_t k = 0; k < kRun; k += 2) {
+      const Double2 ux = load<Double2>(p.x + k) - both(x.x()), uy = load<Double2>(p.y + k) - both(x.y()),
+                    uz = load<Double2>(p.z + k) - both(x.z());
+      const Double2 squared = ux * ux + uy * uy + uz * uz;
+      const Double2 ahead = ux * both(b.x()) + uy * both(b.y()) + uz * both(b.z());
+      const auto inside = squared < both(2 * radius) * ahead;
+      if (!(inside[0] | inside[1])) continue;
+      for (int lane = 0; lane < 2; ++lane) {
+        if (!(squared[lane] < 2 * radius * ahead[lane])) continue;
+        radius = squared[lane] / (2 * ahead[lane]);
+        smaller = true;
+      }
+    }
+    return smaller;
+  };
+  const uint32_t first = limiting;
+  if (first != UINT32_MAX) shrinks(first);
+  Ball ball(x, b, radius);
+  for (uint32_t at = 0; at < near.count; at += 4) {
+    const Float4 distance = ball.distances(load(near.low[0] + at), load(near.high[0] + at), load(near.low[1] + at),
+                                           load(near.high[1] + at), load(near.low[2] + at), load(near.high[2] + at));
+    // Balls are nested: what misses a larger one misses this one.
+    for (uint32_t lanes = lanes_of(distance < all(ball.squared)); lanes != 0; lanes &= lanes - 1) {
+      const uint32_t run = near.run[at + static_cast<uint32_t>(std::countr_zero(lanes))];
+      if (run == first || !shrinks(run)) continue;
+      limiting = run;
+      ball = Ball(x, b, radius);
+    }
+  }
+  return radius;
+}
+
+void RunTree::largest_balls(size_t first, size_t last, const std::vector<std::array<Eigen::Vector3d, 2>>& b,
+                            std::vector<std::array<double, 2>>& radii) const {
+  Candidates near;
+  for (size_t begin = first; begin < last; begin += kRun) {
+    const size_t end = std::min<size_t>(begin + kRun, last);
+    Eigen::Vector3d low = points_[begin], high = low;
+    for (size_t i = begin; i < end; ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        const double r = radii[i][side];
+        if (!(r > 0)) continue;
+        const Eigen::Vector3d centre = points_[i] + r * b[i][side], all_round = Eigen::Vector3d::Constant(r);
+        low = low.cwiseMin(centre - all_round);
+        high = high.cwiseMax(centre + all_round);
+      }
+    }
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.low[axis] = rounded_down(low[axis]);
+      box.high[axis] = rounded_up(high[axis]);
+    }
+    const bool few = runs_near(box, near);
+    for (size_t side = 0; side < 2; ++side) {
+      uint32_t limiting = UINT32_MAX;
+      for (size_t i = begin; i < end; ++i) {
+        double& r = radii[i][side];
+        if (!(r > 0)) continue;
+        r = few ? largest_ball_among(near, points_[i], b[i][side], r, limiting)
+                : largest_ball(points_[i], b[i][side], r);
+      }
+    }
+  }
 }
 
 void RunTree::inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const {
@@ -228,10 +370,8 @@ void RunTree::inside(const Eigen::Vector3d& centre, double radius, std::vector<u
       continue;
     }
     const Node& n = nodes_[id];
-    const Float4 dx = larger(larger(load(n.low[0]) - ball.x, ball.x - load(n.high[0])), all(0));
-    const Float4 dy = larger(larger(load(n.low[1]) - ball.y, ball.y - load(n.high[1])), all(0));
-    const Float4 dz = larger(larger(load(n.low[2]) - ball.z, ball.z - load(n.high[2])), all(0));
-    const Float4 distance = dx * dx + dy * dy + dz * dz;
+    const Float4 distance = ball.distances(load(n.low[0]), load(n.high[0]), load(n.low[1]), load(n.high[1]),
+                                           load(n.low[2]), load(n.high[2]));
     for (int k = 0; k < 4; ++k) {
       if (distance[k] < ball.squared) stack[top++] = n.child[k];
     }
