@@ -3,23 +3,35 @@
 
     xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" \
       blender --factory-startup --window-geometry 0 0 1280 800 \
-      --python-exit-code 1 --python scripts/bench_blender.py -- [--repeat N] [--threads T]
+      --python-exit-code 1 --python scripts/bench_blender.py -- \
+      [--repeat N] [--threads T] [--nodes N ...] [--sidebar 0|1] [--maximised] [--only ROW ...]
 
-Prints JSON objects, one a line:
+Prints JSON objects, one a line. All of them have `width` and `height` of the window, `view_width`
+and `view_height` of the 3D view, `sidebar`, `renderer` and `threads` of the solver. Seconds are
+those of a processor where the key has `cpu` in it, of the clock elsewhere.
 
     bare      redraws of the 3D view for a second that Blender reaches in this window while nothing
               of ours is there and nothing else is done, and seconds of all processors for each;
-              `smooth` with Blender's smoothing of edges, `plain` without
+              `main_cpu`, those of Blender's own thread. `smooth` with Blender's smoothing of edges,
+              `plain` without; `panel`, of the sidebar alone
+    picture   what one picture of a curve that has changed takes, in seconds of all processors:
+              `bare_cpu`, a redraw without the curve; `still_cpu`, with the curve, unchanged, on
+              top of it; `copy_cpu`, from the arrays of the solver to points of splines;
+              `evaluate_cpu`, Blender's evaluation of the scene; `batch_cpu`, what drawing a changed
+              curve takes more than drawing an unchanged one. `our_cpu` is all but the bare redraw
     watched   medians of the same run in one go and in the modal operator: `solver_speed`, ratio of
               the seconds of the iterations alone; `speed`, ratio of the seconds until the window
               knows of the end (1: showing costs nothing); `finishing`, seconds from there to the
               finished result; `cpu_alone` and `cpu_watched`, seconds of all processors until the
-              end is known; redraws of the 3D view, of the sidebar beside it, and copies of the
-              curve shown, for a second
+              end is known; `main_cpu_share`, of Blender's own thread in each second of the run, and
+              `tick_cpu_share` of it in the operator; redraws of the 3D view, of the sidebar beside
+              it, and copies of the curve shown, for a second
     write     seconds to write a curve of 200,000 points into a curve object
 
-Set LIBGL_ALWAYS_SOFTWARE=1 where there is no graphics card; the drawing then takes processors away
-from the solver, which a card would not.
+Where there is no graphics card set LIBGL_ALWAYS_SOFTWARE=1; the drawing then takes processors away
+from the solver, which a card would not. With GALLIUM_NOOP=1 as well, Mesa's driver takes every
+command and draws nothing: the window stays black, and what is left is what Blender and the add-on
+do on a processor before a card begins. Such rows have the renderer NOOP.
 """
 
 from __future__ import annotations
@@ -31,8 +43,9 @@ import statistics
 import sys
 import time
 import traceback
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import bpy
 import gpu
@@ -44,44 +57,79 @@ sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
 import meander  # noqa: E402
 from meander import blender_data, core, session  # noqa: E402
 
-# Fine enough for 30,000 points; converges before the limit.
-SPACING, ITERATIONS = 0.04, 400
+# This spacing takes about so many nodes; converges before the limit.
+SPACING, NODES, ITERATIONS = 0.04, 50_000, 400
 POINTS, STRANDS = 200_000, 20
 
-BARE_REDRAWS = 12
+BARE_SECONDS, MOST_REDRAWS = 1.0, 200
+ROWS = ("bare", "picture", "write", "watched")
 
-redraws = 0
-panel_redraws = 0
-shown = 0
-known = known_processors = 0.0
+
+class Tally:
+    """What has been counted since the start of a run."""
+
+    def __init__(self) -> None:
+        self.redraws = self.panel_redraws = self.shown = self.ticks = 0
+        self.tick_cpu = 0.0
+        self.begin = Moment()
+        self.known = self.begin
+
+
+class Moment:
+    def __init__(self) -> None:
+        self.clock, self.cpu = time.perf_counter(), time.process_time()
+        self.main_cpu = time.thread_time()
+
+    def since(self, earlier: Moment) -> tuple[float, float, float]:
+        """Seconds by the clock, of all processors, and of this thread."""
+        return (
+            self.clock - earlier.clock,
+            self.cpu - earlier.cpu,
+            self.main_cpu - earlier.main_cpu,
+        )
+
+
+tally = Tally()
 
 
 def count_redraw() -> None:
-    global redraws
-    redraws += 1
+    tally.redraws += 1
 
 
 def count_panel_redraw() -> None:
-    global panel_redraws
-    panel_redraws += 1
+    tally.panel_redraws += 1
 
 
-def note_end(original):
-    def keep(self, context):
-        global known, known_processors
-        known, known_processors = time.perf_counter(), time.process_time()
+def count_shown(original: Callable) -> Callable:
+    def show(self: session.Session, *arguments: Any) -> None:
+        tally.shown += 1
+        original(self, *arguments)
+
+    return show
+
+
+def measure_tick(original: Callable) -> Callable:
+    def tick(self: session.Session, context: bpy.types.Context) -> bool:
+        begin = time.thread_time()
+        try:
+            return original(self, context)
+        finally:
+            tally.ticks += 1
+            tally.tick_cpu += time.thread_time() - begin
+
+    return tick
+
+
+def note_end(original: Callable) -> Callable:
+    def keep(self: session.Session, context: bpy.types.Context) -> Any:
+        tally.known = Moment()
         return original(self, context)
 
     return keep
 
 
-def count_shown(original):
-    def show(self, polylines) -> None:
-        global shown
-        shown += 1
-        original(self, polylines)
-
-    return show
+# ------------------------------------------------------------------------------------------------
+# The window
 
 
 def build_scene() -> bpy.types.Object:
@@ -91,7 +139,6 @@ def build_scene() -> bpy.types.Object:
     bpy.ops.mesh.primitive_monkey_add(size=2.0)
     suzanne = bpy.context.active_object
     suzanne.modifiers.new("Subdivision", "SUBSURF").levels = 2
-    suzanne.meander.spacing = SPACING
     suzanne.meander.threads = given.threads
     suzanne.meander.iteration_limit = ITERATIONS
     return suzanne
@@ -104,43 +151,118 @@ def view_override() -> dict:
     return {"window": window, "area": area, "region": region}
 
 
-def in_one_go() -> tuple[float, float, float, int]:
-    with bpy.context.temp_override(**view_override()):
-        plan = session.plan_run(bpy.context)
-    stepper = session.Stepper(plan.problem)
-    begin, begin_processors = time.perf_counter(), time.process_time()
-    stepper.run()
-    seconds = time.perf_counter() - begin
-    processors = time.process_time() - begin_processors
-    figures = stepper.result()[1]
-    return seconds, processors, figures["seconds_total"], figures["iterations"]
+def say(row: str, **figures: Any) -> None:
+    window, region = view_override()["window"], view_override()["region"]
+    about = {
+        "row": row,
+        "width": window.width,
+        "height": window.height,
+        "view_width": region.width,
+        "view_height": region.height,
+        "sidebar": view_override()["area"].spaces.active.show_region_ui,
+        "renderer": gpu.platform.renderer_get(),
+        "threads": given.threads,
+    }
+    print(json.dumps({**about, **figures}), flush=True)
 
 
-def watched() -> Iterator[float]:
-    """Runs the operator; leaves its seconds, iterations, redraws and pictures in `last`."""
-    global redraws, panel_redraws, shown
-    with bpy.context.temp_override(**view_override()):
-        redraws = panel_redraws = shown = 0
-        begin, begin_processors = time.perf_counter(), time.process_time()
-        outcome = bpy.ops.meander.run("INVOKE_DEFAULT")
-    assert outcome == {"RUNNING_MODAL"}, outcome
-    while session.current() is not None:
-        yield 0.05
-    last.update(
-        seconds=known - begin,
-        processors=known_processors - begin_processors,
-        finishing=time.perf_counter() - known,
-        redraws=redraws,
-        panel_redraws=panel_redraws,
-        shown=shown,
+def redraw(kind: str = "WINDOW") -> None:
+    """Draws the view, or the sidebar beside it, and puts the window together, at once."""
+    for region in view_override()["area"].regions:
+        if region.type == kind:
+            region.tag_redraw()
+    # The timer warns of what it has measured, a line for each redraw.
+    sys.stdout.flush()
+    kept = os.dup(1)
+    try:
+        os.dup2(nowhere, 1)
+        with bpy.context.temp_override(**view_override()):
+            bpy.ops.wm.redraw_timer(type="DRAW_SWAP", iterations=1)
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
+
+
+def repeated(work: Callable[[], None]) -> tuple[float, float, float]:
+    """Seconds by the clock, of all processors and of this thread; means of calls for a second."""
+    work()  # the first drawing compiles its programs
+    begin = now = Moment()
+    calls = 0
+    while calls < MOST_REDRAWS and now.clock - begin.clock < BARE_SECONDS:
+        work()
+        calls += 1
+        now = Moment()
+    clock, cpu, main = now.since(begin)
+    return clock / calls, cpu / calls, main / calls
+
+
+# ------------------------------------------------------------------------------------------------
+# The rows
+
+
+def bare_figures(kind: str = "WINDOW") -> dict[str, float]:
+    clock, cpu, main_cpu = repeated(lambda: redraw(kind))
+    return {
+        "redraws_per_second": round(1.0 / clock, 1),
+        "cpu_seconds": round(cpu, 5),
+        "main_cpu": round(main_cpu, 5),
+    }
+
+
+def bare() -> None:
+    """Redraws while nothing but Blender's own is drawn."""
+    system = bpy.context.preferences.system
+    before = system.viewport_aa
+    smooth = bare_figures()
+    system.viewport_aa = "OFF"
+    plain = bare_figures()
+    panel = bare_figures("UI")
+    system.viewport_aa = before
+    say("bare", smooth=smooth, plain=plain, panel=panel)
+
+
+def picture(surface: bpy.types.Object, polylines: core.Polylines) -> None:
+    """What a picture of these polylines takes, without smoothing, by parts."""
+    system = bpy.context.preferences.system
+    before = system.viewport_aa
+    system.viewport_aa = "OFF"
+    matrix = blender_data.world_matrix(surface)
+    bare_cpu = repeated(redraw)[1]
+    curve = blender_data.new_curve_object("Bench", surface)
+    taken = {"copy_cpu": 0.0, "evaluate_cpu": 0.0, "draw_cpu": 0.0}
+    moved = 0
+
+    def measured(key: str, work: Callable, *arguments: Any) -> None:
+        begin = time.process_time()
+        work(*arguments)
+        taken[key] += time.process_time() - begin
+
+    def show() -> None:
+        nonlocal moved
+        moved += 1
+        lifted = polylines.positions + 1e-4 * (moved % 10) * polylines.normals
+        changed = polylines._replace(positions=lifted)
+        measured("copy_cpu", blender_data.update_splines, curve.data, changed, matrix)
+        measured("evaluate_cpu", bpy.context.view_layer.update)
+        measured("draw_cpu", redraw)
+
+    show()
+    taken = dict.fromkeys(taken, 0.0)
+    moved = 0
+    repeated(show)
+    parts = {key: seconds / moved for key, seconds in taken.items()}
+    still = repeated(redraw)[1]
+    bpy.data.objects.remove(curve)
+    system.viewport_aa = before
+    parts["batch_cpu"] = parts.pop("draw_cpu") - still
+    parts["still_cpu"] = still - bare_cpu
+    say(
+        "picture",
+        points=len(polylines.positions),
+        bare_cpu=round(bare_cpu, 5),
+        our_cpu=round(sum(parts.values()), 5),
+        **{key: round(seconds, 5) for key, seconds in parts.items()},
     )
-    result = bpy.context.view_layer.objects.active
-    figures = result.meander.figures
-    last.update(iterations=figures.iterations, solver=figures.seconds)
-    bpy.data.objects.remove(result)
-
-
-last: dict = {}
 
 
 def write_seconds(surface: bpy.types.Object) -> float:
@@ -161,73 +283,113 @@ def write_seconds(surface: bpy.types.Object) -> float:
     return seconds
 
 
-def bare_rate() -> dict[str, float]:
-    """Redraws for a second, and what each costs, while nothing but Blender's own is drawn."""
+def in_one_go() -> tuple[dict[str, float], core.Polylines]:
     with bpy.context.temp_override(**view_override()):
-        bpy.ops.wm.redraw_timer(type="DRAW_SWAP", iterations=1)
-        begin, begin_processors = time.perf_counter(), time.process_time()
-        for _ in range(BARE_REDRAWS):
-            view_override()["region"].tag_redraw()
-            bpy.ops.wm.redraw_timer(type="DRAW_SWAP", iterations=1)
-        seconds = time.perf_counter() - begin
-        processors = time.process_time() - begin_processors
-    return {
-        "redraws_per_second": round(BARE_REDRAWS / seconds, 1),
-        "cpu_seconds": round(processors / BARE_REDRAWS, 4),
-    }
+        plan = session.plan_run(bpy.context)
+    stepper = session.Stepper(plan.problem)
+    begin = Moment()
+    stepper.run()
+    clock, cpu, _main = Moment().since(begin)
+    snapshot, figures, _reason = stepper.result()
+    run = {"clock": clock, "cpu": cpu, "solver": figures["seconds_total"]}
+    run["iterations"] = figures["iterations"]
+    return run, snapshot.polylines
 
 
-def bare() -> None:
-    system = bpy.context.preferences.system
-    before = system.viewport_aa
-    smooth = bare_rate()
-    system.viewport_aa = "OFF"
-    plain = bare_rate()
-    system.viewport_aa = before
-    window = bpy.context.window_manager.windows[0]
-    row = {"row": "bare", "width": window.width, "height": window.height}
-    row["renderer"] = gpu.platform.renderer_get()
-    print(json.dumps({**row, "smooth": smooth, "plain": plain}), flush=True)
+def watched() -> Iterator[float]:
+    """Runs the operator; leaves its figures in `last`."""
+    global tally
+    with bpy.context.temp_override(**view_override()):
+        tally = Tally()
+        outcome = bpy.ops.meander.run("INVOKE_DEFAULT")
+    assert outcome == {"RUNNING_MODAL"}, outcome
+    while session.current() is not None:
+        yield 0.2
+    finishing = time.perf_counter() - tally.known.clock
+    clock, cpu, main_cpu = tally.known.since(tally.begin)
+    result = bpy.context.view_layer.objects.active
+    figures = result.meander.figures
+    last.update(
+        clock=clock,
+        cpu=cpu,
+        finishing=finishing,
+        main_cpu_share=main_cpu / clock,
+        tick_cpu_share=tally.tick_cpu / clock,
+        redraws_per_second=tally.redraws / clock,
+        panel_redraws_per_second=tally.panel_redraws / clock,
+        shown_per_second=tally.shown / clock,
+        ticks_per_second=tally.ticks / clock,
+        iterations=figures.iterations,
+        nodes=figures.nodes,
+        solver=figures.seconds,
+    )
+    bpy.data.objects.remove(result)
+
+
+last: dict = {}
+
+
+def compared(surface: bpy.types.Object) -> Iterator[float]:
+    alone, seen = [], []
+    for _ in range(given.repeat):
+        bpy.context.view_layer.objects.active = surface
+        run, polylines = in_one_go()
+        yield from watched()
+        assert last["iterations"] == run["iterations"], (last, run)
+        alone.append(run)
+        seen.append(dict(last))
+
+    def median(runs: list[dict[str, float]], key: str, digits: int = 3) -> float:
+        return round(statistics.median(run[key] for run in runs), digits)
+
+    def ratio(key: str) -> list[float]:
+        return [round(one[key] / other[key], 3) for one, other in zip(alone, seen)]
+
+    say(
+        "watched",
+        nodes=last["nodes"],
+        points=len(polylines.positions),
+        iterations=last["iterations"],
+        seconds_alone=median(alone, "clock"),
+        seconds_watched=median(seen, "clock"),
+        speed=round(statistics.median(ratio("clock")), 3),
+        solver_speed=round(statistics.median(ratio("solver")), 3),
+        all_solver_speeds=ratio("solver"),
+        finishing=median(seen, "finishing"),
+        cpu_alone=median(alone, "cpu"),
+        cpu_watched=median(seen, "cpu"),
+        **{key: median(seen, key) for key in ("main_cpu_share", "tick_cpu_share")},
+        **{key: median(seen, key, 1) for key in last if key.endswith("_per_second")},
+    )
 
 
 def story() -> Iterator[float]:
     yield 1.0
     surface = build_scene()
-    view_override()["area"].spaces.active.show_region_ui = True
+    view_override()["area"].spaces.active.show_region_ui = bool(given.sidebar)
+    if given.maximised:
+        with bpy.context.temp_override(**view_override()):
+            bpy.ops.screen.screen_full_area(use_hide_panels=True)
     yield 0.5
-    bare()
-    writes = [write_seconds(surface) for _ in range(5)]
-    print(json.dumps({"row": "write", "points": POINTS, "strands": STRANDS,
-                      "seconds": round(statistics.median(writes), 4),
-                      "all_seconds": [round(s, 4) for s in writes]}), flush=True)
-    yield from watched()  # the first drawing compiles its programs
-    cpu_alone, cpu_watched, finishing = [], [], []
-    alone, seen, solver, rates, panels, pictures = [], [], [], [], [], []
-    for _ in range(given.repeat):
+    if "bare" in given.only:
+        bare()
+    if "write" in given.only:
+        writes = [write_seconds(surface) for _ in range(5)]
+        say(
+            "write",
+            points=POINTS,
+            strands=STRANDS,
+            seconds=round(statistics.median(writes), 4),
+            all_seconds=[round(seconds, 4) for seconds in writes],
+        )
+    for nodes in given.nodes:
+        surface.meander.spacing = SPACING * (NODES / nodes) ** 0.5
         bpy.context.view_layer.objects.active = surface
-        seconds, processors, solver_seconds, iterations = in_one_go()
-        alone.append(seconds)
-        cpu_alone.append(processors)
-        yield from watched()
-        assert last["iterations"] == iterations, (last, iterations)
-        seen.append(last["seconds"])
-        cpu_watched.append(last["processors"])
-        finishing.append(last["finishing"])
-        solver.append(solver_seconds / last["solver"])
-        rates.append(last["redraws"] / last["seconds"])
-        panels.append(last["panel_redraws"] / last["seconds"])
-        pictures.append(last["shown"] / last["seconds"])
-    print(json.dumps({"row": "watched", "threads": given.threads, "iterations": iterations,
-                      "seconds_alone": round(statistics.median(alone), 3),
-                      "seconds_watched": round(statistics.median(seen), 3),
-                      "speed": round(statistics.median(a / s for a, s in zip(alone, seen)), 3),
-                      "solver_speed": round(statistics.median(solver), 3),
-                      "finishing": round(statistics.median(finishing), 3),
-                      "cpu_alone": round(statistics.median(cpu_alone), 3),
-                      "cpu_watched": round(statistics.median(cpu_watched), 3),
-                      "redraws_per_second": round(statistics.median(rates), 1),
-                      "panel_redraws_per_second": round(statistics.median(panels), 1),
-                      "shown_per_second": round(statistics.median(pictures), 1)}), flush=True)
+        if "picture" in given.only:
+            picture(surface, in_one_go()[1])
+        if "watched" in given.only:
+            yield from watched()  # the first drawing compiles its programs
+            yield from compared(surface)
 
 
 def tell() -> float | None:
@@ -245,10 +407,16 @@ def tell() -> float | None:
 parser = argparse.ArgumentParser()
 parser.add_argument("--repeat", type=int, default=3)
 parser.add_argument("--threads", type=int, default=0, help="of the solver; 0: all")
+parser.add_argument("--nodes", type=int, nargs="+", default=[NODES], help="about so many")
+parser.add_argument("--sidebar", type=int, choices=(0, 1), default=1, help="shown or not")
+parser.add_argument("--maximised", action="store_true", help="nothing but the 3D view")
+parser.add_argument("--only", nargs="+", choices=ROWS, default=list(ROWS), metavar="ROW")
 given = parser.parse_args(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])
+nowhere = os.open(os.devnull, os.O_WRONLY)
 bpy.context.preferences.view.show_splash = False
 meander.register()
 session.Session._show = count_shown(session.Session._show)
+session.Session.tick = measure_tick(session.Session.tick)
 session.Session.keep = note_end(session.Session.keep)
 bpy.types.SpaceView3D.draw_handler_add(count_redraw, (), "WINDOW", "POST_VIEW")
 bpy.types.SpaceView3D.draw_handler_add(count_panel_redraw, (), "UI", "POST_PIXEL")

@@ -41,6 +41,11 @@ TICKS_PER_SECOND = 15
 KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
 # Of the share that drawing may have where the processors draw, for the sidebar between pictures.
 PANEL_SHARE = 0.15
+# Nobody reads the status bar and the sidebar faster than they change, in seconds.
+TEXT_INTERVAL = 0.25
+# A copy of the curve that may have waited for longer than this, in seconds, since nobody looked, is
+# not worth showing: the next one is an iteration away.
+STALE = 0.25
 # How far above the surface the preview is drawn, in spacings.
 PREVIEW_LIFT = 0.05
 # So many gaps are kept with a result, the largest: a run that was stopped early has thousands.
@@ -171,8 +176,8 @@ def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart:
 class _Window:
     """What a run borrows from the window: a timer, the status bar, the progress at the cursor.
 
-    On a machine that draws slowly also the smoothing of edges, for which Blender would draw every
-    picture eight times.
+    On a machine where drawing takes too much from the solver also the smoothing of edges, for which
+    Blender would draw every picture eight times.
     """
 
     def __init__(self, context: bpy.types.Context) -> None:
@@ -180,6 +185,7 @@ class _Window:
         self._timer = manager.event_timer_add(1.0 / TICKS_PER_SECOND, window=context.window)
         self._workspaces: set[str] = set()
         self._shown = ("", "")
+        self._text_shown = 0.0  # when
         self._software = _draws_by_software()
         self._paces = {
             region: Pace(1.0 / TICKS_PER_SECOND, os.cpu_count() or 1, self._software)
@@ -200,8 +206,8 @@ class _Window:
     def picture_due(self) -> bool:
         """Whether the curve may be shown anew without taking too much from the solver."""
         pace = self._paces["WINDOW"]
-        due = pace.tick(time.perf_counter())
-        if self._software and pace.slow and self._smoothing is None:
+        due = pace.tick(time.perf_counter(), time.thread_time())
+        if pace.slow and self._smoothing is None:
             self._smoothing = self._smooth("OFF")
         return due
 
@@ -209,21 +215,26 @@ class _Window:
         self._redraw("WINDOW")
         self._paces["WINDOW"].asked(time.perf_counter())
 
+    def text_due(self, with_picture: bool) -> bool:
+        """Whether the text may be shown anew; together with a picture it costs next to nothing."""
+        now = time.perf_counter()
+        due = self._paces["UI"].tick(now, time.thread_time())
+        return (due or with_picture) and now >= self._text_shown + TEXT_INTERVAL
+
     def show(self, context: bpy.types.Context, text: str, progress: float) -> None:
         """Shows how far the run is, in the status bar and in panels."""
         # The text belongs to the workspace in front, and the user may change to another.
         self._workspaces.add(context.workspace.name)
         shown = (context.workspace.name, text)
-        # Together with a picture it costs next to nothing.
-        due = self._paces["UI"].tick(time.perf_counter()) or self._paces["WINDOW"].waiting
-        if not due or shown == self._shown:
+        if shown == self._shown:
             return
         self._shown = shown
+        self._text_shown = time.perf_counter()
         context.window_manager.progress_update(100.0 * progress)
         context.workspace.status_text_set(f"{text}    |    {KEYS}")
         self._redraw("UI")
         if not self._paces["WINDOW"].waiting:
-            self._paces["UI"].asked(time.perf_counter())
+            self._paces["UI"].asked(self._text_shown)
 
     def give_back(self) -> None:
         context = bpy.context
@@ -286,6 +297,9 @@ class Session:
         self.stepper = Stepper(plan.problem)
         self.latest: Snapshot | None = None
         self._shown = True  # whether the view has what is in `latest`
+        self._looked = 0.0  # when a copy of the curve was last asked for
+        self._looked_away = False  # whether a tick has passed since
+        self._stale = False  # whether `latest` was old when it was taken
         self.stop_wanted = False
         self.ended = False
         self._window: _Window | None = None
@@ -299,6 +313,7 @@ class Session:
         _current = self
         self._window = _Window(context)
         self.stepper.start()
+        self._looked = time.perf_counter()
 
     def tick(self, context: bpy.types.Context) -> bool:
         """Shows how far the run is. False when it has come to its end.
@@ -308,16 +323,31 @@ class Session:
         self._check_alive()
         if self.stop_wanted:
             self.stepper.cancel()
-        snapshot = self.stepper.poll()
-        if snapshot is not None:
-            self.latest = snapshot
-            self._shown = False
-        if self._window.picture_due() and not self._shown and not self.stepper.finished:
+        picture_due = self._window.picture_due()
+        text_due = self._window.text_due(picture_due)
+        # The run stands still while it makes a copy, so none is asked for in vain.
+        if picture_due or text_due:
+            self._look()
+        else:
+            self._looked_away = True
+        if picture_due and not (self._shown or self._stale or self.stepper.finished):
             self._show(self.latest.polylines)
             self._shown = True
             self._window.picture_given()
-        self._window.show(context, self.progress_text(), self.progress())
+        if text_due:
+            self._window.show(context, self.progress_text(), self.progress())
         return not self.stepper.finished
+
+    def _look(self) -> None:
+        """Takes the newest copy of the curve if there is one, and has the run make another."""
+        snapshot = self.stepper.poll()
+        before, self._looked = self._looked, time.perf_counter()
+        if snapshot is not None:
+            self.latest = snapshot
+            self._shown = False
+            # It was made after the last look, perhaps right after.
+            self._stale = self._looked_away and self._looked - before > STALE
+        self._looked_away = False
 
     def progress(self) -> float:
         """How much of its expected length the curve has, in [0, 1]."""

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import threading
+import time
 
 import bpy
 import numpy as np
@@ -270,6 +271,9 @@ class FakeWindow:
     def picture_given(self) -> None:
         pass
 
+    def text_due(self, with_picture: bool) -> bool:
+        return with_picture
+
     def show(self, _context, text: str, _progress: float) -> None:
         self.texts.append(text)
 
@@ -291,8 +295,6 @@ def begin(thing: bpy.types.Object, spacing: float) -> session.Session:
 
 
 def tick_until(running: session.Session, condition) -> None:
-    import time
-
     end = time.monotonic() + 20.0
     while running.tick(bpy.context) and not condition():
         assert time.monotonic() < end
@@ -331,6 +333,26 @@ def test_the_first_preview_is_there_at_once(windowed):
     running = begin(sphere(), 0.05)
     assert running.tick(bpy.context)
     assert running.latest.iterations == 0 and running.latest.nodes >= 3
+    running.end()
+
+
+def test_a_picture_shows_the_curve_as_it_is_now(windowed, monkeypatch):
+    """Copies are made when the last one has been taken, so one that has waited is an old one."""
+    due, shown = [True], []
+    monkeypatch.setattr(FakeWindow, "picture_due", lambda _self: due[0])
+    monkeypatch.setattr(session.Session, "_show", lambda self, _lines: shown.append(self.latest))
+    monkeypatch.setattr(session, "STALE", 0.3)
+    running = begin(sphere(), 0.03)
+    tick_until(running, lambda: len(shown) == 2)
+    due[0] = False
+    looked_away = time.monotonic()
+    tick_until(running, lambda: time.monotonic() > looked_away + 0.6)
+    assert len(shown) == 2, "nobody asked for a picture"
+    due[0] = True
+    assert running.tick(bpy.context) and len(shown) == 2
+    old = running.latest.iterations  # made when the picture before it had been taken
+    tick_until(running, lambda: len(shown) == 3)
+    assert shown[2].iterations > old
     running.end()
 
 
