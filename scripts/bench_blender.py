@@ -16,7 +16,7 @@ those of a processor where the key has `cpu` in it, of the clock elsewhere.
               `plain` without; `panel`, of the sidebar alone
     picture   what one picture of a curve that has changed takes, in seconds of all processors:
               `bare_cpu`, a redraw without the curve; `still_cpu`, with the curve, unchanged, on
-              top of it; `copy_cpu`, from the arrays of the solver to points of splines;
+              top of it; `copy_cpu`, from the arrays of the solver to those of the view;
               `evaluate_cpu`, Blender's evaluation of the scene; `batch_cpu`, what drawing a changed
               curve takes more than drawing an unchanged one. `our_cpu` is all but the bare redraw
     watched   medians of the same run in one go and in the modal operator: `solver_speed`, ratio of
@@ -56,6 +56,7 @@ sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
 
 import meander  # noqa: E402
 from meander import blender_data, core, session  # noqa: E402
+from meander.growing_curve import GrowingCurve  # noqa: E402
 
 # This spacing takes about so many nodes; converges before the limit.
 SPACING, NODES, ITERATIONS = 0.04, 50_000, 400
@@ -228,7 +229,7 @@ def picture(surface: bpy.types.Object, polylines: core.Polylines) -> None:
     system.viewport_aa = "OFF"
     matrix = blender_data.world_matrix(surface)
     bare_cpu = repeated(redraw)[1]
-    curve = blender_data.new_curve_object("Bench", surface)
+    curve = GrowingCurve(lambda: surface, bpy.context.scene.name, matrix)
     taken = {"copy_cpu": 0.0, "evaluate_cpu": 0.0, "draw_cpu": 0.0}
     moved = 0
 
@@ -240,9 +241,7 @@ def picture(surface: bpy.types.Object, polylines: core.Polylines) -> None:
     def show() -> None:
         nonlocal moved
         moved += 1
-        lifted = polylines.positions + 1e-4 * (moved % 10) * polylines.normals
-        changed = polylines._replace(positions=lifted)
-        measured("copy_cpu", blender_data.update_splines, curve.data, changed, matrix)
+        measured("copy_cpu", curve.show, polylines, 1e-3 * (moved % 10))
         measured("evaluate_cpu", bpy.context.view_layer.update)
         measured("draw_cpu", redraw)
 
@@ -252,7 +251,7 @@ def picture(surface: bpy.types.Object, polylines: core.Polylines) -> None:
     repeated(show)
     parts = {key: seconds / moved for key, seconds in taken.items()}
     still = repeated(redraw)[1]
-    bpy.data.objects.remove(curve)
+    curve.remove()
     system.viewport_aa = before
     parts["batch_cpu"] = parts.pop("draw_cpu") - still
     parts["still_cpu"] = still - bare_cpu

@@ -19,7 +19,8 @@ preparation, blender_preparation     mending meshes, and the part of one that is
 profile     tilt and radius of a result's points
 motion      curves on surfaces that move: followed, and baked
 properties  the settings on an object
-session     one run as Blender sees it: preview, keep, restore
+session     one run as Blender sees it: start, show, keep, restore
+pace, growing_curve     how often the curve is shown meanwhile, and how it is drawn
 point_attributes    what is known of every point, as attributes of a mesh or of hair curves
 export_toolpath     the points of a result as a file, and as such objects
 operators, sidebar, panels, ..._panel   buttons

@@ -365,8 +365,7 @@ def write_curve(
 
     curve_object   the curve to rewrite; None makes a new one beside the surface, in its collection
     matrix         the surface's world matrix when the polylines were made; None: as it is now
-    bevel_depth    radius of the round bevel in world units; 0: a bare curve, which is what a
-                   preview wants (a bevel makes each update fifty times slower)
+    bevel_depth    radius of the round bevel in world units; 0: a bare curve
     """
     if matrix is None:
         matrix = world_matrix(surface_object)
@@ -405,35 +404,6 @@ def write_splines(curve: bpy.types.Curve, polylines: core.Polylines, matrix: np.
         points[:, :3] = positions[begin:end]
         spline.points.foreach_set("co", points.ravel())
         spline.use_cyclic_u = bool(closed)
-    curve.update_tag()
-
-
-def update_splines(curve: bpy.types.Curve, polylines: core.Polylines, matrix: np.ndarray) -> None:
-    """Like write_splines, for a curve that is written again and again while it grows.
-
-    Splines have more points than polylines, the rest of them at the last one. So most times only
-    coordinates change, of which nobody is told: whoever shows the curve has to be redrawn by the
-    caller. Adding points has Blender redraw lists and property editors as well, which costs a
-    third as much as the view itself where there is no graphics card.
-    """
-    offsets = np.asarray(polylines.offsets, dtype=np.int64)
-    counts = np.diff(offsets)
-    splines = list(curve.splines)
-    fits = len(splines) == len(counts) and all(
-        spline.type == "POLY" and spline.use_cyclic_u == closed and len(spline.points) >= count
-        for spline, closed, count in zip(splines, polylines.closed, counts.tolist())
-    )
-    if not fits:
-        write_splines(curve, polylines, matrix)
-        splines = list(curve.splines)
-        for spline in splines:
-            spline.points.add(len(spline.points) // 2 + 64)
-    positions = to_local(polylines.positions, matrix).astype(np.float32)
-    for spline, begin, end in zip(splines, offsets[:-1].tolist(), offsets[1:].tolist()):
-        points = np.ones((len(spline.points), 4), dtype=np.float32)
-        points[: end - begin, :3] = positions[begin:end]
-        points[end - begin :, :3] = positions[end - 1]
-        spline.points.foreach_set("co", points.ravel())
     curve.update_tag()
 
 

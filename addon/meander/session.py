@@ -2,8 +2,8 @@
 """One run as Blender sees it: what to solve, a preview while it grows, and how it ends.
 
 A session keeps names and arrays, never references to Blender's data: those die with undo, with
-deletion and with a new file. The preview lives in curve data of its own, so that a run that is
-cancelled leaves a continued result exactly as it was.
+deletion and with a new file. The growing curve is no data of Blender's at all, and a result that is
+continued lays its own aside meanwhile, so that a run that is cancelled leaves everything as it was.
 """
 
 from __future__ import annotations
@@ -32,6 +32,7 @@ from .blender_alignment import alignment_of, directions_of
 from .blender_data import DataError
 from .blender_density import choice_of, density_of
 from .blender_terms import terms_of
+from .growing_curve import GrowingCurve
 from .pace import Pace
 from .preparation import described
 from .stepper import Problem, Snapshot, Stepper
@@ -303,14 +304,16 @@ class Session:
         self.stop_wanted = False
         self.ended = False
         self._window: _Window | None = None
-        self._preview: Key | None = None  # the object that shows the growing curve
-        self._preview_data = ""  # name of the curve data made for the preview
+        self._growing: GrowingCurve | None = None
+        self._scene = ""  # name of the scene that shows it
         self._original_data = ""  # name of the data of a result that is continued
+        self._emptied_data = ""  # and of what it has meanwhile
 
     def start(self, context: bpy.types.Context) -> None:
         """Begins the run, which goes on by itself, with a timer for tick()."""
         global _current
         _current = self
+        self._scene = context.scene.name
         self._window = _Window(context)
         self.stepper.start()
         self._looked = time.perf_counter()
@@ -318,7 +321,7 @@ class Session:
     def tick(self, context: bpy.types.Context) -> bool:
         """Shows how far the run is. False when it has come to its end.
 
-        Raises DataError when the surface or the preview has been deleted meanwhile.
+        Raises DataError when the surface or the result has been deleted meanwhile.
         """
         self._check_alive()
         if self.stop_wanted:
@@ -463,49 +466,51 @@ class Session:
     def _check_alive(self) -> None:
         if self.plan.surface.find() is None:
             raise DataError("The surface was deleted while the curve was growing; start again")
-        changed = self._preview if self._preview is not None else self.plan.result
-        if changed is not None and changed.find() is None:
+        if self.plan.result is not None and self.plan.result.find() is None:
             raise DataError("The curve was deleted while it was growing; start again")
 
     # -- preview -----------------------------------------------------------------------------
 
+    @property
+    def shown_points(self) -> int:
+        """How many points the curve has that the views show."""
+        return self._growing.point_count if self._growing is not None else 0
+
     def _show(self, polylines: core.Polylines) -> None:
-        if self._preview is None:
-            self._begin_preview()
-        # A line that lies in the surface flickers; seen a little above it, it is clear.
-        lifted = polylines.positions + PREVIEW_LIFT * self.plan.spacing * polylines.normals
-        blender_data.update_splines(
-            self._preview.find().data, polylines._replace(positions=lifted), self.plan.matrix
-        )
+        if self._growing is None:
+            self._growing = GrowingCurve(self.plan.surface.find, self._scene, self.plan.matrix)
+        self._hide_result()
+        self._growing.show(polylines, PREVIEW_LIFT * self.plan.spacing)
 
-    def _begin_preview(self) -> None:
-        plan = self.plan
-        existing = plan.result.find() if plan.result else None
-        if existing is None:
-            surface = plan.surface.find()
-            preview = blender_data.new_curve_object(plan.name, surface)
-        else:
-            preview = existing
-            self._original_data = existing.data.name
-            existing.data = existing.data.copy()
-            existing.data.bevel_depth = 0.0
-        self._preview = Key.of(preview)
-        self._preview_data = preview.data.name
-
-    def _end_preview(self) -> None:
-        if self._preview is None:
+    def _hide_result(self) -> None:
+        """Empties a result that is continued while its curve is drawn."""
+        result = self.plan.result.find() if self.plan.result else None
+        if result is None or self._emptied_data:
             return
-        preview = self._preview.find()
-        original = bpy.data.curves.get(self._original_data) if self._original_data else None
-        if preview is not None:
-            if original is not None:
-                preview.data = original
-            else:
-                bpy.data.objects.remove(preview)
-        data = bpy.data.curves.get(self._preview_data)
+        self._original_data = result.data.name
+        result.data = result.data.copy()
+        result.data.bevel_depth = 0.0
+        result.data.splines.clear()
+        self._emptied_data = result.data.name
+
+    def restore_result(self) -> None:
+        """Gives a result that is continued its curve back, until the next picture."""
+        if not self._emptied_data:
+            return
+        result = self.plan.result.find()
+        original = bpy.data.curves.get(self._original_data)
+        if result is not None and original is not None:
+            result.data = original
+        data = bpy.data.curves.get(self._emptied_data)
         if data is not None and data.users == 0:
             bpy.data.curves.remove(data)
-        self._preview = None
+        self._emptied_data = ""
+
+    def _end_preview(self) -> None:
+        if self._growing is not None:
+            self._growing.remove()
+            self._growing = None
+        self.restore_result()
 
     # -- result ------------------------------------------------------------------------------
 
@@ -590,10 +595,18 @@ def _before_load(*_arguments: object) -> None:
     end_current()
 
 
+@persistent
+def _before_save(*_arguments: object) -> None:
+    if _current is not None:
+        _current.restore_result()  # what is saved is the curve, not the gap that it has left
+
+
 def register() -> None:
     bpy.app.handlers.load_pre.append(_before_load)
+    bpy.app.handlers.save_pre.append(_before_save)
 
 
 def unregister() -> None:
     end_current()
     bpy.app.handlers.load_pre.remove(_before_load)
+    bpy.app.handlers.save_pre.remove(_before_save)

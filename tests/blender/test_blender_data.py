@@ -254,24 +254,3 @@ def test_the_proposed_spacing_follows_the_size():
     small = blender_data.proposed_spacing(*blender_data.triangles_of(sphere(0.01), depsgraph()))
     large = blender_data.proposed_spacing(*blender_data.triangles_of(sphere(10.0), depsgraph()))
     assert large == pytest.approx(1000.0 * small, rel=0.1)
-
-
-def test_a_growing_curve_is_the_same_with_points_to_spare():
-    thing = cube()
-    thing.location = (1.0, 2.0, 3.0)
-    bpy.context.view_layer.update()
-    curve = blender_data.new_curve_object("Growing", thing)
-    matrix = blender_data.world_matrix(thing)
-    rng = np.random.default_rng(3)
-    have = []
-    for count, closed in ((5, [1, 0]), (40, [1, 0]), (30, [1, 0]), (300, [1, 0]), (300, [0, 1])):
-        strands = [rng.random((count, 3)), rng.random((count + 7, 3))]
-        blender_data.update_splines(curve.data, polylines(strands, closed), matrix)
-        bpy.context.view_layer.update()
-        assert [spline.use_cyclic_u for spline in curve.data.splines] == [bool(c) for c in closed]
-        for wanted, (points, _cyclic) in zip(strands, world_splines(curve), strict=True):
-            assert np.allclose(points[: len(wanted)], wanted, atol=1e-5)
-            # What is to spare adds no length: it lies at the last point.
-            assert np.allclose(points[len(wanted) :], wanted[-1], atol=1e-5)
-        have.append(sum(len(spline.points) for spline in curve.data.splines))
-    assert have[0] == have[1] == have[2] < have[3]  # 64 spare ones held the second and the third

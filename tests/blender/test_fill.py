@@ -360,9 +360,10 @@ def test_a_cancelled_run_leaves_no_trace(windowed):
     surface = sphere()
     before = counts()
     running = begin(surface, 0.1)
-    tick_until(running, lambda: counts() != before)
+    tick_until(running, lambda: running.shown_points > 0)
+    assert counts() == before  # drawn, but no object
     running.end()
-    assert counts() == before
+    assert counts() == before and not running.shown_points
     assert session.current() is None
     assert running._window.texts[-1] is None
     running.end()  # harmless
@@ -373,8 +374,8 @@ def test_a_cancelled_continuation_gives_the_splines_back(windowed):
     result = fill(surface, 0.2, iteration_limit=10)
     before, data, points = counts(), result.data, world_splines(result)[0][0]
     running = begin(result, 0.05)
-    tick_until(running, lambda: running.latest is not None)
-    assert result.data != data and result.data.bevel_depth == 0.0
+    tick_until(running, lambda: running.shown_points > 0)
+    assert result.data != data and not result.data.splines
     running.end()
     assert counts() == before
     assert result.data == data
@@ -405,19 +406,35 @@ def test_stopping_at_once_keeps_the_seed(windowed):
     assert figures["crossings"] == 0
 
 
-@pytest.mark.parametrize("victim", ["surface", "preview"])
+def test_a_file_saved_meanwhile_has_the_curve_that_is_continued(windowed, tmp_path):
+    result = fill(sphere(), 0.2, iteration_limit=10)
+    data, points = result.data, world_splines(result)[0][0]
+    running = begin(result, 0.05)
+    tick_until(running, lambda: running.shown_points > 0)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "while.blend"), copy=True)
+    assert result.data == data
+    with bpy.data.libraries.load(str(tmp_path / "while.blend")) as (_there, here):
+        here.objects = [result.name]
+    assert np.array_equal(world_splines(here.objects[0])[0][0], points)
+    tick_until(running, lambda: result.data != data)
+    running.end()
+    assert result.data == data and np.array_equal(world_splines(result)[0][0], points)
+
+
+@pytest.mark.parametrize("victim", ["surface", "result"])
 def test_deleting_an_object_under_the_run_ends_it(windowed, victim):
     surface = sphere()
+    result = fill(surface, 0.2, iteration_limit=10)
     before = counts()
-    running = begin(surface, 0.05)
-    tick_until(running, lambda: counts() != before)
-    bpy.data.objects.remove(surface if victim == "surface" else running._preview.find())
+    running = begin(result, 0.05)
+    tick_until(running, lambda: running.shown_points > 0)
+    bpy.data.objects.remove(surface if victim == "surface" else result)
     with pytest.raises(blender_data.DataError, match="deleted"):
         running.tick(bpy.context)
     running.end()
     after = counts()
     assert after["curves"] == before["curves"]
-    assert after["objects"] == before["objects"] - (victim == "surface")
+    assert after["objects"] == before["objects"] - 1
 
 
 def test_an_error_of_the_run_reaches_the_host(windowed):

@@ -156,16 +156,32 @@ def state() -> dict:
     }
 
 
-def point_count(name: str = RESULT) -> int:
-    """Without those that a growing curve has to spare at its last point."""
-    thing = bpy.data.objects.get(name)
-    count = 0
-    for spline in thing.data.splines if thing else ():
-        points = np.empty(4 * len(spline.points), dtype=np.float32)
-        spline.points.foreach_get("co", points)
-        spare = (points.reshape(-1, 4) == points[-4:]).all(axis=1)
-        count += len(spare) - int(spare.sum()) + 1
-    return count
+def point_count() -> int:
+    """Of the result, once there is one."""
+    thing = bpy.data.objects.get(RESULT)
+    return sum(len(spline.points) for spline in thing.data.splines) if thing else 0
+
+
+def shown_points() -> int:
+    """Of the growing curve, as the views have it."""
+    running = session.current()
+    return running.shown_points if running is not None else 0
+
+
+def changed_share(one: str, other: str) -> float:
+    """How much of the 3D view is another in two pictures; the sidebar and headers are left out."""
+    area = window_override()["area"]
+    view = next(region for region in area.regions if region.type == "WINDOW")
+    sidebar = window_override()["region"]
+    pixels = []
+    for name in (one, other):
+        image = bpy.data.images.load(str(PICTURES / f"{name}.png"))
+        everything = np.empty(len(image.pixels), dtype=np.float32)
+        image.pixels.foreach_get(everything)
+        everything = everything.reshape(image.size[1], image.size[0], 4)
+        pixels.append(everything[view.y : view.y + view.height - 80, view.x : sidebar.x, :3])
+        bpy.data.images.remove(image)
+    return float((np.abs(pixels[0] - pixels[1]).max(axis=2) > 0.1).mean())
 
 
 def assert_no_python_thread() -> None:
@@ -224,7 +240,7 @@ def ended() -> bool:
 
 
 def grown_to(points: int) -> Callable[[], bool]:
-    return lambda: point_count() >= points or ended()
+    return lambda: shown_points() >= points or ended()
 
 
 # ------------------------------------------------------------------------------------------------
@@ -251,24 +267,28 @@ def story() -> Iterator[float]:
     yield 0.5
     picture("1_ramp")
     settings.density_interpolation, settings.density_group = "LINEAR", ""
+    yield 0.5
+    picture("1_plain")
     before = state()
 
     step("the curve grows on screen")
     press_run()
-    yield from until(lambda: point_count() > 0, 5.0, "a first curve")
-    counts = [point_count()]
+    yield from until(lambda: shown_points() > 0, 5.0, "a first curve")
+    counts = [shown_points()]
     while len(counts) < 3 and not ended():
         yield from until(grown_to(counts[-1] + 1), 10.0, f"more points than {counts}")
-        counts.append(point_count())
+        counts.append(shown_points())
     assert not ended(), f"the run ended after {counts}; the scene is too easy"
     assert counts == sorted(set(counts)), counts
     # Grown enough for a picture worth looking at.
     yield from until(lambda: ended() or session.current().progress() > 0.5, 10.0, "half of it")
     yield 0.2
     picture("2_running")
+    changed = changed_share("1_plain", "2_running")
+    assert changed > 0.02, f"only {changed:.1%} of the view has changed"
     assert not ended(), "the run ended before it could be cancelled; the scene is too easy"
     assert status_texts[-1] and "Esc" in status_texts[-1], status_texts[-1:]
-    assert bpy.data.objects[RESULT].data.bevel_depth == 0.0
+    assert state() == before, "a growing curve is drawn, but is no object"
 
     step("Esc restores the scene")
     key("ESC")
@@ -298,8 +318,10 @@ def story() -> Iterator[float]:
     bpy.data.objects[RESULT].meander.spacing = FINE
     before_continued = state()
     press_run()
-    yield from until(lambda: state() != before_continued, 10.0, "a change")
-    assert bpy.data.objects[RESULT].data.bevel_depth == 0.0
+    yield from until(lambda: shown_points() > 0, 10.0, "a first curve")
+    yield 0.3
+    picture("4_continued")
+    assert not bpy.data.objects[RESULT].data.splines
     key("ESC")
     yield from until(ended, 5.0, "the end after Esc")
     assert state() == before_continued
@@ -332,7 +354,7 @@ def story() -> Iterator[float]:
     step("the surface is deleted under the run")
     bpy.context.view_layer.objects.active = bpy.data.objects[SURFACE]
     press_run()
-    yield from until(lambda: point_count(f"{RESULT}.001") > 0, 5.0, "a first curve")
+    yield from until(lambda: shown_points() > 0, 5.0, "a first curve")
     bpy.data.objects.remove(bpy.data.objects[SURFACE])
     yield from until(ended, 5.0, "the end after the deletion")
     assert_nothing_left_over()
