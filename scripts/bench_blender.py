@@ -13,7 +13,7 @@ those of a processor where the key has `cpu` in it, of the clock elsewhere.
     bare      redraws of the 3D view for a second that Blender reaches in this window while nothing
               of ours is there and nothing else is done, and seconds of all processors for each;
               `main_cpu`, those of Blender's own thread. `smooth` with Blender's smoothing of edges,
-              `plain` without; `panel`, of the sidebar alone
+              `plain` without
     picture   what one picture of a curve that has changed takes, in seconds of all processors:
               `bare_cpu`, a redraw without the curve; `still_cpu`, with the curve, unchanged, on
               top of it; `copy_cpu`, from the arrays of the solver to those of the view;
@@ -25,7 +25,9 @@ those of a processor where the key has `cpu` in it, of the clock elsewhere.
               finished result; `cpu_alone` and `cpu_watched`, seconds of all processors until the
               end is known; `main_cpu_share`, of Blender's own thread in each second of the run, and
               `tick_cpu_share` of it in the operator; redraws of the 3D view, of the sidebar beside
-              it, and copies of the curve shown, for a second
+              it, and copies of the curve shown, for a second; `all_others`, how many processors
+              other programs kept busy in each pair of runs (Linux): where they did, seconds by the
+              clock and their ratios say little
     write     seconds to write a curve of 200,000 points into a curve object
 
 Where there is no graphics card set LIBGL_ALWAYS_SOFTWARE=1; the drawing then takes processors away
@@ -76,10 +78,26 @@ class Tally:
         self.known = self.begin
 
 
+def busy_seconds() -> float:
+    """Of all processors and all programs since the machine started; 0 where that is not told."""
+    try:
+        with open("/proc/stat") as file:
+            user, nice, system = (int(ticks) for ticks in file.readline().split()[1:4])
+    except OSError:
+        return 0.0
+    return (user + nice + system) / os.sysconf("SC_CLK_TCK")
+
+
 class Moment:
     def __init__(self) -> None:
         self.clock, self.cpu = time.perf_counter(), time.process_time()
         self.main_cpu = time.thread_time()
+        self.busy = busy_seconds()
+
+    def others_since(self, earlier: Moment) -> float:
+        """How many processors other programs kept busy: above 0 the clock says little."""
+        others = self.busy - earlier.busy - (self.cpu - earlier.cpu)
+        return max(0.0, others / (self.clock - earlier.clock))
 
     def since(self, earlier: Moment) -> tuple[float, float, float]:
         """Seconds by the clock, of all processors, and of this thread."""
@@ -167,11 +185,9 @@ def say(row: str, **figures: Any) -> None:
     print(json.dumps({**about, **figures}), flush=True)
 
 
-def redraw(kind: str = "WINDOW") -> None:
-    """Draws the view, or the sidebar beside it, and puts the window together, at once."""
-    for region in view_override()["area"].regions:
-        if region.type == kind:
-            region.tag_redraw()
+def redraw() -> None:
+    """Draws the view and puts the window together, at once."""
+    view_override()["region"].tag_redraw()
     # The timer warns of what it has measured, a line for each redraw.
     sys.stdout.flush()
     kept = os.dup(1)
@@ -201,8 +217,8 @@ def repeated(work: Callable[[], None]) -> tuple[float, float, float]:
 # The rows
 
 
-def bare_figures(kind: str = "WINDOW") -> dict[str, float]:
-    clock, cpu, main_cpu = repeated(lambda: redraw(kind))
+def bare_figures() -> dict[str, float]:
+    clock, cpu, main_cpu = repeated(redraw)
     return {
         "redraws_per_second": round(1.0 / clock, 1),
         "cpu_seconds": round(cpu, 5),
@@ -217,9 +233,8 @@ def bare() -> None:
     smooth = bare_figures()
     system.viewport_aa = "OFF"
     plain = bare_figures()
-    panel = bare_figures("UI")
     system.viewport_aa = before
-    say("bare", smooth=smooth, plain=plain, panel=panel)
+    say("bare", smooth=smooth, plain=plain)
 
 
 def picture(surface: bpy.types.Object, polylines: core.Polylines) -> None:
@@ -288,10 +303,12 @@ def in_one_go() -> tuple[dict[str, float], core.Polylines]:
     stepper = session.Stepper(plan.problem)
     begin = Moment()
     stepper.run()
-    clock, cpu, _main = Moment().since(begin)
+    end = Moment()
+    clock, cpu, _main = end.since(begin)
     snapshot, figures, _reason = stepper.result()
     run = {"clock": clock, "cpu": cpu, "solver": figures["seconds_total"]}
     run["iterations"] = figures["iterations"]
+    run["others"] = end.others_since(begin)
     return run, snapshot.polylines
 
 
@@ -310,6 +327,7 @@ def watched() -> Iterator[float]:
     figures = result.meander.figures
     last.update(
         clock=clock,
+        others=tally.known.others_since(tally.begin),
         cpu=cpu,
         finishing=finishing,
         main_cpu_share=main_cpu / clock,
@@ -354,6 +372,7 @@ def compared(surface: bpy.types.Object) -> Iterator[float]:
         speed=round(statistics.median(ratio("clock")), 3),
         solver_speed=round(statistics.median(ratio("solver")), 3),
         all_solver_speeds=ratio("solver"),
+        all_others=[round(max(a["others"], b["others"]), 2) for a, b in zip(alone, seen)],
         finishing=median(seen, "finishing"),
         cpu_alone=median(alone, "cpu"),
         cpu_watched=median(seen, "cpu"),

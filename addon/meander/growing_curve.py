@@ -77,7 +77,7 @@ class GrowingCurve:
         if surface is None or context.scene.name != self._scene or not len(self._segments):
             return
         space = context.space_data
-        if space.local_view is not None and not surface.local_view_get(space):
+        if space is None or (space.local_view is not None and not surface.local_view_get(space)):
             return
         shader = gpu.shader.from_builtin(
             "UNIFORM_COLOR" if bpy.app.version >= (4, 0) else "3D_UNIFORM_COLOR"
