@@ -67,6 +67,15 @@ constexpr double kMostPowerAtStrips = 4;
 /// The spacing that the polish follows is smoothed along the curve over this many r.
 constexpr double kSmoothing = 2;
 
+/// Gives nodes after a refinement what those had that they come from.
+template <class Value>
+void follow(const std::vector<uint32_t>& origin, std::vector<Value>& of_nodes) {
+  if (of_nodes.empty()) return;
+  std::vector<Value> now(origin.size());
+  for (size_t i = 0; i < origin.size(); ++i) now[i] = of_nodes[origin[i]];
+  of_nodes.swap(now);
+}
+
 std::vector<double> radii_of_vertices(const Surface& surface, double radius, const std::vector<double>& density) {
   std::vector<double> r(surface.vertex_count(), radius);
   for (size_t v = 0; v < density.size(); ++v) r[v] = radius / std::sqrt(density[v]);
@@ -108,7 +117,8 @@ bool Flow::step(const std::function<bool()>& cancelled) {
 bool Flow::iterate(const std::function<bool()>& cancelled) {
   if (cancelled()) return false;
   Stopwatch total, watch;
-  find_radii();
+  if (!may_look_again()) looks_.clear();
+  find_radii(looks_.empty() ? nullptr : &looks_);
   if (settings_.grow_into_empty) stir_empty_stretches();
   seconds_.medial_axis += watch.lap();
   if (cancelled()) return false;
@@ -133,6 +143,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   IterationRecord record;
   record.mean_step = sum / n;
   record.energy = energy(curve_, felt_radii_, local_radius_, weights_, team_);
+  if (may_look_again()) remember_looks(frames_, local_radius_, team_, looks_);
   const double held = retraction_.move(*surface_, curve_, displacement, team_, seconds_.move);
   figures.moved = held < 1 ? record.mean_step / settings_.radius : 0;
   watch.lap();
@@ -248,9 +259,11 @@ void Flow::find_local_radii() {
 /// finer region feels larger than it is. The diameter 2 R along a geodesic on which r grows with the
 /// slope g is then (r / g) log(1 + 2 g R / r), in units of the node's own r. Without this, strands that
 /// follow a density would be pulled back to equal distances, and would never come to rest.
-void Flow::find_radii() {
+///
+/// `looks`  what nodes that are at rest need not look for again, or null
+void Flow::find_radii(const std::vector<Look>* looks) {
   find_local_radii();
-  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_);
+  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, team_, frames_, looks);
   compute_reach(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, settings_.medial_axis, max_radius_,
                 overhang_, least_rest_, team_, reach_);
   if (settings_.medial_axis == MedialAxis::kGeodesic) {
@@ -267,6 +280,14 @@ void Flow::find_radii() {
       }
     }
   });
+}
+
+/// While the curve is not yet what it will be, nodes at rest need not find out anew in which directions
+/// their balls grow. The last iterations are exact, and so is every one where the flow follows the paper,
+/// and where a strip along the boundary is to stay empty: there it hardly comes to rest as it is.
+bool Flow::may_look_again() const {
+  return settings_.stop_rule == StopRule::kSettled && settings_.medial_axis == MedialAxis::kEuclidean &&
+         settings_.border_distance <= 0.5 && convergence_.phase() != Phase::kCooling;
 }
 
 /// A radius on a side of a node in units of the local r on the way, times the node's own.
@@ -536,11 +557,8 @@ void Flow::refine() {
   }
   std::vector<uint32_t> origin;
   refinement_.refine(*surface_, curve_, target, team_, origin);
-  if (!radii_.empty()) {
-    std::vector<Radii> radii(origin.size());
-    for (size_t i = 0; i < origin.size(); ++i) radii[i] = radii_[origin[i]];
-    radii_.swap(radii);
-  }
+  follow(origin, radii_);
+  follow(origin, looks_);
 }
 
 }  // namespace meander

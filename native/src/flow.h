@@ -118,7 +118,8 @@ class Flow {
   void rescale(double factor);
   double clamped_share() const;
   void find_local_radii();
-  void find_radii();
+  void find_radii(const std::vector<Look>* looks = nullptr);
+  bool may_look_again() const;
   double in_metric(size_t node, size_t side, double radius) const;
   std::vector<Radii> driving_radii() const;
   void stir_empty_stretches();
@@ -148,6 +149,7 @@ class Flow {
   std::vector<Radii> felt_radii_;  // as the energy sees them: under a density, and near a boundary
   std::vector<double> local_radius_, max_radius_, overhang_, least_rest_;
   Frames frames_;
+  std::vector<Look> looks_;  // empty where every node is to look anew
   std::vector<Reach> reach_;
   Weights weights_;
   Retraction retraction_;

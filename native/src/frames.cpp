@@ -2,6 +2,7 @@
 #include "frames.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -34,6 +35,48 @@ Vec2 flat_tangent(const Curve& curve, uint32_t i) {
   const Vec2 out = after != kNone ? curve.shapes[i].leaving : curve.shapes[before].arriving;
   const Vec2 t = unit(in + out);
   return dot(t, t) > 0 ? t : Vec2{0, 1} * in;  // a full turn back has no bisector
+}
+
+/// Tangents in space of nodes one after another: they span both segments, so that one small face does not
+/// decide them.
+class Tangents {
+ public:
+  Tangents(const Surface& surface, const Curve& curve, const Frames& frames)
+      : surface_(surface), curve_(curve), frames_(frames) {}
+
+  Vec3 operator()(uint32_t i) {
+    const uint32_t before = curve_.previous(i), after = curve_.next(i);
+    Vec3 tangent = Vec3::Zero();
+    if (before != kNone) tangent += before == before_ ? ahead_ : way(before, i);
+    before_ = i;
+    ahead_ = after != kNone ? way(i, after) : Vec3::Zero();
+    tangent += ahead_;
+    return unit_or(tangent, surface_.to_space(curve_.nodes[i].face, frames_.tangent[i]));
+  }
+
+ private:
+  Vec3 way(uint32_t i, uint32_t j) const { return unit_or(frames_.position[j] - frames_.position[i], Vec3::Zero()); }
+
+  const Surface& surface_;
+  const Curve& curve_;
+  const Frames& frames_;
+  uint32_t before_ = kNone;
+  Vec3 ahead_ = Vec3::Zero();
+};
+
+/// Looks where `look` did, turned with the strand; false if it has moved too far.
+bool look_again(const Look& look, uint32_t i, const Vec3& tangent, double r, Frames& frames) {
+  if (!(std::abs(static_cast<double>(look.radius) - r) <= kRest * r)) return false;
+  if (!((frames.position[i] - look.from).squaredNorm() <= kRest * r * kRest * r)) return false;
+  for (uint32_t side = 0; side < 2; ++side) {
+    const Vec3 outward = look.outward[side].cast<double>();
+    const double turned = outward.dot(tangent);
+    if (!(std::abs(turned) <= kTurn)) return false;
+    frames.outward[i][side] = (outward - turned * tangent).normalized();
+    frames.to_boundary[i][side] = -1;
+    frames.radius_slope[i][side] = static_cast<double>(look.radius_slope[side]);
+  }
+  return true;
 }
 
 }  // namespace
@@ -69,7 +112,8 @@ Vec3 NormalField::blended(uint32_t f, double w0, double w1, double w2) const {
 }
 
 void compute_frames(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
-                    const std::vector<double>& vertex_radius, Team& team, Frames& frames) {
+                    const std::vector<double>& vertex_radius, Team& team, Frames& frames,
+                    const std::vector<Look>* looks) {
   const uint32_t n = curve.size();
   frames.position.resize(n);
   frames.tangent.resize(n);
@@ -77,45 +121,69 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
   frames.outward.resize(n);
   frames.to_boundary.resize(n);
   frames.radius_slope.resize(n);
+  frames.walked.assign(n, 1);
   constexpr size_t kBlock = 512;
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) frames.position[i] = position(surface, curve.nodes[i]);
   });
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
+    Tangents tangent_in_space(surface, curve, frames);
     std::vector<GeodesicWalk> walks;
     walks.reserve(2 * kTogether);
-    for (uint32_t first = static_cast<uint32_t>(begin); first < end; first += kTogether) {
-      const uint32_t last = std::min(first + kTogether, static_cast<uint32_t>(end));
+    std::array<uint32_t, kTogether> walking;
+    std::array<Vec3, kTogether> tangents;
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end;) {
       walks.clear();
-      for (uint32_t i = first; i < last; ++i) {
+      uint32_t count = 0;
+      for (; i < end && count < kTogether; ++i) {
         const Vec2 t = flat_tangent(curve, i);
         frames.tangent[i] = t;
         frames.bitangent2[i] = Vec2{0, -1} * t;
+        const Vec3 tangent = tangent_in_space(i);
+        if (looks && look_again((*looks)[i], i, tangent, local_radius[i], frames)) {
+          frames.walked[i] = 0;
+          continue;
+        }
         const double look = kLook * local_radius[i];
         walks.emplace_back(surface, curve.nodes[i], look * frames.bitangent2[i]);
         walks.emplace_back(surface, curve.nodes[i], -look * frames.bitangent2[i]);
+        walking[count] = i;
+        tangents[count++] = tangent;
       }
       lead_together(walks, [](size_t) {});
-      for (uint32_t i = first; i < last; ++i) {
-        // In space the tangent spans both segments, so that one small face does not decide it.
-        const uint32_t before = curve.previous(i), after = curve.next(i), face = curve.nodes[i].face;
-        const Vec3& x = frames.position[i];
-        Vec3 tangent = Vec3::Zero();
-        if (before != kNone) tangent += unit_or(x - frames.position[before], Vec3::Zero());
-        if (after != kNone) tangent += unit_or(frames.position[after] - x, Vec3::Zero());
-        tangent = unit_or(tangent, surface.to_space(face, frames.tangent[i]));
+      for (uint32_t k = 0; k < count; ++k) {
+        const uint32_t at = walking[k], face = curve.nodes[at].face;
+        const Vec3 &x = frames.position[at], &tangent = tangents[k];
         for (uint32_t side = 0; side < 2; ++side) {
-          const GeodesicWalk& walk = walks[2 * (i - first) + side];
+          const GeodesicWalk& walk = walks[2 * k + side];
           const SurfacePoint arrived = walk.end();
           const double length = walk.length();
-          const Vec3 face_direction = surface.to_space(face, (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i]);
+          const Vec3 face_direction = surface.to_space(face, (side == 0 ? 1.0 : -1.0) * frames.bitangent2[at]);
           Vec3 chord = walk.crossed() ? unit_or(position(surface, arrived) - x, face_direction) : face_direction;
           chord -= chord.dot(tangent) * tangent;
-          frames.outward[i][side] = unit_or(chord, face_direction);
-          frames.to_boundary[i][side] = walk.hit_boundary() ? length : -1;
-          frames.radius_slope[i][side] =
-              length > 0 ? (radius_at(surface, vertex_radius, arrived) - local_radius[i]) / length : 0;
+          frames.outward[at][side] = unit_or(chord, face_direction);
+          frames.to_boundary[at][side] = walk.hit_boundary() ? length : -1;
+          frames.radius_slope[at][side] =
+              length > 0 ? (radius_at(surface, vertex_radius, arrived) - local_radius[at]) / length : 0;
         }
+      }
+    }
+  });
+}
+
+void remember_looks(const Frames& frames, const std::vector<double>& local_radius, Team& team,
+                    std::vector<Look>& looks) {
+  looks.resize(frames.position.size());
+  team.for_blocks(looks.size(), 2048, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (!frames.walked[i]) continue;
+      Look& look = looks[i];
+      look.from = frames.position[i];
+      look.radius = static_cast<float>(local_radius[i]);
+      for (size_t side = 0; side < 2; ++side) {
+        look.outward[side] = frames.outward[i][side].cast<float>();
+        look.radius_slope[side] = static_cast<float>(frames.radius_slope[i][side]);
+        if (frames.to_boundary[i][side] >= 0) look.radius = 0;
       }
     }
   });

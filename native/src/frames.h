@@ -52,6 +52,16 @@ struct Frames {
   std::vector<std::array<double, 2>> to_boundary;
   /// How fast the local r grows along that geodesic: its change per length. 0 without density.
   std::vector<std::array<double, 2>> radius_slope;
+  /// 1 where geodesics were led, 0 where an earlier look was good enough.
+  std::vector<uint8_t> walked;
+};
+
+/// Where a node has looked, for as long as it hardly moves: see compute_frames.
+struct Look {
+  Vec3 from = Vec3::Zero();
+  float radius = 0;  ///< the local r there; 0: nothing is known
+  std::array<float, 2> radius_slope{};
+  std::array<Eigen::Vector3f, 2> outward;
 };
 
 /// r at a point, from its values at the vertices.
@@ -61,7 +71,20 @@ inline double radius_at(const Surface& surface, const std::vector<double>& verte
 }
 
 /// Fills `frames`; `local_radius` is r at every node, `vertex_radius` at every vertex.
+///
+/// `looks`  per node, if not null: a node that is within kRest of where it looked then, and whose strand
+///          has not turned more than kTurn since, leads no geodesics but turns its old directions with
+///          its strand. What it finds then is off by an angle of the order of kRest, less where the
+///          surface is smooth. Nodes that saw the boundary always look again.
 void compute_frames(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
-                    const std::vector<double>& vertex_radius, Team& team, Frames& frames);
+                    const std::vector<double>& vertex_radius, Team& team, Frames& frames,
+                    const std::vector<Look>* looks = nullptr);
+
+/// Takes note of where the nodes that have `walked` looked.
+void remember_looks(const Frames& frames, const std::vector<double>& local_radius, Team& team,
+                    std::vector<Look>& looks);
+
+/// How far, in local r, a node may have moved, and how far (as a sine) its strand may have turned.
+inline constexpr double kRest = 0.05, kTurn = 0.1;
 
 }  // namespace meander

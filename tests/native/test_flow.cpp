@@ -406,6 +406,32 @@ TEST(FlowToTheEnd, RipensKeepsItsInvariantsAndEndsStill) {
   EXPECT_LE(largest_movement(before, positions_of(flow), settings.radius), 0.05);
 }
 
+/// What nodes at rest keep from earlier iterations changes with whole iterations only, whoever asks in
+/// between, and is the same for any number of threads.
+TEST(FlowToTheEnd, DoesNotDependOnWhoLooksAtIt) {
+  const Mesh mesh = torus(24, 12);
+  const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
+  FlowSettings settings = settings_of(MEANDER_PRESET_EVEN, *surface, spacing_for(*surface, 100));
+  settings.ripening_iterations = 20;
+  Flow alone(surface, nullptr, {}, settings);
+  settings.threads = 3;
+  Flow watched(surface, nullptr, {}, settings);
+  for (int k = 0; alone.stop_reason() == StopReason::kRunning; ++k) {
+    ASSERT_TRUE(alone.step(kNeverCancelled));
+    int asked = 0;
+    if (k % 3 == 0) watched.measure();
+    if (k % 5 == 0) {
+      EXPECT_FALSE(watched.step([&] { return ++asked > 1 + k % 2; }));
+    }
+    ASSERT_TRUE(watched.step(kNeverCancelled));
+    ASSERT_EQ(alone.curve().size(), watched.curve().size()) << "iteration " << k;
+    for (uint32_t i = 0; i < alone.curve().size(); ++i) {
+      ASSERT_TRUE(same_bytes(alone.curve().nodes[i], watched.curve().nodes[i])) << "iteration " << k;
+    }
+  }
+  EXPECT_EQ(watched.stop_reason(), alone.stop_reason());
+}
+
 /// Without a polish nothing but the size of the steps changes at the end.
 TEST(FlowToTheEnd, WithoutAPolishKeepsItsLengthWhileItCoolsDown) {
   const Mesh mesh = torus(24, 12);

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nodes that are at rest look where they looked before: when they do, and how far that is off.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "frames.h"
+#include "retraction.h"
+#include "test_curves.h"
+
+namespace meander::test {
+namespace {
+
+constexpr double kRadius = 0.05;
+constexpr double kSinglePrecision = 1e-6;  // in which directions are kept
+
+struct Scene {
+  explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)), vertex_radius(surface.vertex_count(), kRadius) {}
+
+  void find(const std::vector<Look>* looks, Frames& frames) {
+    local_radius.resize(curve.size());
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      local_radius[i] = radius_at(surface, vertex_radius, curve.nodes[i]);
+    }
+    compute_frames(surface, curve, local_radius, vertex_radius, team, frames, looks);
+  }
+
+  /// Moves every node by up to `most`.
+  void stir(double most, Rng& rng) {
+    std::vector<Vec2> displacement(curve.size());
+    for (Vec2& d : displacement) d = rng.in(0, most) * rng.direction();
+    MoveSeconds seconds;
+    Retraction().move(surface, curve, displacement, team, seconds);
+  }
+
+  Surface surface;
+  std::vector<double> vertex_radius, local_radius;
+  Team team{2};
+  Curve curve;
+};
+
+Vec3 tangent_of(const Scene& scene, const Frames& frames, uint32_t i) {
+  const uint32_t before = scene.curve.previous(i), after = scene.curve.next(i);
+  Vec3 sum = Vec3::Zero();
+  if (before != kNone) sum += (frames.position[i] - frames.position[before]).normalized();
+  if (after != kNone) sum += (frames.position[after] - frames.position[i]).normalized();
+  return sum.normalized();
+}
+
+void add_rings(Scene& scene, Rng& rng) {
+  for (int k = 0; k < 6; ++k) add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.08, 40, 0, rng);
+}
+
+TEST(Looks, OfNodesThatHaveNotMovedStay) {
+  for (const Mesh& mesh : {sphere(3), torus(20, 10), cube(), with_noise(sphere(2), 0.3, 5)}) {
+    Scene scene(mesh);
+    Rng rng(41);
+    add_rings(scene, rng);
+    Frames first, again;
+    std::vector<Look> looks;
+    scene.find(nullptr, first);
+    remember_looks(first, scene.local_radius, scene.team, looks);
+    scene.find(&looks, again);
+    for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+      EXPECT_TRUE(first.walked[i]);
+      EXPECT_FALSE(again.walked[i]);
+      for (int side = 0; side < 2; ++side) {
+        EXPECT_LT((again.outward[i][side] - first.outward[i][side]).norm(), kSinglePrecision);
+        EXPECT_EQ(again.to_boundary[i][side], first.to_boundary[i][side]);
+        EXPECT_NEAR(again.radius_slope[i][side], first.radius_slope[i][side], kSinglePrecision);
+      }
+    }
+  }
+}
+
+/// Again and again: what is kept is compared with where it was looked for, not with the last iteration.
+TEST(Looks, EndWhereNodesMoveOrTurn) {
+  // Sine of the greatest angle, here and on faces a third of r wide: kRest r over the radius of the
+  // surface, and what the faces' edges add.
+  constexpr double kMostOff = 0.06;
+  for (const Mesh& mesh : {sphere(4), torus(60, 30)}) {
+    Scene scene(mesh);
+    Rng rng(42);
+    add_rings(scene, rng);
+    Frames frames, exact;
+    std::vector<Look> looks;
+    scene.find(nullptr, frames);
+    remember_looks(frames, scene.local_radius, scene.team, looks);
+    size_t kept = 0, walked = 0;
+    for (int step = 0; step < 12; ++step) {
+      scene.stir((step % 3 == 2 ? 0.1 : 0.002) * kRadius, rng);
+      scene.find(nullptr, exact);
+      scene.find(&looks, frames);
+      for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+        const Vec3 t = tangent_of(scene, frames, i);
+        bool rests = (frames.position[i] - looks[i].from).norm() <= kRest * kRadius;
+        for (int side = 0; side < 2; ++side) {
+          rests = rests && std::abs(looks[i].outward[side].cast<double>().dot(t)) <= kTurn;
+        }
+        ASSERT_EQ(frames.walked[i] == 0, rests) << "step " << step << " node " << i;
+        ++(rests ? kept : walked);
+        for (int side = 0; side < 2; ++side) {
+          const Vec3& outward = frames.outward[i][side];
+          EXPECT_NEAR(outward.norm(), 1, 1e-12);
+          EXPECT_NEAR(outward.dot(t), 0, 1e-12);
+          EXPECT_LT((outward - exact.outward[i][side]).norm(), rests ? kMostOff : 1e-300);
+        }
+      }
+      remember_looks(frames, scene.local_radius, scene.team, looks);
+    }
+    EXPECT_GT(kept, 500u);
+    EXPECT_GT(walked, 500u);
+  }
+}
+
+TEST(Looks, EndWhereTheSpacingChanges) {
+  Scene scene(sphere(3));
+  Rng rng(43);
+  add_rings(scene, rng);
+  Frames frames;
+  std::vector<Look> looks;
+  scene.find(nullptr, frames);
+  remember_looks(frames, scene.local_radius, scene.team, looks);
+  for (const double factor : {0.9, 0.96, 1.04, 1.1}) {
+    scene.vertex_radius.assign(scene.vertex_radius.size(), factor * kRadius);
+    scene.find(&looks, frames);
+    const bool near = std::abs(1 / factor - 1) <= kRest;
+    for (const uint8_t walked : frames.walked) EXPECT_EQ(walked == 0, near) << factor;
+  }
+}
+
+TEST(Looks, AreNotKeptAtTheBoundary) {
+  Scene scene(flat_grid(6));
+  Rng rng(44);
+  for (int k = 0; k < 200 && scene.curve.strands.size() < 12; ++k) {
+    Curve before = scene.curve;
+    if (!add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.03, 20, 0, rng)) scene.curve = before;
+  }
+  Frames first, again;
+  std::vector<Look> looks;
+  scene.find(nullptr, first);
+  remember_looks(first, scene.local_radius, scene.team, looks);
+  scene.find(&looks, again);
+  size_t at_boundary = 0;
+  for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+    const bool sees = first.to_boundary[i][0] >= 0 || first.to_boundary[i][1] >= 0;
+    at_boundary += sees;
+    EXPECT_EQ(again.walked[i] != 0, sees);
+    EXPECT_EQ(again.to_boundary[i], first.to_boundary[i]);
+  }
+  EXPECT_GT(at_boundary, 0u);
+  EXPECT_LT(at_boundary, scene.curve.size());
+}
+
+}  // namespace
+}  // namespace meander::test
