@@ -45,6 +45,8 @@ struct ReachOfSide {
   /// As what the boundary counts for the forces: less than `radius` where the node is nearer than it
   /// should be, negative where it is to be pushed harder than an empty ball pushes.
   double driving = 0;
+
+  bool operator==(const ReachOfSide&) const = default;
 };
 
 /// On the side of the bitangent, and on the other.

@@ -98,7 +98,9 @@ meander_status meander_surface_extend_directions(const meander_surface* surface,
     std::vector<Vec3> inside;
     for (uint32_t i = 0; i < offsets[stroke_count]; ++i) {
       const Vec3 p(points[3 * size_t{i}], points[3 * size_t{i} + 1], points[3 * size_t{i} + 2]);
-      if (!p.allFinite()) refuse("Stroke point " + std::to_string(i) + " has a coordinate that is not a finite number.");
+      if (!p.allFinite()) {
+        refuse("Stroke point " + std::to_string(i) + " has a coordinate that is not a finite number.");
+      }
       inside.push_back(s.to_inside(p));
     }
     std::vector<Stroke> strokes;

@@ -36,25 +36,25 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
   }
   if (std::strcmp(name, "meander_seed") == 0) {
     using S = meander_seed;
-    return give({sizeof(S), AT(struct_size), AT(strand_count), AT(points), AT(offsets), AT(closed), AT(fixed), AT(guides),
-                 AT(loops), AT(reserved)});
+    return give({sizeof(S), AT(struct_size), AT(strand_count), AT(points), AT(offsets), AT(closed), AT(fixed),
+                 AT(guides), AT(loops), AT(reserved)});
   }
   if (std::strcmp(name, "meander_flow_options") == 0) {
     using S = meander_flow_options;
     return give({sizeof(S), AT(struct_size), AT(preset), AT(radius), AT(segment_length), AT(max_radius),
                  AT(length_weight), AT(bending_weight), AT(medial_weight), AT(alignment_weight), AT(length_power),
                  AT(medial_power), AT(step), AT(growth_coarsening), AT(start_spacing_factor), AT(polish),
-                 AT(stop_rule), AT(polish_bending_weight), AT(polish_length_offset), AT(polish_length_gain), AT(polish_medial_power),
-                 AT(border_distance), AT(boundary_rule), AT(iteration_limit), AT(threads), AT(ripening_iterations),
-                 AT(medial_axis), AT(reserved)});
+                 AT(stop_rule), AT(polish_bending_weight), AT(polish_length_offset), AT(polish_length_gain),
+                 AT(polish_medial_power), AT(border_distance), AT(boundary_rule), AT(iteration_limit), AT(threads),
+                 AT(ripening_iterations), AT(medial_axis), AT(reserved)});
   }
   if (std::strcmp(name, "meander_flow_statistics") == 0) {
     using S = meander_flow_statistics;
     return give({sizeof(S), AT(struct_size), AT(stop_reason), AT(iterations), AT(nodes), AT(strands),
-                 AT(closed_strands), AT(crossings), AT(polishing), AT(guides), AT(empty_components), AT(length), AT(energy), AT(mean_step),
-                 AT(spacing_target), AT(spacing_p05), AT(spacing_median), AT(spacing_p95), AT(seconds_total),
-                 AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract), AT(seconds_reconnect),
-                 AT(seconds_crossings), AT(seconds_refine)});
+                 AT(closed_strands), AT(crossings), AT(polishing), AT(guides), AT(empty_components), AT(length),
+                 AT(energy), AT(mean_step), AT(spacing_target), AT(spacing_p05), AT(spacing_median), AT(spacing_p95),
+                 AT(seconds_total), AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract),
+                 AT(seconds_reconnect), AT(seconds_crossings), AT(seconds_refine)});
   }
   if (std::strcmp(name, "meander_iteration") == 0) {
     using S = meander_iteration;

@@ -89,10 +89,12 @@ std::string warning(const meander_flow_options& o, uint32_t index) {
   };
   if (!(std::isfinite(o.radius) && o.radius > 0)) return {};
   const double h = o.segment_length / o.radius, clamp = o.max_radius / o.radius;
-  warn(h > 0.4 * (1 + 1e-9) && h <= 1, "The segment length is " + number(h) + " of half the spacing; above 0.4 nodes are "
-       "too far apart to keep strands at the spacing, so choose at most " + number(0.4 * o.radius) + ".");
-  warn(clamp < 2 * (1 - 1e-9) && clamp >= 1.5, "The largest medial radius is " + number(clamp) + " times half the spacing; "
-       "below 2 the curve may not reach everywhere, so choose at least " + number(2 * o.radius) + ".");
+  warn(h > 0.4 * (1 + 1e-9) && h <= 1,
+       "The segment length is " + number(h) + " of half the spacing; above 0.4 nodes are too far apart to keep strands "
+       "at the spacing, so choose at most " + number(0.4 * o.radius) + ".");
+  warn(clamp < 2 * (1 - 1e-9) && clamp >= 1.5,
+       "The largest medial radius is " + number(clamp) + " times half the spacing; below 2 the curve may not reach "
+       "everywhere, so choose at least " + number(2 * o.radius) + ".");
   warn(o.length_weight > 5, "The length weight is " + number(o.length_weight) +
        "; above 5 the curve stays much wider than the spacing, or shrinks to nothing.");
   warn(o.bending_weight > 10, "The bending weight is " + number(o.bending_weight) +

@@ -15,7 +15,8 @@ extern "C" meander_status meander_surface_get_outlines(const meander_surface* su
             "The surface or a pointer for a count is NULL.");
     const Surface& s = *surface->surface;
     if (!(std::isfinite(spacing) && spacing > 0 && spacing <= s.scale())) {
-      refuse("The spacing of an outline must be positive and no larger than the surface; it is " + number(spacing) + ".");
+      refuse("The spacing of an outline must be positive and no larger than the surface; it is " + number(spacing) +
+             ".");
     }
     require_range(distance / spacing, 0.1, 2, "distance of an outline (in spacings)");
     const Outlines outlines = find_outlines(s, distance / s.scale(), 0.5 * spacing / s.scale());

@@ -383,9 +383,10 @@ void Flow::choose_weights() {
 /// fades where they are too near already; without that, hand_closed with beta = 2 along the smoothest
 /// field had 0.6 instead of 0.93 of its spacing near the one asked for.
 ///
-/// A push that rises with beta beyond 2 fills overfull as well; a beta of 6 with a push of 2 leaves zigzags, since nothing can turn any more and tilted strands are
-/// all that still fills. With beta = 4 and a push of 2 the share of the length within 15 degrees of the
-/// field is the same wherever the seed lies, which with beta = 2 it is not, see docs/terms.md.
+/// A push that rises with beta beyond 2 fills overfull as well; a beta of 6 with a push of 2 leaves
+/// zigzags, since nothing can turn any more and tilted strands are all that still fills. With beta = 4
+/// and a push of 2 the share of the length within 15 degrees of the field is the same wherever the seed
+/// lies, which with beta = 2 it is not, see docs/terms.md.
 void Flow::find_directions(const std::vector<double>& spacing) {
   weights_.alignment.assign(curve_.size(), settings_.alignment_weight);
   weights_.field.resize(curve_.size());

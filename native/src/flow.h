@@ -78,11 +78,11 @@ class Flow {
   /// Steps until one of the reasons holds; `progress` is told a value in [0, 1] after each step.
   StopReason run(const std::function<bool()>& cancelled, const std::function<void(double)>& progress);
 
-  /// Moves the surface: `vertices` are its own, as many as before; `map` names the caller's in errors. Nodes stay on their faces where
-  /// they are, segments become straight again, and lengths mean the same in the caller's units. A curve
-  /// that fills the surface goes on in the polish. Counts for run() as a new beginning. Throws Failure,
-  /// and leaves all as it was, for what Surface::deformed refuses and for a surface that has become too
-  /// small or too large for the spacing.
+  /// Moves the surface: `vertices` are its own, as many as before; `map` names the caller's in errors.
+  /// Nodes stay on their faces where they are, segments become straight again, and lengths mean the same
+  /// in the caller's units. A curve that fills the surface goes on in the polish. Counts for run() as a
+  /// new beginning. Throws Failure, and leaves all as it was, for what Surface::deformed refuses and for a
+  /// surface that has become too small or too large for the spacing.
   void set_vertices(std::span<const double> vertices, const MeshMap* map = nullptr);
 
   const Surface& surface() const { return *surface_; }

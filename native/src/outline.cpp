@@ -218,7 +218,8 @@ class DistanceField {
 };
 
 /// Points of a closed line, evenly spaced: shares of its length, and of which piece.
-std::vector<Vec3> resampled(const std::vector<Vec3>& measure, const std::vector<Vec3>& line, double step, double& length) {
+std::vector<Vec3> resampled(const std::vector<Vec3>& measure, const std::vector<Vec3>& line, double step,
+                            double& length) {
   const size_t n = measure.size();
   std::vector<double> until(n + 1, 0);
   for (size_t k = 0; k < n; ++k) until[k + 1] = until[k] + (measure[(k + 1) % n] - measure[k]).norm();

@@ -148,7 +148,8 @@ bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector
           continue;
         }
       }
-      const int parts = l > 2 * h && may_split_[i] ? static_cast<int>(std::clamp(std::round(l / (1.5 * h)), 2.0, 1e6)) : 1;
+      const int parts =
+          l > 2 * h && may_split_[i] ? static_cast<int>(std::clamp(std::round(l / (1.5 * h)), 2.0, 1e6)) : 1;
       if (parts == 1) {
         next_.shapes.back() = curve.shapes[i];
         next_.paths.back().swap(curve.paths[i]);

@@ -27,45 +27,62 @@ inline Vec3 position(const Surface& s, const FlatPoint& p) {
   return s.position(s.face(p.face)[0]) + s.to_space(p.face, p.place);
 }
 
+/// The faces along a line that leaves a point, one after the other, unfolded into the plane of the first
+/// with the point as the origin.
+struct UnfoldedLine {
+  uint32_t face = 0;
+  Vec2 origin;       ///< of the plane of the face
+  Vec2 turn{1, 0};   ///< carries a vector of the plane of the face to that of the first
+  Vec2 right, left;  ///< the line leaves the face between them, the ends of half-edge `exit`
+  HalfEdge exit = kNone;
+
+  UnfoldedLine() = default;
+  UnfoldedLine(const Surface& s, const FlatPoint& start, Vec2 way) : face(start.face), origin(-start.place) {
+    for (uint32_t k = 0; k < 3; ++k) {
+      right = s.corner(face, k) + origin;
+      left = s.corner(face, next_corner(k)) + origin;
+      exit = 3 * face + k;
+      if (cross(right, way) >= 0 && cross(way, left) > 0) break;
+    }
+  }
+
+  /// On into the next face; false at the boundary.
+  bool step(const Surface& s, Vec2 way) {
+    const HalfEdge entry = s.twin(exit);
+    if (entry == kNone) return false;
+    turn = turn * conj(s.transition(exit));
+    face = face_of(entry);
+    const uint32_t k = corner_of(entry), opposite = prev_corner(k);
+    origin = left - turn * s.corner(face, k);
+    const Vec2 tip = origin + turn * s.corner(face, opposite);
+    if (cross(way, tip) > 0) {
+      left = tip;
+      exit = 3 * face + next_corner(k);
+    } else {
+      right = tip;
+      exit = 3 * face + opposite;
+    }
+    return true;
+  }
+};
+
 /// Walks from `start` by `way`, both in the plane of the start's face, unfolding face after face; stops
 /// at the boundary.
 inline Landing walk_straight(const Surface& s, const FlatPoint& start, Vec2 way) {
   constexpr int kMostFaces = 100000;  // see trace_geodesic
-  Landing landing{start, {1, 0}, false};
-  uint32_t f = start.face;
-  // Everything is unfolded about the start, the origin. The line leaves the face between `right` and
-  // `left`, the ends of half-edge `exit`.
-  Vec2 origin = -start.place, right, left;
-  HalfEdge exit = kNone;
-  for (uint32_t k = 0; k < 3; ++k) {
-    right = s.corner(f, k) + origin;
-    left = s.corner(f, next_corner(k)) + origin;
-    exit = 3 * f + k;
-    if (cross(right, way) >= 0 && cross(way, left) > 0) break;
-  }
+  UnfoldedLine line(s, start, way);
+  Landing landing;
   for (int steps = 0; steps < kMostFaces; ++steps) {
-    if (cross(left - right, way - right) >= 0) break;
-    const HalfEdge entry = s.twin(exit);
-    if (entry == kNone) {
-      const Vec2 edge = left - right;
-      way = (cross(right, edge) / cross(way, edge)) * way;
+    if (cross(line.left - line.right, way - line.right) >= 0) break;
+    if (!line.step(s, way)) {
+      const Vec2 edge = line.left - line.right;
+      way = (cross(line.right, edge) / cross(way, edge)) * way;
       landing.hit_boundary = true;
       break;
     }
-    landing.turn = landing.turn * conj(s.transition(exit));
-    f = face_of(entry);
-    const uint32_t k = corner_of(entry), opposite = prev_corner(k);
-    origin = left - landing.turn * s.corner(f, k);
-    const Vec2 tip = origin + landing.turn * s.corner(f, opposite);
-    if (cross(way, tip) > 0) {
-      left = tip;
-      exit = 3 * f + next_corner(k);
-    } else {
-      right = tip;
-      exit = 3 * f + opposite;
-    }
   }
-  landing.end = {f, conj(landing.turn) * (way - origin)};
+  landing.turn = line.turn;
+  landing.end = {line.face, conj(line.turn) * (way - line.origin)};
   return landing;
 }
 
@@ -77,34 +94,16 @@ class StraightRay {
   void reset(const Surface& s, const FlatPoint& start, Vec2 way) {
     surface_ = &s;
     way_ = way;
-    const Vec2 origin = -start.place;
-    for (uint32_t k = 0; k < 3; ++k) {
-      right_ = s.corner(start.face, k) + origin;
-      left_ = s.corner(start.face, next_corner(k)) + origin;
-      exit_ = 3 * start.face + k;
-      if (cross(right_, way) >= 0 && cross(way, left_) > 0) break;
-    }
-    pieces_.assign(1, {0, start.face, origin, {1, 0}});
+    line_ = UnfoldedLine(s, start, way);
+    pieces_.assign(1, {0, line_.face, line_.origin, line_.turn});
     until_ = reach_of_exit();
   }
 
   /// The point at a distance from the start, or where the line meets the boundary.
   Landing at(double distance) {
     while (distance > until_ && pieces_.size() < kMostFaces) {
-      const HalfEdge entry = surface_->twin(exit_);
-      if (entry == kNone) break;
-      const Vec2 turn = pieces_.back().turn * conj(surface_->transition(exit_));
-      const uint32_t f = face_of(entry), k = corner_of(entry), opposite = prev_corner(k);
-      const Vec2 origin = left_ - turn * surface_->corner(f, k);
-      pieces_.push_back({until_, f, origin, turn});
-      const Vec2 tip = origin + turn * surface_->corner(f, opposite);
-      if (cross(way_, tip) > 0) {
-        left_ = tip;
-        exit_ = 3 * f + next_corner(k);
-      } else {
-        right_ = tip;
-        exit_ = 3 * f + opposite;
-      }
+      if (!line_.step(*surface_, way_)) break;
+      pieces_.push_back({until_, line_.face, line_.origin, line_.turn});
       until_ = std::max(until_, reach_of_exit());
     }
     const bool beyond = distance > until_;
@@ -124,15 +123,15 @@ class StraightRay {
   };
 
   double reach_of_exit() const {
-    const Vec2 edge = left_ - right_;
+    const Vec2 edge = line_.left - line_.right;
     const double across = cross(way_, edge);
-    return across != 0 ? cross(right_, edge) / across : pieces_.back().from;
+    return across != 0 ? cross(line_.right, edge) / across : pieces_.back().from;
   }
 
   const Surface* surface_ = nullptr;
-  Vec2 way_, left_, right_;
-  HalfEdge exit_ = kNone;
-  double until_ = 0;  // the line leaves the last of the pieces here, through `exit_`
+  Vec2 way_;
+  UnfoldedLine line_;  // at the last of the pieces
+  double until_ = 0;   // where the line leaves it
   std::vector<Piece> pieces_;
 };
 

@@ -12,9 +12,9 @@ namespace meander::test {
 namespace {
 
 struct Scene {
-  explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)), boundary(surface, 0.01) {
+  explicit Scene(const Mesh& mesh, int walks = 40) : surface(make_surface(mesh)), boundary(surface, 0.01) {
     Rng rng(71);
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < walks; ++k) {
       add_walk(surface, curve, random_point(surface, rng), 0.02, 10, 0.4, rng);
     }
     Team team(1);
@@ -129,13 +129,24 @@ TEST(Reach, OfAStrandThatRunsIntoTheBoundaryIsTheWayAlone) {
   EXPECT_GT(nodes, 0);
 }
 
+TEST(Reach, IsTheSameForAnyNumberOfThreads) {
+  const Scene scene(grid_with_hole(9), 130);  // more nodes than a thread takes at once
+  ASSERT_GT(scene.curve.size(), 1024u);
+  for (const MedialAxis axis : {MedialAxis::kEuclidean, MedialAxis::kGeodesic}) {
+    const auto with = [&](int threads) {
+      return scene.reach(BoundaryRule::kCentre, axis, kMost, 0, Scene::kRadius, threads);
+    };
+    EXPECT_EQ(with(1), with(2));
+    EXPECT_EQ(with(1), with(3));
+  }
+}
+
 /// Nearer than the distance wanted corners beside the way count, and the nearer the boundary, the
 /// harder it pushes.
 TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
   const Scene scene(grid_with_hole(9));
   const double rest = Scene::kRadius;
   const std::vector<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest);
-  EXPECT_EQ(scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest, 2).size(), reach.size());
   int corners = 0;
   std::vector<std::array<double, 2>> felt;  // the way, and what drives
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {

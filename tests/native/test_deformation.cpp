@@ -162,7 +162,7 @@ TEST(Deformation, SpacingStaysEvenThroughBendAndStretch) {
     step(flow, 3);
     expect_valid(flow);
     EXPECT_GT(packing(flow), 0.95) << "back, frame " << k;
-    EXPECT_LT(packing(flow), 1.13) << "back, frame " << k;
+    EXPECT_LT(packing(flow), 1.1) << "back, frame " << k;
   }
 }
 
@@ -225,9 +225,8 @@ TEST(Deformation, NodesRideAndSegmentsStraighten) {
   const FlowHandle flow = make_flow(mesh, 0.3);
   step(flow, 60);
   const Curve before = flow->flow->curve();
-  ASSERT_EQ(set_vertices(flow, mapped(mesh, [](const Vec3& p) { return Vec3(p.x() * 1.02, p.y(), p.z() + 0.05 * p.x()); })
-                                   .vertices),
-            "");
+  const Mesh sheared = mapped(mesh, [](const Vec3& p) { return Vec3(p.x() * 1.02, p.y(), p.z() + 0.05 * p.x()); });
+  ASSERT_EQ(set_vertices(flow, sheared.vertices), "");
   const Curve& after = flow->flow->curve();
   ASSERT_EQ(before.strands.size(), after.strands.size());
   // More than half are there, in the same order.

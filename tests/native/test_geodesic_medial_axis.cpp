@@ -31,8 +31,8 @@ Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
   const BoundaryObstacle boundary(s, 0.01);
   compute_frames(s, curve, local, vertex, team, result.frames);
   std::vector<Reach> reach;
-  compute_reach(s, curve, result.frames, boundary, setting.rule, MedialAxis::kGeodesic, most, overhang, least_rest, team,
-                reach);
+  compute_reach(s, curve, result.frames, boundary, setting.rule, MedialAxis::kGeodesic, most, overhang, least_rest,
+                team, reach);
   compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, local, reach, team, result.geodesic);
   compute_medial_axis(result.frames, boundary, setting.rule, reach, team, result.euclidean);
   return result;

@@ -219,7 +219,8 @@ TEST(Step, OfLongStrandsLeavesNoResidual) {
   Rng rng(44);
   for (const Mesh& mesh : {sphere(3), torus(20, 10)}) {
     Scene scene(mesh);
-    add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.02, mesh.vertex_count() > 300 ? 2 * kLeastChunk + 500 : 500, 0.8, rng);
+    const uint32_t nodes = mesh.vertex_count() > 300 ? 2 * kLeastChunk + 500 : 500;
+    add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.02, nodes, 0.8, rng);
     add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.2, 1000, 0.02, rng);
     add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.3, 600, 0.02, rng);
     for (const Range& range : kRanges) {

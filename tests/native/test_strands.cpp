@@ -81,7 +81,8 @@ bool inside(const Surface& s, const Curve& c, const Strand& strand, const Vec3& 
   c.pieces(s, pieces);
   for (const Piece& piece : pieces) {
     if (piece.segment < strand.first || piece.segment >= strand.end()) continue;
-    const Vec3 a = position(s, SurfacePoint{piece.face, piece.from}), b = position(s, SurfacePoint{piece.face, piece.to});
+    const Vec3 a = position(s, SurfacePoint{piece.face, piece.from});
+    const Vec3 b = position(s, SurfacePoint{piece.face, piece.to});
     if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
       in = !in;
     }

@@ -99,8 +99,8 @@ MEANDER_API uint32_t meander_abi_version(void);
 
 /* How the library lays a struct out, so that a binding can compare its own declaration.
  *
- * name      "meander_error", "meander_surface_options", "meander_surface_statistics", "meander_seed", "meander_flow_options",
- *           "meander_flow_statistics", "meander_iteration" or "meander_preview"
+ * name      "meander_error", "meander_surface_options", "meander_surface_statistics", "meander_seed",
+ *           "meander_flow_options", "meander_flow_statistics", "meander_iteration" or "meander_preview"
  * layout    receives, up to `capacity` values: sizeof(struct), then the offset of every field in
  *           the order of declaration; may be NULL when capacity is 0
  * returns   1 + the number of fields; 0 if the name is unknown. Any thread. */
