@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The add-on's zip: sources, libraries and licences in one folder, byte for byte the same for the
+# The add-on's zip: sources, library and licences in one folder, byte for byte the same for the
 # same contents.
 
 set(addon_zip "${PROJECT_BINARY_DIR}/meander-${PROJECT_VERSION}.zip")
@@ -11,7 +11,6 @@ add_custom_target(addon
           --addon "${PROJECT_SOURCE_DIR}/addon/meander"
           --version "${PROJECT_VERSION}"
           --native $<TARGET_FILE:meander>
-          --native ${openmesh_copy}
           --licence "${PROJECT_SOURCE_DIR}/LICENSE"
           --licence "${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md"
           --output "${addon_zip}"

@@ -2,8 +2,8 @@
 #
 # cmake -DLIBRARY=... -DHEADER=... -DNM=nm -DREADELF=readelf -P check_library.cmake
 #
-# Fails unless the shared library exports exactly the functions that the header declares and has
-# $ORIGIN as its only search path.
+# Fails unless the shared library exports exactly the functions that the header declares, needs no
+# libraries but those of the compiler and the system, and has no search path for them.
 
 file(READ "${HEADER}" header)
 string(REGEX MATCHALL "MEANDER_API [^;(]*(meander_[a-z_]+)\\(" declarations "${header}")
@@ -39,8 +39,16 @@ endif()
 
 execute_process(COMMAND "${READELF}" -d "${LIBRARY}"
   OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
-string(REGEX MATCHALL "R(UN)?PATH[^\n]*\\[[^\n]*\\]" paths "${dynamic}")
-if(NOT paths MATCHES "\\[\\$ORIGIN\\]$")
-  message(FATAL_ERROR "the search path should be $ORIGIN alone, but is: ${paths}")
+if(dynamic MATCHES "R(UN)?PATH[^\n]*")
+  message(FATAL_ERROR "there should be no search path, but there is: ${CMAKE_MATCH_0}")
 endif()
-message(STATUS "${count} functions exported, search path $ORIGIN")
+string(REGEX MATCHALL "NEEDED[^\n]*\\[[^\n]*\\]" needed "${dynamic}")
+if(NOT needed)
+  message(FATAL_ERROR "readelf names no library that is needed: has its output changed?")
+endif()
+foreach(library IN LISTS needed)
+  if(NOT library MATCHES "\\[(libstdc\\+\\+|libgcc_s|libm|libc|ld-linux[^.]*)\\.so\\.[0-9]+\\]$")
+    message(FATAL_ERROR "a library that not every system has: ${library}")
+  endif()
+endforeach()
+message(STATUS "${count} functions exported, nothing but the system needed")

@@ -20,7 +20,7 @@ target_include_directories(meander_core
 # EIGEN_MPL2_ONLY makes the few LGPL parts of Eigen an error instead of an accident.
 target_compile_definitions(meander_core PUBLIC EIGEN_MPL2_ONLY)
 target_link_libraries(meander_core
-  PUBLIC Eigen3::Eigen nanoflann::nanoflann OpenMeshCore Threads::Threads meander_compile_options)
+  PUBLIC Eigen3::Eigen nanoflann::nanoflann Threads::Threads meander_compile_options)
 
 # The version is part of the file name: a process that has loaded a library keeps it when another
 # one takes its path, so an add-on updated in a running Blender needs a name of its own.
@@ -28,12 +28,10 @@ add_library(meander SHARED $<TARGET_OBJECTS:meander_core>)
 set_target_properties(meander PROPERTIES
   OUTPUT_NAME "meander-${PROJECT_VERSION}"
   LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib"
-  BUILD_WITH_INSTALL_RPATH ON
-  INSTALL_RPATH "$ORIGIN"
   LINKER_LANGUAGE CXX
   LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/exports.map")
 target_include_directories(meander INTERFACE "${PROJECT_SOURCE_DIR}/native/include")
-target_link_libraries(meander PRIVATE OpenMeshCore Threads::Threads meander_compile_options)
+target_link_libraries(meander PRIVATE Threads::Threads meander_compile_options)
 target_link_options(meander PRIVATE
   "LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map"
   "LINKER:--as-needed")
@@ -42,21 +40,14 @@ if(NOT MEANDER_SANITIZE)
   target_link_options(meander PRIVATE "LINKER:--no-undefined")
 endif()
 
-# Debian builds OpenMesh as a shared library only; $ORIGIN finds the copy beside ours, so that the
-# result depends neither on the build tree nor on an installed OpenMesh.
-set(openmesh_copy "$<TARGET_FILE_DIR:meander>/$<TARGET_SONAME_FILE_NAME:OpenMeshCore>")
-add_custom_command(TARGET meander POST_BUILD
-  COMMAND ${CMAKE_COMMAND} -E copy_if_different $<TARGET_FILE:OpenMeshCore> "${openmesh_copy}"
-  COMMENT "Copying OpenMesh beside the library" VERBATIM)
-
 # A source checkout works as an add-on once it has been built. Looked at in every build, so that a
 # deleted copy comes back.
 if(MEANDER_STAGE)
   add_custom_target(stage ALL
     COMMAND ${CMAKE_COMMAND}
-            "-DFILES=$<TARGET_FILE:meander>;${openmesh_copy}"
+            "-DFILES=$<TARGET_FILE:meander>"
             "-DFOLDER=${PROJECT_SOURCE_DIR}/addon/meander/native"
             -P "${PROJECT_SOURCE_DIR}/cmake/stage.cmake"
     DEPENDS meander
-    COMMENT "Copying the libraries into addon/meander/native" VERBATIM)
+    COMMENT "Copying the library into addon/meander/native" VERBATIM)
 endif()

@@ -4,6 +4,8 @@
 # meander_core, so that it may test the inside as well as the C API.
 
 find_package(GTest REQUIRED)
+# The reference for who is whose neighbour.
+find_package(OpenMesh REQUIRED)
 include(GoogleTest)
 
 file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/native/test_*.cpp")
@@ -17,7 +19,7 @@ foreach(test_source IN LISTS test_sources)
   get_filename_component(test_name "${test_source}" NAME_WE)
   add_executable(${test_name} "${test_source}" ${test_support})
   target_include_directories(${test_name} PRIVATE "${PROJECT_SOURCE_DIR}/tests/native")
-  target_link_libraries(${test_name} PRIVATE meander_core GTest::gtest GTest::gtest_main)
+  target_link_libraries(${test_name} PRIVATE meander_core OpenMeshCore GTest::gtest GTest::gtest_main)
   gtest_discover_tests(${test_name}
     TEST_PREFIX "${test_name}."
     DISCOVERY_TIMEOUT 60
@@ -31,14 +33,10 @@ target_link_libraries(c99_step PRIVATE meander m)
 if(MEANDER_SANITIZE)
   target_link_libraries(c99_step PRIVATE meander_compile_options)
 endif()
-# Spelt out, because CMake would warn that OpenMesh exists both there and in the system.
-set_target_properties(c99_step PROPERTIES
-  BUILD_WITH_INSTALL_RPATH ON
-  INSTALL_RPATH "${PROJECT_BINARY_DIR}/lib")
 add_test(NAME c99_step COMMAND c99_step "${PROJECT_VERSION}")
 
-# The shared library exports what the header declares, nothing more and nothing less, and finds
-# all it needs beside itself.
+# The shared library exports what the header declares, nothing more and nothing less, and needs what
+# every system has.
 add_test(NAME exported_symbols
   COMMAND ${CMAKE_COMMAND}
           "-DLIBRARY=$<TARGET_FILE:meander>"

@@ -5,7 +5,7 @@
 #
 # Builds the library and the native tests with AddressSanitizer and UndefinedBehaviorSanitizer in a
 # folder of their own, build/sanitized, and runs the tests there. Without NDEBUG: the assertions of
-# Eigen and OpenMesh are on, which no other build has.
+# Eigen are on, which no other build has.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

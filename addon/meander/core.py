@@ -158,6 +158,8 @@ class _SurfaceOptions(Structure):
         ("face_mask", c_void_p),  # const uint8_t* face_mask;
         ("vertex_mask", c_void_p),  # const double* vertex_mask;
         ("mask_threshold", c_double),  # double mask_threshold;
+        ("threads", c_uint32),  # uint32_t threads;
+        ("reserved", c_uint32),  # uint32_t reserved;
     ]
 
 
@@ -858,6 +860,7 @@ class SurfaceOptions:
     cut_non_manifold  edges with more than two faces become boundaries of each
     face_mask         (m,) bool: faces that are False are left out; None: all are in
     vertex_mask       (n,) float64: what lies below mask_threshold is cut away, also across faces
+    threads           for the work on a large mesh, at most 256; 0: as many as the machine has
     """
 
     merge_distance: float = 0.0
@@ -867,6 +870,7 @@ class SurfaceOptions:
     face_mask: NDArray[np.bool_] | None = None
     vertex_mask: NDArray[np.float64] | None = None
     mask_threshold: float = 0.0
+    threads: int = 0
 
 
 def _surface_options_record(
@@ -880,6 +884,7 @@ def _surface_options_record(
     record.cut_non_manifold = bool(options.cut_non_manifold)
     record.merge_distance = float(options.merge_distance)
     record.mask_threshold = float(options.mask_threshold)
+    record.threads = int(options.threads)
     arrays: list[NDArray[Any]] = []
     for name, dtype, count, element in (
         ("face_mask", np.uint8, face_count, "faces"),

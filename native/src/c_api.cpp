@@ -164,7 +164,7 @@ meander_status meander_surface_create(const double* vertices, size_t vertex_coun
     require_mesh(vertices, vertex_count, faces, face_count, surface);
     auto made = std::make_unique<meander_surface>();
     made->surface = std::make_shared<const Surface>(std::span(vertices, 3 * vertex_count),
-                                                    std::span(faces, 3 * face_count));
+                                                    std::span(faces, 3 * face_count), 0);
     *surface = made.release();
     return MEANDER_OK;
   });

@@ -26,7 +26,7 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
   if (std::strcmp(name, "meander_surface_options") == 0) {
     using S = meander_surface_options;
     return give({sizeof(S), AT(struct_size), AT(drop_degenerate), AT(split_bow_ties), AT(cut_non_manifold),
-                 AT(merge_distance), AT(face_mask), AT(vertex_mask), AT(mask_threshold)});
+                 AT(merge_distance), AT(face_mask), AT(vertex_mask), AT(mask_threshold), AT(threads), AT(reserved)});
   }
   if (std::strcmp(name, "meander_surface_statistics") == 0) {
     using S = meander_surface_statistics;

@@ -3,6 +3,7 @@
 // The border: surfaces from meshes that are prepared first.
 #include "c_api.h"
 #include "mesh_check.h"
+#include "parallel.h"
 
 using namespace meander;
 
@@ -16,6 +17,7 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
   require(o.drop_degenerate <= 1, "The option drop_degenerate must be 0 or 1.");
   require(o.split_bow_ties <= 1, "The option split_bow_ties must be 0 or 1.");
   require(o.cut_non_manifold <= 1, "The option cut_non_manifold must be 0 or 1.");
+  require(o.threads <= 256, "The number of threads must be between 0 (all) and 256.");
   require(std::isfinite(o.mask_threshold), "The mask's threshold must be a finite number.");
   s.merge_distance = o.merge_distance;
   s.drop_degenerate = o.drop_degenerate != 0;
@@ -36,11 +38,12 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
 }
 
 /// The surface of a prepared mesh; what it refuses is said of the caller's mesh.
-std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh) {
+std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned threads) {
   try {
-    return std::make_shared<const Surface>(mesh.vertices, mesh.faces);
+    return std::make_shared<const Surface>(mesh.vertices, mesh.faces, threads);
   } catch (const Failure& failure) {
-    check_mesh(mesh.vertices, mesh.faces, &mesh.map);  // throws the same with the caller's names
+    Team team(1);
+    check_mesh(mesh.vertices, mesh.faces, team, &mesh.map);  // throws the same with the caller's names
     if (failure.element_kind != MEANDER_ELEMENT_FACE) throw;
     const uint32_t face = mesh.map.face(failure.index);
     throw Failure(failure.status, "Face " + std::to_string(face) + " has no area; dissolve degenerate faces.",
@@ -70,11 +73,11 @@ meander_status meander_surface_create_prepared(const double* vertices, size_t ve
     const PrepareSettings settings = checked_settings(*options, vertex_count, face_count);
     auto made = std::make_unique<meander_surface>();
     if (settings.changes_nothing()) {
-      made->surface = std::make_shared<const Surface>(v, f);
+      made->surface = std::make_shared<const Surface>(v, f, options->threads);
     } else {
       check_numbers(v, f);
       PreparedMesh mesh = prepare_mesh(v, f, settings);
-      made->surface = surface_of(mesh);
+      made->surface = surface_of(mesh, options->threads);
       made->prepared = mesh.counts;
       made->map = std::make_shared<const MeshMap>(std::move(mesh.map));
     }

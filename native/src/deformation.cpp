@@ -20,7 +20,7 @@ constexpr double kMostNodes = 5e8, kMeanSegment = 1.4;
 }  // namespace
 
 void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
-  auto moved = std::make_shared<const Surface>(surface_->deformed(vertices, map));
+  auto moved = std::make_shared<const Surface>(surface_->deformed(vertices, team_, map));
   check_size(*moved);
   rescale(surface_->scale() / moved->scale());
   field_.ride(*surface_, *moved);

@@ -189,7 +189,7 @@ void GeodesicDistance::see(Target& target, Vec2 place, const Window& window) {
 /// shortest paths may bend there: it becomes a source itself.
 void GeodesicDistance::reach_vertex(uint32_t face, uint32_t corner, Vec2 place, const Window& window) {
   const uint32_t v = surface_.face(face)[corner];
-  const bool bends = surface_.on_boundary(v) || surface_.total_angle(v) > kFlat;
+  const bool bends = surface_.total_angle(v) > kFlat;
   if (!bends && windows_.size() <= kMany) return;
   const double distance = window.offset + norm(place);
   if (!bring_nearer(v, distance) || !bends) return;
@@ -210,7 +210,7 @@ void GeodesicDistance::reach_vertex(uint32_t face, uint32_t corner, Vec2 place, 
 void GeodesicDistance::bend(const Bend& b) {
   const uint32_t v = surface_.face(b.face)[b.corner];
   if (known_distance(v) < b.distance) return;
-  const double whole = surface_.on_boundary(v) ? kInfinity : surface_.total_angle(v);
+  const double whole = surface_.total_angle(v);
   const Vec2 place = surface_.corner(b.face, b.corner);
   const auto angle = [](Vec2 from, Vec2 to) { return std::atan2(cross(from, to), dot(from, to)); };
   uint32_t f = b.face, k = b.corner;

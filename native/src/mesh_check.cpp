@@ -10,11 +10,17 @@
 
 #include "failure.h"
 #include "mesh_prepare.h"
+#include "parallel.h"
 
 namespace meander {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
+
+constexpr uint32_t kNever = UINT32_MAX;
+
+/// Faces, or vertices, that a thread takes at once.
+constexpr size_t kBlock = 4096;
 
 [[noreturn]] void refuse(const std::string& sentence, int32_t kind = MEANDER_ELEMENT_NONE,
                          size_t index = 0, size_t index2 = 0) {
@@ -81,97 +87,117 @@ Placement measure(std::span<const double> vertices, const std::vector<Triangle>&
   return placement;
 }
 
+bool has_area(std::span<const double> vertices, const Triangle& face, const Placement& placement) {
+  Vec3 p[3];
+  for (int k = 0; k < 3; ++k) {
+    const uint32_t v = face[k];
+    for (int j = 0; j < 3; ++j) p[k][j] = (vertices[3 * v + j] - placement.low[j]) / placement.diagonal;
+  }
+  const double longest =
+      std::sqrt(std::max({(p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm()}));
+  const double doubled_area = (p[1] - p[0]).cross(p[2] - p[0]).norm();
+  return doubled_area > kFlatFace * longest;
+}
+
 void check_areas(std::span<const double> vertices, const std::vector<Triangle>& faces, const Placement& placement,
-                 const Names& names) {
-  for (size_t f = 0; f < faces.size(); ++f) {
-    Vec3 p[3];
-    for (int k = 0; k < 3; ++k) {
-      const uint32_t v = faces[f][k];
-      for (int j = 0; j < 3; ++j) p[k][j] = (vertices[3 * v + j] - placement.low[j]) / placement.diagonal;
-    }
-    const double longest =
-        std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
-    const double doubled_area = (p[1] - p[0]).cross(p[2] - p[0]).norm();
-    if (!(doubled_area > kFlatFace * longest)) {
-      refuse("Face " + str(names.face(f)) + " has no area (its corners lie on a line); dissolve degenerate faces.",
-             MEANDER_ELEMENT_FACE, names.face(f));
-    }
-  }
+                 const Names& names, Team& team) {
+  const size_t f = team.first(faces.size(), kBlock, [&](size_t i) { return !has_area(vertices, faces[i], placement); });
+  if (f == faces.size()) return;
+  refuse("Face " + str(names.face(f)) + " has no area (its corners lie on a line); dissolve degenerate faces.",
+         MEANDER_ELEMENT_FACE, names.face(f));
 }
 
-/// All sides, sorted so that those of one edge stand together: counted into the places of their lower
-/// vertices, which leaves a handful each to sort.
-std::vector<Side> sorted_sides(const std::vector<Triangle>& faces, size_t vertex_count) {
-  std::vector<uint32_t> place(vertex_count + 1, 0);
-  const auto each = [&](const auto& put) {
-    for (size_t f = 0; f < faces.size(); ++f) {
-      for (size_t k = 0; k < 3; ++k) {
-        const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1];
-        put(Side{std::min(a, b), std::max(a, b), static_cast<uint32_t>(3 * f + k)});
+/// The sides of the faces by the lower of their vertices.
+struct SidesOfVertices {
+  std::vector<Side> sides;
+  std::vector<uint32_t> end;  // per vertex
+
+  SidesOfVertices(const std::vector<Triangle>& faces, size_t vertex_count)
+      : sides(3 * faces.size()), end(vertex_count + 1, 0) {
+    // A counting sort: in the second pass `end` is where the next side of a vertex goes.
+    const auto each = [&](const auto& put) {
+      for (size_t f = 0; f < faces.size(); ++f) {
+        for (size_t k = 0; k < 3; ++k) {
+          const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1];
+          put(Side{std::min(a, b), std::max(a, b), static_cast<uint32_t>(3 * f + k)});
+        }
       }
-    }
-  };
-  each([&](const Side& side) { ++place[side.low + 1]; });
-  for (size_t v = 0; v < vertex_count; ++v) place[v + 1] += place[v];
-  std::vector<Side> sides(3 * faces.size());
-  each([&](const Side& side) { sides[place[side.low]++] = side; });
-  // place[v] now is where the sides of v end.
-  auto begin = sides.begin();
-  for (size_t v = 0; v < vertex_count; ++v) {
-    const auto end = sides.begin() + place[v];
-    std::sort(begin, end);
-    begin = end;
+    };
+    each([&](const Side& side) { ++end[side.low + 1]; });
+    for (size_t v = 0; v < vertex_count; ++v) end[v + 1] += end[v];
+    each([&](const Side& side) { sides[end[side.low]++] = side; });
   }
-  return sides;
+
+  std::span<Side> of(size_t v) {
+    const uint32_t begin = v == 0 ? 0 : end[v - 1];
+    return std::span(sides).subspan(begin, end[v] - begin);
+  }
+};
+
+/// The sides of one edge, which is the first of sorted sides.
+std::span<Side> first_edge(std::span<Side> sides) {
+  size_t count = 1;
+  while (count < sides.size() && sides[count].same_edge(sides[0])) ++count;
+  return sides.first(count);
 }
 
-constexpr uint32_t kNone = UINT32_MAX;
+[[noreturn]] void refuse_edge(std::span<const Side> sides, const Names& names) {
+  const uint32_t low = names.vertex(sides[0].low), high = names.vertex(sides[0].high);
+  refuse("The edge between vertices " + str(low) + " and " + str(high) + " has " + str(sides.size()) + " faces (" +
+             str(names.face(sides[0].half_edge / 3)) + ", " + str(names.face(sides[1].half_edge / 3)) + ", " +
+             str(names.face(sides[2].half_edge / 3)) + (sides.size() > 3 ? ", ..." : "") +
+             "); a surface has at most 2 there: remove the extra ones.",
+         MEANDER_ELEMENT_EDGE, low, high);
+}
 
-/// Per half-edge the half-edge of the other face on the same edge, kNone at the boundary.
-std::vector<uint32_t> pair_sides(const std::vector<Triangle>& faces, size_t vertex_count, const Names& names) {
-  const std::vector<Side> sides = sorted_sides(faces, vertex_count);
-  std::vector<uint32_t> mate(3 * faces.size(), kNone);
-  for (size_t i = 0; i < sides.size();) {
-    size_t j = i + 1;
-    while (j < sides.size() && sides[j].same_edge(sides[i])) ++j;
-    if (j - i > 2) {
-      const uint32_t low = names.vertex(sides[i].low), high = names.vertex(sides[i].high);
-      refuse("The edge between vertices " + str(low) + " and " + str(high) + " has " + str(j - i) + " faces (" +
-                 str(names.face(sides[i].half_edge / 3)) + ", " + str(names.face(sides[i + 1].half_edge / 3)) + ", " +
-                 str(names.face(sides[i + 2].half_edge / 3)) + (j - i > 3 ? ", ..." : "") +
-                 "); a surface has at most 2 there: remove the extra ones.",
-             MEANDER_ELEMENT_EDGE, low, high);
+/// Per half-edge the half-edge of the other face on the same edge, kNoTwin at the boundary.
+std::vector<uint32_t> pair_sides(const std::vector<Triangle>& faces, size_t vertex_count, const Names& names,
+                                 Team& team) {
+  SidesOfVertices table(faces, vertex_count);
+  std::vector<uint32_t> mate(3 * faces.size(), kNoTwin);
+  const size_t crowded = team.first(vertex_count, kBlock, [&](size_t v) {
+    std::span<Side> sides = table.of(v);
+    std::sort(sides.begin(), sides.end());
+    while (!sides.empty()) {
+      const std::span<Side> edge = first_edge(sides);
+      if (edge.size() > 2) return true;
+      if (edge.size() == 2) {
+        mate[edge[0].half_edge] = edge[1].half_edge;
+        mate[edge[1].half_edge] = edge[0].half_edge;
+      }
+      sides = sides.subspan(edge.size());
     }
-    if (j - i == 2) {
-      mate[sides[i].half_edge] = sides[i + 1].half_edge;
-      mate[sides[i + 1].half_edge] = sides[i].half_edge;
-    }
-    i = j;
+    return false;
+  });
+  if (crowded < vertex_count) {
+    std::span<Side> sides = table.of(crowded);
+    while (first_edge(sides).size() < 3) sides = sides.subspan(first_edge(sides).size());
+    refuse_edge(first_edge(sides), names);
   }
   return mate;
 }
 
 /// Numbers the components and turns faces so that neighbours agree.
-void orient(CheckedMesh& mesh, const std::vector<uint32_t>& mate, const Names& names) {
+void orient(CheckedMesh& mesh, const Names& names) {
   const size_t face_count = mesh.faces.size();
   mesh.turned.assign(face_count, 0);
-  mesh.component.assign(face_count, kNone);
+  mesh.component.assign(face_count, kNever);
   std::vector<uint32_t> queue;
   for (size_t start = 0; start < face_count; ++start) {
-    if (mesh.component[start] != kNone) continue;
+    if (mesh.component[start] != kNever) continue;
     const uint32_t component = mesh.component_count++;
     mesh.component[start] = component;
     queue.assign(1, static_cast<uint32_t>(start));
     for (size_t head = 0; head < queue.size(); ++head) {
       const uint32_t f = queue[head];
       for (uint32_t k = 0; k < 3; ++k) {
-        const uint32_t other = mate[3 * f + k];
-        if (other == kNone) continue;
+        const uint32_t other = mesh.twin[3 * f + k];
+        if (other == kNoTwin) continue;
         const uint32_t g = other / 3;
         // Two faces agree when they run along their edge in opposite directions.
         const bool opposed = mesh.faces[f][k] != mesh.faces[g][other % 3];
         const uint8_t wanted = static_cast<uint8_t>(mesh.turned[f] ^ (opposed ? 0 : 1));
-        if (mesh.component[g] == kNone) {
+        if (mesh.component[g] == kNever) {
           mesh.component[g] = component;
           mesh.turned[g] = wanted;
           queue.push_back(g);
@@ -185,50 +211,58 @@ void orient(CheckedMesh& mesh, const std::vector<uint32_t>& mate, const Names& n
   }
 }
 
+/// Turns the faces that orient() found to be the wrong way round: corners 1 and 2 change places, and so
+/// half-edges 0 and 2.
+void turn(CheckedMesh& mesh) {
+  if (std::find(mesh.turned.begin(), mesh.turned.end(), 1) == mesh.turned.end()) return;
+  for (uint32_t& other : mesh.twin) {
+    if (other != kNoTwin && mesh.turned[other / 3]) other = 3 * (other / 3) + 2 - other % 3;
+  }
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (!mesh.turned[f]) continue;
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    std::swap(mesh.twin[3 * f], mesh.twin[3 * f + 2]);
+  }
+}
+
 /// A vertex whose faces form more than one fan is named.
-void check_vertices(const CheckedMesh& mesh, const std::vector<uint32_t>& mate, size_t vertex_count,
-                    const Names& names) {
-  std::vector<uint32_t> corner_count(vertex_count, 0), any_corner(vertex_count, kNone);
+void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& names, Team& team) {
+  std::vector<uint32_t> corner_count(vertex_count, 0), any_corner(vertex_count, kNever);
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     for (size_t k = 0; k < 3; ++k) {
       ++corner_count[mesh.faces[f][k]];
       any_corner[mesh.faces[f][k]] = static_cast<uint32_t>(3 * f + k);
     }
   }
-  // Walks over the faces of the fan, from corner to corner, across the side that starts (forward)
-  // or ends at the vertex. Works before faces are turned, since it looks the vertex up each time.
+  // Works before faces are turned, since it looks the vertex up each time.
   const auto corner_of = [&](uint32_t face, uint32_t v) {
-    for (uint32_t k = 0; k < 3; ++k) {
-      if (mesh.faces[face][k] == v) return 3 * face + k;
-    }
-    return kNone;
+    uint32_t k = 0;
+    while (mesh.faces[face][k] != v) ++k;
+    return 3 * face + k;
   };
-  for (uint32_t v = 0; v < vertex_count; ++v) {
-    if (any_corner[v] == kNone) continue;
-    const uint32_t first = any_corner[v];
+  // Walks over the faces of the fan, from corner to corner, across the side that starts (forward) or ends
+  // at the vertex.
+  const auto corners_in_fan = [&](uint32_t v, uint32_t first) {
     uint32_t seen = 1;
     for (int direction = 0; direction < 2; ++direction) {
-      uint32_t corner = first;
       uint32_t side = direction == 0 ? first : 3 * (first / 3) + (first % 3 + 2) % 3;
-      for (;;) {
-        const uint32_t other = mate[side];
-        if (other == kNone) break;
-        const uint32_t face = other / 3;
-        corner = corner_of(face, v);
-        if (corner == first) break;
+      while (mesh.twin[side] != kNoTwin) {
+        const uint32_t other = mesh.twin[side], face = other / 3, corner = corner_of(face, v);
+        if (corner == first) return seen;  // came round: a closed fan
         ++seen;
         // The other side of this face at v.
-        const uint32_t out = corner, in = 3 * face + (corner % 3 + 2) % 3;
-        side = other == out ? in : out;
+        side = other == corner ? 3 * face + (corner % 3 + 2) % 3 : corner;
       }
-      if (mate[side] != kNone) break;  // came round: a closed fan
     }
-    if (seen != corner_count[v]) {
-      refuse("Vertex " + str(names.vertex(v)) + " joins parts of the surface that meet in this point only (bow-tie); "
-             "split the vertex.",
-             MEANDER_ELEMENT_VERTEX, names.vertex(v));
-    }
-  }
+    return seen;
+  };
+  const size_t v = team.first(vertex_count, kBlock, [&](size_t i) {
+    return any_corner[i] != kNever && corners_in_fan(static_cast<uint32_t>(i), any_corner[i]) != corner_count[i];
+  });
+  if (v == vertex_count) return;
+  const uint32_t name = names.vertex(static_cast<uint32_t>(v));
+  refuse("Vertex " + str(name) + " joins parts of the surface that meet in this point only (bow-tie); split the vertex.",
+         MEANDER_ELEMENT_VERTEX, name);
 }
 
 }  // namespace
@@ -248,16 +282,18 @@ void check_numbers(std::span<const double> vertices, std::span<const uint32_t> f
   }
 }
 
-Placement check_placement(std::span<const double> vertices, const std::vector<Triangle>& faces, const MeshMap* map) {
+Placement check_placement(std::span<const double> vertices, const std::vector<Triangle>& faces, Team& team,
+                          const MeshMap* map) {
   const Names names{map};
   check_coordinates(vertices, names);
   uint32_t used_count = 0;
   const Placement placement = measure(vertices, faces, used_count);
-  check_areas(vertices, faces, placement, names);
+  check_areas(vertices, faces, placement, names, team);
   return placement;
 }
 
-CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, const MeshMap* map) {
+CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, Team& team,
+                       const MeshMap* map) {
   const Names names{map};
   check_numbers(vertices, faces);
   check_corners(faces, names);
@@ -267,13 +303,11 @@ CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_
     mesh.faces[f] = {faces[3 * f], faces[3 * f + 1], faces[3 * f + 2]};
   }
   mesh.placement = measure(vertices, mesh.faces, mesh.used_vertices);
-  check_areas(vertices, mesh.faces, mesh.placement, names);
-  const std::vector<uint32_t> mate = pair_sides(mesh.faces, vertices.size() / 3, names);
-  check_vertices(mesh, mate, vertices.size() / 3, names);
-  orient(mesh, mate, names);
-  for (size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (mesh.turned[f]) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
-  }
+  check_areas(vertices, mesh.faces, mesh.placement, names, team);
+  mesh.twin = pair_sides(mesh.faces, vertices.size() / 3, names, team);
+  check_vertices(mesh, vertices.size() / 3, names, team);
+  orient(mesh, names);
+  turn(mesh);
   return mesh;
 }
 

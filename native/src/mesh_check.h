@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds what makes a list of triangles unusable, and names the element, before a half-edge structure
-// sees it (OpenMesh aborts or writes out of bounds on some of these).
+// Finds what makes a list of triangles unusable, and names the element; what is left is a manifold, and
+// its faces know their neighbours.
 #pragma once
 
 #include <array>
@@ -17,7 +17,11 @@ using Triangle = std::array<uint32_t, 3>;
 /// Twice what single precision resolves would already refuse scans that Blender shows as fine.
 inline constexpr double kFlatFace = 1e-8;
 
+/// No half-edge.
+inline constexpr uint32_t kNoTwin = UINT32_MAX;
+
 class MeshMap;
+class Team;
 
 /// Where a mesh is and how large.
 struct Placement {
@@ -30,6 +34,9 @@ struct CheckedMesh {
   std::vector<Triangle> faces;       ///< some turned round
   std::vector<uint8_t> turned;       ///< per face: 1 if turned round
   std::vector<uint32_t> component;   ///< per face
+  /// Per half-edge 3 f + k, from corner k of face f to the next: that of the other face on the same edge,
+  /// kNoTwin at the boundary.
+  std::vector<uint32_t> twin;
   uint32_t component_count = 0;
   Placement placement;
   uint32_t used_vertices = 0;
@@ -41,12 +48,12 @@ void check_numbers(std::span<const double> vertices, std::span<const uint32_t> f
 /// Checks `faces` over `vertices` (xyz xyz ...). Throws Failure(MEANDER_INVALID_MESH) that names the
 /// first element which cannot be used; see meander_surface_create for the list. Of a prepared mesh it
 /// names the caller's elements that `map` tells.
-CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
+CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, Team& team,
                        const MeshMap* map = nullptr);
 
 /// Checks what depends on the places of the vertices only, numbers and areas, for `faces` that were
 /// checked before. Throws as check_mesh does.
-Placement check_placement(std::span<const double> vertices, const std::vector<Triangle>& faces,
+Placement check_placement(std::span<const double> vertices, const std::vector<Triangle>& faces, Team& team,
                           const MeshMap* map = nullptr);
 
 }  // namespace meander

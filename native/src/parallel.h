@@ -31,6 +31,24 @@ class Team {
   void for_blocks(size_t count, size_t grain,
                   const std::function<void(size_t block, size_t begin, size_t end)>& body);
 
+  /// Calls visit(i) for every index of [0, count) and returns the least for which it is true, `count` if
+  /// there is none. What comes after such an index may be left out.
+  template <class Visit>
+  size_t first(size_t count, size_t grain, const Visit& visit) {
+    std::vector<size_t> found(block_count(count, grain), count);
+    for_blocks(count, grain, [&](size_t block, size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        if (!visit(i)) continue;
+        found[block] = i;
+        break;
+      }
+    });
+    for (const size_t i : found) {
+      if (i < count) return i;
+    }
+    return count;
+  }
+
   static size_t block_count(size_t count, size_t grain) { return (count + grain - 1) / grain; }
 
  private:

@@ -3,16 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "failure.h"
+#include "parallel.h"
 
 namespace meander {
 namespace {
 
-using Connectivity = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraits>;
+/// Faces that a thread takes at once.
+constexpr size_t kBlock = 4096;
 
 /// Rounds to a multiple of 2^-30. The offset keeps values that are exact ties in one scale, and a
 /// rounding error away from it in another, from being rounded apart: ties become generic values.
@@ -20,9 +23,10 @@ double to_grid(double x) { return std::floor(x * 0x1p30 + 0.38196601125) * 0x1p-
 
 }  // namespace
 
-Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> faces)
+Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads)
     : caller_(vertices.begin(), vertices.end()) {
-  CheckedMesh mesh = check_mesh(vertices, faces);
+  Team team(faces.size() / 3 > kBlock ? threads : 1);
+  CheckedMesh mesh = check_mesh(vertices, faces, team);
   faces_ = std::move(mesh.faces);
   turned_ = std::move(mesh.turned);
   component_ = std::move(mesh.component);
@@ -30,16 +34,16 @@ Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> fac
   used_vertices_ = mesh.used_vertices;
   turned_count_ = static_cast<uint32_t>(std::count(turned_.begin(), turned_.end(), 1));
   place(mesh.placement);
-  lay_out();
-  connect();
+  connect(mesh.twin);
+  lay_out(team);
 }
 
-Surface Surface::deformed(std::span<const double> vertices, const MeshMap* map) const {
-  const Placement placement = check_placement(vertices, faces_, map);
+Surface Surface::deformed(std::span<const double> vertices, Team& team, const MeshMap* map) const {
+  const Placement placement = check_placement(vertices, faces_, team, map);
   Surface moved(*this);
   moved.caller_.assign(vertices.begin(), vertices.end());
   moved.place(placement);
-  moved.lay_out();
+  moved.lay_out(team);
   return moved;
 }
 
@@ -62,86 +66,81 @@ double Surface::corner_angle(uint32_t f, uint32_t k) const {
   return std::atan2(cross(u, v), dot(u, v));
 }
 
-void Surface::lay_out() {
+void Surface::lay_out(Team& team) {
   const size_t n = faces_.size();
   flat_.resize(n);
   axis_.resize(2 * n);
   face_normal_.resize(n);
-  hinges_.resize(n);
+  std::vector<std::array<double, 3>> angles(n);
+  const size_t without_area = team.first(n, kBlock, [&](size_t index) {
+    const uint32_t f = static_cast<uint32_t>(index);
+    if (!lay_out_face(f)) return true;
+    for (uint32_t k = 0; k < 3; ++k) angles[f][k] = corner_angle(f, k);
+    return false;
+  });
+  if (without_area < n) {
+    throw Failure(MEANDER_INVALID_MESH,
+                  "Face " + std::to_string(without_area) + " has no area; dissolve degenerate faces.",
+                  MEANDER_ELEMENT_FACE, static_cast<uint32_t>(without_area));
+  }
+  // Sums are taken in the order of the faces, whoever laid them out.
   total_angle_.assign(positions_.size(), 0.0);
   area_ = 0;
   double edge_sum = 0;
   for (uint32_t f = 0; f < n; ++f) {
-    const Vec3& p = positions_[faces_[f][0]];
-    const Vec3 u = positions_[faces_[f][1]] - p, v = positions_[faces_[f][2]] - p;
-    const double x1 = u.norm();
-    const Vec3 e1 = u / x1;
-    const Vec3 normal = u.cross(v);
-    if (!(normal.norm() > 0) || !(x1 > 0)) {
-      throw Failure(MEANDER_INVALID_MESH, "Face " + std::to_string(f) + " has no area; dissolve degenerate faces.",
-                    MEANDER_ELEMENT_FACE, f);
-    }
-    face_normal_[f] = normal.normalized();
-    axis_[2 * f] = e1;
-    axis_[2 * f + 1] = face_normal_[f].cross(e1);
-    flat_[f].x1 = x1;
-    flat_[f].x2 = v.dot(e1);
-    flat_[f].y2 = normal.norm() / x1;
     area_ += face_area(f);
-    for (uint32_t k = 0; k < 3; ++k) {
-      const Vec2 base = along(3 * f + k), side = corner(f, prev_corner(k)) - corner(f, k);
-      hinges_[f].apex[k] = (1 / dot(base, base)) * (side * conj(base));
-    }
-    edge_sum += x1;
-    for (uint32_t k = 0; k < 3; ++k) total_angle_[faces_[f][k]] += corner_angle(f, k);
+    edge_sum += flat_[f].x1;
+    for (uint32_t k = 0; k < 3; ++k) total_angle_[faces_[f][k]] += angles[f][k];
+  }
+  for (const HalfEdge e : boundary_) {
+    total_angle_[faces_[face_of(e)][corner_of(e)]] = std::numeric_limits<double>::infinity();
   }
   mean_edge_length_ = edge_sum / static_cast<double>(n);
 }
 
-void Surface::connect() {
-  // OpenMesh knows the neighbours and the boundary; the flow walks across edges millions of times,
-  // so what it needs is copied into flat tables indexed by half-edge.
-  Connectivity mesh;
-  mesh.reserve(positions_.size(), 3 * faces_.size(), faces_.size());
-  for (size_t v = 0; v < positions_.size(); ++v) mesh.add_vertex(Connectivity::Point(0, 0, 0));
-  for (const Triangle& t : faces_) {
-    const auto handle = [](uint32_t v) { return OpenMesh::VertexHandle(static_cast<int>(v)); };
-    mesh.add_face(handle(t[0]), handle(t[1]), handle(t[2]));
+/// False if the face has no area once its corners are rounded.
+bool Surface::lay_out_face(uint32_t f) {
+  const Vec3& p = positions_[faces_[f][0]];
+  const Vec3 u = positions_[faces_[f][1]] - p, v = positions_[faces_[f][2]] - p;
+  const double x1 = u.norm();
+  const Vec3 e1 = u / x1;
+  const Vec3 normal = u.cross(v);
+  if (!(normal.norm() > 0) || !(x1 > 0)) return false;
+  face_normal_[f] = normal.normalized();
+  axis_[2 * f] = e1;
+  axis_[2 * f + 1] = face_normal_[f].cross(e1);
+  flat_[f].x1 = x1;
+  flat_[f].x2 = v.dot(e1);
+  flat_[f].y2 = normal.norm() / x1;
+  for (uint32_t k = 0; k < 3; ++k) {
+    const Vec2 base = along(3 * f + k), side = corner(f, prev_corner(k)) - corner(f, k);
+    hinges_[f].apex[k] = (1 / dot(base, base)) * (side * conj(base));
   }
-  if (mesh.n_faces() != faces_.size()) {
-    throw Failure(MEANDER_INTERNAL, "A face was lost while the mesh was connected; please report this mesh.");
-  }
+  return true;
+}
 
-  const auto half_edge = [&](OpenMesh::HalfedgeHandle h) -> HalfEdge {
-    const OpenMesh::FaceHandle f = mesh.face_handle(h);
-    if (!f.is_valid()) return kNone;
-    const uint32_t from = static_cast<uint32_t>(mesh.from_vertex_handle(h).idx());
-    const uint32_t face = static_cast<uint32_t>(f.idx());
-    uint32_t k = 0;
-    while (faces_[face][k] != from) ++k;
-    return 3 * face + k;
-  };
-  const auto join = [&](HalfEdge a, HalfEdge b) { hinges_[face_of(a)].twin[corner_of(a)] = b; };
+/// Neighbours and boundary, from what the check of the mesh found. A boundary loop is followed from
+/// half-edge to half-edge: the faces of a vertex are one fan, so that one of its half-edges at most
+/// leaves it along the boundary.
+void Surface::connect(const std::vector<HalfEdge>& twins) {
+  hinges_.resize(faces_.size());
+  for (HalfEdge e = 0; e < twins.size(); ++e) {
+    hinges_[face_of(e)].twin[corner_of(e)] = twins[e];
+    if (twins[e] == kNone) boundary_.push_back(e);
+  }
   vertex_on_boundary_.assign(positions_.size(), 0);
-  for (const auto edge : mesh.edges()) {
-    const HalfEdge a = half_edge(mesh.halfedge_handle(edge, 0)), b = half_edge(mesh.halfedge_handle(edge, 1));
-    if (a != kNone) join(a, b);
-    if (b != kNone) join(b, a);
+  if (boundary_.empty()) return;
+  std::vector<uint32_t> after(positions_.size(), kNone);  // per vertex the next one along the boundary
+  for (const HalfEdge e : boundary_) {
+    const Triangle& t = faces_[face_of(e)];
+    vertex_on_boundary_[t[corner_of(e)]] = 1;
+    after[t[corner_of(e)]] = t[next_corner(corner_of(e))];
   }
-  std::vector<uint8_t> visited(mesh.n_halfedges(), 0);
-  for (const auto start : mesh.halfedges()) {
-    if (!mesh.is_boundary(start) || visited[static_cast<size_t>(start.idx())]) continue;
+  for (const HalfEdge e : boundary_) {
+    uint32_t v = faces_[face_of(e)][corner_of(e)];
+    if (after[v] == kNone) continue;  // on a loop that has been counted
     ++boundary_loop_count_;
-    OpenMesh::HalfedgeHandle h = start;
-    do {
-      visited[static_cast<size_t>(h.idx())] = 1;
-      vertex_on_boundary_[static_cast<size_t>(mesh.from_vertex_handle(h).idx())] = 1;
-      h = mesh.next_halfedge_handle(h);
-    } while (h != start);
-  }
-
-  for (HalfEdge e = 0; e < 3 * faces_.size(); ++e) {
-    if (twin(e) == kNone) boundary_.push_back(e);
+    while (after[v] != kNone) v = std::exchange(after[v], kNone);
   }
 }
 

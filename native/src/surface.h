@@ -42,14 +42,15 @@ inline double settle(double x) {
 /// everything that grows on it. What leaves the library is computed from the caller's own vertices.
 class Surface {
  public:
-  /// Throws Failure(MEANDER_INVALID_MESH), see meander_surface_create.
-  Surface(std::span<const double> vertices, std::span<const uint32_t> faces);
+  /// Throws Failure(MEANDER_INVALID_MESH), see meander_surface_create. `threads` as of a Team; the
+  /// surface is the same for any number.
+  Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads = 1);
 
   /// The same faces with their vertices in other places. What the connectivity decides is taken over,
   /// so a point of a face, or of an edge, is one of the new surface too. The unit becomes the new
   /// diagonal. `vertices` are as many as before. Throws Failure(MEANDER_INVALID_MESH) for coordinates
   /// that are not finite and for faces without area; `map` names the caller's.
-  Surface deformed(std::span<const double> vertices, const MeshMap* map = nullptr) const;
+  Surface deformed(std::span<const double> vertices, Team& team, const MeshMap* map = nullptr) const;
 
   size_t vertex_count() const { return positions_.size(); }
   size_t face_count() const { return faces_.size(); }
@@ -103,7 +104,7 @@ class Surface {
   Vec2 to_plane(uint32_t f, const Vec3& v) const { return {v.dot(axis_[2 * f]), v.dot(axis_[2 * f + 1])}; }
   const Vec3& face_normal(uint32_t f) const { return face_normal_[f]; }
   double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
-  /// Sum of the angles of the faces around v.
+  /// Sum of the angles of the faces around v; infinite on the boundary, since nothing goes round there.
   double total_angle(uint32_t v) const { return total_angle_[v]; }
   bool on_boundary(uint32_t v) const { return vertex_on_boundary_[v] != 0; }
   double corner_angle(uint32_t f, uint32_t k) const;
@@ -114,8 +115,9 @@ class Surface {
     double x1 = 0, x2 = 0, y2 = 0;
   };
   void place(const Placement& placement);
-  void lay_out();
-  void connect();
+  void lay_out(Team& team);
+  bool lay_out_face(uint32_t f);
+  void connect(const std::vector<HalfEdge>& twins);
 
   std::vector<double> caller_;
   std::vector<Vec3> positions_;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <set>
 
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
 #include "failure.h"
 #include "test_meshes.h"
 
@@ -256,6 +258,95 @@ TEST(GoodMesh, TurnedFacesAreCountedAndOriented) {
     }
     EXPECT_EQ(s.turned_count(), expected);
   }
+}
+
+/// OpenMesh, which builds its half-edges in another way, has the same neighbours and boundary loops.
+TEST(GoodMesh, NeighboursAreThoseOfOpenMesh) {
+  for (const Expected& m : good_meshes()) {
+    SCOPED_TRACE(m.name);
+    Mesh mesh = m.mesh;
+    Rng rng(mesh.face_count() + 1);
+    for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+      if (rng() < 0.3) std::swap(mesh.faces[3 * f + 1], mesh.faces[3 * f + 2]);
+    }
+    const Surface s = make_surface(mesh);
+
+    OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraits> reference;
+    std::vector<OpenMesh::VertexHandle> vertex;
+    for (size_t v = 0; v < s.vertex_count(); ++v) vertex.push_back(reference.add_vertex({0, 0, 0}));
+    for (uint32_t f = 0; f < s.face_count(); ++f) {
+      const Triangle& t = s.face(f);
+      ASSERT_TRUE(reference.add_face(vertex[t[0]], vertex[t[1]], vertex[t[2]]).is_valid());
+    }
+    for (uint32_t f = 0; f < s.face_count(); ++f) {
+      for (uint32_t k = 0; k < 3; ++k) {
+        const Triangle& t = s.face(f);
+        const auto h = reference.find_halfedge(vertex[t[k]], vertex[t[next_corner(k)]]);
+        const auto opposite = reference.opposite_halfedge_handle(h);
+        const HalfEdge twin = s.twin(3 * f + k);
+        ASSERT_EQ(twin == kNone, reference.is_boundary(opposite));
+        if (twin == kNone) continue;
+        ASSERT_EQ(static_cast<int>(face_of(twin)), reference.face_handle(opposite).idx());
+        ASSERT_EQ(s.face(face_of(twin))[corner_of(twin)], t[next_corner(k)]);
+      }
+    }
+    std::set<int> visited;
+    uint32_t loops = 0;
+    for (const auto start : reference.halfedges()) {
+      if (!reference.is_boundary(start) || !visited.insert(start.idx()).second) continue;
+      ++loops;
+      for (auto h = reference.next_halfedge_handle(start); h != start; h = reference.next_halfedge_handle(h)) {
+        visited.insert(h.idx());
+      }
+    }
+    EXPECT_EQ(s.boundary_loop_count(), loops);
+    EXPECT_EQ(s.boundary().size(), visited.size());
+    for (uint32_t v = 0; v < s.vertex_count(); ++v) {
+      if (reference.is_isolated(vertex[v])) continue;
+      EXPECT_EQ(s.on_boundary(v), reference.is_boundary(vertex[v]));
+    }
+  }
+}
+
+/// A mesh of more faces than one thread takes at once.
+TEST(GoodMesh, IsTheSameForAnyNumberOfThreads) {
+  const Mesh mesh = with_noise(grid_with_hole(60), 0.2, 5);
+  const Surface one(mesh.vertices, mesh.faces, 1);
+  ASSERT_GT(one.face_count(), 2 * 4096u - 2000);
+  for (const unsigned threads : {2u, 3u, 0u}) {
+    const Surface other(mesh.vertices, mesh.faces, threads);
+    EXPECT_EQ(one.area(), other.area());
+    EXPECT_EQ(one.mean_edge_length(), other.mean_edge_length());
+    EXPECT_EQ(one.boundary(), other.boundary());
+    for (uint32_t v = 0; v < one.vertex_count(); ++v) EXPECT_EQ(one.total_angle(v), other.total_angle(v));
+    for (HalfEdge e = 0; e < 3 * one.face_count(); ++e) {
+      EXPECT_EQ(one.twin(e), other.twin(e));
+      EXPECT_EQ(one.along(e).x, other.along(e).x);
+      EXPECT_EQ(one.along(e).y, other.along(e).y);
+    }
+  }
+}
+
+/// Of several faults of a kind the first is named, whichever thread finds which.
+TEST(Refusal, IsOfTheFirstElementForAnyNumberOfThreads) {
+  Mesh mesh = flat_grid(120);
+  ASSERT_GT(mesh.face_count(), 20000u);
+  for (const uint32_t f : {9001u, 17003u, 25005u}) {  // a corner on the opposite edge
+    for (int j = 0; j < 3; ++j) {
+      mesh.vertices[3 * mesh.faces[3 * f] + j] =
+          0.5 * (mesh.vertices[3 * mesh.faces[3 * f + 1] + j] + mesh.vertices[3 * mesh.faces[3 * f + 2] + j]);
+    }
+  }
+  std::set<std::string> sentences;
+  for (const unsigned threads : {1u, 2u, 3u, 2u, 3u}) {
+    try {
+      Surface(mesh.vertices, mesh.faces, threads);
+      ADD_FAILURE() << "the mesh was not refused";
+    } catch (const Failure& failure) {
+      sentences.insert(failure.what());
+    }
+  }
+  EXPECT_EQ(sentences.size(), 1u);
 }
 
 TEST(GoodMesh, ScaleChangesNothingInside) {

@@ -2,6 +2,7 @@
 //
 // Prepared meshes: maps back to the caller's mesh, areas that are kept, the same result at every scale.
 #include "mesh_prepare.h"
+#include "parallel.h"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,8 @@ TEST(Prepare, ClippingCutsAStraightLineAcrossEveryFace) {
   settings.mask_threshold = 0.1;
   const PreparedMesh prepared = prepare_mesh(mesh.vertices, mesh.faces, settings);
   expect_maps_back(mesh, prepared, 1e-12);
-  const CheckedMesh checked = check_mesh(prepared.vertices, prepared.faces, &prepared.map);
+  Team team(1);
+  const CheckedMesh checked = check_mesh(prepared.vertices, prepared.faces, team, &prepared.map);
   EXPECT_EQ(checked.component_count, 1u);
   EXPECT_GT(prepared.counts.clipped_faces, 0u);
   // Inside up to a tenth of an edge, the most by which the cut gives way to a vertex.
@@ -162,7 +164,8 @@ TEST(Prepare, ACrownOfFlatFacesLeavesNoSlit) {
   settings.drop_degenerate = settings.cut_non_manifold = settings.split_bow_ties = true;
   const PreparedMesh prepared = prepare_mesh(mesh.vertices, mesh.faces, settings);
   expect_maps_back(mesh, prepared, 1e-9);
-  const CheckedMesh checked = check_mesh(prepared.vertices, prepared.faces);
+  Team team(1);
+  const CheckedMesh checked = check_mesh(prepared.vertices, prepared.faces, team);
   EXPECT_GE(checked.component_count, 1u);
   EXPECT_NEAR(area(prepared.vertices, prepared.faces), 1, 1e-9);
 }

@@ -58,13 +58,13 @@ def add_seed() -> bpy.types.Object:
 
 
 def loaded_libraries() -> list[str]:
-    """Files of ours and of OpenMesh that this process has mapped."""
+    """Files of ours that this process has mapped."""
     paths = {
         line.split(maxsplit=5)[5].strip()
         for line in Path("/proc/self/maps").read_text().splitlines()
         if len(line.split(maxsplit=5)) == 6
     }
-    return sorted(path for path in paths if "libmeander" in path or "libOpenMesh" in path)
+    return sorted(path for path in paths if "libmeander" in path)
 
 
 def main(report: str) -> None:

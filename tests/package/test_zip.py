@@ -45,10 +45,7 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     assert "meander/LICENSE" in names
     assert "meander/THIRD_PARTY_NOTICES.md" in names
     libraries = sorted(name for name in names if name.startswith("meander/native/"))
-    assert libraries == [
-        "meander/native/libOpenMeshCore.so.9.0",
-        f"meander/native/libmeander-{version}.so",
-    ]
+    assert libraries == [f"meander/native/libmeander-{version}.so"]
     assert not [name for name in names if "__pycache__" in name or name.endswith(".pyc")]
 
 

@@ -171,6 +171,8 @@ typedef struct meander_surface_options {
   const double* vertex_mask; /* double[vertex_count], finite: what lies below mask_threshold is cut away
                                 along straight lines across faces, after all else; or NULL */
   double mask_threshold;     /* finite */
+  uint32_t threads;          /* 0: as many as the machine has; at most 256; the result is the same */
+  uint32_t reserved;
 } meander_surface_options;
 
 /* Fills every field. Returns MEANDER_INVALID_ARGUMENT for NULL. Any thread. */
