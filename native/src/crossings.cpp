@@ -135,7 +135,7 @@ void CrossingTest::collect(const Surface& surface, const Curve& curve, Team& tea
     marked_.resize(surface.face_count(), 0);
     for (uint32_t i = 0; i < curve.size(); ++i) {
       if (!(*changed)[i] || !curve.has_segment(i)) continue;
-      curve.pieces_of(surface, i, [&](const Piece& piece) {
+      curve.pieces_of(i, [&](const Piece& piece) {
         if (!marked_[piece.face]) marked.push_back(piece.face);
         marked_[piece.face] = 1;
       });
@@ -148,7 +148,7 @@ void CrossingTest::collect(const Surface& surface, const Curve& curve, Team& tea
     pieces.clear();
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       if (!curve.has_segment(i)) continue;
-      curve.pieces_of(surface, i, [&](const Piece& piece) {
+      curve.pieces_of(i, [&](const Piece& piece) {
         if (!changed || marked_[piece.face]) pieces.push_back(piece);
       });
     }

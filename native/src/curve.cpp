@@ -36,11 +36,11 @@ void Curve::lay_out_as(const Curve& other) {
   shapes.resize(nodes.size());
 }
 
-void Curve::pieces(const Surface& surface, std::vector<Piece>& out) const {
+void Curve::pieces(std::vector<Piece>& out) const {
   out.clear();
   out.reserve(2 * nodes.size());
   for (uint32_t i = 0; i < size(); ++i) {
-    if (has_segment(i)) pieces_of(surface, i, [&](const Piece& piece) { out.push_back(piece); });
+    if (has_segment(i)) pieces_of(i, [&](const Piece& piece) { out.push_back(piece); });
   }
 }
 

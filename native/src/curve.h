@@ -57,15 +57,15 @@ class Curve {
   void lay_out_as(const Curve& other);
 
   /// The straight pieces of all segments, in order.
-  void pieces(const Surface& surface, std::vector<Piece>& out) const;
+  void pieces(std::vector<Piece>& out) const;
   /// Calls put(piece) for the straight pieces of segment i, in order.
   template <class Put>
-  void pieces_of(const Surface& surface, uint32_t i, const Put& put) const {
+  void pieces_of(uint32_t i, const Put& put) const {
     Piece piece{nodes[i].face, i, nodes[i].b, {}};
     for (const Crossing& c : paths[i]) {
       piece.to = on_edge(c.e, c.t);
       put(piece);
-      const Crossing r = reversed(surface, c);
+      const Crossing r = reversed(c);
       piece.face = face_of(r.e);
       piece.from = on_edge(r.e, r.t);
     }

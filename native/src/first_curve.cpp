@@ -54,7 +54,7 @@ bool add_circle(const Surface& surface, Curve& curve, const SurfacePoint& middle
   for (uint32_t k = 0; k < kRays; ++k) {
     const uint32_t j = k + 1 == kRays ? 0 : k + 1;
     Path& path = curve.paths[first + k];
-    for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(surface, rays[k][c]));
+    for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(rays[k][c]));
     path.insert(path.end(), rays[j].begin(), rays[j].end());
     curve.shapes[first + k] = shortener.shorten(ends[k], ends[j], path);
     changed[first + k] = 1;

@@ -45,7 +45,7 @@ class SegmentsOfFaces {
       for (uint32_t i = 0; i < curve.size(); ++i) {
         visit(curve.nodes[i].face, i);
         if (!curve.has_segment(i)) continue;
-        for (const Crossing& crossing : curve.paths[i]) visit(face_of(surface.twin(crossing.e)), i);
+        for (const Crossing& crossing : curve.paths[i]) visit(face_of(crossing.twin), i);
       }
     };
     for_all([&](uint32_t face, uint32_t) { ++first_[face + 1]; });
@@ -167,7 +167,7 @@ class Emptiness {
       const Vec3 to = position(surface_, crossing);
       if (distance_to_segment(x, from, to) <= distance) return hang_together(p, face, from, distance);
       from = to;
-      face = face_of(surface_.twin(crossing.e));
+      face = face_of(crossing.twin);
     }
     return hang_together(p, face, from, distance);
   }

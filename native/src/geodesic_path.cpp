@@ -13,36 +13,30 @@ namespace {
 /// the faces of a fine mesh takes a few flips for each of them.
 constexpr size_t kMostFlips = 200, kMostFlipsPerCrossing = 20;
 
+/// Ends that walk far sweep over an area; a path that follows them in legs of this many faces stays short
+/// while it is led over the vertices in there, one by one.
+constexpr size_t kLeg = 16;
+
+/// Where a path turns round a vertex there is half a turn on its outer side, and what it turns by. So with
+/// a full turn around the vertex, or less, there is less than half a turn left on the other side, and no
+/// angles have to be summed up.
+constexpr double kFlatVertex = 2 * std::numbers::pi * (1 + 1e-10), kClearTurn = 1e-9;
+
+/// Does a path turn round a vertex on its left, or right, by more than rounding could make of none, and
+/// by less than half a turn? `in` and `out` lead from the vertex back along the path and on.
+bool bends_clearly(Vec2 in, Vec2 out, bool left) {
+  const double turn = left ? cross(out, in) : cross(in, out);
+  return turn > 0 && turn * turn > kClearTurn * kClearTurn * dot(in, in) * dot(out, out);
+}
+
+SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
+
 }  // namespace
 
-Unfolding::Unfolding(const Surface& surface, uint32_t face) : surface_(surface), face_(face) {
-  for (uint32_t k = 0; k < 3; ++k) corners_[k] = surface.corner(face, k);
-}
-
-void Unfolding::cross(HalfEdge e) {
-  const Vec2 left = corners_[next_corner(corner_of(e))], right = corners_[corner_of(e)];
-  const HalfEdge twin = surface_.twin(e);
-  face_ = face_of(twin);
-  entry_ = corner_of(twin);
-  corners_[entry_] = left;
-  corners_[next_corner(entry_)] = right;
-  corners_[prev_corner(entry_)] = left + (right - left) * surface_.hinges(face_).apex[entry_];
-}
-
-Vec2 Unfolding::place(const SurfacePoint& p) const {
-  return p.weight(0) * corners_[0] + p.b.x * corners_[1] + p.b.y * corners_[2];
-}
-
-Vec2 Unfolding::carried(Vec2 direction) const {
-  if (entry_ == kNone) return direction;
-  const Vec2 edge = corners_[next_corner(entry_)] - corners_[entry_];
-  return direction * unit(conj(edge) * surface_.along(3 * face_ + entry_));
-}
-
-void cancel_backtracks(const Surface& surface, std::vector<Crossing>& crossings) {
+void cancel_backtracks(std::vector<Crossing>& crossings) {
   size_t kept = 0;
   for (const Crossing& c : crossings) {
-    if (kept > 0 && surface.twin(crossings[kept - 1].e) == c.e) {
+    if (kept > 0 && crossings[kept - 1].twin == c.e) {
       --kept;
     } else {
       crossings[kept++] = c;
@@ -68,9 +62,8 @@ PathShape measure_path(const Surface& surface, const SurfacePoint& start, const 
     at = to;
   };
   for (const Crossing& c : crossings) {
-    const uint32_t k = corner_of(c.e);
-    piece((1 - c.t) * strip.corner(k) + c.t * strip.corner(next_corner(k)));
-    strip.cross(c.e);
+    strip.cross(c);
+    piece((1 - c.t) * strip.right() + c.t * strip.left());
   }
   piece(strip.place(end));
   shape.arriving = strip.carried(last);
@@ -82,14 +75,9 @@ void PathShortener::unfold(const SurfacePoint& start, const SurfacePoint& end,
   portals_.clear();
   Unfolding strip(surface_, start.face);
   start_ = strip.place(start);
-  uint32_t left_id = 0, right_id = 0;
   for (const Crossing& c : crossings) {
-    // Leaving a face across the half-edge from corner k to k + 1, corner k + 1 is on the left.
-    const uint32_t k = corner_of(c.e);
-    left_id += !strip.keeps_left(c.e);
-    right_id += !strip.keeps_right(c.e);
-    portals_.push_back({strip.corner(next_corner(k)), strip.corner(k), left_id, right_id});
-    strip.cross(c.e);
+    strip.cross(c);
+    portals_.push_back({strip.left(), strip.right(), strip.left_id(), strip.right_id()});
   }
   end_ = strip.place(end);
   carried_ = strip.carried({1, 0});
@@ -170,40 +158,38 @@ std::pair<size_t, size_t> PathShortener::run_of(const Bend& bend) const {
 /// `index` is the bend's place in corners_. Backtracks are left to the caller.
 bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings) {
   const Portal& portal = portals_[bend.portal];
-  const HalfEdge e = crossings[bend.portal].e;
-  const uint32_t v = surface_.face(face_of(e))[bend.left ? next_corner(corner_of(e)) : corner_of(e)];
-  if (surface_.on_boundary(v)) return false;
-
   const auto [first, last] = run_of(bend);
+  const HalfEdge e = crossings[first].e;
+  uint32_t k = bend.left ? next_corner(corner_of(e)) : corner_of(e);  // where the vertex is in its face
+  const double total = surface_.total_angle(surface_.face(face_of(e))[k]);
+  if (!std::isfinite(total)) return false;  // on the boundary
 
-  // The angle at v between the path's two pieces through the strip, face by face since it may exceed
-  // pi; what is left of the total angle is the other side's. Seen from a vertex on its left, a path
-  // goes round counter-clockwise.
   const Vec2 corner = bend.left ? portal.left : portal.right;
-  const auto angle = [&](Vec2 from, Vec2 to) {
-    const double a = std::atan2(cross(from, to), dot(from, to));
-    return bend.left ? a : -a;
-  };
-  const auto far_end = [&](const Portal& p) { return bend.left ? p.right : p.left; };
   const Vec2 in = corners_[index - 1] - corner, out = corners_[index + 1] - corner;
-  double inside = angle(in, far_end(portals_[first]) - corner);
-  for (size_t i = first; i < last; ++i) {
-    inside += angle(far_end(portals_[i]) - corner, far_end(portals_[i + 1]) - corner);
+  if (!(total <= kFlatVertex && bends_clearly(in, out, bend.left))) {
+    // The angle at v between the path's two pieces through the strip, face by face since it may exceed
+    // pi; what is left of the total angle is the other side's. Seen from a vertex on its left, a path
+    // goes round counter-clockwise.
+    const auto angle = [&](Vec2 from, Vec2 to) {
+      const double a = std::atan2(cross(from, to), dot(from, to));
+      return bend.left ? a : -a;
+    };
+    const auto far_end = [&](const Portal& p) { return (bend.left ? p.right : p.left) - corner; };
+    double inside = angle(in, far_end(portals_[first]));
+    for (size_t i = first; i < last; ++i) inside += angle(far_end(portals_[i]), far_end(portals_[i + 1]));
+    inside += angle(far_end(portals_[last]), out);
+    if (!(total - inside < std::numbers::pi * (1 - 1e-12))) return false;
   }
-  inside += angle(far_end(portals_[last]) - corner, out);
-  const double outside = surface_.total_angle(v) - inside;
-  if (!(outside < std::numbers::pi * (1 - 1e-12))) return false;
 
   // Round v on the other side: from the face before the run to the face after it.
   spliced_.assign(crossings.begin(), crossings.begin() + static_cast<std::ptrdiff_t>(first));
-  uint32_t f = face_of(crossings[first].e);
-  const uint32_t goal = face_of(surface_.twin(crossings[last].e));
+  uint32_t f = face_of(e);
+  const uint32_t goal = face_of(crossings[last].twin);
   while (f != goal) {
-    uint32_t k = 0;
-    while (surface_.face(f)[k] != v) ++k;
-    const HalfEdge spoke = 3 * f + (bend.left ? k : prev_corner(k));
-    spliced_.push_back({spoke, 0.5});
-    f = face_of(surface_.twin(spoke));
+    const HalfEdge spoke = 3 * f + (bend.left ? k : prev_corner(k)), twin = surface_.twin(spoke);
+    spliced_.push_back({spoke, twin, 0.5});
+    f = face_of(twin);
+    k = bend.left ? next_corner(corner_of(twin)) : corner_of(twin);
   }
   spliced_.insert(spliced_.end(), crossings.begin() + static_cast<std::ptrdiff_t>(last) + 1, crossings.end());
   crossings.swap(spliced_);
@@ -219,7 +205,7 @@ bool PathShortener::flip(std::vector<Crossing>& crossings) {
     if (last < untouched && flip_at(bends_[b], b + 1, crossings)) untouched = first;
   }
   if (untouched == portals_.size()) return false;
-  cancel_backtracks(surface_, crossings);
+  cancel_backtracks(crossings);
   return true;
 }
 
@@ -244,7 +230,7 @@ void PathShortener::cross_portals(std::vector<Crossing>& crossings) const {
 
 PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& end,
                                  std::vector<Crossing>& crossings) {
-  cancel_backtracks(surface_, crossings);
+  cancel_backtracks(crossings);
   const size_t most_flips = kMostFlips + kMostFlipsPerCrossing * crossings.size();
   for (size_t flips = 0;; ++flips) {
     unfold(start, end, crossings);
@@ -259,6 +245,35 @@ PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& 
     cross_portals(crossings);
     return measure_path(surface_, start, end, crossings);
   }
+}
+
+PathShape PathShortener::follow(const SurfacePoint& start, const SurfacePoint& end,
+                                std::span<const Crossing> start_trace, std::span<const Crossing> end_trace,
+                                std::vector<Crossing>& crossings) {
+  const size_t legs = 1 + (start_trace.size() + end_trace.size()) / kLeg;
+  PathShape shape;
+  for (size_t leg = 0; leg < legs; ++leg) {
+    const auto part = [&](std::span<const Crossing> trace) {
+      const size_t from = trace.size() * leg / legs, to = trace.size() * (leg + 1) / legs;
+      return trace.subspan(from, to - from);
+    };
+    const std::span<const Crossing> back = part(start_trace), on = part(end_trace);
+    extended_.clear();
+    for (size_t k = back.size(); k-- > 0;) extended_.push_back(reversed(back[k]));
+    extended_.insert(extended_.end(), crossings.begin(), crossings.end());
+    extended_.insert(extended_.end(), on.begin(), on.end());
+    crossings.swap(extended_);
+    // Between two legs an end may be anywhere in the face that it has come to.
+    const bool last = leg + 1 == legs;
+    const auto reached = [&](const SurfacePoint& goal, std::span<const Crossing> trace) {
+      const size_t to = trace.size() * (leg + 1) / legs;
+      return last || trace.empty() ? goal
+             : to == 0             ? middle_of(face_of(trace[0].e))
+                                   : middle_of(face_of(trace[to - 1].twin));
+    };
+    shape = shorten(reached(start, start_trace), reached(end, end_trace), crossings);
+  }
+  return shape;
 }
 
 }  // namespace meander

@@ -10,6 +10,7 @@
 // whatever the size of the mesh, and never jumps to another sheet.
 #pragma once
 
+#include <array>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,26 +29,58 @@ struct PathShape {
 /// Lays face after face of a strip in the plane of the first one.
 class Unfolding {
  public:
-  Unfolding(const Surface& surface, uint32_t face);
+  Unfolding(const Surface& surface, uint32_t face)
+      : surface_(surface), first_{surface.corner(face, 0), surface.corner(face, 1), surface.corner(face, 2)} {}
 
-  /// Lays the next face beside the present one, across half-edge e of the present one.
-  void cross(HalfEdge e);
+  /// Lays the next face beside the present one, which is left by a half-edge of it.
+  void cross(const Crossing& c) {
+    if (entry_ == kNone) {
+      right_ = first_[corner_of(c.e)];
+      left_ = first_[next_corner(corner_of(c.e))];
+    } else if (corner_of(c.e) == next_corner(corner_of(entry_))) {
+      left_ = apex_;  // and on the right the edge ends where the one before it does
+      ++left_id_;
+    } else if (corner_of(c.e) == prev_corner(corner_of(entry_))) {
+      right_ = apex_;
+      ++right_id_;
+    } else {
+      std::swap(left_, right_);  // back
+      ++left_id_;
+      ++right_id_;
+    }
+    entry_ = c.twin;
+    apex_ = left_ + (right_ - left_) * surface_.hinges(face_of(entry_)).apex[corner_of(entry_)];
+  }
 
-  /// Where things of the present face lie.
-  Vec2 corner(uint32_t k) const { return corners_[k]; }
-  Vec2 place(const SurfacePoint& p) const;
-  /// Whether e shares its left or its right end with the edge crossed last; left and right as seen by
-  /// who leaves the face across it.
-  bool keeps_left(HalfEdge e) const { return next_corner(corner_of(e)) == entry_; }
-  bool keeps_right(HalfEdge e) const { return prev_corner(corner_of(e)) == entry_; }
+  /// The ends of the edge crossed last, as seen by who crosses it.
+  Vec2 left() const { return left_; }
+  Vec2 right() const { return right_; }
+  /// Numbers of these ends: alike for edges in a row that share one.
+  uint32_t left_id() const { return left_id_; }
+  uint32_t right_id() const { return right_id_; }
+
+  /// Where a point of the present face lies.
+  Vec2 place(const SurfacePoint& p) const {
+    std::array<Vec2, 3> corner = first_;
+    if (entry_ != kNone) {
+      const uint32_t k = corner_of(entry_);
+      corner[k] = left_;
+      corner[next_corner(k)] = right_;
+      corner[prev_corner(k)] = apex_;
+    }
+    return p.weight(0) * corner[0] + p.b.x * corner[1] + p.b.y * corner[2];
+  }
   /// A direction of the first face's plane in that of the present face.
-  Vec2 carried(Vec2 direction) const;
+  Vec2 carried(Vec2 direction) const {
+    return entry_ == kNone ? direction : direction * unit(conj(right_ - left_) * surface_.along(entry_));
+  }
 
  private:
   const Surface& surface_;
-  uint32_t face_;
-  uint32_t entry_ = kNone;  // the corner at which the half-edge starts by which the face was entered
-  Vec2 corners_[3];
+  std::array<Vec2, 3> first_;  // corners of the first face
+  HalfEdge entry_ = kNone;     // by which the present face was entered, once another one has been left
+  Vec2 left_, right_, apex_;   // its corners
+  uint32_t left_id_ = 0, right_id_ = 0;
 };
 
 /// Scratch memory of one thread, reused from call to call.
@@ -59,6 +92,11 @@ class PathShortener {
   /// `end` (each crossing's twin lies in the face that the next one leaves), by that of a locally
   /// shortest path. Backtracking in the input is removed. Returns the path's shape.
   PathShape shorten(const SurfacePoint& start, const SurfacePoint& end, std::vector<Crossing>& crossings);
+
+  /// The same for a path whose ends have walked away from it, each along its own trace, to `start` and
+  /// `end`: `crossings` leads between the faces in which the traces begin.
+  PathShape follow(const SurfacePoint& start, const SurfacePoint& end, std::span<const Crossing> start_trace,
+                   std::span<const Crossing> end_trace, std::vector<Crossing>& crossings);
 
  private:
   struct Portal {
@@ -81,7 +119,7 @@ class PathShortener {
   std::vector<Portal> portals_;
   std::vector<Bend> bends_;
   std::vector<Vec2> corners_;  // of the pulled path: start, bends, end
-  std::vector<Crossing> spliced_;
+  std::vector<Crossing> spliced_, extended_;
   Vec2 start_, end_;
   Vec2 carried_;  // what (1, 0) of the start's plane is in the end's
 };
@@ -91,6 +129,6 @@ PathShape measure_path(const Surface& surface, const SurfacePoint& start, const 
                        std::span<const Crossing> crossings);
 
 /// Removes every crossing that is taken back at once.
-void cancel_backtracks(const Surface& surface, std::vector<Crossing>& crossings);
+void cancel_backtracks(std::vector<Crossing>& crossings);
 
 }  // namespace meander

@@ -71,7 +71,7 @@ bool GeodesicWalk::step() {
 /// Where the way meets the edge by which it leaves, as a share of the edge.
 double GeodesicWalk::exit_at() const { return ends_[0].y / (ends_[0].y - ends_[1].y); }
 
-Crossing GeodesicWalk::crossing() const { return {exit_, clear_of_ends(exit_at())}; }
+Crossing GeodesicWalk::crossing() const { return {exit_, entry_, clear_of_ends(exit_at())}; }
 
 double GeodesicWalk::length() const {
   if (exit_ == kNone) return 0;

@@ -33,7 +33,7 @@ Cut cut(const Surface& surface, const SurfacePoint& start, const SurfacePoint& e
     before += piece;
     if (k < path.size()) {
       result.paths.back().push_back(path[k]);
-      const Crossing r = reversed(surface, path[k]);
+      const Crossing r = reversed(path[k]);
       face = face_of(r.e);
       from = flat_on_edge(surface, r);
     }

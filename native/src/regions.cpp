@@ -267,7 +267,7 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
     (s.guide ? guided : growing)[surface.component(curve.nodes[s.first].face)] = 1;
   }
   std::vector<Piece> pieces;
-  if (curve.has_guides()) curve.pieces(surface, pieces);
+  if (curve.has_guides()) curve.pieces(pieces);
   const PointTree guides(points_along(surface, curve, pieces, radius));
   Samples samples(surface, curve, radius, pieces, guides, guided);
 
@@ -325,7 +325,7 @@ std::optional<std::vector<SurfacePoint>> way_round_guides(const Surface& surface
   std::vector<uint8_t> guided(surface.component_count(), 0);
   guided[surface.component(from.face)] = 1;
   std::vector<Piece> pieces;
-  curve.pieces(surface, pieces);
+  curve.pieces(pieces);
   const PointTree guides(points_along(surface, curve, pieces, radius));
   const Samples samples(surface, curve, radius, pieces, guides, guided);
   const auto way = samples.way(from, to);

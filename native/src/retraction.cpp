@@ -110,12 +110,8 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const std::
         next_.shapes[i] = old.shapes[i];
         continue;
       }
-      // Back along the first node's trace, along the old path, on along the second's.
-      path.clear();
-      for (size_t k = traces_[i].size(); k-- > 0;) path.push_back(reversed(surface, traces_[i][k]));
-      path.insert(path.end(), old.paths[i].begin(), old.paths[i].end());
-      path.insert(path.end(), traces_[j].begin(), traces_[j].end());
-      next_.shapes[i] = shortener.shorten(next_.nodes[i], next_.nodes[j], path);
+      path = old.paths[i];
+      next_.shapes[i] = shortener.follow(next_.nodes[i], next_.nodes[j], traces_[i], traces_[j], path);
     }
   });
 }

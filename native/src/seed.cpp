@@ -67,7 +67,7 @@ bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to
   }
   for (uint32_t f = to.face; f != from;) {
     const HalfEdge e = reached[f].by;
-    path.push_back({e, 0.5});
+    path.push_back(crossing_of(surface, e, 0.5));
     f = face_of(e);
   }
   std::reverse(path.begin(), path.end());

@@ -56,15 +56,18 @@ inline SurfacePoint point_at(const Surface& s, uint32_t f, Vec2 q) {
 }
 
 /// Where a path leaves a face: at the share t, in (0, 1), of its half-edge e. t is a multiple of
-/// kGrain, so the same point seen from the twin, 1 - t, is exact.
+/// kGrain, so the same point seen from the twin, 1 - t, is exact. The twin is kept, since who follows a
+/// path on a fine mesh would have to fetch every face of it for that alone.
 struct Crossing {
-  HalfEdge e = 0;
+  HalfEdge e = 0, twin = 0;
   double t = 0.5;
 };
 
+inline Crossing crossing_of(const Surface& s, HalfEdge e, double t) { return {e, s.twin(e), t}; }
+
 inline double clear_of_ends(double t) { return snap(std::clamp(t, kClearance, 1 - kClearance)); }
 
-inline Crossing reversed(const Surface& s, const Crossing& c) { return {s.twin(c.e), 1 - c.t}; }
+inline Crossing reversed(const Crossing& c) { return {c.twin, c.e, 1 - c.t}; }
 
 /// Barycentric (b.x, b.y) of the point at share t of half-edge e, in the face of e; exact.
 inline Vec2 on_edge(HalfEdge e, double t) {

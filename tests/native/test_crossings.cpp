@@ -138,7 +138,7 @@ TEST(Crossings, SegmentsThroughTheSamePointOfAnEdgeTouch) {
       const uint32_t f = face_of(e), g = face_of(s.twin(e));
       add_node(c, make_point(f, 0.2 + 0.1 * t, 0.3, 0.5 - 0.1 * t));
       add_node(c, make_point(g, 0.2 + 0.1 * t, 0.4, 0.4 - 0.1 * t));
-      c.paths[first] = {{e, 0.5 + (t > 0.5 ? gap : 0)}};
+      c.paths[first] = {crossing_of(s, e, 0.5 + (t > 0.5 ? gap : 0))};
       c.strands.push_back({first, 2, false});
     }
     c.link();

@@ -46,7 +46,10 @@ inline testing::AssertionResult chains(const Surface& s, uint32_t face, uint32_t
     if (s.twin(path[k].e) == kNone) {
       return testing::AssertionFailure() << "crossing " << k << " leaves the surface";
     }
-    face = face_of(s.twin(path[k].e));
+    if (path[k].twin != s.twin(path[k].e)) {
+      return testing::AssertionFailure() << "crossing " << k << " does not know its twin";
+    }
+    face = face_of(path[k].twin);
   }
   if (face != last) {
     return testing::AssertionFailure()
@@ -222,7 +225,7 @@ inline bool add_ring(const Surface& s, Curve& curve, const SurfacePoint& centre,
   for (uint32_t k = 0; k < count; ++k) {
     const uint32_t l = (k + 1) % count;
     Path& path = curve.paths[first + k];
-    for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(s, rays[k][c]));
+    for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(rays[k][c]));
     path.insert(path.end(), rays[l].begin(), rays[l].end());
     curve.shapes[first + k] = shortener.shorten(ends[k], ends[l], path);
   }

@@ -29,7 +29,7 @@ Path bad_path(const Surface& s, uint32_t from, uint32_t to, uint32_t wander, Rng
   for (uint32_t k = 0; k < wander; ++k) {
     const HalfEdge e = 3 * f + rng.below(3);
     if (s.twin(e) == kNone) continue;
-    path.push_back({e, clear_of_ends(rng())});
+    path.push_back(crossing_of(s, e, clear_of_ends(rng())));
     f = face_of(s.twin(e));
   }
   std::vector<HalfEdge> by(s.face_count(), kNone);
@@ -44,7 +44,7 @@ Path bad_path(const Surface& s, uint32_t from, uint32_t to, uint32_t wander, Rng
     }
   }
   while (f != to) {
-    path.push_back({by[f], 0.5});
+    path.push_back(crossing_of(s, by[f], 0.5));
     f = face_of(s.twin(by[f]));
   }
   return path;
@@ -77,7 +77,7 @@ void expect_locally_shortest(const Surface& s, const SurfacePoint& start, const 
   // Points of the path: in the face that it leaves there, and in the one that it enters.
   const size_t n = path.size();
   const auto leaving = [&](size_t i) { return flat_on_edge(s, path[i]); };
-  const auto entering = [&](size_t i) { return flat_on_edge(s, reversed(s, path[i])); };
+  const auto entering = [&](size_t i) { return flat_on_edge(s, reversed(path[i])); };
   for (size_t i = 0; i < n;) {
     const uint32_t v = vertex_of(path[i]);
     const Vec2 before = i == 0 ? flat(s, start) : entering(i - 1);
@@ -183,6 +183,44 @@ TEST(Shorten, AnyPathBecomesALocallyShortestOne) {
   }
 }
 
+/// Ends that walk off: however long their traces, led in legs or all at once, the path stays one of its
+/// class, a locally shortest one. In the plane there is one of them only.
+TEST(Follow, LeadsAPathAfterItsEnds) {
+  for (const auto& [name, mesh] : meshes()) {
+    SCOPED_TRACE(name);
+    const bool plane = std::string(name) == "flat" || std::string(name) == "hole";
+    const Surface s = make_surface(mesh);
+    PathShortener shortener(s);
+    Rng rng(64);
+    size_t long_ones = 0;
+    for (int k = 0; k < 60 && !testing::Test::HasFailure(); ++k) {
+      const SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+      Path path = bad_path(s, start.face, end.face, rng.below(8), rng);
+      shortener.shorten(start, end, path);
+      const SurfacePoint new_start = random_point(s, rng), new_end = k % 4 == 0 ? end : random_point(s, rng);
+      Path start_trace = bad_path(s, start.face, new_start.face, rng.below(60), rng);
+      Path end_trace;
+      if (k % 4 != 0) end_trace = bad_path(s, end.face, new_end.face, rng.below(60), rng);
+      long_ones += start_trace.size() + end_trace.size() > 40;
+
+      Path at_once;
+      for (size_t c = start_trace.size(); c-- > 0;) at_once.push_back(reversed(start_trace[c]));
+      at_once.insert(at_once.end(), path.begin(), path.end());
+      at_once.insert(at_once.end(), end_trace.begin(), end_trace.end());
+      const double length = shortener.shorten(new_start, new_end, at_once).length;
+
+      const PathShape shape = shortener.follow(new_start, new_end, start_trace, end_trace, path);
+      ASSERT_TRUE(chains(s, new_start.face, new_end.face, path));
+      expect_shape_is_measured(s, new_start, new_end, path, shape);
+      expect_locally_shortest(s, new_start, new_end, path);
+      if (plane) {
+        EXPECT_NEAR(shape.length, length, clearing(path.size()));
+      }
+    }
+    EXPECT_GT(long_ones, 10u);
+  }
+}
+
 TEST(Shorten, IsAStraightLineInThePlane) {
   const Surface s = make_surface(flat_grid(8));
   PathShortener shortener(s);
@@ -206,7 +244,7 @@ TEST(Shorten, NeighboursInAFaceAreJoinedInIt) {
     end.face = start.face;
     // Out across an edge and back.
     const HalfEdge e = 3 * start.face + rng.below(3);
-    Path path{{e, 0.3}, {s.twin(e), 0.4}};
+    Path path{crossing_of(s, e, 0.3), crossing_of(s, s.twin(e), 0.4)};
     const PathShape shape = shortener.shorten(start, end, path);
     EXPECT_TRUE(path.empty());
     EXPECT_NEAR(shape.length, norm(flat(s, end) - flat(s, start)), 1e-15);
@@ -222,8 +260,8 @@ double dijkstra(const Surface& s, const SurfacePoint& start, const SurfacePoint&
   using Entry = std::pair<double, size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto crossing = [&](size_t state) {
-    return Crossing{static_cast<HalfEdge>(state / share),
-                    snap((static_cast<double>(state % share) + 0.5) / share)};
+    return crossing_of(s, static_cast<HalfEdge>(state / share),
+                       snap((static_cast<double>(state % share) + 0.5) / share));
   };
   const auto spread = [&](uint32_t f, Vec2 at, double c, size_t previous) {
     for (size_t state = 3 * size_t{f} * share; state < 3 * (size_t{f} + 1) * share; ++state) {
@@ -245,7 +283,7 @@ double dijkstra(const Surface& s, const SurfacePoint& start, const SurfacePoint&
     queue.pop();
     if (c > cost[state]) continue;
     if (c >= best) break;
-    const Crossing r = reversed(s, crossing(state));
+    const Crossing r = reversed(crossing(state));
     const uint32_t f = face_of(r.e);
     const Vec2 at = flat_on_edge(s, r);
     if (f == end.face && c + norm(flat(s, end) - at) < best) {
@@ -399,7 +437,7 @@ TEST(Measure, TurnsRoundAConeAddUpToItsAngle) {
       for (uint32_t k = 0; k < 5; ++k) {
         const SurfacePoint &from = c.nodes[k], &to = c.nodes[(k + 1) % 5];
         for (uint32_t f = from.face; f != to.face;) {
-          c.paths[k].push_back({3 * f + 2, 0.5});
+          c.paths[k].push_back(crossing_of(s, 3 * f + 2, 0.5));
           f = face_of(s.twin(3 * f + 2));
         }
         c.shapes[k] = shortener.shorten(from, to, c.paths[k]);

@@ -203,7 +203,7 @@ TEST(Boundary, SamplesAreAlongEveryEdge) {
   Rng rng(33);
   for (const HalfEdge e : s.boundary()) {
     for (int k = 0; k < 20; ++k) {
-      const Vec3 p = position(s, Crossing{e, rng()});
+      const Vec3 p = position(s, crossing_of(s, e, rng()));
       const auto near = boundary.tree().nearest(p);
       ASSERT_TRUE(near.has_value());
       EXPECT_LE(std::sqrt(near->squared_distance), kStep / 2 * (1 + 1e-9));

@@ -172,7 +172,7 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
         Path& path = scene.curve.paths[k];
         for (uint32_t f = from.face; f != to.face;) {
           const HalfEdge e = 3 * f + 2;  // towards the apex: counter-clockwise round it
-          path.push_back({e, 0.5});
+          path.push_back(crossing_of(scene.surface, e, 0.5));
           f = face_of(scene.surface.twin(e));
         }
         scene.curve.shapes[k] = shortener.shorten(from, to, path);

@@ -19,7 +19,7 @@ std::pair<int, int> windings(const Surface& s, const Curve& c, const Strand& str
   double about_axis = 0, about_core = 0;
   const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * kPi); };
   std::vector<Piece> pieces;
-  c.pieces(s, pieces);
+  c.pieces(pieces);
   for (const Piece& p : pieces) {
     if (p.segment < strand.first || p.segment >= strand.end()) continue;
     const auto angles = [&](Vec2 b) {
@@ -78,7 +78,7 @@ TEST(Strands, ARingRoundACylinderStaysRoundIt) {
 bool inside(const Surface& s, const Curve& c, const Strand& strand, const Vec3& p) {
   bool in = false;
   std::vector<Piece> pieces;
-  c.pieces(s, pieces);
+  c.pieces(pieces);
   for (const Piece& piece : pieces) {
     if (piece.segment < strand.first || piece.segment >= strand.end()) continue;
     const Vec3 a = position(s, SurfacePoint{piece.face, piece.from});
