@@ -25,8 +25,15 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   return n > 0 ? Vec3(v / n) : otherwise;
 }
 
+/// What otherwise() would have to fetch is left alone where it is not wanted, which is nearly always.
+template <class Otherwise>
+Vec3 unit_or_else(const Vec3& v, const Otherwise& otherwise) {
+  const double n = v.norm();
+  return n > 0 ? Vec3(v / n) : otherwise();
+}
+
 /// Walks that are led in turns, so that they wait for memory together.
-constexpr uint32_t kTogether = 8;
+constexpr uint32_t kTogether = 16;
 
 /// The bisector of a node's two segments.
 Vec2 flat_tangent(const Curve& curve, uint32_t i) {
@@ -51,7 +58,7 @@ class Tangents {
     before_ = i;
     ahead_ = after != kNone ? way(i, after) : Vec3::Zero();
     tangent += ahead_;
-    return unit_or(tangent, surface_.to_space(curve_.nodes[i].face, frames_.tangent[i]));
+    return unit_or_else(tangent, [&] { return surface_.to_space(curve_.nodes[i].face, frames_.tangent[i]); });
   }
 
  private:
@@ -132,6 +139,10 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
     walks.reserve(2 * kTogether);
     std::array<uint32_t, kTogether> walking;
     std::array<Vec3, kTogether> tangents;
+    std::array<SurfacePoint, 2 * kTogether> ends;
+    std::array<Triangle, 2 * kTogether> corners;
+    std::array<Vec3, 2 * kTogether> arrived;
+    std::array<double, 2 * kTogether> radius;
     for (uint32_t i = static_cast<uint32_t>(begin); i < end;) {
       walks.clear();
       uint32_t count = 0;
@@ -151,20 +162,32 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
         tangents[count++] = tangent;
       }
       lead_together(walks, [](size_t) {});
+      // On a fine mesh these wait for memory; in loops of their own they do so together.
+      for (size_t w = 0; w < walks.size(); ++w) {
+        ends[w] = walks[w].end();
+        corners[w] = surface.face(ends[w].face);
+      }
+      for (size_t w = 0; w < walks.size(); ++w) {
+        const auto [a, b, c] = corners[w];
+        const double u = ends[w].weight(0), v = ends[w].b.x, t = ends[w].b.y;
+        arrived[w] = u * surface.position(a) + v * surface.position(b) + t * surface.position(c);
+        radius[w] = u * vertex_radius[a] + v * vertex_radius[b] + t * vertex_radius[c];
+      }
       for (uint32_t k = 0; k < count; ++k) {
         const uint32_t at = walking[k], face = curve.nodes[at].face;
         const Vec3 &x = frames.position[at], &tangent = tangents[k];
         for (uint32_t side = 0; side < 2; ++side) {
           const GeodesicWalk& walk = walks[2 * k + side];
-          const SurfacePoint arrived = walk.end();
           const double length = walk.length();
-          const Vec3 face_direction = surface.to_space(face, (side == 0 ? 1.0 : -1.0) * frames.bitangent2[at]);
-          Vec3 chord = walk.crossed() ? unit_or(position(surface, arrived) - x, face_direction) : face_direction;
+          const auto face_direction = [&]() -> Vec3 {
+            return surface.to_space(face, (side == 0 ? 1.0 : -1.0) * frames.bitangent2[at]);
+          };
+          Vec3 chord =
+              walk.crossed() ? unit_or_else(arrived[2 * k + side] - x, face_direction) : face_direction();
           chord -= chord.dot(tangent) * tangent;
-          frames.outward[at][side] = unit_or(chord, face_direction);
+          frames.outward[at][side] = unit_or_else(chord, face_direction);
           frames.to_boundary[at][side] = walk.hit_boundary() ? length : -1;
-          frames.radius_slope[at][side] =
-              length > 0 ? (radius_at(surface, vertex_radius, arrived) - local_radius[at]) / length : 0;
+          frames.radius_slope[at][side] = length > 0 ? (radius[2 * k + side] - local_radius[at]) / length : 0;
         }
       }
     }

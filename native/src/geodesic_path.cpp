@@ -20,7 +20,7 @@ constexpr size_t kLeg = 16;
 /// Where a path turns round a vertex there is half a turn on its outer side, and what it turns by. So with
 /// a full turn around the vertex, or less, there is less than half a turn left on the other side, and no
 /// angles have to be summed up.
-constexpr double kFlatVertex = 2 * std::numbers::pi * (1 + 1e-10), kClearTurn = 1e-9;
+constexpr double kClearTurn = 1e-9;
 
 /// Does a path turn round a vertex on its left, or right, by more than rounding could make of none, and
 /// by less than half a turn? `in` and `out` lead from the vertex back along the path and on.
@@ -161,12 +161,13 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
   const auto [first, last] = run_of(bend);
   const HalfEdge e = crossings[first].e;
   uint32_t k = bend.left ? next_corner(corner_of(e)) : corner_of(e);  // where the vertex is in its face
-  const double total = surface_.total_angle(surface_.face(face_of(e))[k]);
-  if (!std::isfinite(total)) return false;  // on the boundary
 
   const Vec2 corner = bend.left ? portal.left : portal.right;
   const Vec2 in = corners_[index - 1] - corner, out = corners_[index + 1] - corner;
-  if (!(total <= kFlatVertex && bends_clearly(in, out, bend.left))) {
+  const bool full_turn_at_most = surface_.hinges(face_of(e)).turns_at_most >> k & 1;
+  if (!(full_turn_at_most && bends_clearly(in, out, bend.left))) {
+    const double total = surface_.total_angle(surface_.face(face_of(e))[k]);
+    if (!std::isfinite(total)) return false;  // on the boundary
     // The angle at v between the path's two pieces through the strip, face by face since it may exceed
     // pi; what is left of the total angle is the other side's. Seen from a vertex on its left, a path
     // goes round counter-clockwise.

@@ -62,9 +62,7 @@ bool GeodesicWalk::step() {
   ended_ = hit_boundary_ = entry_ == kNone;
   if (ended_) return false;
   ++crossings_;
-#if defined(__GNUC__)
-  __builtin_prefetch(&surface_.hinges(face_of(entry_)));
-#endif
+  surface_.fetch_hinges(face_of(entry_));
   return true;
 }
 

@@ -15,6 +15,10 @@ constexpr size_t kBlock = 256;
 /// Walks that are led in turns.
 constexpr size_t kTogether = 16;
 
+/// The faces of the segment this many places on are fetched while another one is joined: on a fine mesh
+/// that costs less than to wait for them.
+constexpr uint32_t kAhead = 4;
+
 /// After this many halvings a marked node stays where it was.
 constexpr int kHalvings = 4;
 
@@ -97,6 +101,10 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const std::
   team.for_blocks(old.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     PathShortener shortener(surface);
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (i + kAhead < end) {
+        for (const Crossing& c : old.paths[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
+        for (const Crossing& c : traces_[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
+      }
       const uint32_t j = old.next(i);
       if (only && !(*only)[i]) continue;
       Path& path = next_.paths[i];

@@ -95,6 +95,14 @@ void Surface::lay_out(Team& team) {
   for (const HalfEdge e : boundary_) {
     total_angle_[faces_[face_of(e)][corner_of(e)]] = std::numeric_limits<double>::infinity();
   }
+  team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t f = begin; f < end; ++f) {
+      hinges_[f].turns_at_most = 0;
+      for (uint32_t k = 0; k < 3; ++k) {
+        if (total_angle_[faces_[f][k]] <= kFullTurn) hinges_[f].turns_at_most |= 1u << k;
+      }
+    }
+  });
   mean_edge_length_ = edge_sum / static_cast<double>(n);
 }
 

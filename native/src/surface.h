@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,9 @@ inline double settle(double x) {
   const double mantissa = std::frexp(x, &exponent);
   return std::ldexp(std::floor(std::ldexp(mantissa, 40) + 0.38196601125), exponent - 40);
 }
+
+/// Angles around a vertex that add up to no more than this, 2 pi and rounding, are a full turn or less.
+inline constexpr double kFullTurn = 2 * std::numbers::pi * (1 + 1e-10);
 
 /// An oriented manifold triangle mesh, immutable after construction, so any thread may read it.
 ///
@@ -83,8 +87,16 @@ class Surface {
     /// 1 its end. So a face is laid beside the one before it, wherever that lies, by one product.
     std::array<Vec2, 3> apex;
     std::array<HalfEdge, 3> twin{kNone, kNone, kNone};
+    /// Bit k: there is a full turn or less around corner k, see kFullTurn.
+    uint32_t turns_at_most = 0;
   };
   const Hinges& hinges(uint32_t f) const { return hinges_[f]; }
+  /// A hint that the hinges of a face will be asked for soon.
+  void fetch_hinges([[maybe_unused]] uint32_t f) const {
+#if defined(__GNUC__)
+    __builtin_prefetch(&hinges_[f]);
+#endif
+  }
   /// Unit complex number that carries a vector of the plane of e's face to that of its twin's face
   /// when the two are unfolded about their edge; e is not on the boundary.
   Vec2 transition(HalfEdge e) const { return unit(-along(twin(e)) * conj(along(e))); }
