@@ -695,9 +695,9 @@ def _write_outputs(
 # The command
 
 
-def _surface(problem: Problem) -> core.Surface:
+def _surface(problem: Problem, threads: int) -> core.Surface:
     try:
-        return core.Surface(problem.vertices, problem.faces, problem.surface_options)
+        return core.Surface(problem.vertices, problem.faces, problem.surface_options, threads)
     except core.MeanderError as error:
         if problem.surface_object is None:
             raise
@@ -721,7 +721,7 @@ def _process(argv: Sequence[str]) -> None:
     warnings = core.option_warnings(options)
     for warning in warnings:
         print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
-    with _surface(problem) as surface:
+    with _surface(problem, arguments.threads) as surface:
         problem.density = evaluated(problem.density, surface)
         surface_figures = surface.statistics()
         if arguments.outline:

@@ -860,7 +860,6 @@ class SurfaceOptions:
     cut_non_manifold  edges with more than two faces become boundaries of each
     face_mask         (m,) bool: faces that are False are left out; None: all are in
     vertex_mask       (n,) float64: what lies below mask_threshold is cut away, also across faces
-    threads           for the work on a large mesh, at most 256; 0: as many as the machine has
     """
 
     merge_distance: float = 0.0
@@ -870,7 +869,6 @@ class SurfaceOptions:
     face_mask: NDArray[np.bool_] | None = None
     vertex_mask: NDArray[np.float64] | None = None
     mask_threshold: float = 0.0
-    threads: int = 0
 
 
 def _surface_options_record(
@@ -884,7 +882,6 @@ def _surface_options_record(
     record.cut_non_manifold = bool(options.cut_non_manifold)
     record.merge_distance = float(options.merge_distance)
     record.mask_threshold = float(options.mask_threshold)
-    record.threads = int(options.threads)
     arrays: list[NDArray[Any]] = []
     for name, dtype, count, element in (
         ("face_mask", np.uint8, face_count, "faces"),
@@ -910,6 +907,7 @@ class Surface(_Handle):
     vertices  (n, 3) float64, finite, in any unit
     faces     (m, 3) uint32, zero-based, each below n
     options   how to prepare a mesh with faults, and which part of it to take; None: as it is
+    threads   for a large mesh, at most 256; 0: as many as the machine has; the result is the same
 
     Whatever the options do, nodes, gaps, errors and densities speak of the vertices and faces that
     were passed here.
@@ -923,7 +921,11 @@ class Surface(_Handle):
     _what = "surface"
 
     def __init__(
-        self, vertices: ArrayLike, faces: ArrayLike, options: SurfaceOptions | None = None
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        options: SurfaceOptions | None = None,
+        threads: int = 0,
     ) -> None:
         vertex_array = _array("vertices", vertices, np.float64, 3)
         face_array = _array("faces", faces, np.uint32, 3)
@@ -933,6 +935,7 @@ class Surface(_Handle):
         record, arrays = _surface_options_record(
             SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
         )
+        record.threads = int(threads)
         status = library.meander_surface_create_prepared(
             _address(vertex_array),
             len(vertex_array),

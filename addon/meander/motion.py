@@ -157,7 +157,7 @@ class StickingFollower:
 def flow_of(plan: session.Plan) -> tuple[core.Flow, float]:
     """The flow of a plan before its first iteration, and which points of its curve are one."""
     problem = plan.problem
-    with core.Surface(problem.vertices, problem.faces, problem.surface_options) as surface:
+    with problem.surface() as surface:
         density = evaluated(problem.density, surface)
         flow = core.Flow(surface, problem.options, problem.seed, density)
         if problem.directions is not None:

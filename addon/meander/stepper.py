@@ -50,6 +50,11 @@ class Problem:
     alignment: str = "along"
     outline: float = 0.0  # distance of outlines from the border; 0: none
 
+    def surface(self) -> core.Surface:
+        """The surface, which the caller closes. Raises core.MeanderError."""
+        threads = self.options.threads
+        return core.Surface(self.vertices, self.faces, self.surface_options, threads)
+
     def expected_length(self, density: np.ndarray | None) -> float:
         """The length of a curve that fills the surface: area over spacing, face by face."""
         areas = self._areas()
@@ -117,7 +122,7 @@ class Stepper:
 
     def _prepare(self) -> None:
         problem = self.problem
-        with core.Surface(problem.vertices, problem.faces, problem.surface_options) as surface:
+        with problem.surface() as surface:
             self.surface_figures = surface.statistics()
             self.density = evaluated(problem.density, surface)
             seed = problem.seed

@@ -320,3 +320,15 @@ def test_bad_options_are_refused_with_one_sentence() -> None:
         with pytest.raises(core.MeanderError, match=words) as refusal:
             core.Surface(vertices, faces, options)
         assert_sentence(str(refusal.value))
+
+
+def test_any_number_of_threads_makes_the_same_surface() -> None:
+    vertices, faces = grid(60)  # more faces than one thread takes at once
+    figures = []
+    for threads in (1, 2, 0):
+        with core.Surface(vertices, faces, threads=threads) as surface:
+            figures.append(surface.statistics())
+    assert figures[0]["faces"] == 7200
+    assert figures[0] == figures[1] == figures[2]
+    with pytest.raises(core.MeanderError, match="threads"):
+        core.Surface(vertices, faces, threads=257)
