@@ -550,12 +550,14 @@ void Flow::refine() {
   const bool coarse = settings_.polish && (phase == Phase::kGrowing || phase == Phase::kRipening);
   const double h = settings_.segment_length * (coarse ? settings_.growth_coarsening : 1);
   std::vector<double> target(curve_.size());
-  for (uint32_t i = 0; i < curve_.size(); ++i) {
-    target[i] = h * local_radius_[i] / settings_.radius;
-    if (!curve_.on_guide(i)) continue;
-    // Guides are cut up at first and when the surface moves, and else stay as they are to the last bit.
-    target[i] = guides_cut_ ? kNever : settings_.segment_length * local_radius_[i] / settings_.radius;
-  }
+  team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
+      target[i] = h * local_radius_[i] / settings_.radius;
+      if (!curve_.on_guide(i)) continue;
+      // Guides are cut up at first and when the surface moves, and else stay as they are to the last bit.
+      target[i] = guides_cut_ ? kNever : settings_.segment_length * local_radius_[i] / settings_.radius;
+    }
+  });
   std::vector<uint32_t> origin;
   refinement_.refine(*surface_, curve_, target, team_, origin);
   follow(origin, radii_);

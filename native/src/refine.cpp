@@ -106,20 +106,25 @@ bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector
   next_.nodes.clear();
   next_.fixed.clear();
   next_.strands.clear();
-  next_.paths.clear();
-  next_.shapes.clear();
+  next_.shapes.clear();  // paths keep their memory; they are taken again one by one
   origin_.clear();
   changed_.clear();
   bool any = false;
   PathShortener shortener(surface);
   const auto add = [&](const SurfacePoint& node, uint8_t fixed, uint32_t from) {
+    const size_t index = next_.nodes.size();
     next_.nodes.push_back(node);
     next_.fixed.push_back(fixed);
-    next_.paths.emplace_back();
+    if (index < next_.paths.size()) {
+      next_.paths[index].clear();
+    } else {
+      next_.paths.emplace_back();
+    }
     next_.shapes.emplace_back();
     origin_.push_back(from);
     changed_.push_back(0);
   };
+  const auto last_path = [&]() -> Path& { return next_.paths[next_.nodes.size() - 1]; };
   for (const Strand& strand : curve.strands) {
     const uint32_t first_new = next_.size();
     uint32_t left = strand.count;
@@ -139,7 +144,7 @@ bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector
           Path path = curve.paths[i];
           path.insert(path.end(), curve.paths[j].begin(), curve.paths[j].end());
           next_.shapes.back() = shortener.shorten(curve.nodes[i], curve.nodes[after], path);
-          next_.paths.back() = std::move(path);
+          last_path() = std::move(path);
           changed_.back() = 1;
           any = true;
           --left;
@@ -152,7 +157,7 @@ bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector
           l > 2 * h && may_split_[i] ? static_cast<int>(std::clamp(std::round(l / (1.5 * h)), 2.0, 1e6)) : 1;
       if (parts == 1) {
         next_.shapes.back() = curve.shapes[i];
-        next_.paths.back().swap(curve.paths[i]);
+        last_path().swap(curve.paths[i]);
       } else {
         any = true;
         Cut pieces = cut(surface, curve.nodes[i], curve.nodes[j], curve.paths[i], l, parts);
@@ -160,7 +165,7 @@ bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector
           const SurfacePoint from = next_.nodes.back();
           const SurfacePoint to = p < pieces.nodes.size() ? pieces.nodes[p] : curve.nodes[j];
           next_.shapes.back() = measure_path(surface, from, to, pieces.paths[p]);
-          next_.paths.back() = std::move(pieces.paths[p]);
+          last_path() = std::move(pieces.paths[p]);
           changed_.back() = 1;
           if (p < pieces.nodes.size()) add(to, strand.guide, i);
         }
@@ -170,6 +175,7 @@ bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector
     }
     next_.strands.push_back({first_new, next_.size() - first_new, strand.closed, strand.guide});
   }
+  next_.paths.resize(next_.nodes.size());
   if (any) {
     next_.link();
   } else {
