@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import argparse
 import importlib.util
-import math
 import os
 import signal
 import sys
@@ -25,7 +24,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,6 +66,7 @@ from . import (  # noqa: E402
     batch_strands,
     batch_terms,
     batch_toolpath,
+    batch_values,
     core,
     mesh_files,
     report,
@@ -75,6 +75,7 @@ from . import (  # noqa: E402
     toolpath,
 )
 from .alignment import Alignment, Directions  # noqa: E402
+from .batch_values import BadInput  # noqa: E402
 from .density import Choice, curvature_density  # noqa: E402
 from .preparation import Mask, Repair, described, outlined  # noqa: E402
 from .stepper import evaluated  # noqa: E402
@@ -84,10 +85,6 @@ _PROGRESS_ITERATIONS = 10
 _PROGRESS_SECONDS = 10.0
 # The longest time between two looks at a run, in seconds.
 _LONGEST_PAUSE = 0.1
-
-
-class BadInput(Exception):
-    """What the caller gave cannot be used; ``str(error)`` is one sentence for people."""
 
 
 @dataclass
@@ -116,53 +113,8 @@ class Problem:
 # The command line
 
 
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> NoReturn:
-        # argparse would print the usage as well, and several lines are not one sentence.
-        raise BadInput(f"{message}; see --help")
-
-
-def _number(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
-    return value
-
-
-def _positive(text: str) -> float:
-    value = _number(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is not greater than 0")
-    return value
-
-
-def _not_negative(text: str) -> float:
-    value = _number(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is less than 0")
-    return value
-
-
-def _count(least: int, greatest: int) -> Any:
-    def parse(text: str) -> int:
-        try:
-            value = int(text)
-        except ValueError:
-            value = -1
-        if not least <= value <= greatest:
-            raise argparse.ArgumentTypeError(
-                f"{text!r} is not a whole number from {least} to {greatest}"
-            )
-        return value
-
-    return parse
-
-
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(
+    parser = batch_values.Parser(
         prog="batch.py",
         description="Grow a curve on a mesh until it fills the surface at an even spacing.",
         allow_abbrev=False,
@@ -174,7 +126,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--report", type=Path, metavar="JSON", help="write figures of the run")
     add(
         "--spacing",
-        type=_positive,
+        type=batch_values.positive,
         required=True,
         metavar="S",
         help="distance of neighbouring strands, in scene units",
@@ -185,9 +137,19 @@ def _parser() -> argparse.ArgumentParser:
         metavar="NAME",
         help="curve object in the .blend; its ends stay put if the surface's settings say so",
     )
-    add("--segment-length", type=_positive, metavar="H", help="default: a tenth of the spacing")
-    add("--max-radius", type=_positive, metavar="RMAX", help="limit of the medial radius")
-    add("--iterations", type=_count(1, 2**31 - 1), metavar="N", help="iteration limit")
+    add(
+        "--segment-length",
+        type=batch_values.positive,
+        metavar="H",
+        help="default: a tenth of the spacing",
+    )
+    add(
+        "--max-radius",
+        type=batch_values.positive,
+        metavar="RMAX",
+        help="limit of the medial radius",
+    )
+    add("--iterations", type=batch_values.count(1, 2**31 - 1), metavar="N", help="iteration limit")
     add(
         "--medial-axis",
         choices=("euclidean", "geodesic"),
@@ -195,14 +157,20 @@ def _parser() -> argparse.ArgumentParser:
         help="measure distances between strands through space, or along the surface",
     )
     add("--preset", choices=("even", "finest", "paper"), default="even")
-    add("--threads", type=_count(0, 256), default=0, metavar="T", help="0: all; same result")
+    add(
+        "--threads",
+        type=batch_values.count(0, 256),
+        default=0,
+        metavar="T",
+        help="0: all; same result",
+    )
     add("--quiet", action="store_true", help="print nothing but errors")
-    batch_density.add_options(parser, _number)
-    batch_terms.add_options(parser, _not_negative)
-    batch_strands.add_options(parser, _number, _count(0, 2**31 - 1))
-    batch_preparation.add_options(parser, _number)
-    batch_toolpath.add_options(parser, _positive)
-    batch_motion.add_options(parser, _count(1, 1000))
+    batch_density.add_options(parser, batch_values.number)
+    batch_terms.add_options(parser, batch_values.not_negative)
+    batch_strands.add_options(parser, batch_values.number, batch_values.count(0, 2**31 - 1))
+    batch_preparation.add_options(parser, batch_values.number)
+    batch_toolpath.add_options(parser, batch_values.positive)
+    batch_motion.add_options(parser, batch_values.count(1, 1000))
     return parser
 
 
