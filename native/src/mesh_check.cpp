@@ -68,7 +68,7 @@ void check_corners(std::span<const uint32_t> faces, const Names& names) {
 }
 
 /// `used_count` receives the number of vertices that faces use.
-Placement measure(std::span<const double> vertices, const std::vector<Triangle>& faces, uint32_t& used_count) {
+Placement measure(std::span<const double> vertices, const Table<Triangle>& faces, uint32_t& used_count) {
   std::vector<uint8_t> used(vertices.size() / 3, 0);
   for (const Triangle& t : faces) {
     for (uint32_t v : t) used[v] = 1;
@@ -99,7 +99,7 @@ bool has_area(std::span<const double> vertices, const Triangle& face, const Plac
   return doubled_area > kFlatFace * longest;
 }
 
-void check_areas(std::span<const double> vertices, const std::vector<Triangle>& faces, const Placement& placement,
+void check_areas(std::span<const double> vertices, const Table<Triangle>& faces, const Placement& placement,
                  const Names& names, Team& team) {
   const size_t f = team.first(faces.size(), kBlock, [&](size_t i) { return !has_area(vertices, faces[i], placement); });
   if (f == faces.size()) return;
@@ -109,10 +109,10 @@ void check_areas(std::span<const double> vertices, const std::vector<Triangle>& 
 
 /// The sides of the faces by the lower of their vertices.
 struct SidesOfVertices {
-  std::vector<Side> sides;
+  Table<Side> sides;
   std::vector<uint32_t> end;  // per vertex
 
-  SidesOfVertices(const std::vector<Triangle>& faces, size_t vertex_count)
+  SidesOfVertices(const Table<Triangle>& faces, size_t vertex_count)
       : sides(3 * faces.size()), end(vertex_count + 1, 0) {
     // A counting sort: in the second pass `end` is where the next side of a vertex goes.
     const auto each = [&](const auto& put) {
@@ -151,10 +151,10 @@ std::span<Side> first_edge(std::span<Side> sides) {
 }
 
 /// Per half-edge the half-edge of the other face on the same edge, kNoTwin at the boundary.
-std::vector<uint32_t> pair_sides(const std::vector<Triangle>& faces, size_t vertex_count, const Names& names,
+Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, const Names& names,
                                  Team& team) {
   SidesOfVertices table(faces, vertex_count);
-  std::vector<uint32_t> mate(3 * faces.size(), kNoTwin);
+  Table<uint32_t> mate(3 * faces.size(), kNoTwin);
   const size_t crowded = team.first(vertex_count, kBlock, [&](size_t v) {
     std::span<Side> sides = table.of(v);
     std::sort(sides.begin(), sides.end());
@@ -282,7 +282,7 @@ void check_numbers(std::span<const double> vertices, std::span<const uint32_t> f
   }
 }
 
-Placement check_placement(std::span<const double> vertices, const std::vector<Triangle>& faces, Team& team,
+Placement check_placement(std::span<const double> vertices, const Table<Triangle>& faces, Team& team,
                           const MeshMap* map) {
   const Names names{map};
   check_coordinates(vertices, names);

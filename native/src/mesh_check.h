@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "large_pages.h"
+
 namespace meander {
 
 using Triangle = std::array<uint32_t, 3>;
@@ -31,12 +33,12 @@ struct Placement {
 
 /// Triangles that are a manifold with consistent orientation inside every component.
 struct CheckedMesh {
-  std::vector<Triangle> faces;       ///< some turned round
+  Table<Triangle> faces;             ///< some turned round
   std::vector<uint8_t> turned;       ///< per face: 1 if turned round
-  std::vector<uint32_t> component;   ///< per face
+  Table<uint32_t> component;         ///< per face
   /// Per half-edge 3 f + k, from corner k of face f to the next: that of the other face on the same edge,
   /// kNoTwin at the boundary.
-  std::vector<uint32_t> twin;
+  Table<uint32_t> twin;
   uint32_t component_count = 0;
   Placement placement;
   uint32_t used_vertices = 0;
@@ -53,7 +55,7 @@ CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_
 
 /// Checks what depends on the places of the vertices only, numbers and areas, for `faces` that were
 /// checked before. Throws as check_mesh does.
-Placement check_placement(std::span<const double> vertices, const std::vector<Triangle>& faces, Team& team,
+Placement check_placement(std::span<const double> vertices, const Table<Triangle>& faces, Team& team,
                           const MeshMap* map = nullptr);
 
 }  // namespace meander

@@ -71,7 +71,7 @@ void Surface::lay_out(Team& team) {
   flat_.resize(n);
   axis_.resize(2 * n);
   face_normal_.resize(n);
-  std::vector<std::array<double, 3>> angles(n);
+  Table<std::array<double, 3>> angles(n);
   const size_t without_area = team.first(n, kBlock, [&](size_t index) {
     const uint32_t f = static_cast<uint32_t>(index);
     if (!lay_out_face(f)) return true;
@@ -130,7 +130,7 @@ bool Surface::lay_out_face(uint32_t f) {
 /// Neighbours and boundary, from what the check of the mesh found. A boundary loop is followed from
 /// half-edge to half-edge: the faces of a vertex are one fan, so that one of its half-edges at most
 /// leaves it along the boundary.
-void Surface::connect(const std::vector<HalfEdge>& twins) {
+void Surface::connect(const Table<HalfEdge>& twins) {
   hinges_.resize(faces_.size());
   for (HalfEdge e = 0; e < twins.size(); ++e) {
     hinges_[face_of(e)].twin[corner_of(e)] = twins[e];

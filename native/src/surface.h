@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include "large_pages.h"
 #include "mesh_check.h"
 #include "plane.h"
 
@@ -129,18 +130,18 @@ class Surface {
   void place(const Placement& placement);
   void lay_out(Team& team);
   bool lay_out_face(uint32_t f);
-  void connect(const std::vector<HalfEdge>& twins);
+  void connect(const Table<HalfEdge>& twins);
 
-  std::vector<double> caller_;
-  std::vector<Vec3> positions_;
-  std::vector<Triangle> faces_;
+  Table<double> caller_;
+  Table<Vec3> positions_;
+  Table<Triangle> faces_;
   std::vector<uint8_t> turned_, vertex_on_boundary_;
-  std::vector<uint32_t> component_;
+  Table<uint32_t> component_;
   std::vector<HalfEdge> boundary_;
-  std::vector<Flat> flat_;
-  std::vector<Hinges> hinges_;
-  std::vector<Vec3> axis_, face_normal_;
-  std::vector<double> total_angle_;
+  Table<Flat> flat_;
+  Table<Hinges> hinges_;
+  Table<Vec3> axis_, face_normal_;
+  Table<double> total_angle_;
   Vec3 low_ = Vec3::Zero();
   double scale_ = 1, area_ = 0, mean_edge_length_ = 0;
   uint32_t component_count_ = 0, turned_count_ = 0, used_vertices_ = 0, boundary_loop_count_ = 0;
