@@ -3,6 +3,8 @@
 // The straightest geodesic from a point along a tangent vector (retraction, section 3.3).
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "surface_point.h"
@@ -55,16 +57,24 @@ class GeodesicWalk {
   bool ended_ = false, hit_boundary_ = false;
 };
 
+/// The most walks that are led in turns.
+inline constexpr uint32_t kMostTogether = 32;
+
 /// Leads all walks to their ends, in turns; calls crossed(k) after walk k has crossed an edge.
 template <class Crossed>
 void lead_together(std::vector<GeodesicWalk>& walks, const Crossed& crossed) {
-  for (bool walking = true; walking;) {
-    walking = false;
-    for (size_t k = 0; k < walks.size(); ++k) {
+  std::array<uint8_t, kMostTogether> under_way;
+  uint32_t count = static_cast<uint32_t>(walks.size());
+  for (uint32_t k = 0; k < count; ++k) under_way[k] = static_cast<uint8_t>(k);
+  while (count > 0) {
+    uint32_t left = 0;
+    for (uint32_t w = 0; w < count; ++w) {
+      const uint8_t k = under_way[w];
       if (!walks[k].step()) continue;
-      walking = true;
+      under_way[left++] = k;
       crossed(k);
     }
+    count = left;
   }
 }
 

@@ -37,14 +37,12 @@ struct Names {
   uint32_t face(size_t f) const { return map ? map->face(static_cast<uint32_t>(f)) : static_cast<uint32_t>(f); }
 };
 
-/// An edge as seen from one of its faces: corner `half_edge % 3` of face `half_edge / 3` to the next.
+/// An edge as seen from one of its faces and the lower of its vertices: the other one, and corner
+/// `half_edge % 3` of face `half_edge / 3` to the next.
 struct Side {
-  uint32_t low, high;
+  uint32_t high;
   uint32_t half_edge;
-  bool operator<(const Side& o) const {
-    return low != o.low ? low < o.low : (high != o.high ? high < o.high : half_edge < o.half_edge);
-  }
-  bool same_edge(const Side& o) const { return low == o.low && high == o.high; }
+  bool operator<(const Side& o) const { return high != o.high ? high < o.high : half_edge < o.half_edge; }
 };
 
 void check_coordinates(std::span<const double> vertices, const Names& names) {
@@ -119,13 +117,13 @@ struct SidesOfVertices {
       for (size_t f = 0; f < faces.size(); ++f) {
         for (size_t k = 0; k < 3; ++k) {
           const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1];
-          put(Side{std::min(a, b), std::max(a, b), static_cast<uint32_t>(3 * f + k)});
+          put(std::min(a, b), Side{std::max(a, b), static_cast<uint32_t>(3 * f + k)});
         }
       }
     };
-    each([&](const Side& side) { ++end[side.low + 1]; });
+    each([&](uint32_t low, const Side&) { ++end[low + 1]; });
     for (size_t v = 0; v < vertex_count; ++v) end[v + 1] += end[v];
-    each([&](const Side& side) { sides[end[side.low]++] = side; });
+    each([&](uint32_t low, const Side& side) { sides[end[low]++] = side; });
   }
 
   std::span<Side> of(size_t v) {
@@ -134,15 +132,15 @@ struct SidesOfVertices {
   }
 };
 
-/// The sides of one edge, which is the first of sorted sides.
+/// The sides of one edge, which is the first of sorted sides of a vertex.
 std::span<Side> first_edge(std::span<Side> sides) {
   size_t count = 1;
-  while (count < sides.size() && sides[count].same_edge(sides[0])) ++count;
+  while (count < sides.size() && sides[count].high == sides[0].high) ++count;
   return sides.first(count);
 }
 
-[[noreturn]] void refuse_edge(std::span<const Side> sides, const Names& names) {
-  const uint32_t low = names.vertex(sides[0].low), high = names.vertex(sides[0].high);
+[[noreturn]] void refuse_edge(uint32_t vertex, std::span<const Side> sides, const Names& names) {
+  const uint32_t low = names.vertex(vertex), high = names.vertex(sides[0].high);
   refuse("The edge between vertices " + str(low) + " and " + str(high) + " has " + str(sides.size()) + " faces (" +
              str(names.face(sides[0].half_edge / 3)) + ", " + str(names.face(sides[1].half_edge / 3)) + ", " +
              str(names.face(sides[2].half_edge / 3)) + (sides.size() > 3 ? ", ..." : "") +
@@ -172,7 +170,7 @@ Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, co
   if (crowded < vertex_count) {
     std::span<Side> sides = table.of(crowded);
     while (first_edge(sides).size() < 3) sides = sides.subspan(first_edge(sides).size());
-    refuse_edge(first_edge(sides), names);
+    refuse_edge(static_cast<uint32_t>(crowded), first_edge(sides), names);
   }
   return mate;
 }

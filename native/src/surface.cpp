@@ -14,7 +14,7 @@
 namespace meander {
 namespace {
 
-/// Faces that a thread takes at once.
+/// Faces, or vertices, that a thread takes at once.
 constexpr size_t kBlock = 4096;
 
 /// Rounds to a multiple of 2^-30. The offset keeps values that are exact ties in one scale, and a
@@ -33,7 +33,7 @@ Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> fac
   component_count_ = mesh.component_count;
   used_vertices_ = mesh.used_vertices;
   turned_count_ = static_cast<uint32_t>(std::count(turned_.begin(), turned_.end(), 1));
-  place(mesh.placement);
+  place(mesh.placement, team);
   connect(mesh.twin);
   lay_out(team);
 }
@@ -42,17 +42,19 @@ Surface Surface::deformed(std::span<const double> vertices, Team& team, const Me
   const Placement placement = check_placement(vertices, faces_, team, map);
   Surface moved(*this);
   moved.caller_.assign(vertices.begin(), vertices.end());
-  moved.place(placement);
+  moved.place(placement, team);
   moved.lay_out(team);
   return moved;
 }
 
 /// Brings the vertices into the box's own unit.
-void Surface::place(const Placement& placement) {
+void Surface::place(const Placement& placement, Team& team) {
   low_ = Vec3(placement.low[0], placement.low[1], placement.low[2]);
   scale_ = placement.diagonal;
   positions_.resize(caller_.size() / 3);
-  for (uint32_t v = 0; v < positions_.size(); ++v) positions_[v] = to_inside(caller_position(v));
+  team.for_blocks(positions_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (uint32_t v = static_cast<uint32_t>(begin); v < end; ++v) positions_[v] = to_inside(caller_position(v));
+  });
 }
 
 Vec3 Surface::to_inside(const Vec3& p) const {

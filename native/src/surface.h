@@ -127,7 +127,7 @@ class Surface {
   struct Flat {
     double x1 = 0, x2 = 0, y2 = 0;
   };
-  void place(const Placement& placement);
+  void place(const Placement& placement, Team& team);
   void lay_out(Team& team);
   bool lay_out_face(uint32_t f);
   void connect(const Table<HalfEdge>& twins);
