@@ -148,7 +148,8 @@ typedef struct meander_surface meander_surface;
  * infinite; an index out of range; a vertex twice in a face; a face without area (its height less
  * than 1e-8 of the size of the whole mesh); an edge with more than two faces; a vertex where fans of
  * faces meet in one point (bow-tie); a component that cannot be oriented (Moebius strip).
- * Lengths matter only relative to the mesh: a mesh times 0.001 gives the same curve times 0.001. */
+ * Lengths matter only relative to the mesh: a mesh times 0.001 gives the same curve times 0.001. A large
+ * mesh is worked on by as many threads as the machine has; meander_surface_options can say fewer. */
 MEANDER_API meander_status meander_surface_create(const double* vertices, size_t vertex_count,
                                                   const uint32_t* faces, size_t face_count,
                                                   meander_surface** surface, meander_error* error);
