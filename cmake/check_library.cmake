@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# cmake -DLIBRARY=... -DHEADER=... -DNM=nm -DREADELF=readelf -P check_library.cmake
+# cmake -DLIBRARY=... -DHEADER=... -DNM=nm -DREADELF=readelf [-DSANITIZED=ON] -P check_library.cmake
 #
 # Fails unless the shared library exports exactly the functions that the header declares, needs no
-# libraries but those of the compiler and the system, and has no search path for them.
+# libraries but those of the compiler and the system (a sanitized one that of the sanitizers as well), and
+# has no search path for them.
 
 file(READ "${HEADER}" header)
 string(REGEX MATCHALL "MEANDER_API [^;(]*(meander_[a-z_]+)\\(" declarations "${header}")
@@ -45,6 +46,9 @@ endif()
 string(REGEX MATCHALL "NEEDED[^\n]*\\[[^\n]*\\]" needed "${dynamic}")
 if(NOT needed)
   message(FATAL_ERROR "readelf names no library that is needed: has its output changed?")
+endif()
+if(SANITIZED)
+  list(FILTER needed EXCLUDE REGEX "\\[lib(a|ub)san\\.")
 endif()
 foreach(library IN LISTS needed)
   if(NOT library MATCHES "\\[(libstdc\\+\\+|libgcc_s|libm|libc|ld-linux[^.]*)\\.so\\.[0-9]+\\]$")

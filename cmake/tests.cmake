@@ -41,7 +41,7 @@ add_test(NAME exported_symbols
   COMMAND ${CMAKE_COMMAND}
           "-DLIBRARY=$<TARGET_FILE:meander>"
           "-DHEADER=${PROJECT_SOURCE_DIR}/native/include/meander/meander.h"
-          "-DNM=${CMAKE_NM}" "-DREADELF=${CMAKE_READELF}"
+          "-DNM=${CMAKE_NM}" "-DREADELF=${CMAKE_READELF}" "-DSANITIZED=${MEANDER_SANITIZE}"
           -P "${PROJECT_SOURCE_DIR}/cmake/check_library.cmake")
 
 add_test(NAME addon_versions
