@@ -168,10 +168,8 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
         corners[w] = surface.face(ends[w].face);
       }
       for (size_t w = 0; w < walks.size(); ++w) {
-        const auto [a, b, c] = corners[w];
-        const double u = ends[w].weight(0), v = ends[w].b.x, t = ends[w].b.y;
-        arrived[w] = u * surface.position(a) + v * surface.position(b) + t * surface.position(c);
-        radius[w] = u * vertex_radius[a] + v * vertex_radius[b] + t * vertex_radius[c];
+        arrived[w] = position(surface, corners[w], ends[w]);
+        radius[w] = radius_at(vertex_radius, corners[w], ends[w]);
       }
       for (uint32_t k = 0; k < count; ++k) {
         const uint32_t at = walking[k], face = curve.nodes[at].face;

@@ -65,9 +65,12 @@ struct Look {
 };
 
 /// r at a point, from its values at the vertices.
+inline double radius_at(const std::vector<double>& vertex_radius, const Triangle& corners, const SurfacePoint& p) {
+  return p.weight(0) * vertex_radius[corners[0]] + p.b.x * vertex_radius[corners[1]] +
+         p.b.y * vertex_radius[corners[2]];
+}
 inline double radius_at(const Surface& surface, const std::vector<double>& vertex_radius, const SurfacePoint& p) {
-  const Triangle& t = surface.face(p.face);
-  return p.weight(0) * vertex_radius[t[0]] + p.b.x * vertex_radius[t[1]] + p.b.y * vertex_radius[t[2]];
+  return radius_at(vertex_radius, surface.face(p.face), p);
 }
 
 /// Fills `frames`; `local_radius` is r at every node, `vertex_radius` at every vertex.

@@ -259,7 +259,8 @@ void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& n
   });
   if (v == vertex_count) return;
   const uint32_t name = names.vertex(static_cast<uint32_t>(v));
-  refuse("Vertex " + str(name) + " joins parts of the surface that meet in this point only (bow-tie); split the vertex.",
+  refuse("Vertex " + str(name) + " joins parts of the surface that meet in this point only (bow-tie); "
+         "split the vertex.",
          MEANDER_ELEMENT_VERTEX, name);
 }
 

@@ -138,12 +138,10 @@ void Surface::connect(const Table<HalfEdge>& twins) {
     hinges_[face_of(e)].twin[corner_of(e)] = twins[e];
     if (twins[e] == kNone) boundary_.push_back(e);
   }
-  vertex_on_boundary_.assign(positions_.size(), 0);
   if (boundary_.empty()) return;
   std::vector<uint32_t> after(positions_.size(), kNone);  // per vertex the next one along the boundary
   for (const HalfEdge e : boundary_) {
     const Triangle& t = faces_[face_of(e)];
-    vertex_on_boundary_[t[corner_of(e)]] = 1;
     after[t[corner_of(e)]] = t[next_corner(corner_of(e))];
   }
   for (const HalfEdge e : boundary_) {

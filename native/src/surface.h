@@ -119,7 +119,7 @@ class Surface {
   double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
   /// Sum of the angles of the faces around v; infinite on the boundary, since nothing goes round there.
   double total_angle(uint32_t v) const { return total_angle_[v]; }
-  bool on_boundary(uint32_t v) const { return vertex_on_boundary_[v] != 0; }
+  bool on_boundary(uint32_t v) const { return std::isinf(total_angle_[v]); }
   double corner_angle(uint32_t f, uint32_t k) const;
   double mean_edge_length() const { return mean_edge_length_; }
 
@@ -135,7 +135,7 @@ class Surface {
   Table<double> caller_;
   Table<Vec3> positions_;
   Table<Triangle> faces_;
-  std::vector<uint8_t> turned_, vertex_on_boundary_;
+  std::vector<uint8_t> turned_;
   Table<uint32_t> component_;
   std::vector<HalfEdge> boundary_;
   Table<Flat> flat_;

@@ -41,11 +41,11 @@ inline Vec2 flat(const Surface& s, const SurfacePoint& p) {
   return p.b.x * s.corner(p.face, 1) + p.b.y * s.corner(p.face, 2);
 }
 
-/// The point in space, in the surface's own unit.
-inline Vec3 position(const Surface& s, const SurfacePoint& p) {
-  const Triangle& t = s.face(p.face);
-  return p.weight(0) * s.position(t[0]) + p.b.x * s.position(t[1]) + p.b.y * s.position(t[2]);
+/// The point in space, in the surface's own unit; `corners` are those of its face.
+inline Vec3 position(const Surface& s, const Triangle& corners, const SurfacePoint& p) {
+  return p.weight(0) * s.position(corners[0]) + p.b.x * s.position(corners[1]) + p.b.y * s.position(corners[2]);
 }
+inline Vec3 position(const Surface& s, const SurfacePoint& p) { return position(s, s.face(p.face), p); }
 
 /// The point of face f nearest to the point `q` of its plane, for points inside it.
 inline SurfacePoint point_at(const Surface& s, uint32_t f, Vec2 q) {
