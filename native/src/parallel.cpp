@@ -2,17 +2,51 @@
 #include "parallel.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace meander {
 
+namespace {
+
+/// Loops of a flow follow one another within less than this, mostly; to be put to sleep and woken up takes
+/// a good part of it.
+constexpr std::chrono::microseconds kMoment{50};
+
+/// Tells the processor that the thread only waits.
+void relax() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+}  // namespace
+
 Team::Team(unsigned threads) {
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  stays_awake_ = threads <= std::thread::hardware_concurrency();
   workers_.reserve(threads - 1);  // so that nothing but a thread can fail below
   try {
     for (unsigned k = 1; k < threads; ++k) workers_.emplace_back([this] { work(); });
   } catch (const std::system_error&) {
     // The machine gives no more threads; the result is the same with fewer.
   }
+}
+
+/// Waits for `done` without going to sleep, but not for long, and not at all where other threads of the
+/// team may need the processor.
+template <class Done>
+void Team::stay_awake(const Done& done) const {
+  if (!stays_awake_) return;
+  const auto until = std::chrono::steady_clock::now() + kMoment;
+  constexpr int kLooks = 32;  // between two looks at the clock
+  do {
+    for (int k = 0; k < kLooks; ++k) {
+      if (done()) return;
+      relax();
+    }
+  } while (std::chrono::steady_clock::now() < until);
 }
 
 Team::~Team() {
@@ -39,29 +73,26 @@ void Team::for_blocks(size_t count, size_t grain,
     count_ = count;
     grain_ = grain;
     next_block_ = 0;
-    running_ = static_cast<unsigned>(workers_.size());
     error_ = nullptr;
-    ++round_;
+    open_ = true;
   }
   start_.notify_all();
   take_blocks();
+  stay_awake([this] { return running_ == 0; });
+  // A thread that has not woken up by now is not waited for: nothing is left to do.
   std::unique_lock lock(mutex_);
+  open_ = false;
   done_.wait(lock, [this] { return running_ == 0; });
-  body_ = nullptr;
   if (error_) std::rethrow_exception(error_);
 }
 
 void Team::take_blocks() {
-  for (;;) {
-    size_t block;
-    {
-      std::lock_guard lock(mutex_);
-      if (error_ || next_block_ >= block_count(count_, grain_)) return;
-      block = next_block_++;
-    }
+  const size_t blocks = block_count(count_, grain_);
+  for (size_t block; (block = next_block_.fetch_add(1, std::memory_order_relaxed)) < blocks;) {
     try {
       (*body_)(block, block * grain_, std::min(count_, (block + 1) * grain_));
     } catch (...) {
+      next_block_ = blocks;
       std::lock_guard lock(mutex_);
       if (!error_) error_ = std::current_exception();
     }
@@ -69,15 +100,18 @@ void Team::take_blocks() {
 }
 
 void Team::work() {
-  unsigned long long seen = 0;
   std::unique_lock lock(mutex_);
   for (;;) {
-    start_.wait(lock, [&] { return quit_ || round_ != seen; });
+    lock.unlock();
+    stay_awake([this] { return open_.load(); });
+    lock.lock();
+    start_.wait(lock, [&] { return quit_ || open_; });
     if (quit_) return;
-    seen = round_;
+    ++running_;
     lock.unlock();
     take_blocks();
     lock.lock();
+    open_ = false;
     if (--running_ == 0) done_.notify_one();
   }
 }

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "parallel.h"
@@ -60,6 +62,30 @@ TEST_P(TeamOf, MakesManyShortRounds) {
     });
   }
   for (const int v : values) EXPECT_EQ(v, kRounds);
+}
+
+TEST_P(TeamOf, WakesUpAfterAPause) {
+  Team team(GetParam());
+  std::vector<int> values(64, 0);
+  constexpr int kRounds = 50;
+  for (int round = 0; round < kRounds; ++round) {
+    team.for_blocks(values.size(), 4, [&](size_t, size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) ++values[i];
+    });
+    std::this_thread::sleep_for(std::chrono::microseconds(40 * (round % 8)));  // some fall asleep meanwhile
+  }
+  for (const int v : values) EXPECT_EQ(v, kRounds);
+}
+
+TEST_P(TeamOf, AddsUpTheSameNumberOnAnyThreads) {
+  Team team(GetParam()), alone(1);
+  for (const size_t count : {size_t{0}, size_t{3}, size_t{100'000}}) {
+    const auto term = [](size_t i) { return 1 / (1.0 + static_cast<double>(i)); };
+    long double exact = 0;
+    for (size_t i = 0; i < count; ++i) exact += 1 / (1.0L + static_cast<long double>(i));
+    EXPECT_EQ(team.sum(count, term), alone.sum(count, term));
+    EXPECT_NEAR(team.sum(count, term), static_cast<double>(exact), 1e-12);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, TeamOf, testing::Values(1u, 2u, 3u, 16u));
