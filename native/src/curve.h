@@ -73,6 +73,13 @@ class Curve {
     put(piece);
   }
 
+  /// Calls visit(face) for the face of each of them, in the same order.
+  template <class Visit>
+  void faces_of(uint32_t i, const Visit& visit) const {
+    visit(nodes[i].face);
+    for (const Crossing& c : paths[i]) visit(face_of(c.twin));
+  }
+
   double length() const;
   /// Of the strands that may move.
   double growing_length() const;

@@ -96,6 +96,18 @@ TEST(Crossings, EqualBruteForceAcrossManyFaces) {
   }
 }
 
+/// Enough segments for several blocks of them, and for several groups of faces.
+TEST(Crossings, EqualBruteForceOnALongCurve) {
+  Rng rng(24);
+  for (const Mesh& mesh : {sphere(4), flat_grid(6), cube()}) {
+    const Surface s = make_surface(mesh);
+    Curve c;
+    add_walk(s, c, random_point(s, rng), 0.008, 7000, 0.5, rng);
+    add_ring(s, c, random_point(s, rng), 0.15, 4000, 0.002, rng);
+    expect_equal(s, c, rng);
+  }
+}
+
 TEST(Crossings, NeighboursMayMeetInTheirNodeOnly) {
   const Surface s = make_surface(octahedron());
   CrossingTest test;
