@@ -559,7 +559,7 @@ void Flow::refine() {
     }
   });
   std::vector<uint32_t> origin;
-  refinement_.refine(*surface_, curve_, target, team_, origin);
+  if (!refinement_.refine(*surface_, curve_, target, team_, origin)) return;
   follow(origin, radii_);
   follow(origin, looks_);
 }

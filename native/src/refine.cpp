@@ -3,22 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace meander {
 namespace {
 
-/// The nodes that cut a segment's path into `parts` of equal length, and the paths between them.
-struct Cut {
-  std::vector<SurfacePoint> nodes;
-  std::vector<Path> paths;
-};
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 2048;
 
-Cut cut(const Surface& surface, const SurfacePoint& start, const SurfacePoint& end, const Path& path,
-        double length, int parts) {
-  Cut result;
-  result.paths.emplace_back();
+/// Cuts a segment's path into `parts` of equal length: fills paths[0] to paths[parts - 1], and nodes[1] to
+/// nodes[parts - 1] with where they begin. Returns how many there are; rounding may leave out the last cut.
+uint32_t cut(const Surface& surface, const SurfacePoint& start, const SurfacePoint& end, const Path& path,
+             double length, uint32_t parts, SurfacePoint* nodes, Path* paths) {
+  paths[0].clear();
   double before = 0;
-  int next_cut = 1;
+  uint32_t next_cut = 1;
   uint32_t face = start.face;
   Vec2 from = flat(surface, start);
   for (size_t k = 0; k <= path.size(); ++k) {
@@ -26,34 +25,35 @@ Cut cut(const Surface& surface, const SurfacePoint& start, const SurfacePoint& e
     const double piece = norm(to - from);
     while (next_cut < parts && length * next_cut / parts <= before + piece) {
       const double t = piece > 0 ? (length * next_cut / parts - before) / piece : 0.5;
-      result.nodes.push_back(point_at(surface, face, (1 - t) * from + t * to));
-      result.paths.emplace_back();
+      nodes[next_cut] = point_at(surface, face, (1 - t) * from + t * to);
+      paths[next_cut].clear();
       ++next_cut;
     }
     before += piece;
     if (k < path.size()) {
-      result.paths.back().push_back(path[k]);
+      paths[next_cut - 1].push_back(path[k]);
       const Crossing r = reversed(path[k]);
       face = face_of(r.e);
       from = flat_on_edge(surface, r);
     }
   }
-  return result;  // rounding may have left out the last cut; the caller uses what there is
+  return next_cut;
 }
 
 }  // namespace
 
-void Refinement::refine(const Surface& surface, Curve& curve, const std::vector<double>& target, Team& team,
+bool Refinement::refine(const Surface& surface, Curve& curve, const std::vector<double>& target, Team& team,
                         std::vector<uint32_t>& origin) {
   may_split_.assign(curve.size(), 1);
   may_remove_.assign(curve.size(), 1);
   try {
-    while (propose(surface, curve, target)) {
+    while (propose(surface, curve, target, team)) {
       const auto pairs = test_.find(surface, next_, team, &changed_);
       if (pairs.empty()) {
         std::swap(curve, next_);
+        lent_ = false;
         origin.swap(origin_);
-        return;
+        return true;
       }
       give_back(curve);
       // Take back what lies between the old nodes around a crossing segment; the rest is proposed again.
@@ -74,114 +74,165 @@ void Refinement::refine(const Surface& surface, Curve& curve, const std::vector<
     give_back(curve);  // out of memory: the curve stays what it was
     throw;
   }
-  origin.resize(curve.size());
-  for (uint32_t i = 0; i < curve.size(); ++i) origin[i] = i;
+  return false;
 }
 
-/// May anything at all be split or removed? Most late iterations change nothing.
-bool Refinement::any_change(const Curve& curve, const std::vector<double>& target) const {
-  for (uint32_t i = 0; i < curve.size(); ++i) {
-    const uint32_t j = curve.next(i);
-    if (j == kNone) continue;
-    const double l = curve.shapes[i].length, h = target[i];
-    if (l > 2 * h && may_split_[i]) return true;
-    if (!curve.has_segment(j) || curve.fixed[j] || !may_remove_[j]) continue;
-    const double l2 = curve.shapes[j].length;
-    if (std::min(l, l2) < h && l + l2 <= 2 * h) return true;
+/// May the node after i go? Not the strand's first one, which holds the list's place.
+bool Refinement::removes_next(const Curve& curve, const std::vector<double>& target, uint32_t i) const {
+  const uint32_t j = curve.next(i);
+  if (j <= i || !curve.has_segment(j) || curve.fixed[j] || !may_remove_[j]) return false;
+  const double h = target[i], l = curve.shapes[i].length, l2 = curve.shapes[j].length;
+  return std::min(l, l2) < h && l + l2 <= 2 * h;
+}
+
+/// Into how many parts segment i is to be split; 1 where it stays whole.
+uint32_t Refinement::parts_of(const Curve& curve, const std::vector<double>& target, uint32_t i) const {
+  const double h = target[i], l = curve.shapes[i].length;
+  return l > 2 * h && may_split_[i] ? static_cast<uint32_t>(std::clamp(std::round(l / (1.5 * h)), 2.0, 1e6)) : 1;
+}
+
+/// Fills changes_ with what is to change, along the curve. All threads look for what could; of two nodes
+/// in a row only the first may go, and that is found out in order. Most late iterations change little.
+void Refinement::choose(const Curve& curve, const std::vector<double>& target, Team& team) {
+  candidates_.resize(Team::block_count(curve.size(), kBlock));
+  team.for_blocks(curve.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
+    candidates_[block].clear();
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (!curve.has_segment(i)) continue;
+      if (removes_next(curve, target, i) || parts_of(curve, target, i) > 1) candidates_[block].push_back(i);
+    }
+  });
+  changes_.clear();
+  uint32_t slots = 0;
+  const auto change = [&](uint32_t from, uint32_t parts) {
+    changes_.push_back({from, parts, slots, parts});
+    slots += parts;
+  };
+  auto strand = curve.strands.begin();
+  uint32_t left = strand == curve.strands.end() ? 0 : strand->count, removed = kNone;
+  for (const std::vector<uint32_t>& block : candidates_) {
+    for (const uint32_t i : block) {
+      for (; i >= strand->end(); left = strand->count) ++strand;
+      if (i == removed) continue;
+      if (left > (strand->closed ? 3u : 2u) && removes_next(curve, target, i)) {
+        removed = curve.next(i);
+        --left;
+        change(i, 1);
+      } else if (const uint32_t parts = parts_of(curve, target, i); parts > 1) {
+        change(i, parts);
+      }
+    }
   }
-  return false;
+  new_nodes_.resize(slots);
+  new_shapes_.resize(slots);
+  new_paths_.resize(std::max<size_t>(new_paths_.size(), slots));
+}
+
+/// The segments that a change brings.
+void Refinement::make(const Surface& surface, const Curve& curve, Change& change, PathShortener& shortener) {
+  const uint32_t i = change.from, j = curve.next(i);
+  SurfacePoint* const nodes = &new_nodes_[change.slot];
+  Path* const paths = &new_paths_[change.slot];
+  PathShape* const shapes = &new_shapes_[change.slot];
+  if (change.removed()) {
+    paths[0] = curve.paths[i];
+    paths[0].insert(paths[0].end(), curve.paths[j].begin(), curve.paths[j].end());
+    shapes[0] = shortener.shorten(curve.nodes[i], curve.nodes[curve.next(j)], paths[0]);
+    return;
+  }
+  const uint32_t count = change.segments = cut(surface, curve.nodes[i], curve.nodes[j], curve.paths[i],
+                                               curve.shapes[i].length, change.parts, nodes, paths);
+  for (uint32_t p = 0; p < count; ++p) {
+    shapes[p] = measure_path(surface, p > 0 ? nodes[p] : curve.nodes[i],
+                             p + 1 < count ? nodes[p + 1] : curve.nodes[j], paths[p]);
+  }
+}
+
+/// Fills next_ with what stays and what is changed. The paths of segments that do not change are moved
+/// there, not copied: give_back() undoes it.
+void Refinement::lay_out(Curve& curve, Team& team) {
+  // Where the nodes of the strands and of the changes come to be.
+  places_.resize(changes_.size());
+  next_.strands = curve.strands;
+  uint32_t shift = 0;  // modulo 2^32
+  size_t c = 0;
+  for (Strand& strand : next_.strands) {
+    const uint32_t end = strand.end(), before = shift;
+    for (; c < changes_.size() && changes_[c].from < end; ++c) {
+      places_[c] = changes_[c].from + shift;
+      shift += changes_[c].added() - changes_[c].removed();
+    }
+    strand.first += before;
+    strand.count += shift - before;
+  }
+  const uint32_t count = curve.size() + shift;
+  next_.nodes.resize(count);
+  next_.fixed.resize(count);
+  next_.paths.resize(count);
+  next_.shapes.resize(count);
+  origin_.resize(count);
+  changed_.resize(count);
+
+  const auto put = [&](uint32_t place, const SurfacePoint& node, uint8_t fixed, uint32_t origin) {
+    next_.nodes[place] = node;
+    next_.fixed[place] = fixed;
+    origin_[place] = origin;
+  };
+  const auto put_change = [&](const Change& change, uint32_t place) {
+    for (uint32_t p = 0; p < change.segments; ++p) {
+      if (p > 0) put(place + p, new_nodes_[change.slot + p], curve.on_guide(change.from), change.from);
+      next_.paths[place + p].swap(new_paths_[change.slot + p]);
+      next_.shapes[place + p] = new_shapes_[change.slot + p];
+      changed_[place + p] = 1;
+    }
+  };
+  const std::function<void(size_t, size_t, size_t)> fill = [&](size_t, size_t begin, size_t end) {
+    auto i = static_cast<uint32_t>(begin);
+    auto next = static_cast<size_t>(std::ranges::lower_bound(changes_, i, {}, &Change::from) - changes_.begin());
+    // What comes before the next change is as far from its old place as that is.
+    const auto place_of = [&](uint32_t node) {
+      return next < changes_.size() ? places_[next] - (changes_[next].from - node) : count - (curve.size() - node);
+    };
+    if (next > 0 && changes_[next - 1].removed() && curve.next(changes_[next - 1].from) == i) ++i;
+    while (i < end) {
+      const uint32_t place = place_of(i);
+      put(place, curve.nodes[i], curve.fixed[i], i);
+      if (next < changes_.size() && changes_[next].from == i) {
+        put_change(changes_[next], place);
+        i += 1 + changes_[next].removed();
+        ++next;
+        continue;
+      }
+      next_.paths[place].swap(curve.paths[i]);
+      next_.shapes[place] = curve.shapes[i];
+      changed_[place] = 0;
+      ++i;
+    }
+  };
+  lent_ = true;
+  team.for_blocks(curve.size(), kBlock, fill);
+  next_.link();
 }
 
 /// Returns the paths of unchanged segments to the curve.
 void Refinement::give_back(Curve& curve) {
-  for (uint32_t i = 0; i < changed_.size(); ++i) {
-    if (!changed_[i] && !next_.paths[i].empty()) curve.paths[origin_[i]].swap(next_.paths[i]);
+  for (uint32_t i = 0; lent_ && i < changed_.size(); ++i) {
+    if (!changed_[i]) curve.paths[origin_[i]].swap(next_.paths[i]);
   }
+  lent_ = false;
 }
 
-/// Fills next_ with the refined curve; false if there is nothing to do. The paths of segments that do
-/// not change are moved there, not copied: give_back() undoes it.
-bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector<double>& target) {
-  if (!any_change(curve, target)) return false;
-  next_.nodes.clear();
-  next_.fixed.clear();
-  next_.strands.clear();
-  next_.shapes.clear();  // paths keep their memory; they are taken again one by one
-  origin_.clear();
-  changed_.clear();
-  bool any = false;
-  PathShortener shortener(surface);
-  const auto add = [&](const SurfacePoint& node, uint8_t fixed, uint32_t from) {
-    const size_t index = next_.nodes.size();
-    next_.nodes.push_back(node);
-    next_.fixed.push_back(fixed);
-    if (index < next_.paths.size()) {
-      next_.paths[index].clear();
-    } else {
-      next_.paths.emplace_back();
-    }
-    next_.shapes.emplace_back();
-    origin_.push_back(from);
-    changed_.push_back(0);
-  };
-  const auto last_path = [&]() -> Path& { return next_.paths[next_.nodes.size() - 1]; };
-  for (const Strand& strand : curve.strands) {
-    const uint32_t first_new = next_.size();
-    uint32_t left = strand.count;
-    const uint32_t least = strand.closed ? 3 : 2;
-    add(curve.nodes[strand.first], curve.fixed[strand.first], strand.first);
-    for (uint32_t k = 0; k < strand.segment_count();) {
-      const uint32_t i = strand.first + k;
-      const uint32_t j = curve.next(i);
-      const double h = target[i];
-      const double l = curve.shapes[i].length;
-      // Remove j (not the strand's first node, which holds the list's place) and join i to the next.
-      const bool inner = j != strand.first && curve.has_segment(j);
-      if (inner && !curve.fixed[j] && may_remove_[j] && left > least) {
-        const double l2 = curve.shapes[j].length;
-        if (std::min(l, l2) < h && l + l2 <= 2 * h) {
-          const uint32_t after = curve.next(j);
-          Path path = curve.paths[i];
-          path.insert(path.end(), curve.paths[j].begin(), curve.paths[j].end());
-          next_.shapes.back() = shortener.shorten(curve.nodes[i], curve.nodes[after], path);
-          last_path() = std::move(path);
-          changed_.back() = 1;
-          any = true;
-          --left;
-          k += 2;
-          if (after != strand.first) add(curve.nodes[after], curve.fixed[after], after);
-          continue;
-        }
-      }
-      const int parts =
-          l > 2 * h && may_split_[i] ? static_cast<int>(std::clamp(std::round(l / (1.5 * h)), 2.0, 1e6)) : 1;
-      if (parts == 1) {
-        next_.shapes.back() = curve.shapes[i];
-        last_path().swap(curve.paths[i]);
-      } else {
-        any = true;
-        Cut pieces = cut(surface, curve.nodes[i], curve.nodes[j], curve.paths[i], l, parts);
-        for (size_t p = 0; p < pieces.paths.size(); ++p) {
-          const SurfacePoint from = next_.nodes.back();
-          const SurfacePoint to = p < pieces.nodes.size() ? pieces.nodes[p] : curve.nodes[j];
-          next_.shapes.back() = measure_path(surface, from, to, pieces.paths[p]);
-          last_path() = std::move(pieces.paths[p]);
-          changed_.back() = 1;
-          if (p < pieces.nodes.size()) add(to, strand.guide, i);
-        }
-      }
-      ++k;
-      if (j != strand.first) add(curve.nodes[j], curve.fixed[j], j);
-    }
-    next_.strands.push_back({first_new, next_.size() - first_new, strand.closed, strand.guide});
-  }
-  next_.paths.resize(next_.nodes.size());
-  if (any) {
-    next_.link();
-  } else {
-    give_back(curve);
-  }
-  return any;
+/// Fills next_ with the refined curve; false if there is nothing to do.
+bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector<double>& target, Team& team) {
+  choose(curve, target, team);
+  if (changes_.empty()) return false;
+  constexpr size_t kChangesPerBlock = 16;
+  team.for_blocks(changes_.size(), kChangesPerBlock, [&](size_t, size_t begin, size_t end) {
+    PathShortener shortener(surface);
+    for (size_t c = begin; c < end; ++c) make(surface, curve, changes_[c], shortener);
+  });
+  lay_out(curve, team);
+  return true;
 }
 
 }  // namespace meander

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Splits and collapses keep segments near the target length, and the curve whole.
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "refine.h"
@@ -17,11 +19,14 @@ struct Refined {
   std::vector<uint32_t> origin;
 };
 
-Refined refine(const Surface& s, const Curve& curve, double h) {
+Refined refine(const Surface& s, const Curve& curve, double h, unsigned threads = 2) {
   Refined r{curve, {}};
-  Team team(2);
+  Team team(threads);
   Refinement refinement;
-  refinement.refine(s, r.curve, std::vector<double>(curve.size(), h), team, r.origin);
+  if (!refinement.refine(s, r.curve, std::vector<double>(curve.size(), h), team, r.origin)) {
+    r.origin.resize(curve.size());
+    std::iota(r.origin.begin(), r.origin.end(), 0u);
+  }
   return r;
 }
 
@@ -196,6 +201,59 @@ TEST(Refine, RepeatedComesToRest) {
           joined.link();
           EXPECT_FALSE(exact_crossings(s, joined).empty()) << "nodes " << i << " to " << i + 2;
         }
+      }
+    }
+  }
+}
+
+/// What the rule says, node after node, where nothing would cross: the origins of the new nodes.
+std::vector<uint32_t> one_after_another(const Curve& curve, double h) {
+  std::vector<uint32_t> origin;
+  for (const Strand& strand : curve.strands) {
+    uint32_t left = strand.count;
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      origin.push_back(i);
+      if (!curve.has_segment(i)) continue;
+      const uint32_t j = i + 1;
+      const double l = curve.shapes[i].length;
+      if (j < strand.end() && curve.has_segment(j) && !curve.fixed[j] && left > (strand.closed ? 3u : 2u)) {
+        const double l2 = curve.shapes[j].length;
+        if (std::min(l, l2) < h && l + l2 <= 2 * h) {
+          --left;
+          ++i;  // goes
+          continue;
+        }
+      }
+      if (l <= 2 * h) continue;
+      const int parts = std::max(2, static_cast<int>(std::round(l / (1.5 * h))));
+      for (int p = 1; p < parts; ++p) origin.push_back(i);
+    }
+  }
+  return origin;
+}
+
+TEST(Refine, ManyNodesAreRefinedAsOneAfterAnother) {
+  const Surface s = make_surface(flat_grid(8));  // flat, where rays never meet
+  Rng rng(85);
+  for (int round = 0; round < 4; ++round) {
+    Curve old;
+    const SurfacePoint centre{static_cast<uint32_t>(s.face_count()) / 2 + 8, {0.3, 0.3}};  // in the middle
+    for (const double radius : {0.1, 0.15, 0.2}) {  // rings of neighbours at unequal distances
+      ASSERT_TRUE(add_ring(s, old, centre, radius, 3000 + rng.below(3000), 0.002, rng));
+    }
+    ASSERT_TRUE(exact_crossings(s, old).empty());
+    const double h = rng.in(0.5, 1.5) * old.length() / old.size();
+    const std::vector<uint32_t> expected = one_after_another(old, h);
+    const Refined r = refine(s, old, h, 1);
+    ASSERT_TRUE(whole(s, r.curve));
+    EXPECT_EQ(r.origin, expected);
+    EXPECT_NE(r.origin.size(), old.size());
+    for (const unsigned threads : {2u, 16u}) {
+      const Refined other = refine(s, old, h, threads);
+      ASSERT_EQ(other.origin, r.origin);
+      for (uint32_t i = 0; i < r.curve.size(); ++i) {
+        EXPECT_TRUE(same_bytes(other.curve.nodes[i], r.curve.nodes[i]));
+        EXPECT_EQ(other.curve.shapes[i].length, r.curve.shapes[i].length);
       }
     }
   }
