@@ -50,13 +50,16 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
   const size_t now = lengths_.size();
   if (picture_ && now - picture_->iteration < kWindow) return false;
   Picture present{now, {}, {}, {}};
+  present.nodes.reserve(curve.size());
+  present.next.reserve(curve.size());
+  present.previous.reserve(curve.size());
   for (uint32_t i = 0; i < curve.size(); ++i) {
     present.nodes.push_back(position(surface, curve.nodes[i]));
     present.next.push_back(curve.next(i));
     present.previous.push_back(curve.previous(i));
   }
   bool settled = false;
-  if (picture_) {
+  if (picture_ && change < kSettledLength) {
     const PointTree tree(picture_->nodes);
     std::vector<double> distance(curve.size());
     team.for_blocks(curve.size(), 512, [&](size_t, size_t begin, size_t end) {
@@ -72,7 +75,7 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
     });
     double sum = 0;
     for (const double d : distance) sum += d;
-    settled = change < kSettledLength && sum / curve.size() < kSettledDistance;
+    settled = sum / curve.size() < kSettledDistance;
   }
   picture_ = std::move(present);
   return settled;

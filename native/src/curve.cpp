@@ -26,7 +26,7 @@ void Curve::link() {
 }
 
 void Curve::lay_out_as(const Curve& other) {
-  nodes = other.nodes;
+  nodes.resize(other.size());
   fixed = other.fixed;
   strands = other.strands;
   next_ = other.next_;

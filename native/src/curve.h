@@ -53,7 +53,7 @@ class Curve {
   /// Recomputes next, previous and on_guide from the strands; call after they changed.
   void link();
 
-  /// Becomes a curve like `other` whose paths and shapes are still to be found; keeps their memory.
+  /// Becomes a curve like `other` whose nodes, paths and shapes are still to be found; keeps their memory.
   void lay_out_as(const Curve& other);
 
   /// The straight pieces of all segments, in order.

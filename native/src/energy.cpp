@@ -128,21 +128,27 @@ double polish_balance(double q) {
   return q == 2 ? 0 : 0.5 + 0.05 * q;
 }
 
-void StrandSystem::resize(size_t n) {
-  diagonal.assign(n, 0);
-  first.assign(n, 0);
-  second.assign(n, 0);
-  right.assign(n, Vec2{});
-  frame.assign(n, Vec2{1, 0});
+void StrandSystem::reset(size_t n, Team& team) {
+  for (std::vector<double>* numbers : {&diagonal, &first, &second}) numbers->resize(n);
+  right.resize(n);
+  frame.resize(n);
+  team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
+    for (std::vector<double>* numbers : {&diagonal, &first, &second}) {
+      std::fill(numbers->data() + begin, numbers->data() + end, 0);
+    }
+    std::fill(right.data() + begin, right.data() + end, Vec2{});
+    std::fill(frame.data() + begin, frame.data() + end, Vec2{1, 0});
+  });
   diagonal_block.clear();
   first_block.clear();
+  holonomy = {1, 0};
 }
 
 void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
               const std::vector<double>& local_radius, const Weights& weights, Team& team, StrandSystem& system) {
   const uint32_t n = strand.count, s = strand.first;
   system.closed = strand.closed;
-  system.resize(n);
+  system.reset(n, team);
 
   // The frame of node k, and the direction u of segment k in it.
   std::vector<Vec2> direction(n);
@@ -267,23 +273,21 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
 
 double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
               const Weights& weights, Team& team) {
-  std::vector<double> sums(Team::block_count(curve.size(), kBlock), 0);
-  team.for_blocks(curve.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      const uint32_t before = curve.previous(i);
-      const double r = local_radius[i];
-      const double l0 = before != kNone ? curve.shapes[before].length : 0;
-      const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
-      const double w = 0.5 * (l0 + l1);
-      const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
-      sums[block] += weights.length[i] * w + alpha * w * medial_energy(radii[i], r, weights.medial_power);
-      if (l0 > 0 && l1 > 0) {
-        const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
-        sums[block] += weights.bending[i] * r * r * dot(turn, turn) / w;
-      }
+  double sum = team.sum(curve.size(), [&](size_t k) {
+    const auto i = static_cast<uint32_t>(k);
+    const uint32_t before = curve.previous(i);
+    const double r = local_radius[i];
+    const double l0 = before != kNone ? curve.shapes[before].length : 0;
+    const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
+    const double w = 0.5 * (l0 + l1);
+    const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
+    double term = weights.length[i] * w + alpha * w * medial_energy(radii[i], r, weights.medial_power);
+    if (l0 > 0 && l1 > 0) {
+      const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
+      term += weights.bending[i] * r * r * dot(turn, turn) / w;
     }
+    return term;
   });
-  double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
   if (weights.length_power != 2) {
     const double p = weights.length_power;
     for (const Strand& strand : curve.strands) {

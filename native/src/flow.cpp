@@ -69,11 +69,13 @@ constexpr double kSmoothing = 2;
 
 /// Gives nodes after a refinement what those had that they come from.
 template <class Value>
-void follow(const std::vector<uint32_t>& origin, std::vector<Value>& of_nodes) {
+void follow(const std::vector<uint32_t>& origin, Team& team, std::vector<Value>& of_nodes, std::vector<Value>& scratch) {
   if (of_nodes.empty()) return;
-  std::vector<Value> now(origin.size());
-  for (size_t i = 0; i < origin.size(); ++i) now[i] = of_nodes[origin[i]];
-  of_nodes.swap(now);
+  scratch.resize(origin.size());
+  team.for_blocks(origin.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) scratch[i] = of_nodes[origin[i]];
+  });
+  of_nodes.swap(scratch);
 }
 
 std::vector<double> radii_of_vertices(const Surface& surface, double radius, const std::vector<double>& density) {
@@ -129,19 +131,14 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   if (cancelled()) return false;
 
   IterationFigures figures;
-  double n = 0, sum = 0, squares = 0;
-  for (uint32_t i = 0; i < curve_.size(); ++i) {
-    if (curve_.on_guide(i)) continue;
-    ++n;
-    const double d = norm(displacement[i]);
-    sum += d;
-    squares += d * d;
-  }
+  const double n = free_nodes();
   figures.clamped_share = clamped_share();
-  figures.displacement_norm = std::sqrt(squares) / n / settings_.radius;
+  figures.displacement_norm =
+      std::sqrt(sum_over_free([&](uint32_t i) { return dot(displacement[i], displacement[i]); })) / n /
+      settings_.radius;
 
   IterationRecord record;
-  record.mean_step = sum / n;
+  record.mean_step = sum_over_free([&](uint32_t i) { return norm(displacement[i]); }) / n;
   record.energy = energy(curve_, felt_radii_, local_radius_, weights_, team_);
   if (may_look_again()) remember_looks(frames_, local_radius_, team_, looks_);
   const double held = retraction_.move(*surface_, curve_, displacement, team_, seconds_.move);
@@ -152,7 +149,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
 
   find_local_radii();
   record.length = curve_.length();
-  figures.length = curve_.growing_length();
+  figures.length = curve_.has_guides() ? curve_.growing_length() : record.length;
   record.nodes = curve_.size();
   if (approach_.arrived()) {
     convergence_.note(*surface_, curve_, local_radius_, figures, team_);
@@ -166,14 +163,9 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
 }
 
 /// Of the nodes that may move, those that see nothing on a side.
-double Flow::clamped_share() const {
-  double n = 0, clamped = 0;
-  for (uint32_t i = 0; i < curve_.size(); ++i) {
-    if (curve_.on_guide(i)) continue;
-    ++n;
-    clamped += std::max(radii_[i][0], radii_[i][1]) >= kClamped * max_radius_[i];
-  }
-  return clamped / n;
+double Flow::clamped_share() {
+  return sum_over_free([&](uint32_t i) { return std::max(radii_[i][0], radii_[i][1]) >= kClamped * max_radius_[i]; }) /
+         free_nodes();
 }
 
 StopReason Flow::run(const std::function<bool()>& cancelled, const std::function<void(double)>& progress) {
@@ -270,7 +262,7 @@ void Flow::find_radii(const std::vector<Look>* looks) {
     compute_geodesic_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, local_radius_, reach_,
                                  team_, radii_);
   } else {
-    compute_medial_axis(frames_, *boundary_, settings_.boundary_rule, reach_, team_, radii_);
+    compute_medial_axis(frames_, *boundary_, settings_.boundary_rule, reach_, team_, tree_, radii_);
   }
   felt_radii_.resize(radii_.size());
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
@@ -300,13 +292,17 @@ double Flow::in_metric(size_t node, size_t side, double radius) const {
 
 /// The radii that drive the nodes: where the boundary is to push harder than a ball of no size does, the
 /// other side has the rest.
-std::vector<Radii> Flow::driving_radii() const {
-  std::vector<Radii> radii = felt_radii_;
-  if (boundary_->empty()) return radii;
-  for (size_t i = 0; i < radii.size(); ++i) {
-    for (size_t side = 0; side < 2; ++side) radii[i][side] += std::max(0.0, -reach_[i][1 - side].driving);
-  }
-  return radii;
+const std::vector<Radii>& Flow::driving_radii() {
+  if (boundary_->empty()) return felt_radii_;
+  driving_radii_.resize(felt_radii_.size());
+  team_.for_blocks(felt_radii_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        driving_radii_[i][side] = felt_radii_[i][side] + std::max(0.0, -reach_[i][1 - side].driving);
+      }
+    }
+  });
+  return driving_radii_;
 }
 
 /// Where both sides of a strand are empty its radii are alike and nothing pulls it anywhere; a wide
@@ -315,6 +311,8 @@ std::vector<Radii> Flow::driving_radii() const {
 void Flow::stir_empty_stretches() {
   constexpr double kWavelength = 8;  // in r: room for two fingers, one to each side
   constexpr double kFavour = 0.3;
+  const size_t n = curve_.size();
+  if (team_.first(n, kBlock, [&](size_t i) { return sees_nothing(static_cast<uint32_t>(i)); }) == n) return;
   for (const Strand& strand : curve_.strands) {
     double phase = 0;
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
@@ -423,15 +421,16 @@ void Flow::soften_young_strands() {
 }
 
 /// Long strands one after another, each by all threads; short ones side by side.
-void Flow::for_strands(const std::function<void(const Strand&, Team&)>& body) {
+void Flow::for_strands(const std::function<void(const Strand&, Team&, StrandSystem&)>& body) {
   const auto is_long = [](const Strand& strand) { return strand.count >= 2 * kLeastChunk; };
   for (const Strand& strand : curve_.strands) {
-    if (is_long(strand)) body(strand, team_);
+    if (is_long(strand)) body(strand, team_, system_);
   }
   team_.for_blocks(curve_.strands.size(), 1, [&](size_t, size_t begin, size_t end) {
     Team alone(1);
+    StrandSystem system;
     for (size_t s = begin; s < end; ++s) {
-      if (!is_long(curve_.strands[s])) body(curve_.strands[s], alone);
+      if (!is_long(curve_.strands[s])) body(curve_.strands[s], alone, system);
     }
   });
 }
@@ -439,10 +438,9 @@ void Flow::for_strands(const std::function<void(const Strand&, Team&)>& body) {
 /// The mean medial radius of both sides in units of r, smoothed along the curve over kSmoothing r.
 std::vector<double> Flow::smoothed_spacing() {
   std::vector<double> spacing(curve_.size());
-  for_strands([&](const Strand& strand, Team& team) {
+  for_strands([&](const Strand& strand, Team& team, StrandSystem& system) {
     const uint32_t n = strand.count;
-    StrandSystem system;
-    system.resize(n);
+    system.reset(n, team);
     system.closed = strand.closed;
     // Implicit smoothing of u along the strand: (1 - (2 r)^2 d^2 / ds^2) u = raw u.
     const auto stiffness_after = [&](uint32_t i) {
@@ -478,16 +476,18 @@ std::vector<double> Flow::smoothed_spacing() {
 /// Length weights of the polish: where strands are too far apart they may grow, where they are too
 /// near they are drawn together.
 void Flow::follow_spacing(const std::vector<double>& spacing) {
-  for (uint32_t i = 0; i < curve_.size(); ++i) {
-    weights_.length[i] =
-        std::clamp(settings_.polish_length_offset - settings_.polish_length_gain * (spacing[i] - 1), -1.0, 3.0);
-  }
+  team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      weights_.length[i] =
+          std::clamp(settings_.polish_length_offset - settings_.polish_length_gain * (spacing[i] - 1), -1.0, 3.0);
+    }
+  });
 }
 
 /// Draws in the fingers that lie on short runs; longer ones grow into the room that they leave. So
 /// hairpins become fewer, which no force of the model does (see hairpins.h).
 void Flow::unfold_short_runs() {
-  const std::vector<uint8_t> marked = mark_short_runs(curve_, local_radius_, kRipeningShare);
+  const std::vector<uint8_t> marked = mark_short_runs(curve_, local_radius_, kRipeningShare, team_);
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     if (marked[i]) weights_.length[i] = kRipeningPull;
   }
@@ -496,15 +496,14 @@ void Flow::unfold_short_runs() {
 /// The steps of all nodes (eq. 10) in the planes of their faces, capped by their medial radii.
 std::vector<Vec2> Flow::displacements() {
   std::vector<Vec2> d(curve_.size());
-  const std::vector<Radii> radii = driving_radii();
+  const std::vector<Radii>& radii = driving_radii();
   std::vector<FreeEnd> ends;
   if (settings_.hold_ends) {
     ends = find_free_ends(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
                           local_radius_, team_);
   }
-  for_strands([&](const Strand& strand, Team& team) {
+  for_strands([&](const Strand& strand, Team& team, StrandSystem& system) {
     if (strand.guide) return;
-    StrandSystem system;
     assemble(curve_, strand, frames_, radii, local_radius_, weights_, team, system);
     auto end_here = std::ranges::lower_bound(ends, strand.first, {}, &FreeEnd::node);
     for (; end_here != ends.end() && end_here->node < strand.end(); ++end_here) {
@@ -549,19 +548,18 @@ void Flow::refine() {
   const Phase phase = convergence_.phase();
   const bool coarse = settings_.polish && (phase == Phase::kGrowing || phase == Phase::kRipening);
   const double h = settings_.segment_length * (coarse ? settings_.growth_coarsening : 1);
-  std::vector<double> target(curve_.size());
+  segment_targets_.resize(curve_.size());
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
-      target[i] = h * local_radius_[i] / settings_.radius;
+      segment_targets_[i] = h * local_radius_[i] / settings_.radius;
       if (!curve_.on_guide(i)) continue;
       // Guides are cut up at first and when the surface moves, and else stay as they are to the last bit.
-      target[i] = guides_cut_ ? kNever : settings_.segment_length * local_radius_[i] / settings_.radius;
+      segment_targets_[i] = guides_cut_ ? kNever : settings_.segment_length * local_radius_[i] / settings_.radius;
     }
   });
-  std::vector<uint32_t> origin;
-  if (!refinement_.refine(*surface_, curve_, target, team_, origin)) return;
-  follow(origin, radii_);
-  follow(origin, looks_);
+  if (!refinement_.refine(*surface_, curve_, segment_targets_, team_, origin_)) return;
+  follow(origin_, team_, radii_, radii_before_);
+  follow(origin_, team_, looks_, looks_before_);
 }
 
 }  // namespace meander

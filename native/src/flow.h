@@ -116,18 +116,29 @@ class Flow {
   void scale_radii(double factor);
   void check_size(const Surface& surface) const;
   void rescale(double factor);
-  double clamped_share() const;
+  double clamped_share();
+  /// The sum of term(i) over the nodes that may move, and their number.
+  template <class Term>
+  double sum_over_free(const Term& term) {
+    return team_.sum(curve_.size(), [&](size_t k) -> double {
+      const auto i = static_cast<uint32_t>(k);
+      return curve_.on_guide(i) ? 0 : term(i);
+    });
+  }
+  double free_nodes() {
+    return sum_over_free([](uint32_t) { return 1; });
+  }
   void find_local_radii();
   void find_radii(const std::vector<Look>* looks = nullptr);
   bool may_look_again() const;
   double in_metric(size_t node, size_t side, double radius) const;
-  std::vector<Radii> driving_radii() const;
+  const std::vector<Radii>& driving_radii();
   void stir_empty_stretches();
   bool sees_nothing(uint32_t node) const;
   void choose_weights();
   void find_directions(const std::vector<double>& spacing);
   void soften_young_strands();
-  void for_strands(const std::function<void(const Strand&, Team&)>& body);
+  void for_strands(const std::function<void(const Strand&, Team&, StrandSystem&)>& body);
   std::vector<double> smoothed_spacing();
   void follow_spacing(const std::vector<double>& spacing);
   void unfold_short_runs();
@@ -152,6 +163,13 @@ class Flow {
   std::vector<Look> looks_;  // empty where every node is to look anew
   std::vector<Reach> reach_;
   Weights weights_;
+  // Kept for their memory, which is costly to find anew in every iteration.
+  RunTree tree_;
+  StrandSystem system_;
+  std::vector<Radii> driving_radii_, radii_before_;
+  std::vector<Look> looks_before_;
+  std::vector<double> segment_targets_;
+  std::vector<uint32_t> origin_;
   Retraction retraction_;
   Refinement refinement_;
   Convergence convergence_;

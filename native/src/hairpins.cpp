@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace meander {
 namespace {
@@ -12,22 +13,27 @@ constexpr double kWindow = 4;  // in r
 constexpr double kTurn = 2 * std::numbers::pi / 3;
 constexpr double kReach = 2;   // in r
 
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 2048;
+
 /// Way along a strand, in units of the local r, and turning up to a node; a closed strand goes round
 /// for ever, so nodes are numbered before the first and after the last as well.
 class Course {
  public:
-  Course(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius)
+  Course(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius, Team& team)
       : closed_(strand.closed), count_(strand.count), way_(strand.count + 1, 0), turn_(strand.count + 1, 0) {
-    for (uint32_t k = 0; k < strand.count; ++k) {
-      const uint32_t i = strand.first + k, before = curve.previous(i);
-      double turn = 0;
-      if (before != kNone && curve.has_segment(i)) {
+    team.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
+      for (size_t k = begin; k < end; ++k) {
+        const uint32_t i = strand.first + static_cast<uint32_t>(k), before = curve.previous(i);
+        if (!curve.has_segment(i)) continue;
+        way_[k + 1] = curve.shapes[i].length / local_radius[i];
+        if (before == kNone) continue;
         const Vec2 t = curve.shapes[i].leaving * conj(curve.shapes[before].arriving);
-        turn = std::atan2(t.y, t.x);
+        turn_[k + 1] = std::atan2(t.y, t.x);
       }
-      turn_[k + 1] = turn_[k] + turn;
-      way_[k + 1] = way_[k] + (curve.has_segment(i) ? curve.shapes[i].length / local_radius[i] : 0);
-    }
+    });
+    std::partial_sum(way_.begin(), way_.end(), way_.begin());
+    std::partial_sum(turn_.begin(), turn_.end(), turn_.begin());
   }
 
   int64_t begin() const { return closed_ ? -count_ : 0; }
@@ -63,16 +69,18 @@ class Course {
   std::vector<double> way_, turn_;
 };
 
-std::vector<Hairpin> find(const Course& course, const Strand& strand) {
+std::vector<Hairpin> find(const Course& course, const Strand& strand, Team& team) {
   // Turning within half a window to both sides of every node.
   std::vector<double> turning(strand.count);
-  int64_t first = course.begin(), last = course.begin();
-  for (int64_t k = 0; k < strand.count; ++k) {
-    const double place = course.way(k);
-    while (first < k && course.way(first) < place - kWindow / 2) ++first;
-    while (last < course.end() && course.way(last) < place + kWindow / 2) ++last;
-    turning[static_cast<size_t>(k)] = course.turn(last) - course.turn(first);
-  }
+  team.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
+    int64_t first = course.first_after(course.way(static_cast<int64_t>(begin)) - kWindow / 2), last = first;
+    for (auto k = static_cast<int64_t>(begin); k < static_cast<int64_t>(end); ++k) {
+      const double place = course.way(k);
+      while (first < k && course.way(first) < place - kWindow / 2) ++first;
+      while (last < course.end() && course.way(last) < place + kWindow / 2) ++last;
+      turning[static_cast<size_t>(k)] = course.turn(last) - course.turn(first);
+    }
+  });
   std::vector<Hairpin> hairpins;
   const auto at = [&](int64_t k) { return turning[static_cast<size_t>(k % strand.count)]; };
   for (int64_t k = 0; k < strand.count; ++k) {
@@ -90,11 +98,12 @@ std::vector<Hairpin> find(const Course& course, const Strand& strand) {
 }  // namespace
 
 std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand,
-                                   const std::vector<double>& local_radius) {
-  return find(Course(curve, strand, local_radius), strand);
+                                   const std::vector<double>& local_radius, Team& team) {
+  return find(Course(curve, strand, local_radius, team), strand, team);
 }
 
-std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<double>& local_radius, double share) {
+std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<double>& local_radius, double share,
+                                     Team& team) {
   struct Run {
     size_t strand;
     double from, to;
@@ -103,8 +112,8 @@ std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<doubl
   std::vector<Course> courses;
   for (size_t s = 0; s < curve.strands.size(); ++s) {
     const Strand& strand = curve.strands[s];
-    courses.emplace_back(curve, strand, local_radius);
-    const std::vector<Hairpin> hairpins = find(courses.back(), strand);
+    courses.emplace_back(curve, strand, local_radius, team);
+    const std::vector<Hairpin> hairpins = find(courses.back(), strand, team);
     for (size_t h = 0; h < hairpins.size(); ++h) {
       const bool wraps = h + 1 == hairpins.size();
       if (wraps && (!strand.closed || hairpins.size() < 2)) continue;

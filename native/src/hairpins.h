@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "curve.h"
+#include "parallel.h"
 
 namespace meander {
 
@@ -21,10 +22,12 @@ struct Hairpin {
 };
 
 /// The hairpins of a strand in order: turns of more than 120 degrees within 4 r.
-std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius);
+std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius,
+                                   Team& team);
 
 /// Marks (1, others 0) the nodes of the shortest runs, the `share` of all, between two hairpins that
 /// turn opposite ways, with 2 r beyond them. One entry a node.
-std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<double>& local_radius, double share);
+std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<double>& local_radius, double share,
+                                     Team& team);
 
 }  // namespace meander

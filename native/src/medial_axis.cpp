@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "run_tree.h"
-
 namespace meander {
 namespace {
 
@@ -14,13 +12,16 @@ constexpr double kWarmth = 1.2;
 }  // namespace
 
 void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
-                         const std::vector<Reach>& reach, Team& team, std::vector<Radii>& radii) {
+                         const std::vector<Reach>& reach, Team& team, RunTree& tree,
+                         std::vector<Radii>& radii) {
   const size_t n = frames.position.size();
   radii.resize(n, Radii{0, 0});
-  std::vector<Vec3> obstacles = frames.position;
-  const bool walls = rule == BoundaryRule::kObstacle;
-  if (walls) obstacles.insert(obstacles.end(), boundary.samples().begin(), boundary.samples().end());
-  const RunTree tree(obstacles, team);
+  std::vector<Vec3> with_walls;
+  if (rule == BoundaryRule::kObstacle && !boundary.empty()) {
+    with_walls = frames.position;
+    with_walls.insert(with_walls.end(), boundary.samples().begin(), boundary.samples().end());
+  }
+  tree.build(with_walls.empty() ? frames.position : with_walls, team);
 
   constexpr size_t kBlock = 256;
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {

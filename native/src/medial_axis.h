@@ -9,6 +9,7 @@
 
 #include "boundary_reach.h"
 #include "frames.h"
+#include "run_tree.h"
 
 namespace meander {
 
@@ -20,8 +21,10 @@ using Radii = std::array<double, 2>;
 /// point approximation using nearest neighbors and the normal field", 2012; see RunTree).
 ///
 /// `reach`  what the boundary and the clamp leave of the balls, see compute_reach
+/// `tree`   is built anew; kept from call to call it saves memory from being found again
 /// `radii`  in: radii of an earlier state (0: unknown), which only save time; out: the result
 void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
-                         const std::vector<Reach>& reach, Team& team, std::vector<Radii>& radii);
+                         const std::vector<Reach>& reach, Team& team, RunTree& tree,
+                         std::vector<Radii>& radii);
 
 }  // namespace meander

@@ -74,7 +74,8 @@ struct Ball {
 
 }  // namespace
 
-RunTree::RunTree(const std::vector<Eigen::Vector3d>& points, Team& team) : points_(points) {
+void RunTree::build(const std::vector<Eigen::Vector3d>& points, Team& team) {
+  points_ = &points;
   const uint32_t count = static_cast<uint32_t>((points.size() + kRun - 1) / kRun);
   boxes_.resize(count);
   lanes_.resize(count);
@@ -99,8 +100,9 @@ RunTree::RunTree(const std::vector<Eigen::Vector3d>& points, Team& team) : point
       runs_[k] = static_cast<uint32_t>(k);
     }
   });
+  nodes_.clear();
   nodes_.reserve(count / 2 + 4);
-  if (count > 0) build(nodes_, 0, count, count > kWorthATeam ? &team : nullptr);
+  if (count > 0) branch(nodes_, 0, count, count > kWorthATeam ? &team : nullptr);
 }
 
 /// Puts the runs that come first along the widest axis before `middle`.
@@ -127,7 +129,7 @@ void RunTree::halve(uint32_t first, uint32_t middle, uint32_t last) {
 
 /// Appends the tree of some runs to `nodes`. With a team its four branches are built side by side,
 /// and end up in the same places as without.
-uint32_t RunTree::build(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team) {
+uint32_t RunTree::branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team) {
   const uint32_t at = static_cast<uint32_t>(nodes.size());
   nodes.emplace_back();
   const uint32_t n = last - first, half = n / 2;
@@ -143,7 +145,7 @@ uint32_t RunTree::build(std::vector<Node>& nodes, uint32_t first, uint32_t last,
     team->for_blocks(2, 1, quarter);
     team->for_blocks(4, 1, [&](size_t, size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k) {
-        if (cuts[k + 1] - cuts[k] > 1) build(branches[k], cuts[k], cuts[k + 1], nullptr);
+        if (cuts[k + 1] - cuts[k] > 1) branch(branches[k], cuts[k], cuts[k + 1], nullptr);
       }
     });
   } else {
@@ -166,7 +168,7 @@ uint32_t RunTree::build(std::vector<Node>& nodes, uint32_t first, uint32_t last,
     } else if (size == 0) {
       node.child[k] = 0;
     } else if (!team) {
-      node.child[k] = build(nodes, cuts[k], cuts[k + 1], nullptr);
+      node.child[k] = branch(nodes, cuts[k], cuts[k + 1], nullptr);
     } else {
       const uint32_t base = node.child[k] = static_cast<uint32_t>(nodes.size());
       for (Node& branch : branches[k]) {
@@ -200,10 +202,10 @@ double RunTree::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b,
     const Place place = stack[--top];
     if (place.distance >= ball.squared) continue;
     if (place.id & kLeaf) {
-      const size_t first = size_t{place.id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_.size());
+      const size_t first = size_t{place.id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_->size());
       bool smaller = false;
       for (size_t i = first; i < end; ++i) {
-        const double ux = points_[i].x() - x.x(), uy = points_[i].y() - x.y(), uz = points_[i].z() - x.z();
+        const double ux = point(i).x() - x.x(), uy = point(i).y() - x.y(), uz = point(i).z() - x.z();
         const double squared = ux * ux + uy * uy + uz * uz;
         const double ahead = ux * b.x() + uy * b.y() + uz * b.z();
         if (touched) {
@@ -324,12 +326,12 @@ void RunTree::largest_balls(size_t first, size_t last, const std::vector<std::ar
   Candidates near;
   for (size_t begin = first; begin < last; begin += kRun) {
     const size_t end = std::min<size_t>(begin + kRun, last);
-    Eigen::Vector3d low = points_[begin], high = low;
+    Eigen::Vector3d low = point(begin), high = low;
     for (size_t i = begin; i < end; ++i) {
       for (size_t side = 0; side < 2; ++side) {
         const double r = radii[i][side];
         if (!(r > 0)) continue;
-        const Eigen::Vector3d centre = points_[i] + r * b[i][side], all_round = Eigen::Vector3d::Constant(r);
+        const Eigen::Vector3d centre = point(i) + r * b[i][side], all_round = Eigen::Vector3d::Constant(r);
         low = low.cwiseMin(centre - all_round);
         high = high.cwiseMax(centre + all_round);
       }
@@ -345,8 +347,8 @@ void RunTree::largest_balls(size_t first, size_t last, const std::vector<std::ar
       for (size_t i = begin; i < end; ++i) {
         double& r = radii[i][side];
         if (!(r > 0)) continue;
-        r = few ? largest_ball_among(near, points_[i], b[i][side], r, limiting)
-                : largest_ball(points_[i], b[i][side], r);
+        r = few ? largest_ball_among(near, point(i), b[i][side], r, limiting)
+                : largest_ball(point(i), b[i][side], r);
       }
     }
   }
@@ -363,9 +365,9 @@ void RunTree::inside(const Eigen::Vector3d& centre, double radius, std::vector<u
   while (top > 0) {
     const uint32_t id = stack[--top];
     if (id & kLeaf) {
-      const size_t first = size_t{id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_.size());
+      const size_t first = size_t{id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_->size());
       for (size_t i = first; i < end; ++i) {
-        if ((points_[i] - centre).squaredNorm() < radius * radius) found.push_back(static_cast<uint32_t>(i));
+        if ((point(i) - centre).squaredNorm() < radius * radius) found.push_back(static_cast<uint32_t>(i));
       }
       continue;
     }

@@ -25,7 +25,11 @@ namespace meander {
 /// units of the origin (the surface's own unit), because the boxes are kept in single precision.
 class RunTree {
  public:
-  RunTree(const std::vector<Eigen::Vector3d>& points, Team& team);
+  RunTree() = default;
+  RunTree(const std::vector<Eigen::Vector3d>& points, Team& team) { build(points, team); }
+
+  /// Becomes the tree of other points, in the memory that it has.
+  void build(const std::vector<Eigen::Vector3d>& points, Team& team);
 
   /// The radius of the largest ball that passes through x, has its centre in direction b (unit) from
   /// it, and holds none of the points; at most `most`. It is exactly
@@ -77,10 +81,12 @@ class RunTree {
   bool runs_near(const Box& box, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                             uint32_t& limiting) const;
-  uint32_t build(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team);
+  uint32_t branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team);
   void halve(uint32_t first, uint32_t middle, uint32_t last);
 
-  const std::vector<Eigen::Vector3d>& points_;
+  const Eigen::Vector3d& point(size_t i) const { return (*points_)[i]; }
+
+  const std::vector<Eigen::Vector3d>* points_ = nullptr;
   std::vector<Box> boxes_;     // of the runs
   std::vector<Points> lanes_;  // of the runs
   std::vector<uint32_t> runs_; // in the order of the tree's leaves

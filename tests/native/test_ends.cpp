@@ -72,7 +72,8 @@ TEST(Ends, TheBallAheadIsTheLargestThatIsEmpty) {
 
 TEST(Ends, TheTermAloneMovesAnEndByWhatIsMissing) {
   StrandSystem system;
-  system.resize(3);
+  Team team(1);
+  system.reset(3, team);
   const Vec2 ahead{0.6, 0.8};
   system.frame[2] = Vec2{0, 1};
   add_end_term({7, ahead, 0.5}, 2, 0.2, 1.5, system);

@@ -34,7 +34,8 @@ Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
   compute_reach(s, curve, result.frames, boundary, setting.rule, MedialAxis::kGeodesic, most, overhang, least_rest,
                 team, reach);
   compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, local, reach, team, result.geodesic);
-  compute_medial_axis(result.frames, boundary, setting.rule, reach, team, result.euclidean);
+  RunTree tree;
+  compute_medial_axis(result.frames, boundary, setting.rule, reach, team, tree, result.euclidean);
   return result;
 }
 

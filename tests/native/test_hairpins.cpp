@@ -16,12 +16,12 @@ namespace {
 constexpr double kRadius = 0.01;  // r; the face below is about 0.7 wide
 
 /// A strand through points in units of r from the middle of the only face.
-Curve strand_through(const Surface& s, const std::vector<Vec2>& points, bool closed) {
+Curve strand_through(const Surface& s, const std::vector<Vec2>& points, bool closed, double radius = kRadius) {
   Curve curve;
   const uint32_t face = 0;
   // All of one large face: coordinates relative to its middle.
   const Vec2 middle = flat(s, SurfacePoint{face, {1.0 / 3, 1.0 / 3}});
-  for (const Vec2& p : points) add_node(curve, point_at(s, face, middle + kRadius * p));
+  for (const Vec2& p : points) add_node(curve, point_at(s, face, middle + radius * p));
   curve.strands.push_back({0, static_cast<uint32_t>(points.size()), closed});
   curve.link();
   join_in_face(s, curve);
@@ -66,19 +66,46 @@ std::vector<Vec2> serpentine(const std::vector<double>& rows) {
   return points;
 }
 
+std::vector<Hairpin> hairpins_of(const Curve& curve, double radius = kRadius, unsigned threads = 2) {
+  Team team(threads);
+  return find_hairpins(curve, curve.strands[0], std::vector<double>(curve.size(), radius), team);
+}
+
+std::vector<uint8_t> marked_of(const Curve& curve, double share, double radius = kRadius) {
+  Team team(2);
+  return mark_short_runs(curve, std::vector<double>(curve.size(), radius), share, team);
+}
+
 Surface one_face() { return make_surface(Mesh{{-1, -1, 0, 1, -1, 0, 0, 1, 0}, {0, 1, 2}}); }
 
 TEST(Hairpins, OneForEveryTurnOfASerpentine) {
   const Surface s = one_face();
   const Curve curve = strand_through(s, serpentine({10, 8, 6, 8}), false);
-  const std::vector<double> radius(curve.size(), kRadius);
-  const auto hairpins = find_hairpins(curve, curve.strands[0], radius);
+  const auto hairpins = hairpins_of(curve);
   ASSERT_EQ(hairpins.size(), 3u);
   const double pi = std::numbers::pi;
   const double middle[3] = {10 + pi / 2, 10 + pi + 8 + pi / 2, 10 + pi + 8 + pi + 6 + pi / 2};
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(hairpins[k].side, k % 2 == 0 ? 1 : -1);
     EXPECT_NEAR(hairpins[k].at, middle[k], 0.5);
+  }
+}
+
+TEST(Hairpins, OfALongStrandAreFoundByAllThreads) {
+  const Surface s = one_face();
+  constexpr double kSmall = 0.002;
+  constexpr size_t kRows = 40;
+  constexpr double kLength = 30;
+  const Curve curve = strand_through(s, serpentine(std::vector<double>(kRows, kLength)), false, kSmall);
+  ASSERT_GT(curve.size(), 5000u) << "several blocks";
+  for (const unsigned threads : {1u, 3u}) {
+    const auto hairpins = hairpins_of(curve, kSmall, threads);
+    ASSERT_EQ(hairpins.size(), kRows - 1);
+    for (size_t k = 0; k + 1 < kRows; ++k) {
+      EXPECT_EQ(hairpins[k].side, k % 2 == 0 ? 1 : -1);
+      const double turns = std::numbers::pi * (static_cast<double>(k) + 0.5);
+      EXPECT_NEAR(hairpins[k].at, kLength * static_cast<double>(k + 1) + turns, 0.5);
+    }
   }
 }
 
@@ -92,8 +119,7 @@ TEST(Hairpins, NoneOnAWideArcOrARightAngle) {
   append(points, line({-5, -0.25}, {-5, -8}));
   append(points, line({-5, -8}, {3, -8}));
   const Curve curve = strand_through(s, points, false);
-  const std::vector<double> radius(curve.size(), kRadius);
-  EXPECT_TRUE(find_hairpins(curve, curve.strands[0], radius).empty());
+  EXPECT_TRUE(hairpins_of(curve).empty());
 }
 
 TEST(Hairpins, OfAClosedStrandDoNotDependOnItsFirstNode) {
@@ -108,24 +134,22 @@ TEST(Hairpins, OfAClosedStrandDoNotDependOnItsFirstNode) {
     std::vector<Vec2> turned(points);
     std::rotate(turned.begin(), turned.begin() + static_cast<long>(shift), turned.end());
     const Curve curve = strand_through(s, turned, true);
-    const std::vector<double> radius(curve.size(), kRadius);
-    const auto hairpins = find_hairpins(curve, curve.strands[0], radius);
+      const auto hairpins = hairpins_of(curve);
     ASSERT_EQ(hairpins.size(), 2u) << "shift " << shift;
     EXPECT_EQ(hairpins[0].side, 1);
     EXPECT_EQ(hairpins[1].side, 1);
     EXPECT_NEAR(hairpins[1].at - hairpins[0].at, 12 + std::numbers::pi, 0.5);
     // Both turn the same way: there is nothing between them to draw in.
-    for (const uint8_t m : mark_short_runs(curve, radius, 1)) EXPECT_EQ(m, 0);
+    for (const uint8_t m : marked_of(curve, 1)) EXPECT_EQ(m, 0);
   }
 }
 
 TEST(Hairpins, TheShortestRunIsMarkedWithItsTurns) {
   const Surface s = one_face();
   const Curve curve = strand_through(s, serpentine({10, 9, 5, 9, 8}), false);
-  const std::vector<double> radius(curve.size(), kRadius);
-  const auto hairpins = find_hairpins(curve, curve.strands[0], radius);
+  const auto hairpins = hairpins_of(curve);
   ASSERT_EQ(hairpins.size(), 4u);
-  const auto marked = mark_short_runs(curve, radius, 0.34);  // one of three
+  const auto marked = marked_of(curve, 0.34);  // one of three
   double way = 0;
   for (uint32_t i = 0; i < curve.size(); ++i) {
     const bool in = way > hairpins[1].at - 1.99 && way < hairpins[2].at + 1.99;

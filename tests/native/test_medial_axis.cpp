@@ -44,7 +44,8 @@ struct Scene {
     const std::vector<double> none(curve.size(), 0);
     std::vector<Reach> reach;
     compute_reach(surface, curve, frames, boundary, rule, MedialAxis::kEuclidean, max_radius, none, none, team, reach);
-    compute_medial_axis(frames, boundary, rule, reach, team, radii);
+    RunTree tree;
+    compute_medial_axis(frames, boundary, rule, reach, team, tree, radii);
   }
 
   Surface surface;
