@@ -69,7 +69,8 @@ constexpr double kSmoothing = 2;
 
 /// Gives nodes after a refinement what those had that they come from.
 template <class Value>
-void follow(const std::vector<uint32_t>& origin, Team& team, std::vector<Value>& of_nodes, std::vector<Value>& scratch) {
+void follow(const std::vector<uint32_t>& origin, Team& team, std::vector<Value>& of_nodes,
+            std::vector<Value>& scratch) {
   if (of_nodes.empty()) return;
   scratch.resize(origin.size());
   team.for_blocks(origin.size(), kBlock, [&](size_t, size_t begin, size_t end) {

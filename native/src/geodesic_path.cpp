@@ -248,6 +248,30 @@ PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& 
   }
 }
 
+/// Appends crossings that lead into `faces` faces more, from one that was entered by `entry` to `goal`;
+/// false, with none appended, if there is no such way.
+bool PathShortener::lead_to(uint32_t goal, uint32_t from, HalfEdge entry, int faces,
+                            std::vector<Crossing>& crossings) const {
+  if (faces == 0) return from == goal;
+  for (HalfEdge e = 3 * from; e < 3 * from + 3; ++e) {
+    const HalfEdge twin = surface_.twin(e);
+    if (e == entry || twin == kNone) continue;
+    crossings.push_back({e, twin, 0.5});
+    if (lead_to(goal, face_of(twin), twin, faces - 1, crossings)) return true;
+    crossings.pop_back();
+  }
+  return false;
+}
+
+std::optional<PathShape> PathShortener::adopt(const SurfacePoint& start, const SurfacePoint& end,
+                                              std::vector<Crossing>& crossings) {
+  const uint32_t last = crossings.empty() ? start.face : face_of(crossings.back().twin);
+  for (int faces = 0; faces <= kNear; ++faces) {
+    if (lead_to(end.face, last, kNone, faces, crossings)) return shorten(start, end, crossings);
+  }
+  return std::nullopt;
+}
+
 PathShape PathShortener::follow(const SurfacePoint& start, const SurfacePoint& end,
                                 std::span<const Crossing> start_trace, std::span<const Crossing> end_trace,
                                 std::vector<Crossing>& crossings) {

@@ -62,6 +62,13 @@ Vec3 Surface::to_inside(const Vec3& p) const {
   return {to_grid(q.x()), to_grid(q.y()), to_grid(q.z())};
 }
 
+/// By Euler's formula: a component of genus g with b boundary loops has V - E + F = 2 - 2 g - b.
+bool Surface::simply_connected() const {
+  const auto edges = static_cast<int64_t>((3 * faces_.size() + boundary_.size()) / 2);
+  const int64_t euler = int64_t{used_vertices_} - edges + static_cast<int64_t>(faces_.size());
+  return euler == 2 * int64_t{component_count_} || (component_count_ == 1 && euler == 1);
+}
+
 double Surface::corner_angle(uint32_t f, uint32_t k) const {
   const Vec2 p = corner(f, k);
   const Vec2 u = corner(f, next_corner(k)) - p, v = corner(f, prev_corner(k)) - p;

@@ -67,6 +67,9 @@ class Surface {
   uint32_t turned_count() const { return turned_count_; }
   uint32_t used_vertices() const { return used_vertices_; }
   uint32_t boundary_loop_count() const { return boundary_loop_count_; }
+  /// Whether all paths between two points can be moved into one another: the surface is spheres, or one
+  /// disc. (Several discs are not recognized.)
+  bool simply_connected() const;
   const std::vector<HalfEdge>& boundary() const { return boundary_; }
   double area() const { return area_; }
 

@@ -221,6 +221,41 @@ TEST(Follow, LeadsAPathAfterItsEnds) {
   }
 }
 
+/// A straight walk that lands in a face near its goal is a guess of the path to it; one that lands far away
+/// is none.
+TEST(Adopt, TakesAGuessThatEndsNearby) {
+  for (const auto& [name, mesh] : meshes()) {
+    SCOPED_TRACE(name);
+    const Surface s = make_surface(mesh);
+    PathShortener shortener(s);
+    Rng rng(65);
+    size_t refused = 0;
+    for (int k = 0; k < 60 && !testing::Test::HasFailure(); ++k) {
+      const SurfacePoint start = random_point(s, rng);
+      Path whole;
+      const SurfacePoint end = trace_geodesic(s, start, rng.in(0.05, 0.4) * rng.direction(), whole).end;
+      const size_t missing = std::min<size_t>(rng.below(4), whole.size());
+      Path path(whole.begin(), whole.end() - static_cast<std::ptrdiff_t>(missing));
+      const auto shape = shortener.adopt(start, end, path);
+      ASSERT_TRUE(shape.has_value());
+      ASSERT_TRUE(chains(s, start.face, end.face, path));
+      expect_shape_is_measured(s, start, end, path, *shape);
+      expect_locally_shortest(s, start, end, path);
+
+      const SurfacePoint elsewhere = random_point(s, rng);
+      Path astray = whole;
+      const auto other = shortener.adopt(start, elsewhere, astray);
+      refused += !other;
+      if (other) {
+        EXPECT_TRUE(chains(s, start.face, elsewhere.face, astray));
+      }
+    }
+    if (s.face_count() > 200) {
+      EXPECT_GT(refused, 30u);
+    }
+  }
+}
+
 TEST(Shorten, IsAStraightLineInThePlane) {
   const Surface s = make_surface(flat_grid(8));
   PathShortener shortener(s);

@@ -120,6 +120,54 @@ TEST(Move, OfNothingChangesNothing) {
   ASSERT_TRUE(exact_crossings(s, curve).empty());
 }
 
+/// Where nodes walk over many faces their segments are guessed first, on surfaces without handles and holes.
+/// They come to what one gets by following the ends, face after face.
+TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
+  struct Case {
+    Mesh mesh;
+    bool simply_connected;
+  };
+  for (const Case& c : {Case{sphere(4), true}, Case{bumpy_grid(40), true}, Case{torus(90, 40), false},
+                        Case{grid_with_hole(30), false}}) {
+    const Surface s = make_surface(c.mesh);
+    ASSERT_EQ(s.simply_connected(), c.simply_connected);
+    Rng rng(75);
+    Team team(2);
+    Retraction retraction;
+    MoveSeconds seconds;
+    size_t far = 0;
+    for (int round = 0; round < 40; ++round) {
+      Curve curve;
+      while (!add_ring(s, curve, random_point(s, rng), rng.in(0.05, 0.1), 12 + rng.below(20), 0, rng)) {
+      }
+      const Curve old = curve;
+      const Vec2 slant = rng.direction();
+      std::vector<Vec2> d(curve.size());
+      std::vector<Path> traces(curve.size());
+      bool near_boundary = false;
+      for (uint32_t i = 0; i < curve.size(); ++i) {
+        // Outwards, and a little along the ring.
+        const Vec2 along = unit(curve.shapes[curve.previous(i)].arriving + curve.shapes[i].leaving);
+        d[i] = rng.in(0.05, 0.055) * unit(Vec2{0, -1} * along + 0.2 * slant * along);
+        near_boundary |= trace_geodesic(s, curve.nodes[i], d[i], traces[i]).hit_boundary;
+      }
+      if (near_boundary) continue;
+      const double held = retraction.move(s, curve, d, team, seconds);
+      if (held > 0) continue;
+      ASSERT_TRUE(whole(s, curve));
+      PathShortener shortener(s);
+      for (uint32_t i = 0; i < curve.size(); ++i) {
+        const uint32_t j = curve.next(i);
+        Path path = old.paths[i];
+        const PathShape followed = shortener.follow(curve.nodes[i], curve.nodes[j], traces[i], traces[j], path);
+        EXPECT_NEAR(curve.shapes[i].length, followed.length, kMeasured);
+        far += traces[i].size() + traces[j].size() >= 8;
+      }
+    }
+    EXPECT_GT(far, 50u);
+  }
+}
+
 TEST(Move, IsTheSameForAnyTeam) {
   const Surface s = make_surface(sphere(2));
   Rng rng(74);
