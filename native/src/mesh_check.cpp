@@ -2,6 +2,7 @@
 #include "mesh_check.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -86,15 +87,13 @@ Placement measure(std::span<const double> vertices, const Table<Triangle>& faces
 }
 
 bool has_area(std::span<const double> vertices, const Triangle& face, const Placement& placement) {
-  Vec3 p[3];
-  for (int k = 0; k < 3; ++k) {
-    const uint32_t v = face[k];
-    for (int j = 0; j < 3; ++j) p[k][j] = (vertices[3 * v + j] - placement.low[j]) / placement.diagonal;
-  }
-  const double longest =
-      std::sqrt(std::max({(p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm()}));
-  const double doubled_area = (p[1] - p[0]).cross(p[2] - p[0]).norm();
-  return doubled_area > kFlatFace * longest;
+  const auto corner = [&](int k) {
+    const size_t at = 3 * size_t{face[k]};
+    return Vec3(vertices[at], vertices[at + 1], vertices[at + 2]);
+  };
+  const Vec3 u = (corner(1) - corner(0)) / placement.diagonal, v = (corner(2) - corner(0)) / placement.diagonal;
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+  return u.cross(v).squaredNorm() > kFlatFace * kFlatFace * longest;
 }
 
 void check_areas(std::span<const double> vertices, const Table<Triangle>& faces, const Placement& placement,
@@ -110,16 +109,20 @@ struct SidesOfVertices {
   Table<Side> sides;
   std::vector<uint32_t> end;  // per vertex
 
-  SidesOfVertices(const Table<Triangle>& faces, size_t vertex_count)
+  SidesOfVertices(const Table<Triangle>& faces, size_t vertex_count, Team& team)
       : sides(3 * faces.size()), end(vertex_count + 1, 0) {
-    // A counting sort: in the second pass `end` is where the next side of a vertex goes.
+    // A counting sort: in the second pass `end` is where the next side of a vertex goes. Every thread reads
+    // all faces and looks after some of the vertices.
+    const size_t share = vertex_count / team.size() + 1;
     const auto each = [&](const auto& put) {
-      for (size_t f = 0; f < faces.size(); ++f) {
-        for (size_t k = 0; k < 3; ++k) {
-          const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1];
-          put(std::min(a, b), Side{std::max(a, b), static_cast<uint32_t>(3 * f + k)});
+      team.for_blocks(vertex_count, share, [&](size_t, size_t first, size_t last) {
+        for (size_t f = 0; f < faces.size(); ++f) {
+          for (size_t k = 0; k < 3; ++k) {
+            const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1], low = std::min(a, b);
+            if (low >= first && low < last) put(low, Side{std::max(a, b), static_cast<uint32_t>(3 * f + k)});
+          }
         }
-      }
+      });
     };
     each([&](uint32_t low, const Side&) { ++end[low + 1]; });
     for (size_t v = 0; v < vertex_count; ++v) end[v + 1] += end[v];
@@ -149,9 +152,8 @@ std::span<Side> first_edge(std::span<Side> sides) {
 }
 
 /// Per half-edge the half-edge of the other face on the same edge, kNoTwin at the boundary.
-Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, const Names& names,
-                                 Team& team) {
-  SidesOfVertices table(faces, vertex_count);
+Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, const Names& names, Team& team) {
+  SidesOfVertices table(faces, vertex_count, team);
   Table<uint32_t> mate(3 * faces.size(), kNoTwin);
   const size_t crowded = team.first(vertex_count, kBlock, [&](size_t v) {
     std::span<Side> sides = table.of(v);
@@ -175,28 +177,57 @@ Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, co
   return mate;
 }
 
-/// Numbers the components and turns faces so that neighbours agree.
-void orient(CheckedMesh& mesh, const Names& names) {
+/// Numbers the components, in the order of their first faces.
+void number_components(CheckedMesh& mesh) {
+  // Sets of faces as trees whose roots are their first faces; `up` leads towards the root.
+  Table<uint32_t>& up = mesh.component;
+  up.resize(mesh.faces.size());
+  const auto root = [&](uint32_t f) {
+    while (up[f] != f) f = up[f] = up[up[f]];
+    return f;
+  };
+  for (uint32_t f = 0; f < up.size(); ++f) {
+    up[f] = f;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const uint32_t other = mesh.twin[3 * f + k];
+      if (other == kNoTwin || other / 3 >= f) continue;
+      const uint32_t a = root(f), b = root(other / 3);
+      up[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (uint32_t f = 0; f < up.size(); ++f) up[f] = up[up[f]];
+  // What is above a face comes before it, and knows its number.
+  for (uint32_t f = 0; f < up.size(); ++f) up[f] = up[f] == f ? mesh.component_count++ : up[up[f]];
+}
+
+/// Do these faces run along their common edge in opposite directions? `side` is one's half-edge there.
+bool opposed(const CheckedMesh& mesh, uint32_t side) {
+  const uint32_t other = mesh.twin[side];
+  return mesh.faces[side / 3][side % 3] != mesh.faces[other / 3][other % 3];
+}
+
+/// Finds faces to be turned so that neighbours agree.
+void orient(CheckedMesh& mesh, const Names& names, Team& team) {
   const size_t face_count = mesh.faces.size();
   mesh.turned.assign(face_count, 0);
-  mesh.component.assign(face_count, kNever);
+  const auto agrees = [&](uint32_t side) { return mesh.twin[side] == kNoTwin || opposed(mesh, side); };
+  const size_t odd = team.first(3 * face_count, kBlock, [&](size_t i) { return !agrees(static_cast<uint32_t>(i)); });
+  if (odd == 3 * face_count) return;
+
+  std::vector<uint8_t> seen(face_count, 0);
   std::vector<uint32_t> queue;
-  for (size_t start = 0; start < face_count; ++start) {
-    if (mesh.component[start] != kNever) continue;
-    const uint32_t component = mesh.component_count++;
-    mesh.component[start] = component;
-    queue.assign(1, static_cast<uint32_t>(start));
+  for (uint32_t start = 0; start < face_count; ++start) {
+    if (seen[start]) continue;
+    seen[start] = 1;
+    queue.assign(1, start);
     for (size_t head = 0; head < queue.size(); ++head) {
       const uint32_t f = queue[head];
-      for (uint32_t k = 0; k < 3; ++k) {
-        const uint32_t other = mesh.twin[3 * f + k];
-        if (other == kNoTwin) continue;
-        const uint32_t g = other / 3;
-        // Two faces agree when they run along their edge in opposite directions.
-        const bool opposed = mesh.faces[f][k] != mesh.faces[g][other % 3];
-        const uint8_t wanted = static_cast<uint8_t>(mesh.turned[f] ^ (opposed ? 0 : 1));
-        if (mesh.component[g] == kNever) {
-          mesh.component[g] = component;
+      for (uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+        if (mesh.twin[side] == kNoTwin) continue;
+        const uint32_t g = mesh.twin[side] / 3;
+        const uint8_t wanted = static_cast<uint8_t>(mesh.turned[f] ^ (opposed(mesh, side) ? 0 : 1));
+        if (!seen[g]) {
+          seen[g] = 1;
           mesh.turned[g] = wanted;
           queue.push_back(g);
         } else if (mesh.turned[g] != wanted) {
@@ -225,13 +256,13 @@ void turn(CheckedMesh& mesh) {
 
 /// A vertex whose faces form more than one fan is named.
 void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& names, Team& team) {
-  std::vector<uint32_t> corner_count(vertex_count, 0), any_corner(vertex_count, kNever);
-  for (size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (size_t k = 0; k < 3; ++k) {
-      ++corner_count[mesh.faces[f][k]];
-      any_corner[mesh.faces[f][k]] = static_cast<uint32_t>(3 * f + k);
+  std::vector<uint32_t> any_corner(vertex_count, kNever);
+  team.for_blocks(3 * mesh.faces.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (auto corner = static_cast<uint32_t>(begin); corner < end; ++corner) {
+      const std::atomic_ref any(any_corner[mesh.faces[corner / 3][corner % 3]]);
+      any.store(corner, std::memory_order_relaxed);  // whichever comes last
     }
-  }
+  });
   // Works before faces are turned, since it looks the vertex up each time.
   const auto corner_of = [&](uint32_t face, uint32_t v) {
     uint32_t k = 0;
@@ -254,10 +285,18 @@ void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& n
     }
     return seen;
   };
-  const size_t v = team.first(vertex_count, kBlock, [&](size_t i) {
-    return any_corner[i] != kNever && corners_in_fan(static_cast<uint32_t>(i), any_corner[i]) != corner_count[i];
-  });
-  if (v == vertex_count) return;
+  const auto in_fan = [&](size_t v) {
+    return any_corner[v] == kNever ? 0 : corners_in_fan(static_cast<uint32_t>(v), any_corner[v]);
+  };
+  const size_t corners = 3 * mesh.faces.size();
+  if (team.sum(vertex_count, in_fan) == static_cast<double>(corners)) return;
+  // Some corners are in none of these fans; their first vertex is named.
+  std::vector<uint32_t> corner_count(vertex_count, 0);
+  for (const Triangle& t : mesh.faces) {
+    for (const uint32_t v : t) ++corner_count[v];
+  }
+  size_t v = 0;
+  while (in_fan(v) == corner_count[v]) ++v;
   const uint32_t name = names.vertex(static_cast<uint32_t>(v));
   refuse("Vertex " + str(name) + " joins parts of the surface that meet in this point only (bow-tie); "
          "split the vertex.",
@@ -305,7 +344,8 @@ CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_
   check_areas(vertices, mesh.faces, mesh.placement, names, team);
   mesh.twin = pair_sides(mesh.faces, vertices.size() / 3, names, team);
   check_vertices(mesh, vertices.size() / 3, names, team);
-  orient(mesh, names);
+  number_components(mesh);
+  orient(mesh, names, team);
   turn(mesh);
   return mesh;
 }

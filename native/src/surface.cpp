@@ -34,7 +34,7 @@ Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> fac
   used_vertices_ = mesh.used_vertices;
   turned_count_ = static_cast<uint32_t>(std::count(turned_.begin(), turned_.end(), 1));
   place(mesh.placement, team);
-  connect(mesh.twin);
+  connect(mesh.twin, team);
   lay_out(team);
 }
 
@@ -78,14 +78,12 @@ double Surface::corner_angle(uint32_t f, uint32_t k) const {
 void Surface::lay_out(Team& team) {
   const size_t n = faces_.size();
   flat_.resize(n);
-  axis_.resize(2 * n);
+  x_axis_.resize(n);
   face_normal_.resize(n);
   Table<std::array<double, 3>> angles(n);
   const size_t without_area = team.first(n, kBlock, [&](size_t index) {
     const uint32_t f = static_cast<uint32_t>(index);
-    if (!lay_out_face(f)) return true;
-    for (uint32_t k = 0; k < 3; ++k) angles[f][k] = corner_angle(f, k);
-    return false;
+    return !lay_out_face(f, angles[f]);
   });
   if (without_area < n) {
     throw Failure(MEANDER_INVALID_MESH,
@@ -116,35 +114,38 @@ void Surface::lay_out(Team& team) {
 }
 
 /// False if the face has no area once its corners are rounded.
-bool Surface::lay_out_face(uint32_t f) {
+bool Surface::lay_out_face(uint32_t f, std::array<double, 3>& angles) {
   const Vec3& p = positions_[faces_[f][0]];
   const Vec3 u = positions_[faces_[f][1]] - p, v = positions_[faces_[f][2]] - p;
-  const double x1 = u.norm();
-  const Vec3 e1 = u / x1;
   const Vec3 normal = u.cross(v);
-  if (!(normal.norm() > 0) || !(x1 > 0)) return false;
-  face_normal_[f] = normal.normalized();
-  axis_[2 * f] = e1;
-  axis_[2 * f + 1] = face_normal_[f].cross(e1);
-  flat_[f].x1 = x1;
-  flat_[f].x2 = v.dot(e1);
-  flat_[f].y2 = normal.norm() / x1;
-  for (uint32_t k = 0; k < 3; ++k) {
-    const Vec2 base = along(3 * f + k), side = corner(f, prev_corner(k)) - corner(f, k);
-    hinges_[f].apex[k] = (1 / dot(base, base)) * (side * conj(base));
-  }
+  const double x1 = u.norm(), doubled_area = normal.norm();
+  if (!(doubled_area > 0) || !(x1 > 0)) return false;
+  const double to_unit = 1 / x1;
+  face_normal_[f] = normal / doubled_area;
+  x_axis_[f] = to_unit * u;
+  const Vec2 c1{x1, 0}, c2{to_unit * v.dot(u), to_unit * doubled_area};
+  flat_[f] = {c1.x, c2.x, c2.y};
+  const auto apex = [](Vec2 base, Vec2 side) { return (1 / dot(base, base)) * (side * conj(base)); };
+  hinges_[f].apex = {apex(c1, c2), apex(c2 - c1, -c1), apex(-c2, c1 - c2)};
+  angles[0] = std::atan2(c2.y, c2.x);
+  angles[1] = std::atan2(c2.y, c1.x - c2.x);
+  angles[2] = std::numbers::pi - angles[0] - angles[1];
   return true;
 }
 
 /// Neighbours and boundary, from what the check of the mesh found. A boundary loop is followed from
 /// half-edge to half-edge: the faces of a vertex are one fan, so that one of its half-edges at most
 /// leaves it along the boundary.
-void Surface::connect(const Table<HalfEdge>& twins) {
+void Surface::connect(const Table<HalfEdge>& twins, Team& team) {
   hinges_.resize(faces_.size());
-  for (HalfEdge e = 0; e < twins.size(); ++e) {
-    hinges_[face_of(e)].twin[corner_of(e)] = twins[e];
-    if (twins[e] == kNone) boundary_.push_back(e);
-  }
+  std::vector<std::vector<HalfEdge>> boundary(Team::block_count(faces_.size(), kBlock));
+  team.for_blocks(faces_.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
+    for (auto e = static_cast<HalfEdge>(3 * begin); e < 3 * end; ++e) {
+      hinges_[face_of(e)].twin[corner_of(e)] = twins[e];
+      if (twins[e] == kNone) boundary[block].push_back(e);
+    }
+  });
+  for (const std::vector<HalfEdge>& edges : boundary) boundary_.insert(boundary_.end(), edges.begin(), edges.end());
   if (boundary_.empty()) return;
   std::vector<uint32_t> after(positions_.size(), kNone);  // per vertex the next one along the boundary
   for (const HalfEdge e : boundary_) {

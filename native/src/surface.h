@@ -115,9 +115,9 @@ class Surface {
     return corner(face_of(e), next_corner(corner_of(e))) - corner(face_of(e), corner_of(e));
   }
   /// A vector of the plane of face f, in space.
-  Vec3 to_space(uint32_t f, Vec2 v) const { return v.x * axis_[2 * f] + v.y * axis_[2 * f + 1]; }
+  Vec3 to_space(uint32_t f, Vec2 v) const { return v.x * x_axis_[f] + v.y * y_axis(f); }
   /// A vector in space, projected to the plane of face f.
-  Vec2 to_plane(uint32_t f, const Vec3& v) const { return {v.dot(axis_[2 * f]), v.dot(axis_[2 * f + 1])}; }
+  Vec2 to_plane(uint32_t f, const Vec3& v) const { return {v.dot(x_axis_[f]), v.dot(y_axis(f))}; }
   const Vec3& face_normal(uint32_t f) const { return face_normal_[f]; }
   double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
   /// Sum of the angles of the faces around v; infinite on the boundary, since nothing goes round there.
@@ -132,8 +132,12 @@ class Surface {
   };
   void place(const Placement& placement, Team& team);
   void lay_out(Team& team);
-  bool lay_out_face(uint32_t f);
-  void connect(const Table<HalfEdge>& twins);
+  bool lay_out_face(uint32_t f, std::array<double, 3>& angles);
+  void connect(const Table<HalfEdge>& twins, Team& team);
+  Vec3 y_axis(uint32_t f) const {
+    const Vec3 &n = face_normal_[f], &x = x_axis_[f];
+    return {n.y() * x.z() - n.z() * x.y(), n.z() * x.x() - n.x() * x.z(), n.x() * x.y() - n.y() * x.x()};
+  }
 
   Table<double> caller_;
   Table<Vec3> positions_;
@@ -143,7 +147,7 @@ class Surface {
   std::vector<HalfEdge> boundary_;
   Table<Flat> flat_;
   Table<Hinges> hinges_;
-  Table<Vec3> axis_, face_normal_;
+  Table<Vec3> x_axis_, face_normal_;
   Table<double> total_angle_;
   Vec3 low_ = Vec3::Zero();
   double scale_ = 1, area_ = 0, mean_edge_length_ = 0;
