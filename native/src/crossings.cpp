@@ -2,17 +2,12 @@
 #include "crossings.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace meander {
 namespace {
 
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
-
-/// Segments that a thread takes at a time, and about as many share a group of faces.
-constexpr size_t kSegmentsPerBlock = 2048;
-constexpr size_t kMostGroups = 64;
 
 bool same(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
 
@@ -132,93 +127,76 @@ bool touch(const Piece& p, const Piece& q) {
          (c == 0 && between(q.from, q.to, p.from)) || (d == 0 && between(q.from, q.to, p.to));
 }
 
-/// Marks the faces that changed segments run through.
-void CrossingTest::mark(const Surface& surface, const Curve& curve, Team& team, const std::vector<uint8_t>& changed) {
-  marked_.resize(surface.face_count(), 0);
-  team.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
-    std::vector<uint32_t>& faces = blocks_[block].marked;
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      if (!changed[i] || !curve.has_segment(i)) continue;
-      curve.faces_of(i, [&](uint32_t f) {
-        const std::atomic_ref<uint8_t> mark(marked_[f]);  // blocks may meet in a face
-        if (mark.load(std::memory_order_relaxed)) return;
-        mark.store(1, std::memory_order_relaxed);
-        faces.push_back(f);
+/// The pieces that may have to be tested: all, or those in the faces of changed segments.
+void CrossingTest::collect(const Surface& surface, const Curve& curve, Team& team,
+                           const std::vector<uint8_t>* changed) {
+  std::vector<uint32_t> marked;
+  if (changed) {
+    marked_.resize(surface.face_count(), 0);
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      if (!(*changed)[i] || !curve.has_segment(i)) continue;
+      curve.pieces_of(i, [&](const Piece& piece) {
+        if (!marked_[piece.face]) marked.push_back(piece.face);
+        marked_[piece.face] = 1;
       });
     }
-  });
-}
-
-/// The pieces that may have to be tested: all, or those in marked faces.
-void CrossingTest::collect(const Curve& curve, Team& team, bool only_marked) {
+  }
+  constexpr size_t kSegmentsPerBlock = 1024;
+  pieces_.resize(Team::block_count(curve.size(), kSegmentsPerBlock));
   team.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
-    auto& groups = blocks_[block].pieces;
-    groups.resize(groups_.size());
-    for (std::vector<Piece>& pieces : groups) pieces.clear();
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+    std::vector<Piece>& pieces = pieces_[block];
+    pieces.clear();
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       if (!curve.has_segment(i)) continue;
       curve.pieces_of(i, [&](const Piece& piece) {
-        if (!only_marked || marked_[piece.face]) groups[piece.face >> shift_].push_back(piece);
+        if (!changed || marked_[piece.face]) pieces.push_back(piece);
       });
     }
   });
-}
-
-/// Sorts the pieces of a group by faces, counting only in those which the curve runs through: a fine mesh
-/// has many more.
-void CrossingTest::sort(size_t g) {
-  auto& [sorted, occupied, ends, found] = groups_[g];
-  const auto for_pieces = [&](const auto& visit) {
-    for (const Block& block : blocks_) {
-      for (const Piece& piece : block.pieces[g]) visit(piece);
-    }
-  };
-  occupied.clear();
-  for_pieces([&](const Piece& p) {
-    if (count_[p.face]++ == 0) occupied.push_back(p.face);
-  });
-  uint32_t place = 0;
-  for (const uint32_t f : occupied) {
-    const uint32_t count = count_[f];
-    count_[f] = place;
-    place += count;
-  }
-  sorted.resize(place);
-  for_pieces([&](const Piece& p) { sorted[count_[p.face]++] = p; });
-  ends.resize(occupied.size());
-  for (size_t k = 0; k < occupied.size(); ++k) {
-    ends[k] = count_[occupied[k]];
-    count_[occupied[k]] = 0;
-  }
+  for (const uint32_t f : marked) marked_[f] = 0;
 }
 
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, Team& team,
                          const std::vector<uint8_t>* changed) {
-  blocks_.resize(Team::block_count(curve.size(), kSegmentsPerBlock));
-  for (Block& block : blocks_) block.marked.clear();
-  if (changed) mark(surface, curve, team, *changed);
-
+  collect(surface, curve, team, changed);
+  // A counting sort by face that touches only the faces which the curve runs through: a fine mesh has
+  // many more.
   count_.resize(surface.face_count(), 0);
-  const size_t most_groups = std::clamp<size_t>(curve.size() / kSegmentsPerBlock, 1, kMostGroups);
-  shift_ = 0;
-  while ((surface.face_count() - 1) >> shift_ >= most_groups) ++shift_;
-  groups_.resize(((surface.face_count() - 1) >> shift_) + 1);
-  collect(curve, team, changed != nullptr);
-  for (const Block& block : blocks_) {
-    for (const uint32_t f : block.marked) marked_[f] = 0;
+  occupied_.clear();
+  size_t total = 0;
+  for (const std::vector<Piece>& block : pieces_) {
+    total += block.size();
+    for (const Piece& p : block) {
+      if (count_[p.face]++ == 0) occupied_.push_back(p.face);
+    }
   }
-  team.for_blocks(groups_.size(), 1, [&](size_t g, size_t, size_t) {
-    sort(g);
-    Group& group = groups_[g];
-    group.found.clear();
-    FaceTest test(curve, changed, group.found);
-    for (size_t k = 0; k < group.end.size(); ++k) {
-      const size_t first = k == 0 ? 0 : group.end[k - 1];
-      if (group.end[k] - first > 1) test(group.sorted.data() + first, group.sorted.data() + group.end[k]);
+  end_.resize(occupied_.size());
+  uint32_t place = 0;
+  for (const uint32_t f : occupied_) {
+    const uint32_t count = count_[f];
+    count_[f] = place;
+    place += count;
+  }
+  sorted_.resize(total);
+  for (const std::vector<Piece>& block : pieces_) {
+    for (const Piece& p : block) sorted_[count_[p.face]++] = p;
+  }
+  for (size_t k = 0; k < occupied_.size(); ++k) {
+    end_[k] = count_[occupied_[k]];
+    count_[occupied_[k]] = 0;
+  }
+
+  constexpr size_t kFacesPerBlock = 256;
+  std::vector<Pairs> found(Team::block_count(occupied_.size(), kFacesPerBlock));
+  team.for_blocks(occupied_.size(), kFacesPerBlock, [&](size_t block, size_t begin, size_t end) {
+    FaceTest test(curve, changed, found[block]);
+    for (size_t k = begin; k < end; ++k) {
+      const size_t first = k == 0 ? 0 : end_[k - 1];
+      if (end_[k] - first > 1) test(sorted_.data() + first, sorted_.data() + end_[k]);
     }
   });
   Pairs all;
-  for (const Group& group : groups_) all.insert(all.end(), group.found.begin(), group.found.end());
+  for (const Pairs& p : found) all.insert(all.end(), p.begin(), p.end());
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

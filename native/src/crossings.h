@@ -25,27 +25,14 @@ class CrossingTest {
                                                   const std::vector<uint8_t>* changed = nullptr);
 
  private:
-  /// What faces next to each other in the mesh's order hold, as one thread tests it.
-  struct Group {
-    std::vector<Piece> sorted;       // by faces
-    std::vector<uint32_t> occupied;  // faces that hold pieces, in the order in which the curve meets them
-    std::vector<uint32_t> end;       // per occupied face: where its pieces end in `sorted`
-    std::vector<std::pair<uint32_t, uint32_t>> found;
-  };
-  /// What some consecutive segments bring.
-  struct Block {
-    std::vector<std::vector<Piece>> pieces;  // per group
-    std::vector<uint32_t> marked;            // faces marked here
-  };
-  void mark(const Surface& surface, const Curve& curve, Team& team, const std::vector<uint8_t>& changed);
-  void collect(const Curve& curve, Team& team, bool only_marked);
-  void sort(size_t g);
+  void collect(const Surface& surface, const Curve& curve, Team& team, const std::vector<uint8_t>* changed);
 
-  std::vector<Block> blocks_;
-  std::vector<Group> groups_;
-  unsigned shift_ = 0;           // a face's group is its number without so many bits
-  std::vector<uint8_t> marked_;  // per face: holds a changed piece; all 0 between calls
-  std::vector<uint32_t> count_;  // of pieces in a face; all 0 between calls
+  std::vector<std::vector<Piece>> pieces_;  // by blocks of segments, in order
+  std::vector<Piece> sorted_;
+  std::vector<uint8_t> marked_;     // per face: holds a changed piece; all 0 between calls
+  std::vector<uint32_t> count_;     // of pieces in a face; all 0 between calls
+  std::vector<uint32_t> occupied_;  // faces that hold pieces, in the order in which the curve meets them
+  std::vector<uint32_t> end_;       // per occupied face: where its pieces end in sorted_
 };
 
 }  // namespace meander

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "geodesic_trace.h"
 #include "stopwatch.h"
@@ -22,7 +24,8 @@ constexpr uint32_t kAhead = 4;
 /// Faces that both ends together have walked over before it pays to guess where they are joined.
 constexpr size_t kFar = 4;
 
-/// A guess that ends farther from its goal than this share of its length is none.
+/// A guess that ends farther from its goal than this share of its length, or whose length changes by more
+/// when it is pulled straight, is none: on thin limbs it might lead round the other side.
 constexpr double kAstray = 0.25;
 
 /// After this many halvings a marked node stays where it was.
@@ -56,10 +59,9 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const std::vector
   const uint32_t n = curve.size();
   next_.lay_out_as(curve);
   traces_.resize(n);
-  moves_.resize(n);
   trace(surface, curve, displacement, nullptr, team);
   seconds.retract += watch.lap();
-  reconnect(surface, curve, nullptr, team);
+  reconnect(surface, curve, displacement, nullptr, team);
   seconds.reconnect += watch.lap();
   auto pairs = test_.find(surface, next_, team);
   seconds.crossings += watch.lap();
@@ -73,7 +75,7 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const std::vector
       segment_changed_[i] = 1;
       if (curve.previous(i) != kNone) segment_changed_[curve.previous(i)] = 1;
     }
-    reconnect(surface, curve, &segment_changed_, team);
+    reconnect(surface, curve, displacement, &segment_changed_, team);
     seconds.reconnect += watch.lap();
     pairs = test_.find(surface, next_, team, &segment_changed_);
     seconds.crossings += watch.lap();
@@ -92,19 +94,13 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const std::ve
       for (; i < end && walks.size() < kTogether; ++i) {
         if (only && !(*only)[i]) continue;
         traces_[i].clear();
-        moves_[i] = {};
         next_.nodes[i] = curve.nodes[i];
         if (share_[i] == 0) continue;
         node[walks.size()] = i;
         walks.emplace_back(surface, curve.nodes[i], share_[i] * displacement[i]);
       }
       lead_together(walks, [&](size_t k) { traces_[node[k]].push_back(walks[k].crossing()); });
-      for (size_t k = 0; k < walks.size(); ++k) {
-        const uint32_t moved = node[k];
-        next_.nodes[moved] = walks[k].end();
-        const Vec2 way = unit(displacement[moved]);
-        if (walks[k].length() > 0) moves_[moved] = {walks[k].length() * way, walks[k].direction() * conj(way)};
-      }
+      for (size_t k = 0; k < walks.size(); ++k) next_.nodes[node[k]] = walks[k].end();
     }
   });
 }
@@ -113,75 +109,78 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const std::ve
 /// straight walk costs the faces that it crosses, while a path that follows its ends is led over all the
 /// vertices that they have passed by. A guess might come to the same place by another way round a handle
 /// or a hole, so there must be none.
-void Retraction::reconnect(const Surface& surface, const Curve& old, const std::vector<uint8_t>* only,
-                           Team& team) {
+void Retraction::reconnect(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+                           const std::vector<uint8_t>* only, Team& team) {
   const bool may_guess = surface.simply_connected();
-  team.for_blocks(old.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  team.for_blocks(old.size(), kBlock, [&](size_t, size_t first, size_t last) {
+    const auto begin = static_cast<uint32_t>(first), end = static_cast<uint32_t>(last);
     PathShortener shortener(surface);
-    std::vector<GeodesicWalk> walks;
-    walks.reserve(kTogether);
-    std::array<uint32_t, kTogether> segment;  // of every walk
-    std::array<Path, kTogether> guesses;
-    std::array<const Path*, kTogether> guess;
-    for (auto first = static_cast<uint32_t>(begin); first < end; first += kTogether) {
-      const uint32_t last = std::min(first + kTogether, static_cast<uint32_t>(end));
-      walks.clear();
-      guess.fill(nullptr);
-      for (uint32_t i = first; i < last; ++i) {
-        if (!may_guess || (only && !(*only)[i]) || !moved_far(old, i)) continue;
-        segment[walks.size()] = i;
-        guesses[walks.size()].clear();
-        walks.emplace_back(surface, next_.nodes[i], chord(old, i));
+    std::vector<uint32_t> far;  // segments to be guessed; the others are joined at once
+    for (uint32_t i = begin; i < end; ++i) {
+      if (i + kAhead < end) {
+        for (const Crossing& c : old.paths[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
+        for (const Crossing& c : traces_[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
       }
-      lead_together(walks, [&](size_t k) { guesses[k].push_back(walks[k].crossing()); });
-      for (size_t k = 0; k < walks.size(); ++k) {
-        const SurfacePoint& goal = next_.nodes[old.next(segment[k])];
-        const double astray = (position(surface, walks[k].end()) - position(surface, goal)).norm();
-        if (astray <= kAstray * walks[k].length()) guess[segment[k] - first] = &guesses[k];
+      if (only && !(*only)[i]) continue;
+      const uint32_t j = old.next(i);
+      if (j != kNone && may_guess && traces_[i].size() + traces_[j].size() >= kFar) {
+        far.push_back(i);
+        continue;
       }
-      for (uint32_t i = first; i < last; ++i) {
-        if (i + kAhead < end) {
-          for (const Crossing& c : old.paths[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
-          for (const Crossing& c : traces_[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
-        }
-        if (!only || (*only)[i]) join(old, i, guess[i - first], shortener);
+      Path& path = next_.paths[i];
+      path = old.paths[i];
+      if (j == kNone || (share_[i] == 0 && share_[j] == 0)) {
+        next_.shapes[i] = old.shapes[i];
+      } else {
+        next_.shapes[i] = shortener.follow(next_.nodes[i], next_.nodes[j], traces_[i], traces_[j], path);
       }
     }
+    guess(surface, old, displacement, far, shortener);
   });
 }
 
-bool Retraction::moved_far(const Curve& old, uint32_t i) const {
-  return old.has_segment(i) && traces_[i].size() + traces_[old.next(i)].size() >= kFar;
+/// Joins the nodes of some segments again by walks that are led in turns.
+void Retraction::guess(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+                       std::span<const uint32_t> segments, PathShortener& shortener) {
+  std::vector<GeodesicWalk> walks;
+  walks.reserve(kTogether);
+  while (!segments.empty()) {
+    const auto together = segments.first(std::min<size_t>(kTogether, segments.size()));
+    segments = segments.subspan(together.size());
+    walks.clear();
+    for (const uint32_t i : together) {
+      next_.paths[i].clear();
+      walks.emplace_back(surface, next_.nodes[i], chord(surface, old, displacement, i));
+    }
+    lead_together(walks, [&](size_t k) { next_.paths[together[k]].push_back(walks[k].crossing()); });
+    for (size_t k = 0; k < together.size(); ++k) {
+      const uint32_t i = together[k], j = old.next(i);
+      Path& path = next_.paths[i];
+      const SurfacePoint &start = next_.nodes[i], &goal = next_.nodes[j];
+      const double way = walks[k].length();
+      const double astray = (position(surface, walks[k].end()) - position(surface, goal)).norm();
+      std::optional<PathShape> shape;
+      if (astray <= kAstray * way) shape = shortener.adopt(start, goal, path);
+      if (!shape || std::abs(shape->length - way) > kAstray * way) {
+        path = old.paths[i];
+        shape = shortener.follow(start, goal, traces_[i], traces_[j], path);
+      }
+      next_.shapes[i] = *shape;
+    }
+  }
 }
 
 /// The way from a moved node to the next one, in the plane of its new face, as it is where the surface is
 /// flat between the old segment and the new one.
-Vec2 Retraction::chord(const Curve& old, uint32_t i) const {
-  const PathShape& shape = old.shapes[i];
-  const Move &here = moves_[i], &there = moves_[old.next(i)];
-  const Vec2 step_there = there.step * conj(shape.arriving) * shape.leaving;
-  return (shape.length * shape.leaving + step_there - here.step) * here.turn;
-}
-
-/// Finds segment i between the moved nodes, from a guess if there is one.
-void Retraction::join(const Curve& old, uint32_t i, const Path* guess, PathShortener& shortener) {
+Vec2 Retraction::chord(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+                       uint32_t i) const {
   const uint32_t j = old.next(i);
-  Path& path = next_.paths[i];
-  PathShape& shape = next_.shapes[i];
-  if (j == kNone || (share_[i] == 0 && share_[j] == 0)) {
-    path = old.paths[i];
-    shape = old.shapes[i];
-    return;
-  }
-  if (guess) {
-    path = *guess;
-    if (const auto adopted = shortener.adopt(next_.nodes[i], next_.nodes[j], path)) {
-      shape = *adopted;
-      return;
-    }
-  }
-  path = old.paths[i];
-  shape = shortener.follow(next_.nodes[i], next_.nodes[j], traces_[i], traces_[j], path);
+  const PathShape& shape = old.shapes[i];
+  const Vec2 step_here = share_[i] * displacement[i];
+  const Vec2 step_there = share_[j] * displacement[j] * conj(shape.arriving) * shape.leaving;
+  Unfolding trace(surface, old.nodes[i].face);
+  for (const Crossing& c : traces_[i]) trace.cross(c);
+  return trace.carried(shape.length * shape.leaving + step_there - step_here);
 }
 
 /// Marks the nodes of a strand up to `reach` beyond a marked one, both ways: two walks each way round,

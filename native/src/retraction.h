@@ -4,6 +4,7 @@
 // (sections 3.3 and 3.3.1).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "crossings.h"
@@ -39,22 +40,17 @@ class Retraction {
                MoveSeconds& seconds);
   void trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
              const std::vector<uint8_t>* only, Team& team);
-  void reconnect(const Surface& surface, const Curve& old, const std::vector<uint8_t>* only, Team& team);
-  bool moved_far(const Curve& old, uint32_t i) const;
-  Vec2 chord(const Curve& old, uint32_t i) const;
-  void join(const Curve& old, uint32_t i, const Path* guess, PathShortener& shortener);
+  void reconnect(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+                 const std::vector<uint8_t>* only, Team& team);
+  void guess(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+             std::span<const uint32_t> segments, PathShortener& shortener);
+  Vec2 chord(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement, uint32_t i) const;
   void spread(const Strand& strand, uint32_t reach);
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
 
   CrossingTest test_;
   Curve next_;
   std::vector<Path> traces_;
-  /// How a node has moved: by `step`, in the plane of its old face, from which `turn` carries vectors along
-  /// the trace to that of its new face.
-  struct Move {
-    Vec2 step, turn{1, 0};
-  };
-  std::vector<Move> moves_;
   std::vector<double> share_;           // of the displacement that a node takes
   std::vector<uint8_t> node_changed_, segment_changed_;
   std::vector<uint8_t> marked_;
