@@ -2,12 +2,18 @@
 #include "crossings.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace meander {
 namespace {
 
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+
+/// Segments, and faces, that a thread takes at a time: few faces of a coarse mesh, which hold many pieces.
+constexpr size_t kSegmentsPerBlock = 1024;
+constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
 
 bool same(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
 
@@ -127,21 +133,29 @@ bool touch(const Piece& p, const Piece& q) {
          (c == 0 && between(q.from, q.to, p.from)) || (d == 0 && between(q.from, q.to, p.to));
 }
 
-/// The pieces that may have to be tested: all, or those in the faces of changed segments.
-void CrossingTest::collect(const Surface& surface, const Curve& curve, Team& team,
-                           const std::vector<uint8_t>* changed) {
-  std::vector<uint32_t> marked;
-  if (changed) {
-    marked_.resize(surface.face_count(), 0);
-    for (uint32_t i = 0; i < curve.size(); ++i) {
-      if (!(*changed)[i] || !curve.has_segment(i)) continue;
-      curve.pieces_of(i, [&](const Piece& piece) {
-        if (!marked_[piece.face]) marked.push_back(piece.face);
-        marked_[piece.face] = 1;
+/// Marks the faces that changed segments run through.
+void CrossingTest::mark(const Surface& surface, const Curve& curve, Team& team, const std::vector<uint8_t>& changed) {
+  for (std::vector<uint32_t>& faces : marked_faces_) {
+    for (const uint32_t f : faces) marked_[f] = 0;
+    faces.clear();
+  }
+  marked_.resize(surface.face_count(), 0);
+  marked_faces_.resize(Team::block_count(curve.size(), kSegmentsPerBlock));
+  team.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (!changed[i] || !curve.has_segment(i)) continue;
+      curve.faces_of(i, [&](uint32_t f) {
+        const std::atomic_ref<uint8_t> mark(marked_[f]);  // blocks may meet in a face
+        if (mark.load(std::memory_order_relaxed)) return;
+        marked_faces_[block].push_back(f);  // first: what is marked is listed, even if memory runs out here
+        mark.store(1, std::memory_order_relaxed);
       });
     }
-  }
-  constexpr size_t kSegmentsPerBlock = 1024;
+  });
+}
+
+/// The pieces that may have to be tested: all, or those in marked faces.
+void CrossingTest::collect(const Curve& curve, Team& team, bool only_marked) {
   pieces_.resize(Team::block_count(curve.size(), kSegmentsPerBlock));
   team.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
     std::vector<Piece>& pieces = pieces_[block];
@@ -149,46 +163,50 @@ void CrossingTest::collect(const Surface& surface, const Curve& curve, Team& tea
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       if (!curve.has_segment(i)) continue;
       curve.pieces_of(i, [&](const Piece& piece) {
-        if (!changed || marked_[piece.face]) pieces.push_back(piece);
+        if (!only_marked || marked_[piece.face]) pieces.push_back(piece);
       });
     }
   });
-  for (const uint32_t f : marked) marked_[f] = 0;
 }
 
-Pairs CrossingTest::find(const Surface& surface, const Curve& curve, Team& team,
-                         const std::vector<uint8_t>* changed) {
-  collect(surface, curve, team, changed);
-  // A counting sort by face that touches only the faces which the curve runs through: a fine mesh has
-  // many more.
-  count_.resize(surface.face_count(), 0);
-  occupied_.clear();
+/// A counting sort by face that touches only the faces which the curve runs through: a fine mesh has many
+/// more.
+void CrossingTest::sort(const Surface& surface) {
   size_t total = 0;
+  for (const std::vector<Piece>& block : pieces_) total += block.size();
+  // All memory first: counts must be 0 again in the end, whatever happens.
+  const size_t most_faces = std::min(total, surface.face_count());
+  count_.resize(surface.face_count(), 0);
+  sorted_.resize(total);
+  occupied_.clear();
+  occupied_.reserve(most_faces);
+  end_.clear();
+  end_.reserve(most_faces);
   for (const std::vector<Piece>& block : pieces_) {
-    total += block.size();
     for (const Piece& p : block) {
       if (count_[p.face]++ == 0) occupied_.push_back(p.face);
     }
   }
-  end_.resize(occupied_.size());
   uint32_t place = 0;
   for (const uint32_t f : occupied_) {
     const uint32_t count = count_[f];
     count_[f] = place;
     place += count;
   }
-  sorted_.resize(total);
   for (const std::vector<Piece>& block : pieces_) {
     for (const Piece& p : block) sorted_[count_[p.face]++] = p;
   }
-  for (size_t k = 0; k < occupied_.size(); ++k) {
-    end_[k] = count_[occupied_[k]];
-    count_[occupied_[k]] = 0;
-  }
+  for (const uint32_t f : occupied_) end_.push_back(std::exchange(count_[f], 0));
+}
 
-  constexpr size_t kFacesPerBlock = 256;
-  std::vector<Pairs> found(Team::block_count(occupied_.size(), kFacesPerBlock));
-  team.for_blocks(occupied_.size(), kFacesPerBlock, [&](size_t block, size_t begin, size_t end) {
+Pairs CrossingTest::find(const Surface& surface, const Curve& curve, Team& team,
+                         const std::vector<uint8_t>* changed) {
+  if (changed) mark(surface, curve, team, *changed);
+  collect(curve, team, changed != nullptr);
+  sort(surface);
+  const size_t faces_per_block = std::clamp<size_t>(occupied_.size() / kMostBlocksOfFaces, 1, kMostFacesPerBlock);
+  std::vector<Pairs> found(Team::block_count(occupied_.size(), faces_per_block));
+  team.for_blocks(occupied_.size(), faces_per_block, [&](size_t block, size_t begin, size_t end) {
     FaceTest test(curve, changed, found[block]);
     for (size_t k = begin; k < end; ++k) {
       const size_t first = k == 0 ? 0 : end_[k - 1];

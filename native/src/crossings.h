@@ -25,11 +25,14 @@ class CrossingTest {
                                                   const std::vector<uint8_t>* changed = nullptr);
 
  private:
-  void collect(const Surface& surface, const Curve& curve, Team& team, const std::vector<uint8_t>* changed);
+  void mark(const Surface& surface, const Curve& curve, Team& team, const std::vector<uint8_t>& changed);
+  void collect(const Curve& curve, Team& team, bool only_marked);
+  void sort(const Surface& surface);
 
   std::vector<std::vector<Piece>> pieces_;  // by blocks of segments, in order
-  std::vector<Piece> sorted_;
-  std::vector<uint8_t> marked_;     // per face: holds a changed piece; all 0 between calls
+  std::vector<Piece> sorted_;               // by faces
+  std::vector<uint8_t> marked_;             // per face: holds a changed piece
+  std::vector<std::vector<uint32_t>> marked_faces_;  // those that are marked, by blocks of segments
   std::vector<uint32_t> count_;     // of pieces in a face; all 0 between calls
   std::vector<uint32_t> occupied_;  // faces that hold pieces, in the order in which the curve meets them
   std::vector<uint32_t> end_;       // per occupied face: where its pieces end in sorted_

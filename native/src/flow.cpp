@@ -559,8 +559,14 @@ void Flow::refine() {
     }
   });
   if (!refinement_.refine(*surface_, curve_, segment_targets_, team_, origin_)) return;
-  follow(origin_, team_, radii_, radii_before_);
-  follow(origin_, team_, looks_, looks_before_);
+  try {
+    follow(origin_, team_, radii_, radii_before_);
+    follow(origin_, team_, looks_, looks_before_);
+  } catch (...) {  // out of memory: they can be found anew, but must not be those of other nodes
+    radii_.clear();
+    looks_.clear();
+    throw;
+  }
 }
 
 }  // namespace meander

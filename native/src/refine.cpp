@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <new>
 
 namespace meander {
 namespace {
@@ -77,7 +78,7 @@ bool Refinement::refine(const Surface& surface, Curve& curve, const std::vector<
   return false;
 }
 
-/// May the node after i go? Not the strand's first one, which holds the list's place.
+/// May the node after i go? Not the strand's first one, which holds the list's place. There is a segment i.
 bool Refinement::removes_next(const Curve& curve, const std::vector<double>& target, uint32_t i) const {
   const uint32_t j = curve.next(i);
   if (j <= i || !curve.has_segment(j) || curve.fixed[j] || !may_remove_[j]) return false;
@@ -105,6 +106,7 @@ void Refinement::choose(const Curve& curve, const std::vector<double>& target, T
   changes_.clear();
   uint32_t slots = 0;
   const auto change = [&](uint32_t from, uint32_t parts) {
+    if (parts > UINT32_MAX - curve.size() - slots) throw std::bad_alloc();  // nodes could not be counted
     changes_.push_back({from, parts, slots, parts});
     slots += parts;
   };
@@ -186,6 +188,7 @@ void Refinement::lay_out(Curve& curve, Team& team) {
       changed_[place + p] = 1;
     }
   };
+  // Nothing below may fail half-way, so what for_blocks would have to allocate is here.
   const std::function<void(size_t, size_t, size_t)> fill = [&](size_t, size_t begin, size_t end) {
     auto i = static_cast<uint32_t>(begin);
     auto next = static_cast<size_t>(std::ranges::lower_bound(changes_, i, {}, &Change::from) - changes_.begin());

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whatever allocation fails, in whichever thread: what was there stays whole, and the next call works.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#include "crossings.h"
+#include "flow.h"
+#include "refine.h"
+#include "test_curves.h"
+#include "test_seeds.h"
+
+namespace {
+
+std::atomic<long> allocations_left{std::numeric_limits<long>::max()};
+
+void* allocate(std::size_t size, std::size_t alignment) {
+  if (allocations_left.fetch_sub(1) == 0) throw std::bad_alloc();
+  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+  void* memory = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment);
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
+void* operator new[](std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t a) { return allocate(size, static_cast<std::size_t>(a)); }
+void* operator new[](std::size_t size, std::align_val_t a) { return allocate(size, static_cast<std::size_t>(a)); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace meander::test {
+namespace {
+
+/// Calls work() with its n-th allocation failing; false if it makes fewer than that.
+template <class Work>
+bool runs_out_of_memory(long n, const Work& work) {
+  allocations_left = n;
+  bool failed = false;
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    failed = true;
+  }
+  allocations_left = std::numeric_limits<long>::max();
+  return failed;
+}
+
+/// Two crossing walks and a ring.
+Curve tangle(const Surface& s, Rng& rng) {
+  Curve c;
+  add_walk(s, c, random_point(s, rng), 0.06, 80, 1.5, rng);
+  add_ring(s, c, random_point(s, rng), 0.1, 30, 0.3, rng);
+  add_walk(s, c, random_point(s, rng), 0.05, 40, 1.5, rng);
+  return c;
+}
+
+TEST(OutOfMemory, CrossingsAreFoundAfterwards) {
+  const Surface s = make_surface(sphere(2));
+  Rng rng(91);
+  const Curve curve = tangle(s, rng);
+  std::vector<uint8_t> changed(curve.size());
+  for (uint8_t& c : changed) c = rng() < 0.4;
+  Team team(2);
+  const auto all = CrossingTest().find(s, curve, team), some = CrossingTest().find(s, curve, team, &changed);
+  ASSERT_FALSE(some.empty());
+  ASSERT_LT(some.size(), all.size());
+  long failures = 0;
+  for (const std::vector<uint8_t>* which : {static_cast<const std::vector<uint8_t>*>(nullptr),
+                                            static_cast<const std::vector<uint8_t>*>(&changed)}) {
+    for (long n = 0;; ++n) {
+      CrossingTest test;
+      if (!runs_out_of_memory(n, [&] { test.find(s, curve, team, which); })) break;
+      ++failures;
+      ASSERT_EQ(test.find(s, curve, team), all) << "allocation " << n;
+      ASSERT_EQ(test.find(s, curve, team, &changed), some) << "allocation " << n;
+    }
+  }
+  EXPECT_GT(failures, 20);
+}
+
+TEST(OutOfMemory, RefinementLeavesTheCurve) {
+  const Surface s = make_surface(sphere(2));
+  Rng rng(92);
+  Curve old;
+  while (!add_ring(s, old, random_point(s, rng), 0.15, 60, 0.2, rng) || !exact_crossings(s, old).empty()) old = {};
+  const std::vector<double> target(old.size(), 0.7 * old.length() / old.size());
+  Team team(2);
+  Curve expected = old;
+  std::vector<uint32_t> origin;
+  ASSERT_TRUE(Refinement().refine(s, expected, target, team, origin));
+  long failures = 0;
+  for (long n = 0;; ++n) {
+    Refinement refinement;
+    Curve curve = old;
+    if (!runs_out_of_memory(n, [&] { refinement.refine(s, curve, target, team, origin); })) break;
+    ++failures;
+    ASSERT_EQ(curve.size(), old.size()) << "allocation " << n;
+    for (uint32_t i = 0; i < old.size(); ++i) {
+      ASSERT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
+      ASSERT_EQ(curve.paths[i].size(), old.paths[i].size());
+      ASSERT_EQ(curve.shapes[i].length, old.shapes[i].length);
+    }
+    ASSERT_TRUE(refinement.refine(s, curve, target, team, origin));
+    ASSERT_EQ(curve.size(), expected.size());
+    for (uint32_t i = 0; i < expected.size(); ++i) ASSERT_TRUE(same_bytes(curve.nodes[i], expected.nodes[i]));
+  }
+  EXPECT_GT(failures, 20);
+}
+
+TEST(OutOfMemory, AFlowGoesOn) {
+  auto surface = std::make_shared<const Surface>(make_surface(sphere(2)));
+  for (const bool grown : {false, true}) {
+    FlowSettings settings = checked_settings(options_of(0.2), *surface);
+    settings.threads = 2;
+    Flow flow(surface, nullptr, {}, settings);
+    for (int k = 0; k < (grown ? 30 : 2); ++k) ASSERT_TRUE(flow.step(kNeverCancelled));
+    long failures = 0, in_a_row = 0;
+    for (long n = 0; in_a_row < 20 && failures < 400; n += 3) {
+      in_a_row = runs_out_of_memory(n, [&] { flow.step(kNeverCancelled); }) ? 0 : in_a_row + 1;
+      failures += in_a_row == 0;
+      ASSERT_TRUE(whole(*surface, flow.curve())) << "allocation " << n;
+      ASSERT_TRUE(exact_crossings(*surface, flow.curve()).empty()) << "allocation " << n;
+      ASSERT_TRUE(flow.radii().empty() || flow.radii().size() == flow.curve().size());
+      ASSERT_TRUE(flow.step(kNeverCancelled));
+      ASSERT_EQ(flow.radii().size(), flow.curve().size());
+    }
+    EXPECT_GT(failures, 20);
+  }
+}
+
+}  // namespace
+}  // namespace meander::test
