@@ -86,7 +86,8 @@ struct StrandSystem {
   std::vector<Vec2> frame;  ///< carries z into the plane of the node's face
   Vec2 holonomy{1, 0};
 
-  void reset(size_t n, Team& team);  ///< all zero, frames and holonomy (1, 0), in the memory that it has
+  /// n nodes, all zero, frames and holonomy (1, 0), in the memory that it has; `closed` stays.
+  void reset(size_t n, Team& team);
 };
 
 /// Builds the system of one strand. Fixed nodes are eliminated: z = 0.

@@ -18,6 +18,7 @@
 #include "parallel.h"
 #include "refine.h"
 #include "retraction.h"
+#include "run_tree.h"
 #include "seed.h"
 #include "spacing_approach.h"
 

@@ -21,7 +21,8 @@ using Radii = std::array<double, 2>;
 /// point approximation using nearest neighbors and the normal field", 2012; see RunTree).
 ///
 /// `reach`  what the boundary and the clamp leave of the balls, see compute_reach
-/// `tree`   is built anew; kept from call to call it saves memory from being found again
+/// `tree`   is built anew, and not to be asked afterwards; kept from call to call it saves memory from being
+///          found again
 /// `radii`  in: radii of an earlier state (0: unknown), which only save time; out: the result
 void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
                          const std::vector<Reach>& reach, Team& team, RunTree& tree,

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "failure.h"
+#include "groups.h"
 #include "mesh_prepare.h"
 #include "parallel.h"
 
@@ -112,8 +113,10 @@ struct SidesOfVertices {
   SidesOfVertices(const Table<Triangle>& faces, size_t vertex_count, Team& team)
       : sides(3 * faces.size()), end(vertex_count + 1, 0) {
     // A counting sort: in the second pass `end` is where the next side of a vertex goes. Every thread reads
-    // all faces and looks after some of the vertices.
-    const size_t share = vertex_count / team.size() + 1;
+    // all faces and looks after some of the vertices, whose sides so come in the order of the faces whatever
+    // the number of threads. More than a few would only read.
+    constexpr unsigned kMostReaders = 4;
+    const size_t share = vertex_count / std::min(team.size(), kMostReaders) + 1;
     const auto each = [&](const auto& put) {
       team.for_blocks(vertex_count, share, [&](size_t, size_t first, size_t last) {
         for (size_t f = 0; f < faces.size(); ++f) {
@@ -179,25 +182,17 @@ Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, co
 
 /// Numbers the components, in the order of their first faces.
 void number_components(CheckedMesh& mesh) {
-  // Sets of faces as trees whose roots are their first faces; `up` leads towards the root.
-  Table<uint32_t>& up = mesh.component;
-  up.resize(mesh.faces.size());
-  const auto root = [&](uint32_t f) {
-    while (up[f] != f) f = up[f] = up[up[f]];
-    return f;
-  };
-  for (uint32_t f = 0; f < up.size(); ++f) {
-    up[f] = f;
-    for (uint32_t k = 0; k < 3; ++k) {
-      const uint32_t other = mesh.twin[3 * f + k];
-      if (other == kNoTwin || other / 3 >= f) continue;
-      const uint32_t a = root(f), b = root(other / 3);
-      up[std::max(a, b)] = std::min(a, b);
-    }
+  const auto face_count = static_cast<uint32_t>(mesh.faces.size());
+  Groups groups(face_count);
+  for (uint32_t side = 0; side < 3 * face_count; ++side) {
+    const uint32_t f = side / 3, other = mesh.twin[side];
+    if (other != kNoTwin && other / 3 < f) groups.join(f, other / 3);
   }
-  for (uint32_t f = 0; f < up.size(); ++f) up[f] = up[up[f]];
-  // What is above a face comes before it, and knows its number.
-  for (uint32_t f = 0; f < up.size(); ++f) up[f] = up[f] == f ? mesh.component_count++ : up[up[f]];
+  mesh.component.resize(face_count);
+  for (uint32_t f = 0; f < face_count; ++f) {
+    const uint32_t first = groups.find(f);
+    mesh.component[f] = first == f ? mesh.component_count++ : mesh.component[first];
+  }
 }
 
 /// Do these faces run along their common edge in opposite directions? `side` is one's half-edge there.
@@ -210,9 +205,11 @@ bool opposed(const CheckedMesh& mesh, uint32_t side) {
 void orient(CheckedMesh& mesh, const Names& names, Team& team) {
   const size_t face_count = mesh.faces.size();
   mesh.turned.assign(face_count, 0);
-  const auto agrees = [&](uint32_t side) { return mesh.twin[side] == kNoTwin || opposed(mesh, side); };
-  const size_t odd = team.first(3 * face_count, kBlock, [&](size_t i) { return !agrees(static_cast<uint32_t>(i)); });
-  if (odd == 3 * face_count) return;
+  const size_t disagreeing = team.first(3 * face_count, kBlock, [&](size_t i) {
+    const auto side = static_cast<uint32_t>(i);
+    return mesh.twin[side] != kNoTwin && !opposed(mesh, side);
+  });
+  if (disagreeing == 3 * face_count) return;
 
   std::vector<uint8_t> seen(face_count, 0);
   std::vector<uint32_t> queue;

@@ -5,7 +5,6 @@
 #include <chrono>
 
 namespace meander {
-
 namespace {
 
 /// Loops of a flow follow one another within less than this, mostly; to be put to sleep and woken up takes
@@ -25,12 +24,12 @@ void relax() {
 
 Team::Team(unsigned threads) {
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-  stays_awake_ = threads <= std::thread::hardware_concurrency();
-  workers_.reserve(threads - 1);  // so that nothing but a thread can fail below
+  stays_awake_ = threads > 1 && threads <= std::thread::hardware_concurrency();
+  workers_.reserve(threads - 1);  // so that below a thread either is there or has not begun
   try {
     for (unsigned k = 1; k < threads; ++k) workers_.emplace_back([this] { work(); });
-  } catch (const std::system_error&) {
-    // The machine gives no more threads; the result is the same with fewer.
+  } catch (const std::exception&) {
+    // The machine gives no more threads, or no memory for them; the result is the same with fewer.
   }
 }
 

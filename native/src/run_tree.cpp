@@ -102,7 +102,7 @@ void RunTree::build(const std::vector<Eigen::Vector3d>& points, Team& team) {
   });
   nodes_.clear();
   nodes_.reserve(count / 2 + 4);
-  if (count > 0) branch(nodes_, 0, count, count > kWorthATeam ? &team : nullptr);
+  if (count > 0) add_branch(nodes_, 0, count, count > kWorthATeam ? &team : nullptr);
 }
 
 /// Puts the runs that come first along the widest axis before `middle`.
@@ -129,7 +129,7 @@ void RunTree::halve(uint32_t first, uint32_t middle, uint32_t last) {
 
 /// Appends the tree of some runs to `nodes`. With a team its four branches are built side by side,
 /// and end up in the same places as without.
-uint32_t RunTree::branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team) {
+uint32_t RunTree::add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team) {
   const uint32_t at = static_cast<uint32_t>(nodes.size());
   nodes.emplace_back();
   const uint32_t n = last - first, half = n / 2;
@@ -145,7 +145,7 @@ uint32_t RunTree::branch(std::vector<Node>& nodes, uint32_t first, uint32_t last
     team->for_blocks(2, 1, quarter);
     team->for_blocks(4, 1, [&](size_t, size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k) {
-        if (cuts[k + 1] - cuts[k] > 1) branch(branches[k], cuts[k], cuts[k + 1], nullptr);
+        if (cuts[k + 1] - cuts[k] > 1) add_branch(branches[k], cuts[k], cuts[k + 1], nullptr);
       }
     });
   } else {
@@ -168,7 +168,7 @@ uint32_t RunTree::branch(std::vector<Node>& nodes, uint32_t first, uint32_t last
     } else if (size == 0) {
       node.child[k] = 0;
     } else if (!team) {
-      node.child[k] = branch(nodes, cuts[k], cuts[k + 1], nullptr);
+      node.child[k] = add_branch(nodes, cuts[k], cuts[k + 1], nullptr);
     } else {
       const uint32_t base = node.child[k] = static_cast<uint32_t>(nodes.size());
       for (Node& branch : branches[k]) {

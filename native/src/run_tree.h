@@ -81,7 +81,7 @@ class RunTree {
   bool runs_near(const Box& box, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                             uint32_t& limiting) const;
-  uint32_t branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team);
+  uint32_t add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, Team* team);
   void halve(uint32_t first, uint32_t middle, uint32_t last);
 
   const Eigen::Vector3d& point(size_t i) const { return (*points_)[i]; }

@@ -134,6 +134,7 @@ class Surface {
   void lay_out(Team& team);
   bool lay_out_face(uint32_t f, std::array<double, 3>& angles);
   void connect(const Table<HalfEdge>& twins, Team& team);
+  /// normal x x_axis, written out: Eigen's product would bring all of its geometry into this header.
   Vec3 y_axis(uint32_t f) const {
     const Vec3 &n = face_normal_[f], &x = x_axis_[f];
     return {n.y() * x.z() - n.z() * x.y(), n.z() * x.x() - n.x() * x.z(), n.x() * x.y() - n.y() * x.x()};

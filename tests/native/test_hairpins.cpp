@@ -134,7 +134,7 @@ TEST(Hairpins, OfAClosedStrandDoNotDependOnItsFirstNode) {
     std::vector<Vec2> turned(points);
     std::rotate(turned.begin(), turned.begin() + static_cast<long>(shift), turned.end());
     const Curve curve = strand_through(s, turned, true);
-      const auto hairpins = hairpins_of(curve);
+    const auto hairpins = hairpins_of(curve);
     ASSERT_EQ(hairpins.size(), 2u) << "shift " << shift;
     EXPECT_EQ(hairpins[0].side, 1);
     EXPECT_EQ(hairpins[1].side, 1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Splits and collapses keep segments near the target length, and the curve whole.
-#include <numeric>
-
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 #include "refine.h"
 #include "test_curves.h"
