@@ -64,7 +64,7 @@ void Flow::check_size(const Surface& surface) const {
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     double density = 0;
     for (const uint32_t v : surface.face(f)) {
-      const double share = settings_.radius / wanted_radius_[v];
+      const double share = settings_.radius / radius_at(wanted_radius_, v);
       density += share * share / 3;
     }
     nodes += surface.face_area(f) * density / (2 * r * kMeanSegment * settings_.segment_length * to_new);

@@ -79,8 +79,10 @@ void follow(const std::vector<uint32_t>& origin, Team& team, std::vector<Value>&
   of_nodes.swap(scratch);
 }
 
-std::vector<double> radii_of_vertices(const Surface& surface, double radius, const std::vector<double>& density) {
-  std::vector<double> r(surface.vertex_count(), radius);
+/// See radius_at.
+std::vector<double> radii_of_vertices(double radius, const std::vector<double>& density) {
+  if (density.empty()) return {radius};
+  std::vector<double> r(density.size());
   for (size_t v = 0; v < density.size(); ++v) r[v] = radius / std::sqrt(density[v]);
   return r;
 }
@@ -91,7 +93,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
            const FlowSettings& settings)
     : surface_(std::move(surface)),
       settings_(settings),
-      wanted_radius_(radii_of_vertices(*surface_, settings.radius, density)),
+      wanted_radius_(radii_of_vertices(settings.radius, density)),
       vertex_radius_(wanted_radius_),
       boundary_(std::in_place, *surface_, 0.5 * settings.segment_length),
       team_(settings.threads),

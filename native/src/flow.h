@@ -149,7 +149,7 @@ class Flow {
 
   std::shared_ptr<const Surface> surface_;
   FlowSettings settings_;
-  std::vector<double> wanted_radius_;  // local r at the vertices,
+  std::vector<double> wanted_radius_;  // local r at the vertices (see radius_at),
   std::vector<double> vertex_radius_;  // and as it is while the curve approaches its spacing
   mutable std::optional<NormalField> normals_;
   LineField field_;

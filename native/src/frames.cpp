@@ -147,6 +147,7 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
       walks.clear();
       uint32_t count = 0;
       for (; i < end && count < kTogether; ++i) {
+        if (i + kTogether < end) surface.fetch_face(curve.nodes[i + kTogether].face);
         const Vec2 t = flat_tangent(curve, i);
         frames.tangent[i] = t;
         frames.bitangent2[i] = Vec2{0, -1} * t;

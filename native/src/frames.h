@@ -64,16 +64,22 @@ struct Look {
   std::array<Eigen::Vector3f, 2> outward;
 };
 
-/// r at a point, from its values at the vertices.
+/// r at a vertex, from its values at the vertices; a single value says that it is the same everywhere, which
+/// costs nothing to fetch.
+inline double radius_at(const std::vector<double>& vertex_radius, uint32_t v) {
+  return vertex_radius.size() == 1 ? vertex_radius[0] : vertex_radius[v];
+}
+/// r at a point.
 inline double radius_at(const std::vector<double>& vertex_radius, const Triangle& corners, const SurfacePoint& p) {
+  if (vertex_radius.size() == 1) return vertex_radius[0];
   return p.weight(0) * vertex_radius[corners[0]] + p.b.x * vertex_radius[corners[1]] +
          p.b.y * vertex_radius[corners[2]];
 }
 inline double radius_at(const Surface& surface, const std::vector<double>& vertex_radius, const SurfacePoint& p) {
-  return radius_at(vertex_radius, surface.face(p.face), p);
+  return vertex_radius.size() == 1 ? vertex_radius[0] : radius_at(vertex_radius, surface.face(p.face), p);
 }
 
-/// Fills `frames`; `local_radius` is r at every node, `vertex_radius` at every vertex.
+/// Fills `frames`; `local_radius` is r at every node, `vertex_radius` at every vertex, see radius_at.
 ///
 /// `looks`  per node, if not null: a node that is within kRest of where it looked then, and whose strand
 ///          has not turned more than kTurn since, leads no geodesics but turns its old directions with

@@ -39,7 +39,7 @@ inline constexpr double kGapSize = 1.2;
 /// most 3 r from the curve.
 ///
 /// `frames`, `radii`  of the present curve, see compute_frames and compute_medial_axis
-/// `vertex_radius`    local r at the vertices
+/// `vertex_radius`    local r at the vertices, see radius_at
 std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
                            const std::vector<Radii>& radii, const std::vector<double>& vertex_radius,
                            double least_size, bool along_surface, Team& team);

@@ -92,6 +92,7 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const std::ve
     for (uint32_t i = static_cast<uint32_t>(begin); i < end;) {
       walks.clear();
       for (; i < end && walks.size() < kTogether; ++i) {
+        if (i + kTogether < end) surface.fetch_face(curve.nodes[i + kTogether].face);
         if (only && !(*only)[i]) continue;
         traces_[i].clear();
         next_.nodes[i] = curve.nodes[i];
@@ -148,6 +149,7 @@ void Retraction::guess(const Surface& surface, const Curve& old, const std::vect
     const auto together = segments.first(std::min<size_t>(kTogether, segments.size()));
     segments = segments.subspan(together.size());
     walks.clear();
+    for (const uint32_t i : together) surface.fetch_face(next_.nodes[i].face);
     for (const uint32_t i : together) {
       next_.paths[i].clear();
       walks.emplace_back(surface, next_.nodes[i], chord(surface, old, displacement, i));

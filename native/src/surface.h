@@ -101,6 +101,13 @@ class Surface {
     __builtin_prefetch(&hinges_[f]);
 #endif
   }
+  /// A hint that a walk will soon begin in a face.
+  void fetch_face([[maybe_unused]] uint32_t f) const {
+#if defined(__GNUC__)
+    __builtin_prefetch(&flat_[f]);
+    __builtin_prefetch(&hinges_[f]);
+#endif
+  }
   /// Unit complex number that carries a vector of the plane of e's face to that of its twin's face
   /// when the two are unfolded about their edge; e is not on the boundary.
   Vec2 transition(HalfEdge e) const { return unit(-along(twin(e)) * conj(along(e))); }
