@@ -33,9 +33,9 @@ class CrossingTest {
   std::vector<Piece> sorted_;               // by faces
   std::vector<uint8_t> marked_;             // per face: holds a changed piece
   std::vector<std::vector<uint32_t>> marked_faces_;  // those that are marked, by blocks of segments
-  std::vector<uint32_t> count_;     // of pieces in a face; all 0 between calls
-  std::vector<uint32_t> occupied_;  // faces that hold pieces, in the order in which the curve meets them
-  std::vector<uint32_t> end_;       // per occupied face: where its pieces end in sorted_
+  std::vector<uint32_t> count_;             // of pieces in a face; all 0 between calls
+  std::vector<uint32_t> occupied_;          // faces that hold pieces, in the order in which the curve meets them
+  std::vector<uint32_t> end_;               // per occupied face: where its pieces end in sorted_
 };
 
 }  // namespace meander

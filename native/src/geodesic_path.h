@@ -100,11 +100,11 @@ class PathShortener {
                    std::span<const Crossing> end_trace, std::vector<Crossing>& crossings);
 
   /// The same for a path that was guessed: edges that lead from the face of `start` to that of `end`, or to
-  /// one within kNear faces of it. Nothing if they lead elsewhere, and `crossings` may be anything then.
+  /// one within three faces of it. Nothing if they lead elsewhere, and `crossings` may be anything then.
   std::optional<PathShape> adopt(const SurfacePoint& start, const SurfacePoint& end, std::vector<Crossing>& crossings);
 
  private:
-  static constexpr int kNear = 3;
+  static constexpr int kNear = 3;  // faces that a guess may miss its goal by
   bool lead_to(uint32_t goal, uint32_t from, HalfEdge entry, int faces, std::vector<Crossing>& crossings) const;
   struct Portal {
     Vec2 left, right;               // ends of the crossed edge in the unfolded strip

@@ -52,29 +52,28 @@ TEST_P(TeamOf, ThrowsWhatABodyThrewAndWorksAfterwards) {
   }
 }
 
-TEST_P(TeamOf, MakesManyShortRounds) {
-  Team team(GetParam());
+/// Every one of so many loops visits every index once; `between` is called with the number of each.
+template <class Between>
+void expect_rounds(unsigned threads, int rounds, const Between& between) {
+  Team team(threads);
   std::vector<int> values(64, 0);
-  constexpr int kRounds = 2000;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     team.for_blocks(values.size(), 4, [&](size_t, size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) ++values[i];
     });
+    between(round);
   }
-  for (const int v : values) EXPECT_EQ(v, kRounds);
+  for (const int v : values) EXPECT_EQ(v, rounds);
+}
+
+TEST_P(TeamOf, MakesManyShortRounds) {
+  expect_rounds(GetParam(), 2000, [](int) {});
 }
 
 TEST_P(TeamOf, WakesUpAfterAPause) {
-  Team team(GetParam());
-  std::vector<int> values(64, 0);
-  constexpr int kRounds = 50;
-  for (int round = 0; round < kRounds; ++round) {
-    team.for_blocks(values.size(), 4, [&](size_t, size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) ++values[i];
-    });
+  expect_rounds(GetParam(), 50, [](int round) {
     std::this_thread::sleep_for(std::chrono::microseconds(40 * (round % 8)));  // some fall asleep meanwhile
-  }
-  for (const int v : values) EXPECT_EQ(v, kRounds);
+  });
 }
 
 TEST_P(TeamOf, AddsUpTheSameNumberOnAnyThreads) {
