@@ -28,6 +28,9 @@ constexpr size_t kFar = 4;
 /// when it is pulled straight, is none: on thin limbs it might lead round the other side.
 constexpr double kAstray = 0.25;
 
+/// Walks that a guess may take, each aimed by what the one before has missed.
+constexpr int kShots = 3;
+
 /// After this many halvings a marked node stays where it was.
 constexpr int kHalvings = 4;
 
@@ -145,6 +148,7 @@ void Retraction::guess(const Surface& surface, const Curve& old, const std::vect
                        std::span<const uint32_t> segments, PathShortener& shortener) {
   std::vector<GeodesicWalk> walks;
   walks.reserve(kTogether);
+  std::array<Vec2, kTogether> way;  // of every walk
   while (!segments.empty()) {
     const auto together = segments.first(std::min<size_t>(kTogether, segments.size()));
     segments = segments.subspan(together.size());
@@ -152,23 +156,47 @@ void Retraction::guess(const Surface& surface, const Curve& old, const std::vect
     for (const uint32_t i : together) surface.fetch_face(next_.nodes[i].face);
     for (const uint32_t i : together) {
       next_.paths[i].clear();
-      walks.emplace_back(surface, next_.nodes[i], chord(surface, old, displacement, i));
+      way[walks.size()] = chord(surface, old, displacement, i);
+      walks.emplace_back(surface, next_.nodes[i], way[walks.size()]);
     }
     lead_together(walks, [&](size_t k) { next_.paths[together[k]].push_back(walks[k].crossing()); });
     for (size_t k = 0; k < together.size(); ++k) {
       const uint32_t i = together[k], j = old.next(i);
-      Path& path = next_.paths[i];
       const SurfacePoint &start = next_.nodes[i], &goal = next_.nodes[j];
-      const double way = walks[k].length();
-      const double astray = (position(surface, walks[k].end()) - position(surface, goal)).norm();
-      std::optional<PathShape> shape;
-      if (astray <= kAstray * way) shape = shortener.adopt(start, goal, path);
-      if (!shape || std::abs(shape->length - way) > kAstray * way) {
+      Path& path = next_.paths[i];
+      std::optional<PathShape> shape = aim(surface, start, goal, way[k], walks[k], path, shortener);
+      if (!shape) {
         path = old.paths[i];
         shape = shortener.follow(start, goal, traces_[i], traces_[j], path);
       }
       next_.shapes[i] = *shape;
     }
+  }
+}
+
+/// Makes a shortest path to `goal` of a walk by `way` from `start`, and of its `path`; where the surface bends
+/// on the way, so that the walk ends elsewhere, it is aimed again by what it has missed. Nothing, and
+/// `path` is anything then, if that leads nowhere.
+std::optional<PathShape> Retraction::aim(const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal,
+                                         Vec2 way, const GeodesicWalk& first, Path& path,
+                                         PathShortener& shortener) {
+  std::optional<GeodesicWalk> again;
+  Vec2 aimed = way;
+  for (int shot = 1;; ++shot) {
+    const GeodesicWalk& walk = again ? *again : first;
+    const SurfacePoint end = walk.end();
+    const double length = walk.length();
+    const Vec3 missed = position(surface, goal) - position(surface, end);
+    if (missed.norm() <= kAstray * length) {
+      const std::optional<PathShape> shape = shortener.adopt(start, goal, path);
+      if (shape) return std::abs(shape->length - length) <= kAstray * length ? shape : std::nullopt;
+    }
+    if (shot == kShots) return std::nullopt;
+    aimed = aimed + surface.to_plane(end.face, missed) * conj(walk.direction()) * unit(aimed);
+    if (!(norm(aimed - way) <= norm(way))) return std::nullopt;
+    again.emplace(surface, start, aimed);
+    path.clear();
+    while (again->step()) path.push_back(again->crossing());
   }
 }
 

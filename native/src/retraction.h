@@ -4,11 +4,13 @@
 // (sections 3.3 and 3.3.1).
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "crossings.h"
 #include "curve.h"
+#include "geodesic_trace.h"
 
 namespace meander {
 
@@ -44,6 +46,8 @@ class Retraction {
                  const std::vector<uint8_t>* only, Team& team);
   void guess(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
              std::span<const uint32_t> segments, PathShortener& shortener);
+  static std::optional<PathShape> aim(const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal,
+                                      Vec2 way, const GeodesicWalk& first, Path& path, PathShortener& shortener);
   Vec2 chord(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement, uint32_t i) const;
   void spread(const Strand& strand, uint32_t reach);
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
