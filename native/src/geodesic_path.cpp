@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace meander {
 namespace {
@@ -17,17 +16,8 @@ constexpr size_t kMostFlips = 200, kMostFlipsPerCrossing = 20;
 /// while it is led over the vertices in there, one by one.
 constexpr size_t kLeg = 16;
 
-/// Where a path turns round a vertex there is half a turn on its outer side, and what it turns by. So with
-/// a full turn around the vertex, or less, there is less than half a turn left on the other side, and no
-/// angles have to be summed up.
-constexpr double kClearTurn = 1e-9;
-
-/// Does a path turn round a vertex on its left, or right, by more than rounding could make of none, and
-/// by less than half a turn? `in` and `out` lead from the vertex back along the path and on.
-bool bends_clearly(Vec2 in, Vec2 out, bool left) {
-  const double turn = left ? cross(out, in) : cross(in, out);
-  return turn > 0 && turn * turn > kClearTurn * kClearTurn * dot(in, in) * dot(out, out);
-}
+/// Half a turn is told from less by more than rounding could make of it.
+constexpr double kLeastTurn = 1e-12;
 
 SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
 
@@ -154,45 +144,49 @@ std::pair<size_t, size_t> PathShortener::run_of(const Bend& bend) const {
   return {first, last};
 }
 
-/// Leads the path round the other side of the vertex where it bends, if that side is shorter.
+/// Leads the path round the other side of the vertex where it bends, if that side is shorter: there is less
+/// than half a turn between its two pieces on that side, seen from the vertex. The faces there are laid in
+/// the plane of the strip one after another, until one is too far round.
 /// `index` is the bend's place in corners_. Backtracks are left to the caller.
 bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings) {
-  const Portal& portal = portals_[bend.portal];
   const auto [first, last] = run_of(bend);
-  const HalfEdge e = crossings[first].e;
-  uint32_t k = bend.left ? next_corner(corner_of(e)) : corner_of(e);  // where the vertex is in its face
-
-  const Vec2 corner = bend.left ? portal.left : portal.right;
-  const Vec2 in = corners_[index - 1] - corner, out = corners_[index + 1] - corner;
-  const bool full_turn_at_most = surface_.hinges(face_of(e)).turns_at_most >> k & 1;
-  if (!(full_turn_at_most && bends_clearly(in, out, bend.left))) {
-    const double total = surface_.total_angle(surface_.face(face_of(e))[k]);
-    if (!std::isfinite(total)) return false;  // on the boundary
-    // The angle at v between the path's two pieces through the strip, face by face since it may exceed
-    // pi; what is left of the total angle is the other side's. Seen from a vertex on its left, a path
-    // goes round counter-clockwise.
-    const auto angle = [&](Vec2 from, Vec2 to) {
-      const double a = std::atan2(cross(from, to), dot(from, to));
-      return bend.left ? a : -a;
-    };
-    const auto far_end = [&](const Portal& p) { return (bend.left ? p.right : p.left) - corner; };
-    double inside = angle(in, far_end(portals_[first]));
-    for (size_t i = first; i < last; ++i) inside += angle(far_end(portals_[i]), far_end(portals_[i + 1]));
-    inside += angle(far_end(portals_[last]), out);
-    if (!(total - inside < std::numbers::pi * (1 - 1e-12))) return false;
+  const auto at = [&](size_t i) { return crossings.begin() + static_cast<std::ptrdiff_t>(i); };
+  const HalfEdge e = crossings[first].e, entry = crossings[last].twin;
+  uint32_t f = face_of(e);
+  // A way that comes round to the face from which it went need not have gone.
+  for (size_t i = last + 1; i-- > first;) {
+    if (face_of(crossings[i].twin) != f) continue;
+    crossings.erase(at(first), at(i + 1));
+    return true;
   }
 
-  // Round v on the other side: from the face before the run to the face after it.
-  spliced_.assign(crossings.begin(), crossings.begin() + static_cast<std::ptrdiff_t>(first));
-  uint32_t f = face_of(e);
-  const uint32_t goal = face_of(crossings[last].twin);
-  while (f != goal) {
-    const HalfEdge spoke = 3 * f + (bend.left ? k : prev_corner(k)), twin = surface_.twin(spoke);
-    spliced_.push_back({spoke, twin, 0.5});
+  const auto vertex = [&](const Portal& p) { return bend.left ? p.left : p.right; };
+  const auto spoke_of = [&](const Portal& p) { return (bend.left ? p.right : p.left) - vertex(p); };
+  const Vec2 in = corners_[index - 1] - vertex(portals_[first]), out = corners_[index + 1] - vertex(portals_[last]);
+  // A path that has the vertex on its left goes round it counter-clockwise, and on the other side clockwise.
+  const auto before_half_turn = [&](Vec2 way) {
+    const double sine = bend.left ? cross(way, in) : cross(in, way), cosine = dot(in, way);
+    const double rounding = kLeastTurn * norm(in) * norm(way);
+    return sine > (cosine < 0 ? rounding : -rounding);
+  };
+  spliced_.assign(crossings.begin(), at(first));
+  uint32_t k = bend.left ? next_corner(corner_of(e)) : corner_of(e);  // where the vertex is in the face
+  Vec2 spoke = spoke_of(portals_[first]);  // from the vertex along the edge by which the face was entered
+  while (f != face_of(entry)) {
+    const Surface::Hinges& hinges = surface_.hinges(f);
+    spoke = bend.left ? spoke - spoke * hinges.apex[prev_corner(k)] : spoke * hinges.apex[k];
+    const uint32_t exit = bend.left ? k : prev_corner(k);
+    const HalfEdge twin = hinges.twin[exit];
+    if (twin == kNone || !before_half_turn(spoke)) return false;
+    spliced_.push_back({3 * f + exit, twin, 0.5});
     f = face_of(twin);
     k = bend.left ? next_corner(corner_of(twin)) : corner_of(twin);
   }
-  spliced_.insert(spliced_.end(), crossings.begin() + static_cast<std::ptrdiff_t>(last) + 1, crossings.end());
+  // The last face lies in the strip as well, and so turned: the path's way out turns with it.
+  const Vec2 apex = surface_.hinges(f).apex[corner_of(entry)], last_spoke = spoke_of(portals_[last]);
+  const Vec2 in_strip = bend.left ? last_spoke * apex : last_spoke - last_spoke * apex;
+  if (!before_half_turn(out * spoke * conj(in_strip))) return false;
+  spliced_.insert(spliced_.end(), at(last + 1), crossings.end());
   crossings.swap(spliced_);
   return true;
 }

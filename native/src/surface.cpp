@@ -80,10 +80,9 @@ void Surface::lay_out(Team& team) {
   flat_.resize(n);
   x_axis_.resize(n);
   face_normal_.resize(n);
-  Table<std::array<double, 3>> angles(n);
   const size_t without_area = team.first(n, kBlock, [&](size_t index) {
     const uint32_t f = static_cast<uint32_t>(index);
-    return !lay_out_face(f, angles[f]);
+    return !lay_out_face(f);
   });
   if (without_area < n) {
     throw Failure(MEANDER_INVALID_MESH,
@@ -91,30 +90,27 @@ void Surface::lay_out(Team& team) {
                   MEANDER_ELEMENT_FACE, static_cast<uint32_t>(without_area));
   }
   // Sums are taken in the order of the faces, whoever laid them out.
-  total_angle_.assign(positions_.size(), 0.0);
   area_ = 0;
   double edge_sum = 0;
   for (uint32_t f = 0; f < n; ++f) {
     area_ += face_area(f);
     edge_sum += flat_[f].x1;
-    for (uint32_t k = 0; k < 3; ++k) total_angle_[faces_[f][k]] += angles[f][k];
   }
-  for (const HalfEdge e : boundary_) {
-    total_angle_[faces_[face_of(e)][corner_of(e)]] = std::numeric_limits<double>::infinity();
-  }
-  team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-    for (size_t f = begin; f < end; ++f) {
-      hinges_[f].turns_at_most = 0;
-      for (uint32_t k = 0; k < 3; ++k) {
-        if (total_angle_[faces_[f][k]] <= kFullTurn) hinges_[f].turns_at_most |= 1u << k;
-      }
-    }
-  });
   mean_edge_length_ = edge_sum / static_cast<double>(n);
 }
 
+void Surface::add_up_angles() const {
+  angles_.total.assign(positions_.size(), 0.0);
+  for (uint32_t f = 0; f < faces_.size(); ++f) {
+    for (uint32_t k = 0; k < 3; ++k) angles_.total[faces_[f][k]] += corner_angle(f, k);
+  }
+  for (uint32_t v = 0; v < positions_.size(); ++v) {
+    if (on_boundary(v)) angles_.total[v] = std::numeric_limits<double>::infinity();
+  }
+}
+
 /// False if the face has no area once its corners are rounded.
-bool Surface::lay_out_face(uint32_t f, std::array<double, 3>& angles) {
+bool Surface::lay_out_face(uint32_t f) {
   const Vec3& p = positions_[faces_[f][0]];
   const Vec3 u = positions_[faces_[f][1]] - p, v = positions_[faces_[f][2]] - p;
   const Vec3 normal = u.cross(v);
@@ -127,9 +123,6 @@ bool Surface::lay_out_face(uint32_t f, std::array<double, 3>& angles) {
   flat_[f] = {c1.x, c2.x, c2.y};
   const auto apex = [](Vec2 base, Vec2 side) { return (1 / dot(base, base)) * (side * conj(base)); };
   hinges_[f].apex = {apex(c1, c2), apex(c2 - c1, -c1), apex(-c2, c1 - c2)};
-  angles[0] = std::atan2(c2.y, c2.x);
-  angles[1] = std::atan2(c2.y, c1.x - c2.x);
-  angles[2] = std::numbers::pi - angles[0] - angles[1];
   return true;
 }
 
@@ -146,11 +139,13 @@ void Surface::connect(const Table<HalfEdge>& twins, Team& team) {
     }
   });
   for (const std::vector<HalfEdge>& edges : boundary) boundary_.insert(boundary_.end(), edges.begin(), edges.end());
+  on_boundary_.assign(positions_.size(), 0);
   if (boundary_.empty()) return;
   std::vector<uint32_t> after(positions_.size(), kNone);  // per vertex the next one along the boundary
   for (const HalfEdge e : boundary_) {
     const Triangle& t = faces_[face_of(e)];
     after[t[corner_of(e)]] = t[next_corner(corner_of(e))];
+    on_boundary_[t[corner_of(e)]] = 1;
   }
   for (const HalfEdge e : boundary_) {
     uint32_t v = faces_[face_of(e)][corner_of(e)];

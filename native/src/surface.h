@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -36,9 +36,6 @@ inline double settle(double x) {
   const double mantissa = std::frexp(x, &exponent);
   return std::ldexp(std::floor(std::ldexp(mantissa, 40) + 0.38196601125), exponent - 40);
 }
-
-/// Angles around a vertex that add up to no more than this, 2 pi and rounding, are a full turn or less.
-inline constexpr double kFullTurn = 2 * std::numbers::pi * (1 + 1e-10);
 
 /// An oriented manifold triangle mesh, immutable after construction, so any thread may read it.
 ///
@@ -91,8 +88,6 @@ class Surface {
     /// 1 its end. So a face is laid beside the one before it, wherever that lies, by one product.
     std::array<Vec2, 3> apex;
     std::array<HalfEdge, 3> twin{kNone, kNone, kNone};
-    /// Bit k: there is a full turn or less around corner k, see kFullTurn.
-    uint32_t turns_at_most = 0;
   };
   const Hinges& hinges(uint32_t f) const { return hinges_[f]; }
   /// A hint that the hinges of a face will be asked for soon.
@@ -128,8 +123,12 @@ class Surface {
   const Vec3& face_normal(uint32_t f) const { return face_normal_[f]; }
   double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
   /// Sum of the angles of the faces around v; infinite on the boundary, since nothing goes round there.
-  double total_angle(uint32_t v) const { return total_angle_[v]; }
-  bool on_boundary(uint32_t v) const { return std::isinf(total_angle_[v]); }
+  /// The first call finds those of all vertices.
+  double total_angle(uint32_t v) const {
+    std::call_once(angles_.found, [this] { add_up_angles(); });
+    return angles_.total[v];
+  }
+  bool on_boundary(uint32_t v) const { return on_boundary_[v] != 0; }
   double corner_angle(uint32_t f, uint32_t k) const;
   double mean_edge_length() const { return mean_edge_length_; }
 
@@ -137,9 +136,17 @@ class Surface {
   struct Flat {
     double x1 = 0, x2 = 0, y2 = 0;
   };
+  /// Found when somebody asks; a copy, whose vertices may move, finds its own.
+  struct Angles {
+    std::once_flag found;
+    Table<double> total;
+    Angles() = default;
+    Angles(const Angles&) {}
+  };
   void place(const Placement& placement, Team& team);
   void lay_out(Team& team);
-  bool lay_out_face(uint32_t f, std::array<double, 3>& angles);
+  bool lay_out_face(uint32_t f);
+  void add_up_angles() const;
   void connect(const Table<HalfEdge>& twins, Team& team);
   /// normal x x_axis, written out: Eigen's product would bring all of its geometry into this header.
   Vec3 y_axis(uint32_t f) const {
@@ -156,7 +163,8 @@ class Surface {
   Table<Flat> flat_;
   Table<Hinges> hinges_;
   Table<Vec3> x_axis_, face_normal_;
-  Table<double> total_angle_;
+  std::vector<uint8_t> on_boundary_;  // per vertex
+  mutable Angles angles_;
   Vec3 low_ = Vec3::Zero();
   double scale_ = 1, area_ = 0, mean_edge_length_ = 0;
   uint32_t component_count_ = 0, turned_count_ = 0, used_vertices_ = 0, boundary_loop_count_ = 0;

@@ -385,6 +385,46 @@ TEST(Shorten, RoundACornerOfTheCube) {
   }
 }
 
+/// Turns round a vertex of more than half a turn come undone: what is left is one of the two direct ways.
+TEST(Shorten, TurnsRoundAVertexComeUndone) {
+  for (const auto& [mesh, v] : {std::pair{cube(), 3u}, {cone(7, 3, 1), 0u}, {cone(5, 3, 0), 0u},
+                                {cone(12, 3, 1, true), 0u}, {octahedron(), 2u}}) {
+    const Surface s = make_surface(mesh);
+    const std::vector<uint32_t> corners = fan(s, v);
+    const auto valence = static_cast<uint32_t>(corners.size());
+    PathShortener shortener(s);
+    Rng rng(67);
+    for (int k = 0; k < 60; ++k) {
+      const uint32_t from = rng.below(valence), on = rng.below(valence);
+      SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
+      start.face = face_of(corners[from]);
+      end.face = face_of(corners[(from + on) % valence]);
+      // Counter-clockwise over so many spokes, or clockwise.
+      const auto round = [&](bool ccw, uint32_t spokes) {
+        Path path;
+        for (uint32_t i = 0; i < spokes; ++i) {
+          const uint32_t c = corners[(from + (ccw ? i : valence * (spokes + 1) - i)) % valence];
+          path.push_back(crossing_of(s, ccw ? 3 * face_of(c) + prev_corner(corner_of(c)) : c, 0.5));
+        }
+        return path;
+      };
+      Path direct[2] = {round(true, on), round(false, valence - on)};
+      const double left = shortener.shorten(start, end, direct[0]).length;
+      const double right = shortener.shorten(start, end, direct[1]).length;
+      for (const uint32_t turns : {1u, 2u, 3u}) {
+        for (const bool ccw : {true, false}) {
+          Path path = round(ccw, turns * valence + (ccw ? on : valence - on));
+          ASSERT_TRUE(chains(s, start.face, end.face, path));
+          const PathShape shape = shortener.shorten(start, end, path);
+          ASSERT_TRUE(chains(s, start.face, end.face, path));
+          EXPECT_LE(std::min(std::abs(shape.length - left), std::abs(shape.length - right)), clearing(path.size()));
+          expect_locally_shortest(s, start, end, path);
+        }
+      }
+    }
+  }
+}
+
 /// A plane with a hole: a path goes round its corners and stays on the side where it was.
 TEST(Shorten, RoundAHoleTouchesItsCorners) {
   const Surface s = make_surface(grid_with_hole(9));
