@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 #if defined(__linux__)
@@ -37,6 +38,15 @@ struct LargePages {
   void deallocate(T* memory, size_t n) noexcept {
     if (!is_large(n)) return std::allocator<T>().deallocate(memory, n);
     ::operator delete(memory, std::align_val_t{kPage});
+  }
+  /// resize() leaves new numbers as they are: who fills the table, each thread its part, touches it first.
+  template <class U>
+  void construct(U* p) {
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <class U, class... Arguments>
+  void construct(U* p, Arguments&&... arguments) {
+    ::new (static_cast<void*>(p)) U(std::forward<Arguments>(arguments)...);
   }
 
  private:

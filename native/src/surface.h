@@ -87,7 +87,7 @@ class Surface {
     /// Per half-edge the corner opposite to it, as a complex number: 0 is the start of the half-edge,
     /// 1 its end. So a face is laid beside the one before it, wherever that lies, by one product.
     std::array<Vec2, 3> apex;
-    std::array<HalfEdge, 3> twin{kNone, kNone, kNone};
+    std::array<HalfEdge, 3> twin;
   };
   const Hinges& hinges(uint32_t f) const { return hinges_[f]; }
   /// A hint that the hinges of a face will be asked for soon.
@@ -134,7 +134,7 @@ class Surface {
 
  private:
   struct Flat {
-    double x1 = 0, x2 = 0, y2 = 0;
+    double x1, x2, y2;
   };
   /// Found when somebody asks; a copy, whose vertices may move, finds its own.
   struct Angles {
