@@ -180,13 +180,25 @@ Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, co
   return mate;
 }
 
-/// Numbers the components, in the order of their first faces.
-void number_components(CheckedMesh& mesh) {
+/// Numbers the components, in the order of their first faces. Every thread joins the faces of its blocks;
+/// what hangs together across blocks is joined afterwards.
+void number_components(CheckedMesh& mesh, Team& team) {
   const auto face_count = static_cast<uint32_t>(mesh.faces.size());
   Groups groups(face_count);
-  for (uint32_t side = 0; side < 3 * face_count; ++side) {
-    const uint32_t f = side / 3, other = mesh.twin[side];
-    if (other != kNoTwin && other / 3 < f) groups.join(f, other / 3);
+  std::vector<std::vector<uint32_t>> across(Team::block_count(face_count, kBlock));  // sides
+  team.for_blocks(face_count, kBlock, [&](size_t block, size_t begin, size_t end) {
+    for (auto side = static_cast<uint32_t>(3 * begin); side < 3 * end; ++side) {
+      const uint32_t f = side / 3, other = mesh.twin[side];
+      if (other == kNoTwin || other / 3 >= f) continue;
+      if (other / 3 >= begin) {
+        groups.join(f, other / 3);
+      } else {
+        across[block].push_back(side);
+      }
+    }
+  });
+  for (const std::vector<uint32_t>& sides : across) {
+    for (const uint32_t side : sides) groups.join(side / 3, mesh.twin[side] / 3);
   }
   mesh.component.resize(face_count);
   for (uint32_t f = 0; f < face_count; ++f) {
@@ -341,7 +353,7 @@ CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_
   check_areas(vertices, mesh.faces, mesh.placement, names, team);
   mesh.twin = pair_sides(mesh.faces, vertices.size() / 3, names, team);
   check_vertices(mesh, vertices.size() / 3, names, team);
-  number_components(mesh);
+  number_components(mesh, team);
   orient(mesh, names, team);
   turn(mesh);
   return mesh;

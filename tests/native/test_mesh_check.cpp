@@ -3,6 +3,7 @@
 // What is refused, and that the right element is named; what is made of a mesh that is not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -326,6 +327,42 @@ TEST(GoodMesh, IsTheSameForAnyNumberOfThreads) {
       EXPECT_EQ(one.twin(e), other.twin(e));
       EXPECT_EQ(one.along(e).x, other.along(e).x);
       EXPECT_EQ(one.along(e).y, other.along(e).y);
+    }
+  }
+}
+
+/// Components are numbered by their first faces, however their faces are scattered over the list.
+TEST(GoodMesh, ComponentsAreWhatAFloodFillFinds) {
+  const Mesh tidy = joined(joined(sphere(4), torus(60, 40), 4), flat_grid(30), 8);
+  ASSERT_GT(tidy.face_count(), 2 * 4096u);
+  Rng rng(79);
+  for (const uint32_t reach : {1u, 50u, 20000u}) {
+    Mesh mesh = tidy;
+    for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+      const uint32_t other = std::min(f + rng.below(reach), mesh.face_count() - 1);
+      std::swap_ranges(&mesh.faces[3 * f], &mesh.faces[3 * f] + 3, &mesh.faces[3 * other]);
+    }
+    const Surface one(mesh.vertices, mesh.faces, 1), two(mesh.vertices, mesh.faces, 2);
+    std::vector<uint32_t> number(one.face_count(), kNone);
+    uint32_t count = 0;
+    for (uint32_t first = 0; first < number.size(); ++first) {
+      if (number[first] != kNone) continue;
+      std::vector<uint32_t> open{first};
+      for (number[first] = count; !open.empty();) {
+        const uint32_t f = open.back();
+        open.pop_back();
+        for (HalfEdge e = 3 * f; e < 3 * f + 3; ++e) {
+          if (one.twin(e) == kNone || number[face_of(one.twin(e))] != kNone) continue;
+          number[face_of(one.twin(e))] = count;
+          open.push_back(face_of(one.twin(e)));
+        }
+      }
+      ++count;
+    }
+    EXPECT_EQ(count, 3u);
+    for (const Surface* s : {&one, &two}) {
+      EXPECT_EQ(s->component_count(), count);
+      for (uint32_t f = 0; f < number.size(); ++f) ASSERT_EQ(s->component(f), number[f]);
     }
   }
 }
