@@ -7,6 +7,7 @@
 // its product has to look for NaN unless the compiler is told otherwise.
 #pragma once
 
+#include <cfloat>
 #include <cmath>
 
 namespace meander {
@@ -37,7 +38,11 @@ inline Vec2 unit(Vec2 a) {
 /// differences are exact, both faces of an edge agree about a point on it, and orientation() is
 /// exact without multiple-precision arithmetic.
 inline constexpr double kGrain = 0x1p-50;
-inline double snap(double t) { return std::nearbyint(t * 0x1p50) * kGrain; }
+static_assert(FLT_EVAL_METHOD == 0, "snap() and orientation() need every result to be rounded to a double");
+
+/// The multiple of kGrain nearest to t in [-2, 2), the even one of two: what a sum between 4 and 8 is rounded
+/// to. std::nearbyint would be a call of a library.
+inline double snap(double t) { return (t + 6) - 6; }
 
 /// Sign (-1, 0, 1) of the area of the triangle a b c, exact for snapped coordinates in [0, 1].
 ///

@@ -84,6 +84,18 @@ TEST(Grain, SnappedSharesSeenFromBothSidesAreExact) {
   }
 }
 
+TEST(Grain, SnappingTakesTheNearestMultiple) {
+  Rng rng(6);
+  for (int k = 0; k < 50000; ++k) {
+    // Any numbers, some a few grains in size, and ties between two multiples.
+    double t = rng.in(-2, 2) * (k % 3 == 0 ? 8 * kGrain : 1);
+    if (k % 5 == 0) t = (std::floor(rng() * 0x1p50) + 0.5) * kGrain;
+    ASSERT_EQ(snap(t), std::nearbyint(t * 0x1p50) * 0x1p-50) << t;
+  }
+  EXPECT_EQ(snap(0), 0);
+  EXPECT_EQ(snap(1), 1);
+}
+
 TEST(Grain, PointsStayInsideTheirFaceWhateverTheWeights) {
   Rng rng(5);
   const Surface s = make_surface(octahedron());
