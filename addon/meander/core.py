@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The bridge to the native library: numpy in, numpy out, no bpy.
 
-This is the only module that knows ctypes and the only one that mirrors ``meander.h``; every struct
-and every prototype stands beside the C line that it mirrors, and the tests compare both sides.
+Two modules stand below it, and only these three know ctypes: `abi` mirrors ``meander.h``, and
+`native_library` finds and loads the library.
 
     surface = Surface(vertices, faces)           checked and copied by the library
     options = default_options("even")            defaults live in the library only
@@ -27,762 +27,94 @@ Python thread of its own starts the flow, and the library runs it on one that kn
 from __future__ import annotations
 
 import ctypes
-import os
-import sys
 import threading
-import weakref
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
-from ctypes import (
-    POINTER,
-    Structure,
-    byref,
-    c_char,
-    c_char_p,
-    c_double,
-    c_int32,
-    c_size_t,
-    c_uint32,
-    c_void_p,
-    sizeof,
-)
+from ctypes import Structure, byref, c_size_t, c_uint32, c_void_p, sizeof
 from dataclasses import dataclass, fields
-from enum import IntEnum
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-# The version of the library that this file was written for. The library's file name carries it, so
-# that an update never meets the old library that a running Blender still has loaded.
-VERSION = "0.1.0"
-
-# #define MEANDER_ABI_VERSION 1
-ABI_VERSION = 1
-
-# Names the library file to load instead of the one beside this module.
-LIBRARY_VARIABLE = "MEANDER_LIBRARY"
-
-
-# ------------------------------------------------------------------------------------------------
-# Enumerations of meander.h
-
-
-# enum { MEANDER_OK = 0, ... MEANDER_INTERNAL = 6 };
-class Status(IntEnum):
-    """What a call returned; `MeanderError.status` is one of these."""
-
-    OK = 0
-    INVALID_ARGUMENT = 1
-    INVALID_MESH = 2
-    INVALID_SEED = 3
-    CANCELLED = 4
-    OUT_OF_MEMORY = 5
-    INTERNAL = 6
-
-
-# The status of a MeanderError about the library file itself: it is missing or does not fit.
-STATUS_NO_LIBRARY = -1
-
-# enum { MEANDER_ELEMENT_NONE = 0, ... MEANDER_ELEMENT_SEED_POINT = 4 };
-ELEMENT_KINDS = (None, "vertex", "face", "edge", "seed_point")
-
-# enum { MEANDER_PRESET_EVEN = 0, MEANDER_PRESET_PAPER = 1, MEANDER_PRESET_FINEST = 2 };
-PRESETS = ("even", "paper", "finest")
-
-
-# enum { MEANDER_BOUNDARY_CENTRE = 0, MEANDER_BOUNDARY_OBSTACLE = 1 };
-class BoundaryRule(IntEnum):
-    """How a medial ball ends at the boundary of an open surface."""
-
-    CENTRE = 0
-    OBSTACLE = 1
-
-
-# enum { MEANDER_MEDIAL_AXIS_EUCLIDEAN = 0, MEANDER_MEDIAL_AXIS_GEODESIC = 1 };
-class MedialAxis(IntEnum):
-    """How distances between strands are measured: through space or along the surface."""
-
-    EUCLIDEAN = 0
-    GEODESIC = 1
-
-
-# enum { MEANDER_STOP_SETTLED = 0, MEANDER_STOP_PAPER = 1 };
-class StopRule(IntEnum):
-    """When a flow has converged."""
-
-    SETTLED = 0
-    PAPER = 1
-
-
-# enum { MEANDER_CURVATURE_GAUSSIAN = 0, ... MEANDER_CURVATURE_CURVEDNESS = 4 };
-CURVATURES = ("gaussian", "mean", "absolute_gaussian", "absolute_mean", "curvedness")
-
-# enum { MEANDER_DIRECTIONS_CURVATURE_MIN = 0, ... MEANDER_DIRECTIONS_SMOOTH = 2 };
-DIRECTIONS = ("curvature_min", "curvature_max", "smooth")
-
-# enum { MEANDER_ALIGN_ALONG = 0, MEANDER_ALIGN_ACROSS = 1 };
-ALIGNMENTS = ("along", "across")
-
-# enum { MEANDER_RUNNING = 0, ... MEANDER_STOPPED = 4 };
-STOP_REASONS = ("running", "converged", "iteration_limit", "stalled", "cancelled")
-
-
-# ------------------------------------------------------------------------------------------------
-# Structs of meander.h
-
-
-class _Error(Structure):
-    """typedef struct meander_error"""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # uint32_t struct_size;
-        ("status", c_int32),  # int32_t status;
-        ("element_kind", c_int32),  # int32_t element_kind;
-        ("element_index", c_uint32),  # uint32_t element_index;
-        ("element_index2", c_uint32),  # uint32_t element_index2;
-        ("text", c_char * 492),  # char text[492];
-    ]
-
-
-class _SurfaceOptions(Structure):
-    """typedef struct meander_surface_options"""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # uint32_t struct_size;
-        ("drop_degenerate", c_uint32),  # uint32_t drop_degenerate;
-        ("split_bow_ties", c_uint32),  # uint32_t split_bow_ties;
-        ("cut_non_manifold", c_uint32),  # uint32_t cut_non_manifold;
-        ("merge_distance", c_double),  # double merge_distance;
-        ("face_mask", c_void_p),  # const uint8_t* face_mask;
-        ("vertex_mask", c_void_p),  # const double* vertex_mask;
-        ("mask_threshold", c_double),  # double mask_threshold;
-        ("threads", c_uint32),  # uint32_t threads;
-        ("reserved", c_uint32),  # uint32_t reserved;
-    ]
-
-
-class _SurfaceStatistics(Structure):
-    """typedef struct meander_surface_statistics"""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # uint32_t struct_size;
-        ("vertices", c_uint32),  # uint32_t vertices;
-        ("faces", c_uint32),  # uint32_t faces;
-        ("components", c_uint32),  # uint32_t components;
-        ("boundary_loops", c_uint32),  # uint32_t boundary_loops;
-        ("turned_faces", c_uint32),  # uint32_t turned_faces;
-        ("unused_vertices", c_uint32),  # uint32_t unused_vertices;
-        ("merged_vertices", c_uint32),  # uint32_t merged_vertices;
-        ("dropped_faces", c_uint32),  # uint32_t dropped_faces;
-        ("split_vertices", c_uint32),  # uint32_t split_vertices;
-        ("cut_edges", c_uint32),  # uint32_t cut_edges;
-        ("masked_faces", c_uint32),  # uint32_t masked_faces;
-        ("clipped_faces", c_uint32),  # uint32_t clipped_faces;
-        ("reserved", c_uint32),  # uint32_t reserved;
-        ("area", c_double),  # double area;
-        ("diagonal", c_double),  # double diagonal;
-    ]
-
-
-class _Seed(Structure):
-    """typedef struct meander_seed"""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # uint32_t struct_size;
-        ("strand_count", c_uint32),  # uint32_t strand_count;
-        ("points", c_void_p),  # const double* points;
-        ("offsets", c_void_p),  # const uint32_t* offsets;
-        ("closed", c_void_p),  # const uint8_t* closed;
-        ("fixed", c_void_p),  # const uint8_t* fixed;
-        ("guides", c_void_p),  # const uint8_t* guides;
-        ("loops", c_uint32),  # uint32_t loops;
-        ("reserved", c_uint32),  # uint32_t reserved;
-    ]
-
-
-class _FlowOptions(Structure):
-    """typedef struct meander_flow_options"""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # uint32_t struct_size;
-        ("preset", c_uint32),  # uint32_t preset;
-        ("radius", c_double),  # double radius;
-        ("segment_length", c_double),  # double segment_length;
-        ("max_radius", c_double),  # double max_radius;
-        ("length_weight", c_double),  # double length_weight;
-        ("bending_weight", c_double),  # double bending_weight;
-        ("medial_weight", c_double),  # double medial_weight;
-        ("alignment_weight", c_double),  # double alignment_weight;
-        ("length_power", c_double),  # double length_power;
-        ("medial_power", c_double),  # double medial_power;
-        ("step", c_double),  # double step;
-        ("growth_coarsening", c_double),  # double growth_coarsening;
-        ("start_spacing_factor", c_double),  # double start_spacing_factor;
-        ("polish", c_uint32),  # uint32_t polish;
-        ("stop_rule", c_uint32),  # uint32_t stop_rule;
-        ("polish_bending_weight", c_double),  # double polish_bending_weight;
-        ("polish_length_offset", c_double),  # double polish_length_offset;
-        ("polish_length_gain", c_double),  # double polish_length_gain;
-        ("polish_medial_power", c_double),  # double polish_medial_power;
-        ("border_distance", c_double),  # double border_distance;
-        ("boundary_rule", c_uint32),  # uint32_t boundary_rule;
-        ("iteration_limit", c_uint32),  # uint32_t iteration_limit;
-        ("threads", c_uint32),  # uint32_t threads;
-        ("ripening_iterations", c_uint32),  # uint32_t ripening_iterations;
-        ("medial_axis", c_uint32),  # uint32_t medial_axis;
-        ("reserved", c_uint32),  # uint32_t reserved;
-    ]
-
-
-class _FlowStatistics(Structure):
-    """typedef struct meander_flow_statistics"""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # uint32_t struct_size;
-        ("stop_reason", c_uint32),  # uint32_t stop_reason;
-        ("iterations", c_uint32),  # uint32_t iterations;
-        ("nodes", c_uint32),  # uint32_t nodes;
-        ("strands", c_uint32),  # uint32_t strands;
-        ("closed_strands", c_uint32),  # uint32_t closed_strands;
-        ("crossings", c_uint32),  # uint32_t crossings;
-        ("polishing", c_uint32),  # uint32_t polishing;
-        ("guides", c_uint32),  # uint32_t guides;
-        ("empty_components", c_uint32),  # uint32_t empty_components;
-        ("length", c_double),  # double length;
-        ("energy", c_double),  # double energy;
-        ("mean_step", c_double),  # double mean_step;
-        ("spacing_target", c_double),  # double spacing_target;
-        ("spacing_p05", c_double),  # double spacing_p05;
-        ("spacing_median", c_double),  # double spacing_median;
-        ("spacing_p95", c_double),  # double spacing_p95;
-        ("seconds_total", c_double),  # double seconds_total;
-        ("seconds_medial_axis", c_double),  # double seconds_medial_axis;
-        ("seconds_solve", c_double),  # double seconds_solve;
-        ("seconds_retract", c_double),  # double seconds_retract;
-        ("seconds_reconnect", c_double),  # double seconds_reconnect;
-        ("seconds_crossings", c_double),  # double seconds_crossings;
-        ("seconds_refine", c_double),  # double seconds_refine;
-    ]
-
-
-class _Iteration(Structure):
-    """typedef struct meander_iteration"""
-
-    _fields_ = [
-        ("iteration", c_uint32),  # uint32_t iteration;
-        ("nodes", c_uint32),  # uint32_t nodes;
-        ("length", c_double),  # double length;
-        ("mean_step", c_double),  # double mean_step;
-        ("energy", c_double),  # double energy;
-        ("seconds", c_double),  # double seconds;
-    ]
-
-
-class _Preview(Structure):
-    """typedef struct meander_preview"""
-
-    _fields_ = [
-        ("struct_size", c_uint32),  # uint32_t struct_size;
-        ("serial", c_uint32),  # uint32_t serial;
-        ("iterations", c_uint32),  # uint32_t iterations;
-        ("nodes", c_uint32),  # uint32_t nodes;
-        ("length", c_double),  # double length;
-        ("seconds", c_double),  # double seconds;
-    ]
-
-
-_STRUCTS: dict[str, type[Structure]] = {
-    "meander_error": _Error,
-    "meander_surface_options": _SurfaceOptions,
-    "meander_surface_statistics": _SurfaceStatistics,
-    "meander_seed": _Seed,
-    "meander_flow_options": _FlowOptions,
-    "meander_flow_statistics": _FlowStatistics,
-    "meander_iteration": _Iteration,
-    "meander_preview": _Preview,
-}
-
-
-# ------------------------------------------------------------------------------------------------
-# Prototypes of meander.h: name -> (result, arguments). Array arguments are void pointers, since
-# `_array` has checked what they point to; opaque handles are void pointers as well.
-
-_PROTOTYPES: dict[str, tuple[Any, tuple[Any, ...]]] = {
-    # const char* meander_status_name(meander_status status);
-    "meander_status_name": (c_char_p, (c_int32,)),
-    # const char* meander_version(void);
-    "meander_version": (c_char_p, ()),
-    # uint32_t meander_abi_version(void);
-    "meander_abi_version": (c_uint32, ()),
-    # size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity);
-    "meander_struct_layout": (c_size_t, (c_char_p, POINTER(c_size_t), c_size_t)),
-    # meander_context* meander_context_create(void);
-    "meander_context_create": (c_void_p, ()),
-    # void meander_context_destroy(meander_context* context);
-    "meander_context_destroy": (None, (c_void_p,)),
-    # void meander_context_cancel(meander_context* context);
-    "meander_context_cancel": (None, (c_void_p,)),
-    # void meander_context_reset(meander_context* context);
-    "meander_context_reset": (None, (c_void_p,)),
-    # double meander_context_progress(const meander_context* context);
-    "meander_context_progress": (c_double, (c_void_p,)),
-    # meander_status meander_surface_create(const double* vertices, size_t vertex_count,
-    #     const uint32_t* faces, size_t face_count, meander_surface** surface,
-    #     meander_error* error);
-    "meander_surface_create": (
-        c_int32,
-        (c_void_p, c_size_t, c_void_p, c_size_t, POINTER(c_void_p), POINTER(_Error)),
-    ),
-    # meander_status meander_surface_options_init(meander_surface_options* options);
-    "meander_surface_options_init": (c_int32, (POINTER(_SurfaceOptions),)),
-    # meander_status meander_surface_create_prepared(const double* vertices, size_t vertex_count,
-    #     const uint32_t* faces, size_t face_count, const meander_surface_options* options,
-    #     meander_surface** surface, meander_error* error);
-    "meander_surface_create_prepared": (
-        c_int32,
-        (
-            c_void_p,
-            c_size_t,
-            c_void_p,
-            c_size_t,
-            POINTER(_SurfaceOptions),
-            POINTER(c_void_p),
-            POINTER(_Error),
-        ),
-    ),
-    # void meander_surface_destroy(meander_surface* surface);
-    "meander_surface_destroy": (None, (c_void_p,)),
-    # meander_status meander_surface_get_statistics(const meander_surface* surface,
-    #     meander_surface_statistics* statistics, meander_error* error);
-    "meander_surface_get_statistics": (
-        c_int32,
-        (c_void_p, POINTER(_SurfaceStatistics), POINTER(_Error)),
-    ),
-    # meander_status meander_surface_get_outlines(const meander_surface* surface, double distance,
-    #     double spacing, double* positions, size_t point_capacity, size_t* point_count,
-    #     uint32_t* offsets, uint8_t* closed, size_t strand_capacity, size_t* strand_count,
-    #     uint32_t* skipped, meander_error* error);
-    "meander_surface_get_outlines": (
-        c_int32,
-        (
-            c_void_p,
-            c_double,
-            c_double,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            c_void_p,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            c_void_p,
-            POINTER(_Error),
-        ),
-    ),
-    # meander_status meander_flow_options_init(meander_flow_options* options, uint32_t preset);
-    "meander_flow_options_init": (c_int32, (POINTER(_FlowOptions), c_uint32)),
-    # size_t meander_flow_options_get_warning(const meander_flow_options* options, uint32_t index,
-    #     char* text, size_t capacity);
-    "meander_flow_options_get_warning": (
-        c_size_t,
-        (POINTER(_FlowOptions), c_uint32, c_char_p, c_size_t),
-    ),
-    # meander_status meander_surface_get_curvature(const meander_surface* surface, uint32_t kind,
-    #     double smoothing, double* values, size_t vertex_count, meander_error* error);
-    "meander_surface_get_curvature": (
-        c_int32,
-        (c_void_p, c_uint32, c_double, c_void_p, c_size_t, POINTER(_Error)),
-    ),
-    # meander_status meander_surface_get_directions(const meander_surface* surface, uint32_t kind,
-    #     double smoothing, double* directions, size_t vertex_count, meander_error* error);
-    "meander_surface_get_directions": (
-        c_int32,
-        (c_void_p, c_uint32, c_double, c_void_p, c_size_t, POINTER(_Error)),
-    ),
-    # meander_status meander_surface_extend_directions(const meander_surface* surface,
-    #     const double* points, const uint32_t* offsets, size_t stroke_count, double* directions,
-    #     size_t vertex_count, meander_error* error);
-    "meander_surface_extend_directions": (
-        c_int32,
-        (c_void_p, c_void_p, c_void_p, c_size_t, c_void_p, c_size_t, POINTER(_Error)),
-    ),
-    # meander_status meander_flow_set_directions(meander_flow* flow, const double* directions,
-    #     size_t vertex_count, uint32_t kind, meander_error* error);
-    "meander_flow_set_directions": (
-        c_int32,
-        (c_void_p, c_void_p, c_size_t, c_uint32, POINTER(_Error)),
-    ),
-    # meander_status meander_flow_create(const meander_surface* surface, const meander_seed* seed,
-    #     const double* density, const meander_flow_options* options, meander_flow** flow,
-    #     meander_error* error);
-    "meander_flow_create": (
-        c_int32,
-        (
-            c_void_p,
-            POINTER(_Seed),
-            c_void_p,
-            POINTER(_FlowOptions),
-            POINTER(c_void_p),
-            POINTER(_Error),
-        ),
-    ),
-    # void meander_flow_destroy(meander_flow* flow);
-    "meander_flow_destroy": (None, (c_void_p,)),
-    # meander_status meander_flow_step(meander_flow* flow, meander_context* context,
-    #     meander_error* error);
-    "meander_flow_step": (c_int32, (c_void_p, c_void_p, POINTER(_Error))),
-    # meander_status meander_flow_run(meander_flow* flow, meander_context* context,
-    #     meander_error* error);
-    "meander_flow_run": (c_int32, (c_void_p, c_void_p, POINTER(_Error))),
-    # meander_status meander_flow_start(meander_flow* flow, meander_context* context,
-    #     meander_error* error);
-    "meander_flow_start": (c_int32, (c_void_p, c_void_p, POINTER(_Error))),
-    # uint32_t meander_flow_is_running(const meander_flow* flow);
-    "meander_flow_is_running": (c_uint32, (c_void_p,)),
-    # meander_status meander_flow_wait(meander_flow* flow, meander_error* error);
-    "meander_flow_wait": (c_int32, (c_void_p, POINTER(_Error))),
-    # meander_status meander_flow_get_preview(meander_flow* flow, meander_preview* preview,
-    #     double* positions, double* normals, size_t point_capacity, size_t* point_count,
-    #     uint32_t* offsets, uint8_t* closed, size_t strand_capacity, size_t* strand_count,
-    #     meander_error* error);
-    "meander_flow_get_preview": (
-        c_int32,
-        (
-            c_void_p,
-            POINTER(_Preview),
-            c_void_p,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            c_void_p,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            POINTER(_Error),
-        ),
-    ),
-    # meander_status meander_flow_set_vertices(meander_flow* flow, const double* vertices,
-    #     size_t vertex_count, meander_error* error);
-    "meander_flow_set_vertices": (c_int32, (c_void_p, c_void_p, c_size_t, POINTER(_Error))),
-    # uint32_t meander_flow_stop_reason(const meander_flow* flow);
-    "meander_flow_stop_reason": (c_uint32, (c_void_p,)),
-    # meander_status meander_flow_get_statistics(meander_flow* flow,
-    #     meander_flow_statistics* statistics, meander_error* error);
-    "meander_flow_get_statistics": (
-        c_int32,
-        (c_void_p, POINTER(_FlowStatistics), POINTER(_Error)),
-    ),
-    # meander_status meander_flow_get_history(const meander_flow* flow, meander_iteration* records,
-    #     size_t capacity, size_t* count, meander_error* error);
-    "meander_flow_get_history": (
-        c_int32,
-        (c_void_p, POINTER(_Iteration), c_size_t, POINTER(c_size_t), POINTER(_Error)),
-    ),
-    # meander_status meander_flow_get_polylines(const meander_flow* flow, double* positions,
-    #     double* normals, size_t point_capacity, size_t* point_count, uint32_t* offsets,
-    #     uint8_t* closed, size_t strand_capacity, size_t* strand_count, meander_error* error);
-    "meander_flow_get_polylines": (
-        c_int32,
-        (
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            c_void_p,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            POINTER(_Error),
-        ),
-    ),
-    # meander_status meander_flow_get_guides(const meander_flow* flow, uint8_t* guides,
-    #     size_t capacity, size_t* count, meander_error* error);
-    "meander_flow_get_guides": (
-        c_int32,
-        (c_void_p, c_void_p, c_size_t, POINTER(c_size_t), POINTER(_Error)),
-    ),
-    # meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
-    #     double* barycentrics, double* radii, uint8_t* fixed, size_t capacity, size_t* count,
-    #     meander_error* error);
-    "meander_flow_get_nodes": (
-        c_int32,
-        (
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            POINTER(_Error),
-        ),
-    ),
-    # meander_status meander_flow_get_point_data(meander_flow* flow, double* arc_lengths,
-    #     double* normals, double* tangents, double* radii, uint32_t* faces,
-    #     double* barycentrics, size_t capacity, size_t* count, meander_error* error);
-    "meander_flow_get_point_data": (
-        c_int32,
-        (
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            POINTER(_Error),
-        ),
-    ),
-    # meander_status meander_flow_get_gaps(meander_flow* flow, double least_size,
-    #     double* positions, double* radii, double* sizes, uint32_t* faces, size_t capacity,
-    #     size_t* count, meander_error* error);
-    "meander_flow_get_gaps": (
-        c_int32,
-        (
-            c_void_p,
-            c_double,
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_void_p,
-            c_size_t,
-            POINTER(c_size_t),
-            POINTER(_Error),
-        ),
-    ),
-}
-
-
-# ------------------------------------------------------------------------------------------------
-# Errors
-
-
-class MeanderError(Exception):
-    """Something that a person can put right; ``str(error)`` is one sentence that says how.
-
-    status        a `Status`, or STATUS_NO_LIBRARY when the library could not be loaded
-    element_kind  what `elements` counts: 'vertex', 'face', 'edge', 'seed_point', or None
-    elements      the first element at fault; an edge has the indices of its two end vertices, and
-                  where two strands of a seed meet there is a point of each
-    """
-
-    def __init__(
-        self,
-        text: str,
-        status: int = Status.INVALID_ARGUMENT,
-        element_kind: str | None = None,
-        elements: tuple[int, ...] = (),
-    ) -> None:
-        super().__init__(text)
-        self.status = int(status)
-        self.element_kind = element_kind
-        self.elements = elements
-
-
-def _new_error() -> _Error:
-    return _Error(struct_size=sizeof(_Error))
-
-
-def _raise(status: int, error: _Error) -> None:
-    """Turns a failed call into a MeanderError."""
-    text = error.text.decode("utf-8", "replace")
-    if not text:
-        name = _library().meander_status_name(status)
-        text = f"the native library failed ({name.decode('utf-8', 'replace')})"
-    kind = None
-    if 0 <= error.element_kind < len(ELEMENT_KINDS):
-        kind = ELEMENT_KINDS[error.element_kind]
-    elements: tuple[int, ...] = ()
-    if kind == "edge":
-        elements = (error.element_index, error.element_index2)
-    elif kind == "seed_point":
-        elements = tuple(dict.fromkeys((error.element_index, error.element_index2)))
-    elif kind is not None:
-        elements = (error.element_index,)
-    raise MeanderError(text, status, kind, elements)
-
-
-# ------------------------------------------------------------------------------------------------
-# Loading
-
-_loaded: ctypes.CDLL | None = None
-_load_lock = threading.Lock()
-
-
-def library_path() -> Path:
-    """Where the library is expected: MEANDER_LIBRARY if set, else ``native/`` beside this file."""
-    override = os.environ.get(LIBRARY_VARIABLE)
-    if override:
-        return Path(override)
-    if sys.platform == "win32":
-        name = f"meander-{VERSION}.dll"
-    elif sys.platform == "darwin":
-        name = f"libmeander-{VERSION}.dylib"
-    else:
-        name = f"libmeander-{VERSION}.so"
-    return Path(__file__).resolve().parent / "native" / name
-
-
-def _load(path: Path) -> ctypes.CDLL:
-    """Loads the library and compares ABI and version before anything else is called."""
-    if not path.is_file():
-        raise MeanderError(
-            f"the native library {path} is missing; build it, install the add-on again from its "
-            f"zip, or set {LIBRARY_VARIABLE} to its full path",
-            STATUS_NO_LIBRARY,
-        )
-    try:
-        library = ctypes.CDLL(str(path))
-    except OSError as problem:
-        raise MeanderError(
-            f"the native library {path} cannot be loaded on this system ({problem}); install the "
-            "add-on from the zip made for it",
-            STATUS_NO_LIBRARY,
-        ) from problem
-    try:
-        abi_version = _bind(library, "meander_abi_version")()
-        if abi_version != ABI_VERSION:
-            raise MeanderError(
-                f"the native library {path} has ABI {abi_version}, but this add-on needs "
-                f"{ABI_VERSION}; install the add-on again from its zip and restart Blender",
-                STATUS_NO_LIBRARY,
-            )
-        version = _bind(library, "meander_version")().decode("utf-8", "replace")
-        if version != VERSION:
-            raise MeanderError(
-                f"the native library {path} is version {version}, but this add-on is version "
-                f"{VERSION}; install the add-on again from its zip and restart Blender",
-                STATUS_NO_LIBRARY,
-            )
-        for name in _PROTOTYPES:
-            _bind(library, name)
-    except AttributeError as problem:
-        raise MeanderError(
-            f"the file {path} is not Meander's native library ({problem}); install the add-on "
-            "again from its zip",
-            STATUS_NO_LIBRARY,
-        ) from problem
-    return library
-
-
-def _bind(library: ctypes.CDLL, name: str) -> Callable[..., Any]:
-    function = getattr(library, name)
-    result, arguments = _PROTOTYPES[name]
-    function.restype = result
-    function.argtypes = list(arguments)
-    return function
-
-
-def _library() -> ctypes.CDLL:
-    """The library, loaded on first use: on Windows a loaded file blocks an update."""
-    global _loaded
-    if _loaded is None:
-        with _load_lock:
-            if _loaded is None:
-                _loaded = _load(library_path())
-    return _loaded
-
-
-def library_version() -> str:
-    """The version of the native library, such as "0.1.0"; loads it.
-
-    Raises MeanderError when the library is missing or does not fit this add-on.
-    """
-    return _library().meander_version().decode("utf-8")
-
-
-def struct_layouts() -> dict[str, tuple[list[int], list[int]]]:
-    """How ctypes and the library lay each struct out, for the test that compares them.
-
-    Per C struct name: (ours, theirs), each the size of the struct followed by the offset of every
-    field in the order of declaration. Theirs is empty when the library does not know the name.
-    """
-    library = _library()
-    layouts: dict[str, tuple[list[int], list[int]]] = {}
-    for name, struct in _STRUCTS.items():
-        ours = [sizeof(struct)]
-        ours += [getattr(struct, field[0]).offset for field in struct._fields_]
-        count = library.meander_struct_layout(name.encode(), None, 0)
-        theirs = (c_size_t * count)()
-        library.meander_struct_layout(name.encode(), theirs, count)
-        layouts[name] = (ours, list(theirs))
-    return layouts
-
-
-# ------------------------------------------------------------------------------------------------
-# Arrays and handles
-
-
-def _array(name: str, value: ArrayLike, dtype: type, columns: int | None) -> NDArray[Any]:
-    """`value` as a C-contiguous array of exactly this dtype, of shape (n,) or (n, columns).
-
-    Numbers that the dtype cannot hold are refused rather than wrapped round: a face index of -1
-    must not become 4294967295.
-    """
-    array = np.asarray(value)
-    shape = "(n,)" if columns is None else f"(n, {columns})"
-    fits = array.ndim == 1 if columns is None else array.ndim == 2 and array.shape[1] == columns
-    if not fits:
-        raise MeanderError(f"{name} must be an array of shape {shape}, not {array.shape}")
-    if array.dtype != dtype:
-        if np.issubdtype(dtype, np.integer):
-            if array.size and not (
-                np.issubdtype(array.dtype, np.integer) or array.dtype == np.bool_
-            ):
-                raise MeanderError(f"{name} must hold whole numbers, not {array.dtype}")
-            limit = np.iinfo(dtype).max
-            if array.size and array.dtype != np.bool_ and (array.min() < 0 or array.max() > limit):
-                raise MeanderError(f"{name} must hold numbers from 0 to {limit}")
-        elif not (np.issubdtype(array.dtype, np.number) or array.dtype == np.bool_) or (
-            np.issubdtype(array.dtype, np.complexfloating)
-        ):
-            raise MeanderError(f"{name} must hold real numbers, not {array.dtype}")
-    return np.ascontiguousarray(array, dtype=dtype)
-
-
-def _address(array: NDArray[Any] | None) -> int | None:
-    """A pointer to the data; NULL for None. The caller keeps the array alive during the call."""
-    return None if array is None else array.ctypes.data
-
-
-class _Handle:
-    """Owns one opaque pointer: freed by close(), on leaving a `with`, or when collected."""
-
-    _what = "object"
-
-    def __init__(self, pointer: int, destroy: Callable[[int], None]) -> None:
-        self._pointer: int | None = pointer
-        self._finalizer = weakref.finalize(self, destroy, pointer)
-        # At exit a daemon thread may still be inside the library; the process frees all anyway.
-        self._finalizer.atexit = False
-
-    def _alive(self) -> int:
-        if self._pointer is None:
-            raise MeanderError(f"this {self._what} has been closed; make a new one")
-        return self._pointer
-
-    def close(self) -> None:
-        """Frees the native memory now; closing twice is allowed, using it afterwards is not."""
-        self._pointer = None
-        self._finalizer()
-
-    def __enter__(self) -> Any:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
+from .abi import (
+    ABI_VERSION,
+    ALIGNMENTS,
+    CURVATURES,
+    DIRECTIONS,
+    ELEMENT_KINDS,
+    PRESETS,
+    STOP_REASONS,
+    VERSION,
+    BoundaryRule,
+    ErrorRecord,
+    FlowOptionsRecord,
+    FlowStatisticsRecord,
+    IterationRecord,
+    MedialAxis,
+    PreviewRecord,
+    SeedRecord,
+    Status,
+    StopRule,
+    SurfaceOptionsRecord,
+    SurfaceStatisticsRecord,
+)
+from .native_library import (
+    LIBRARY_VARIABLE,
+    STATUS_NO_LIBRARY,
+    Handle,
+    MeanderError,
+    address_of,
+    checked_array,
+    library_path,
+    library_version,
+    native,
+    new_error,
+    raise_error,
+    struct_layouts,
+)
+
+# What hosts use; they import nothing else of the three modules.
+__all__ = [
+    "ABI_VERSION",
+    "ALIGNMENTS",
+    "CURVATURES",
+    "DIRECTIONS",
+    "ELEMENT_KINDS",
+    "LIBRARY_VARIABLE",
+    "PRESETS",
+    "STATUS_NO_LIBRARY",
+    "STOP_REASONS",
+    "VERSION",
+    "BoundaryRule",
+    "Context",
+    "Flow",
+    "FlowOptions",
+    "Gaps",
+    "MeanderError",
+    "MedialAxis",
+    "Nodes",
+    "PointData",
+    "Polylines",
+    "Preview",
+    "Seed",
+    "Status",
+    "StopRule",
+    "Surface",
+    "SurfaceOptions",
+    "default_options",
+    "library_path",
+    "library_version",
+    "option_warnings",
+    "struct_layouts",
+]
 
 
 # ------------------------------------------------------------------------------------------------
 # Context
 
 
-class Context(_Handle):
+class Context(Handle):
     """Cancels a flow and reports its progress, from any thread at any time.
 
     A cancel is sticky: every call that was given this context returns 'cancelled' within one
@@ -792,7 +124,7 @@ class Context(_Handle):
     _what = "context"
 
     def __init__(self) -> None:
-        library = _library()
+        library = native()
         pointer = library.meander_context_create()
         if not pointer:
             raise MeanderError(
@@ -823,18 +155,18 @@ class Context(_Handle):
     def cancel(self) -> None:
         """Asks the calls that use this context to end within one iteration."""
         with self._use() as pointer:
-            _library().meander_context_cancel(pointer)
+            native().meander_context_cancel(pointer)
 
     def reset(self) -> None:
         """Takes a cancel back, so that the context can be used again."""
         with self._use() as pointer:
-            _library().meander_context_reset(pointer)
+            native().meander_context_reset(pointer)
 
     @property
     def progress(self) -> float:
         """How far the present run of a flow is, from 0 to 1; never falls during one run."""
         with self._use() as pointer:
-            return _library().meander_context_progress(pointer)
+            return native().meander_context_progress(pointer)
 
     def close(self) -> None:
         """Frees the context, at once or as soon as the last call that uses it has ended."""
@@ -873,10 +205,10 @@ class SurfaceOptions:
 
 def _surface_options_record(
     options: SurfaceOptions, vertex_count: int, face_count: int
-) -> tuple[_SurfaceOptions, tuple[NDArray[Any], ...]]:
+) -> tuple[SurfaceOptionsRecord, tuple[NDArray[Any], ...]]:
     """The C struct of the options, and the arrays that it points to."""
-    record = _SurfaceOptions()
-    _library().meander_surface_options_init(byref(record))
+    record = SurfaceOptionsRecord()
+    native().meander_surface_options_init(byref(record))
     record.drop_degenerate = bool(options.drop_degenerate)
     record.split_bow_ties = bool(options.split_bow_ties)
     record.cut_non_manifold = bool(options.cut_non_manifold)
@@ -890,18 +222,18 @@ def _surface_options_record(
         value = getattr(options, name)
         if value is None:
             continue
-        array = _array(name, value, dtype, None)
+        array = checked_array(name, value, dtype, None)
         if len(array) != count:
             raise MeanderError(
                 f"{name} must have one value for each of the {count} {element} of the mesh, not "
                 f"{len(array)}"
             )
         arrays.append(array)
-        setattr(record, name, _address(array))
+        setattr(record, name, address_of(array))
     return record, tuple(arrays)
 
 
-class Surface(_Handle):
+class Surface(Handle):
     """A triangle mesh that the library has checked and copied.
 
     vertices  (n, 3) float64, finite, in any unit
@@ -927,19 +259,19 @@ class Surface(_Handle):
         options: SurfaceOptions | None = None,
         threads: int = 0,
     ) -> None:
-        vertex_array = _array("vertices", vertices, np.float64, 3)
-        face_array = _array("faces", faces, np.uint32, 3)
-        library = _library()
+        vertex_array = checked_array("vertices", vertices, np.float64, 3)
+        face_array = checked_array("faces", faces, np.uint32, 3)
+        library = native()
         pointer = c_void_p()
-        error = _new_error()
+        error = new_error()
         record, arrays = _surface_options_record(
             SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
         )
         record.threads = int(threads)
         status = library.meander_surface_create_prepared(
-            _address(vertex_array),
+            address_of(vertex_array),
             len(vertex_array),
-            _address(face_array),
+            address_of(face_array),
             len(face_array),
             byref(record),
             byref(pointer),
@@ -947,7 +279,7 @@ class Surface(_Handle):
         )
         del arrays
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
         super().__init__(pointer.value, library.meander_surface_destroy)
         self.vertex_count = len(vertex_array)
 
@@ -959,13 +291,11 @@ class Surface(_Handle):
         masked_faces, clipped_faces: int; area (square units) and diagonal (of the bounding box):
         float.
         """
-        record = _SurfaceStatistics(struct_size=sizeof(_SurfaceStatistics))
-        error = _new_error()
-        status = _library().meander_surface_get_statistics(
-            self._alive(), byref(record), byref(error)
-        )
+        record = SurfaceStatisticsRecord(struct_size=sizeof(SurfaceStatisticsRecord))
+        error = new_error()
+        status = native().meander_surface_get_statistics(self._alive(), byref(record), byref(error))
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
         return _figures(record)
 
     def outlines(self, distance: float, spacing: float) -> tuple[Seed, int]:
@@ -975,8 +305,8 @@ class Surface(_Handle):
         nothing fits there; see meander_surface_get_outlines. Raises MeanderError for lengths out
         of range.
         """
-        function = _library().meander_surface_get_outlines
-        error = _new_error()
+        function = native().meander_surface_get_outlines
+        error = new_error()
         points, strands = c_size_t(), c_size_t()
         skipped = np.zeros(1, dtype=np.uint32)
         point_room, strand_room = _OUTLINE_ROOM
@@ -988,18 +318,18 @@ class Surface(_Handle):
                 self._alive(),
                 float(distance),
                 float(spacing),
-                _address(positions),
+                address_of(positions),
                 point_room,
                 byref(points),
-                _address(offsets),
-                _address(closed),
+                address_of(offsets),
+                address_of(closed),
                 strand_room,
                 byref(strands),
-                _address(skipped),
+                address_of(skipped),
                 byref(error),
             )
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
             if points.value <= point_room and strands.value <= strand_room:
                 break
             point_room, strand_room = points.value, strands.value
@@ -1023,12 +353,12 @@ class Surface(_Handle):
         """
         values = np.empty(self.vertex_count)
         number = _choice("kind of curvature", kind, CURVATURES)
-        error = _new_error()
-        status = _library().meander_surface_get_curvature(
-            self._alive(), number, float(smoothing), _address(values), len(values), byref(error)
+        error = new_error()
+        status = native().meander_surface_get_curvature(
+            self._alive(), number, float(smoothing), address_of(values), len(values), byref(error)
         )
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
         return values
 
     def directions(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
@@ -1042,17 +372,17 @@ class Surface(_Handle):
         """
         directions = np.empty((self.vertex_count, 3))
         number = _choice("kind of directions", kind, DIRECTIONS)
-        error = _new_error()
-        status = _library().meander_surface_get_directions(
+        error = new_error()
+        status = native().meander_surface_get_directions(
             self._alive(),
             number,
             float(smoothing),
-            _address(directions),
+            address_of(directions),
             len(directions),
             byref(error),
         )
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
         return directions
 
     def extended_directions(self, points: ArrayLike, offsets: ArrayLike) -> NDArray[np.float64]:
@@ -1064,25 +394,25 @@ class Surface(_Handle):
         Returns directions as `directions` does; zero on components without a stroke. Raises
         MeanderError for offsets that do not fit and points that are not finite.
         """
-        point_array = _array("the strokes' points", points, np.float64, 3)
-        offset_array = _array("the strokes' offsets", offsets, np.uint32, None)
+        point_array = checked_array("the strokes' points", points, np.float64, 3)
+        offset_array = checked_array("the strokes' offsets", offsets, np.uint32, None)
         if len(offset_array) < 2 or offset_array[-1] != len(point_array):
             raise MeanderError(
                 f"the strokes' offsets must rise from 0 to the number of points, {len(point_array)}"
             )
         directions = np.empty((self.vertex_count, 3))
-        error = _new_error()
-        status = _library().meander_surface_extend_directions(
+        error = new_error()
+        status = native().meander_surface_extend_directions(
             self._alive(),
-            _address(point_array),
-            _address(offset_array),
+            address_of(point_array),
+            address_of(offset_array),
             len(offset_array) - 1,
-            _address(directions),
+            address_of(directions),
             len(directions),
             byref(error),
         )
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
         return directions
 
 
@@ -1173,8 +503,8 @@ def default_options(preset: str = "even") -> FlowOptions:
 
     Raises MeanderError for an unknown preset.
     """
-    record = _FlowOptions()
-    status = _library().meander_flow_options_init(byref(record), _preset_number(preset))
+    record = FlowOptionsRecord()
+    status = native().meander_flow_options_init(byref(record), _preset_number(preset))
     if status != Status.OK:
         raise MeanderError(f"the native library does not know the preset {preset!r}", status)
     values = _figures(record)
@@ -1186,9 +516,9 @@ def default_options(preset: str = "even") -> FlowOptions:
     return FlowOptions(**values)
 
 
-def _options_record(options: FlowOptions) -> _FlowOptions:
-    record = _FlowOptions(struct_size=sizeof(_FlowOptions))
-    kinds = {field[0]: field[1] for field in _FlowOptions._fields_}
+def _options_record(options: FlowOptions) -> FlowOptionsRecord:
+    record = FlowOptionsRecord(struct_size=sizeof(FlowOptionsRecord))
+    kinds = {field[0]: field[1] for field in FlowOptionsRecord._fields_}
     for field in fields(FlowOptions):
         value = getattr(options, field.name)
         if field.name == "preset":
@@ -1216,7 +546,7 @@ def option_warnings(options: FlowOptions) -> list[str]:
     See meander_flow_options_get_warning. Raises MeanderError for values of the wrong type.
     """
     record = _options_record(options)
-    function = _library().meander_flow_options_get_warning
+    function = native().meander_flow_options_get_warning
     warnings: list[str] = []
     while size := function(byref(record), len(warnings), None, 0):
         text = ctypes.create_string_buffer(size)
@@ -1317,7 +647,7 @@ class Gaps:
 _GAP_ROOM = 256
 
 
-class Flow(_Handle):
+class Flow(Handle):
     """A curve that grows on a surface. It belongs to one thread at a time.
 
     surface   stays usable and may be closed; the flow keeps what it needs of it
@@ -1341,7 +671,7 @@ class Flow(_Handle):
     ) -> None:
         density_array = None
         if density is not None:
-            density_array = _array("density", density, np.float64, None)
+            density_array = checked_array("density", density, np.float64, None)
             if len(density_array) != surface.vertex_count:
                 raise MeanderError(
                     f"density must have one value for each of the {surface.vertex_count} vertices "
@@ -1350,20 +680,20 @@ class Flow(_Handle):
         # The arrays behind the record must outlive the call, hence the second name.
         seed_record, seed_arrays = (None, ()) if seed is None else _seed_record(seed)
         record = _options_record(options)
-        library = _library()
+        library = native()
         pointer = c_void_p()
-        error = _new_error()
+        error = new_error()
         status = library.meander_flow_create(
             surface._alive(),
             None if seed_record is None else byref(seed_record),
-            _address(density_array),
+            address_of(density_array),
             byref(record),
             byref(pointer),
             byref(error),
         )
         del seed_arrays
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
         super().__init__(pointer.value, library.meander_flow_destroy)
         self._busy = threading.Lock()
         self._seen = 0  # serial of the last preview handed out
@@ -1404,15 +734,15 @@ class Flow(_Handle):
         """
         array = None
         if directions is not None:
-            array = _array("directions", directions, np.float64, 3)
+            array = checked_array("directions", directions, np.float64, 3)
         number = _choice("kind of alignment", kind, ALIGNMENTS)
-        error = _new_error()
+        error = new_error()
         with self._use() as pointer:
-            status = _library().meander_flow_set_directions(
-                pointer, _address(array), 0 if array is None else len(array), number, byref(error)
+            status = native().meander_flow_set_directions(
+                pointer, address_of(array), 0 if array is None else len(array), number, byref(error)
             )
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
 
     def step(self, context: Context | None = None) -> str:
         """Runs one iteration and returns the stop reason, one of STOP_REASONS.
@@ -1431,9 +761,9 @@ class Flow(_Handle):
         return self._advance("meander_flow_run", context)
 
     def _advance(self, name: str, context: Context | None) -> str:
-        error = _new_error()
+        error = new_error()
         with self._use() as pointer:
-            function = getattr(_library(), name)
+            function = getattr(native(), name)
             if context is None:
                 status = function(pointer, None, byref(error))
             else:
@@ -1441,12 +771,12 @@ class Flow(_Handle):
                     status = function(pointer, context_pointer, byref(error))
             return self._reason(pointer, status, error)
 
-    def _reason(self, pointer: int, status: int, error: _Error) -> str:
+    def _reason(self, pointer: int, status: int, error: ErrorRecord) -> str:
         if status == Status.CANCELLED:
             return "cancelled"
         if status != Status.OK:
-            _raise(status, error)
-        return STOP_REASONS[_library().meander_flow_stop_reason(pointer)]
+            raise_error(status, error)
+        return STOP_REASONS[native().meander_flow_stop_reason(pointer)]
 
     def start(self, context: Context | None = None) -> None:
         """Begins `run` on a thread of the library's and returns at once; the curve is the same.
@@ -1454,8 +784,8 @@ class Flow(_Handle):
         Until `wait`, everything but `running`, `preview`, `wait` and `close` raises MeanderError.
         The context may be closed meanwhile, but then the run can only be ended by `close`.
         """
-        function = _library().meander_flow_start
-        error = _new_error()
+        function = native().meander_flow_start
+        error = new_error()
         with self._use() as pointer:
             if context is None:
                 status = function(pointer, None, byref(error))
@@ -1463,7 +793,7 @@ class Flow(_Handle):
                 with context._use() as context_pointer:
                     status = function(pointer, context_pointer, byref(error))
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
             self._seen = 0
             # The interpreter must not go while the library computes; no other thread of Python's
             # can be inside the flow but in `wait`, which takes this back.
@@ -1472,17 +802,17 @@ class Flow(_Handle):
     @property
     def running(self) -> bool:
         """Whether a started run is still going. Any thread; costs nothing."""
-        return bool(_library().meander_flow_is_running(self._alive()))
+        return bool(native().meander_flow_is_running(self._alive()))
 
     def wait(self) -> str:
         """Waits for the end of a started run; returns or raises what `run` would have.
 
         Raises MeanderError also when no run has been started since the last wait.
         """
-        error = _new_error()
+        error = new_error()
         with self._use() as pointer:
             self._finalizer.atexit = False
-            status = _library().meander_flow_wait(pointer, byref(error))
+            status = native().meander_flow_wait(pointer, byref(error))
             return self._reason(pointer, status, error)
 
     def preview(self) -> Preview | None:
@@ -1492,9 +822,9 @@ class Flow(_Handle):
         iteration, when this one has been taken. Raises MeanderError before `start` and after
         `wait`.
         """
-        function = _library().meander_flow_get_preview
-        error = _new_error()
-        figures = _Preview(struct_size=sizeof(_Preview))
+        function = native().meander_flow_get_preview
+        error = new_error()
+        figures = PreviewRecord(struct_size=sizeof(PreviewRecord))
         points, strands = c_size_t(), c_size_t()
         with self._use() as pointer:
             status = function(
@@ -1511,7 +841,7 @@ class Flow(_Handle):
                 byref(error),
             )
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
             if figures.serial == self._seen:
                 return None
             curve = _empty_polylines(points.value, strands.value)
@@ -1519,18 +849,18 @@ class Flow(_Handle):
             status = function(
                 pointer,
                 byref(figures),
-                _address(curve.positions),
-                _address(curve.normals),
+                address_of(curve.positions),
+                address_of(curve.normals),
                 points.value,
                 byref(points),
-                _address(curve.offsets),
-                _address(curve.closed),
+                address_of(curve.offsets),
+                address_of(curve.closed),
                 strands.value,
                 byref(strands),
                 byref(error),
             )
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
             self._seen = figures.serial
         return Preview(curve, figures.iterations, figures.nodes, figures.length, figures.seconds)
 
@@ -1544,21 +874,21 @@ class Flow(_Handle):
         coordinate that is not finite, a face without area, and a surface that has become too small
         or too large for the spacing.
         """
-        array = _array("vertices", vertices, np.float64, 3)
-        error = _new_error()
+        array = checked_array("vertices", vertices, np.float64, 3)
+        error = new_error()
         with self._use() as pointer:
-            status = _library().meander_flow_set_vertices(
-                pointer, _address(array), len(array), byref(error)
+            status = native().meander_flow_set_vertices(
+                pointer, address_of(array), len(array), byref(error)
             )
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
 
-    def _statistics(self, pointer: int) -> _FlowStatistics:
-        record = _FlowStatistics(struct_size=sizeof(_FlowStatistics))
-        error = _new_error()
-        status = _library().meander_flow_get_statistics(pointer, byref(record), byref(error))
+    def _statistics(self, pointer: int) -> FlowStatisticsRecord:
+        record = FlowStatisticsRecord(struct_size=sizeof(FlowStatisticsRecord))
+        error = new_error()
+        status = native().meander_flow_get_statistics(pointer, byref(record), byref(error))
         if status != Status.OK:
-            _raise(status, error)
+            raise_error(status, error)
         return record
 
     def statistics(self) -> dict[str, Any]:
@@ -1579,25 +909,25 @@ class Flow(_Handle):
 
         iteration (from 1) and nodes: int; length, mean_step, energy, seconds: float.
         """
-        library = _library()
-        error = _new_error()
+        library = native()
+        error = new_error()
         count = c_size_t()
         with self._use() as pointer:
             status = library.meander_flow_get_history(pointer, None, 0, byref(count), byref(error))
             if status != Status.OK:
-                _raise(status, error)
-            records = (_Iteration * count.value)()
+                raise_error(status, error)
+            records = (IterationRecord * count.value)()
             status = library.meander_flow_get_history(
                 pointer, records, count.value, byref(count), byref(error)
             )
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
         return [_figures(record) for record in records]
 
     def polylines(self) -> Polylines:
         """The present curve, nodes and edge crossings; strands come in the order of the seed's."""
-        function = _library().meander_flow_get_polylines
-        error = _new_error()
+        function = native().meander_flow_get_polylines
+        error = new_error()
         points = c_size_t()
         strands = c_size_t()
         with self._use() as pointer:
@@ -1605,48 +935,48 @@ class Flow(_Handle):
                 pointer, None, None, 0, byref(points), None, None, 0, byref(strands), byref(error)
             )
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
             curve = _empty_polylines(points.value, strands.value)
             status = function(
                 pointer,
-                _address(curve.positions),
-                _address(curve.normals),
+                address_of(curve.positions),
+                address_of(curve.normals),
                 points.value,
                 byref(points),
-                _address(curve.offsets),
-                _address(curve.closed),
+                address_of(curve.offsets),
+                address_of(curve.closed),
                 strands.value,
                 byref(strands),
                 byref(error),
             )
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
         return curve
 
     def guides(self) -> NDArray[np.bool_]:
         """(s,) bool: which strands are guides, in the order of the polylines."""
-        function = _library().meander_flow_get_guides
-        error = _new_error()
+        function = native().meander_flow_get_guides
+        error = new_error()
         count = c_size_t()
         with self._use() as pointer:
             status = function(pointer, None, 0, byref(count), byref(error))
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
             flags = np.empty(count.value, dtype=np.uint8)
-            status = function(pointer, _address(flags), len(flags), byref(count), byref(error))
+            status = function(pointer, address_of(flags), len(flags), byref(count), byref(error))
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
         return flags.astype(bool)
 
     def nodes(self) -> Nodes:
         """The present nodes, strand after strand."""
-        function = _library().meander_flow_get_nodes
-        error = _new_error()
+        function = native().meander_flow_get_nodes
+        error = new_error()
         count = c_size_t()
         with self._use() as pointer:
             status = function(pointer, None, None, None, None, 0, byref(count), byref(error))
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
             nodes = Nodes(
                 np.empty(count.value, dtype=np.uint32),
                 np.empty((count.value, 3)),
@@ -1655,24 +985,24 @@ class Flow(_Handle):
             )
             status = function(
                 pointer,
-                *(_address(array) for array in nodes),
+                *(address_of(array) for array in nodes),
                 count.value,
                 byref(count),
                 byref(error),
             )
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
         return nodes
 
     def point_data(self) -> PointData:
         """What is known of every point of `polylines()`, in their order. Costs a medial axis."""
-        function = _library().meander_flow_get_point_data
-        error = _new_error()
+        function = native().meander_flow_get_point_data
+        error = new_error()
         count = c_size_t()
         with self._use() as pointer:
             status = function(pointer, *(None,) * 6, 0, byref(count), byref(error))
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
             data = PointData(
                 np.empty(count.value),
                 np.empty((count.value, 3)),
@@ -1683,13 +1013,13 @@ class Flow(_Handle):
             )
             status = function(
                 pointer,
-                *(_address(array) for array in data),
+                *(address_of(array) for array in data),
                 count.value,
                 byref(count),
                 byref(error),
             )
             if status != Status.OK:
-                _raise(status, error)
+                raise_error(status, error)
         return data
 
     def gaps(self, least_size: float = 0.0) -> Gaps:
@@ -1701,8 +1031,8 @@ class Flow(_Handle):
         Costs one medial axis and a search; the curve stays as it is. Raises MeanderError for a
         size out of range.
         """
-        function = _library().meander_flow_get_gaps
-        error = _new_error()
+        function = native().meander_flow_get_gaps
+        error = new_error()
         count = c_size_t()
         room = _GAP_ROOM
         with self._use() as pointer:
@@ -1716,13 +1046,13 @@ class Flow(_Handle):
                 status = function(
                     pointer,
                     float(least_size),
-                    *(_address(getattr(gaps, field.name)) for field in fields(Gaps)),
+                    *(address_of(getattr(gaps, field.name)) for field in fields(Gaps)),
                     room,
                     byref(count),
                     byref(error),
                 )
                 if status != Status.OK:
-                    _raise(status, error)
+                    raise_error(status, error)
                 if count.value <= room:
                     break
                 room = count.value
@@ -1738,17 +1068,17 @@ def _empty_polylines(points: int, strands: int) -> Polylines:
     )
 
 
-def _seed_record(seed: Seed) -> tuple[_Seed, tuple[NDArray[Any], ...]]:
+def _seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:
     """The C struct of a seed, and the arrays that it points to.
 
     The library cannot see how long the arrays are, so their lengths are checked here.
     """
-    points = _array("the seed's points", seed.points, np.float64, 3)
-    offsets = _array("the seed's offsets", seed.offsets, np.uint32, None)
-    closed = _array("the seed's closed flags", seed.closed, np.uint8, None)
+    points = checked_array("the seed's points", seed.points, np.float64, 3)
+    offsets = checked_array("the seed's offsets", seed.offsets, np.uint32, None)
+    closed = checked_array("the seed's closed flags", seed.closed, np.uint8, None)
     fixed = None
     if seed.fixed is not None:
-        fixed = _array("the seed's fixed flags", seed.fixed, np.uint8, None)
+        fixed = checked_array("the seed's fixed flags", seed.fixed, np.uint8, None)
     if len(offsets) != len(closed) + 1 or len(closed) == 0:
         raise MeanderError(
             "a seed needs at least one strand and one more offset than strands, not "
@@ -1767,21 +1097,21 @@ def _seed_record(seed: Seed) -> tuple[_Seed, tuple[NDArray[Any], ...]]:
         )
     guides = None
     if seed.guides is not None:
-        guides = _array("the seed's guide flags", seed.guides, np.uint8, None)
+        guides = checked_array("the seed's guide flags", seed.guides, np.uint8, None)
         if len(guides) != len(closed):
             raise MeanderError(
                 f"the seed needs one guide flag for each of its {len(closed)} strands, "
                 f"not {len(guides)}",
                 Status.INVALID_SEED,
             )
-    record = _Seed(
-        struct_size=sizeof(_Seed),
+    record = SeedRecord(
+        struct_size=sizeof(SeedRecord),
         strand_count=len(closed),
-        points=_address(points),
-        offsets=_address(offsets),
-        closed=_address(closed),
-        fixed=_address(fixed),
-        guides=_address(guides),
+        points=address_of(points),
+        offsets=address_of(offsets),
+        closed=address_of(closed),
+        fixed=address_of(fixed),
+        guides=address_of(guides),
         loops=int(seed.loops),
     )
     optional = tuple(array for array in (fixed, guides) if array is not None)

@@ -12,7 +12,7 @@ import geometry
 import numpy as np
 import pytest
 from conftest import PACKAGE
-from meander import batch, core, mesh_files, report
+from meander import abi, batch, core, mesh_files, report
 from sentences import assert_sentence
 
 
@@ -372,7 +372,7 @@ def test_report_is_strict_json(tmp_path: Path) -> None:
     surface = dict.fromkeys(
         ("vertices", "faces", "components", "boundary_loops", "area", "turned_faces"), 1
     )
-    flow = dict.fromkeys([field[0] for field in core._FlowStatistics._fields_], np.nan)
+    flow = dict.fromkeys([field[0] for field in abi.FlowStatisticsRecord._fields_], np.nan)
     flow["stop_reason"] = "stalled"
     options = {"stop_rule": core.StopRule.PAPER}
     gaps = core.Gaps(np.full((1, 3), np.inf), np.ones(1), np.ones(1), np.zeros(1, np.uint32))

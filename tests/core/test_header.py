@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""core.py mirrors meander.h: the header is read here, and both sides are compared."""
+"""abi.py mirrors meander.h: the header is read here, and both sides are compared."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import re
 
 import pytest
 from conftest import REPOSITORY
-from meander import core
+from meander import abi, core, native_library
 
 HEADER = (REPOSITORY / "native/include/meander/meander.h").read_text(encoding="utf-8")
 CODE = re.sub(r"/\*.*?\*/", "", HEADER, flags=re.DOTALL)
@@ -58,13 +58,13 @@ def test_header_was_understood() -> None:
 
 
 def test_every_function_has_a_prototype_and_no_other() -> None:
-    assert set(declared_functions()) == set(core._PROTOTYPES)
+    assert set(declared_functions()) == set(abi.PROTOTYPES)
 
 
 @pytest.mark.parametrize("name", sorted(declared_functions()))
 def test_prototype_is_that_of_the_header(name: str) -> None:
     result, arguments = declared_functions()[name]
-    our_result, our_arguments = core._PROTOTYPES[name]
+    our_result, our_arguments = abi.PROTOTYPES[name]
     assert _matches(result, our_result), f"result of {name}"
     assert len(arguments) == len(our_arguments)
     for at, (theirs, ours) in enumerate(zip(arguments, our_arguments, strict=True)):
@@ -82,8 +82,8 @@ def _matches(c_type: str, ours: type | None) -> bool:
         return target == "char"
     if target.endswith("*"):
         return ours is ctypes.POINTER(ctypes.c_void_p) and target[:-1].strip() in OPAQUE
-    if target in core._STRUCTS:
-        return ours is ctypes.POINTER(core._STRUCTS[target])
+    if target in abi.STRUCTS:
+        return ours is ctypes.POINTER(abi.STRUCTS[target])
     return ours is ctypes.POINTER(NUMBERS[target])
 
 
@@ -92,9 +92,9 @@ OPAQUE = ("meander_context", "meander_surface", "meander_flow")
 
 def test_every_struct_is_mirrored_field_by_field() -> None:
     structs = declared_structs()
-    assert set(structs) == set(core._STRUCTS)
+    assert set(structs) == set(abi.STRUCTS)
     for name, declarations in structs.items():
-        fields = core._STRUCTS[name]._fields_
+        fields = abi.STRUCTS[name]._fields_
         assert len(fields) == len(declarations), name
         for (field, kind, *_), declaration in zip(fields, declarations, strict=True):
             match = re.fullmatch(r"(.*?)(\w+)(?:\[(\d+)\])?", declaration)
@@ -140,18 +140,18 @@ def test_abi_and_version_are_the_same_everywhere() -> None:
     assert version == core.VERSION == core.library_version()
 
 
-@pytest.mark.parametrize("name", sorted(core._STRUCTS))
+@pytest.mark.parametrize("name", sorted(abi.STRUCTS))
 def test_struct_layout_is_that_of_the_library(name: str) -> None:
     ours, theirs = core.struct_layouts()[name]
     assert ours == theirs
 
 
 def test_unknown_struct_has_no_layout() -> None:
-    assert core._library().meander_struct_layout(b"meander_nothing", None, 0) == 0
+    assert native_library.native().meander_struct_layout(b"meander_nothing", None, 0) == 0
 
 
 def test_option_names_are_those_of_the_struct() -> None:
-    names = [field[0] for field in core._FlowOptions._fields_]
+    names = [field[0] for field in abi.FlowOptionsRecord._fields_]
     hidden = {"struct_size", "reserved"}
     ours = [field.name for field in dataclasses.fields(core.FlowOptions)]
     assert ours == [name for name in names if name not in hidden]

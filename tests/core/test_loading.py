@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from conftest import PACKAGE
-from meander import core
+from meander import core, native_library
 from sentences import assert_sentence
 
 HAVE_COMPILER = shutil.which("gcc") is not None and sys.platform == "linux"
@@ -23,7 +23,7 @@ def load_from(monkeypatch: pytest.MonkeyPatch):
 
     def attempt(path: Path) -> str:
         monkeypatch.setenv(core.LIBRARY_VARIABLE, str(path))
-        monkeypatch.setattr(core, "_loaded", None)
+        monkeypatch.setattr(native_library, "_loaded", None)
         with pytest.raises(core.MeanderError) as caught:
             core.default_options()
         assert caught.value.status == core.STATUS_NO_LIBRARY
@@ -49,8 +49,8 @@ def test_import_loads_nothing() -> None:
         "package = importlib.util.module_from_spec(spec)\n"
         "sys.modules['m'] = package\n"
         "spec.loader.exec_module(package)\n"
-        "from m import core\n"
-        "assert core._loaded is None and 'bpy' not in sys.modules\n"
+        "from m import core, native_library\n"
+        "assert native_library._loaded is None and 'bpy' not in sys.modules\n"
         "try:\n"
         "    core.default_options()\n"
         "except core.MeanderError as error:\n"
