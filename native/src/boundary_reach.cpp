@@ -2,6 +2,7 @@
 #include "boundary_reach.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +45,9 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
   return samples;
 }
 
+/// Walks that are led in turns.
+constexpr uint32_t kTogether = 16;
+
 /// Share of the distance wanted below which the boundary pushes harder yet, and how much.
 constexpr double kVeryNear = 0.7, kVeryNearPush = 6;
 
@@ -69,54 +73,70 @@ double way_to_corner(const BoundaryObstacle& boundary, const Vec3& x, const Vec3
 }  // namespace
 
 BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
-    : tree_(sample_boundary(surface, step, edges_, inward_)) {}
+    : step_(step), tree_(sample_boundary(surface, step, edges_, inward_)) {}
 
 void compute_reach(const Surface& surface, const Curve& curve, const Frames& frames,
                    const BoundaryObstacle& boundary, BoundaryRule rule, MedialAxis axis,
                    const std::vector<double>& max_radius, const std::vector<double>& overhang,
                    const std::vector<double>& least_rest, Team& team, std::vector<Reach>& reach) {
   const uint32_t n = curve.size();
+  const auto beyond_of = [&](uint32_t i) { return rule == BoundaryRule::kCentre ? overhang[i] : 0; };
+  const auto rest_of = [&](uint32_t i) { return rule == BoundaryRule::kCentre ? least_rest[i] : 0; };
+  const auto look_of = [&](uint32_t i) { return max_radius[i] + std::max(0.0, -beyond_of(i)); };
   reach.resize(n);
   constexpr size_t kBlock = 512;
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-    Path path;
+    struct Way {
+      uint32_t node, side;
+      double length;  // to the boundary; infinite where it is too far to matter
+    };
+    std::vector<Way> ways;
     std::vector<uint32_t> near;
     for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
       const double most = max_radius[i];
       reach[i].fill({most, most, most});
-      if (boundary.empty()) continue;
-      const double beyond = rule == BoundaryRule::kCentre ? overhang[i] : 0;
-      const double rest = rule == BoundaryRule::kCentre ? least_rest[i] : 0;
-      const Vec3& x = frames.position[i];
-      // From here on the boundary is too far to end a ball; never less than twice the clamp, so that a
-      // winding way to it counts as well.
-      const double far = std::max(2 * most, most - 2 * beyond);
-      if (!boundary.tree().nearest(x, far * far)) continue;
-      for (size_t side = 0; side < 2; ++side) {
-        double way = frames.to_boundary[i][side];
-        if (way < 0) {
-          path.clear();
-          const Vec2 direction = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
-          const Trace trace =
-              trace_geodesic(surface, curve.nodes[i], (most + std::max(0.0, -beyond)) * direction, path);
-          way = trace.hit_boundary ? trace.length : std::numeric_limits<double>::infinity();
-        }
-        if (axis == MedialAxis::kEuclidean && rest > 0) {
-          const double corner = way_to_corner(boundary, x, frames.outward[i][side], rest, near);
-          if (corner < rest) way = std::min(way, corner);
-        }
-        ReachOfSide& r = reach[i][side];
-        r.radius = std::clamp(way + beyond, 0.0, most);
-        r.centre = std::min(most, way);
-        // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
-        // boundaries would else settle at half of their distance from each other. And harder yet where
-        // they are very near, as at a corner, which pushes a few nodes only.
-        const double lacking = rest - (way + beyond);
-        if (rest > 0 && lacking > 0) {
-          r.driving = rest - 2 * lacking - kVeryNearPush * std::max(0.0, lacking - (1 - kVeryNear) * rest);
-        } else {
-          r.driving = r.radius;
-        }
+      // A way that ends at the boundary is no shorter than the straight line to there, and leaves a sample
+      // beside it.
+      const double far = std::max(look_of(i), rest_of(i)) + boundary.step();
+      if (boundary.empty() || !boundary.tree().any_within(frames.position[i], far * far)) continue;
+      for (uint32_t side = 0; side < 2; ++side) ways.push_back({i, side, frames.to_boundary[i][side]});
+    }
+
+    std::vector<GeodesicWalk> walks;
+    std::array<Way*, kTogether> walking;
+    walks.reserve(kTogether);
+    for (auto way = ways.begin(); way != ways.end();) {
+      walks.clear();
+      for (; way != ways.end() && walks.size() < kTogether; ++way) {
+        if (way->length >= 0) continue;
+        const Vec2 direction = (way->side == 0 ? 1.0 : -1.0) * frames.bitangent2[way->node];
+        walking[walks.size()] = &*way;
+        walks.emplace_back(surface, curve.nodes[way->node], look_of(way->node) * direction);
+      }
+      lead_together(walks, [](size_t) {});
+      for (size_t k = 0; k < walks.size(); ++k) {
+        walking[k]->length = walks[k].hit_boundary() ? walks[k].length() : std::numeric_limits<double>::infinity();
+      }
+    }
+
+    for (const auto& [i, side, length] : ways) {
+      const double beyond = beyond_of(i), rest = rest_of(i), most = max_radius[i];
+      double way = length;
+      if (axis == MedialAxis::kEuclidean && rest > 0) {
+        const double corner = way_to_corner(boundary, frames.position[i], frames.outward[i][side], rest, near);
+        if (corner < rest) way = std::min(way, corner);
+      }
+      ReachOfSide& r = reach[i][side];
+      r.radius = std::clamp(way + beyond, 0.0, most);
+      r.centre = std::min(most, way);
+      // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
+      // boundaries would else settle at half of their distance from each other. And harder yet where
+      // they are very near, as at a corner, which pushes a few nodes only.
+      const double lacking = rest - (way + beyond);
+      if (rest > 0 && lacking > 0) {
+        r.driving = rest - 2 * lacking - kVeryNearPush * std::max(0.0, lacking - (1 - kVeryNear) * rest);
+      } else {
+        r.driving = r.radius;
       }
     }
   });

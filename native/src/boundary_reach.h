@@ -30,11 +30,13 @@ class BoundaryObstacle {
   /// Unit directions into the surface at the samples; in the middle between those of two edges at a vertex.
   const std::vector<Vec3>& inward() const { return inward_; }
   const PointTree& tree() const { return tree_; }
+  double step() const { return step_; }
   bool empty() const { return tree_.points().empty(); }
 
  private:
   std::vector<HalfEdge> edges_;
   std::vector<Vec3> inward_;
+  double step_;
   PointTree tree_;
 };
 

@@ -100,7 +100,7 @@ class DistanceField {
       const double length = (positions_[b] - positions_[a]).norm();
       if (length <= edge) return;
       const double near = reach + length;
-      if (!boundary.nearest(m, near * near)) return;
+      if (!boundary.any_within(m, near * near)) return;
       middle.emplace(key, static_cast<uint32_t>(positions_.size()));
       const auto on_boundary = boundary_.find(key);
       const uint32_t c = static_cast<uint32_t>(positions_.size());

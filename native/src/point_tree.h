@@ -38,6 +38,14 @@ class PointTree {
     return Hit{best.index, best.distance};
   }
 
+  /// Whether any point is closer to `q` than sqrt(squared_radius): the first one that is found will do.
+  bool any_within(const Eigen::Vector3d& q, double squared_radius) const {
+    if (cloud_.points.empty()) return false;
+    Any any{squared_radius};
+    index_.findNeighbors(any, q.data(), nanoflann::SearchParams(0, 0.f, false));
+    return any.found;
+  }
+
   /// The indices of all points closer than sqrt(squared_radius), sorted.
   void within(const Eigen::Vector3d& q, double squared_radius, std::vector<uint32_t>& found) const {
     found.clear();
@@ -74,6 +82,18 @@ class PointTree {
         index = i;
       }
       return true;
+    }
+  };
+  struct Any {
+    double bound;
+    bool found = false;
+    size_t size() const { return found; }
+    bool full() const { return true; }
+    double worstDist() const { return bound; }
+    /// False ends the search.
+    bool addPoint(double d, uint32_t) {
+      found |= d < bound;
+      return !found;
     }
   };
   struct All {

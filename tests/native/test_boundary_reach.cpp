@@ -12,7 +12,8 @@ namespace meander::test {
 namespace {
 
 struct Scene {
-  explicit Scene(const Mesh& mesh, int walks = 40) : surface(make_surface(mesh)), boundary(surface, 0.01) {
+  explicit Scene(const Mesh& mesh, int walks = 40, double step = 0.01)
+      : surface(make_surface(mesh)), boundary(surface, step) {
     Rng rng(71);
     for (int k = 0; k < walks; ++k) {
       add_walk(surface, curve, random_point(surface, rng), 0.02, 10, 0.4, rng);
@@ -71,15 +72,19 @@ TEST(Reach, IsTheClampWhereThereIsNoBoundary) {
   }
 }
 
+/// However few the samples by which one sees that the boundary is near: of a square's edges their ends only.
 TEST(Reach, IsTheWayToTheBoundary) {
-  const Scene scene(grid_with_hole(9));
-  for (const double overhang : {-0.05, 0.0, 0.05}) {
-    const std::vector<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kGeodesic, kMost, overhang, 0);
-    for (uint32_t i = 0; i < scene.curve.size(); ++i) {
-      for (size_t side = 0; side < 2; ++side) {
-        const double way = scene.way(i, side, 1);
-        EXPECT_NEAR(reach[i][side].radius, std::clamp(way + overhang, 0.0, kMost), kRounding);
-        EXPECT_NEAR(reach[i][side].centre, std::min(kMost, way), kRounding);
+  for (const auto& [mesh, step] :
+       {std::pair{grid_with_hole(9), 0.01}, {grid_with_hole(9), 1.0}, {flat_grid(1, 0), 1.0}}) {
+    const Scene scene(mesh, 40, step);
+    for (const double overhang : {-0.05, 0.0, 0.05}) {
+      const std::vector<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kGeodesic, kMost, overhang, 0);
+      for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+        for (size_t side = 0; side < 2; ++side) {
+          const double way = scene.way(i, side, 1);
+          EXPECT_NEAR(reach[i][side].radius, std::clamp(way + overhang, 0.0, kMost), kRounding);
+          EXPECT_NEAR(reach[i][side].centre, std::min(kMost, way), kRounding);
+        }
       }
     }
   }
