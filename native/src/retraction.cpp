@@ -50,8 +50,11 @@ double Retraction::move(const Surface& surface, Curve& curve, const std::vector<
 }
 
 void Retraction::straighten(const Surface& surface, Curve& curve, Team& team, MoveSeconds& seconds) {
-  // Fixed nodes too: none of them moves, and a share of 0 means that a path is kept.
+  // None of the nodes moves, and a share of 0 means that a path is kept: guides stay as drawn.
   share_.assign(curve.size(), 1);
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    if (curve.on_guide(i)) share_[i] = 0;
+  }
   resolve(surface, curve, std::vector<Vec2>(curve.size()), team, seconds);
 }
 

@@ -295,6 +295,50 @@ TEST(Deformation, FixedNodesStayWhereTheyAreOnTheirFaces) {
   }
 }
 
+/// What a guide crosses, and where: its line, apart from the places where it is cut.
+std::vector<double> line_of_guide(const Curve& curve) {
+  std::vector<double> line;
+  const Strand& guide = curve.strands[0];
+  EXPECT_TRUE(guide.guide);
+  for (uint32_t i = guide.first; i + 1 < guide.end(); ++i) {
+    for (const Crossing& c : curve.paths[i]) line.insert(line.end(), {static_cast<double>(c.e), c.t});
+  }
+  return line;
+}
+
+/// Between its points too: on the surface as it is now they need not be joined by shortest paths.
+TEST(Deformation, GuidesRideAsDrawn) {
+  const Mesh mesh = flat_grid(14);
+  const std::vector<double> points{0.1, 0.33, 0, 0.87, 0.71, 0};
+  const std::vector<uint32_t> offsets{0, 2};
+  const uint8_t closed = 0, guides = 1;
+  meander_seed seed{};
+  seed.struct_size = sizeof seed;
+  seed.strand_count = 1;
+  seed.points = points.data();
+  seed.offsets = offsets.data();
+  seed.closed = &closed;
+  seed.guides = &guides;
+  seed.loops = 1;
+  const FlowHandle flow = make_flow(mesh, 0.1, 1, MEANDER_PRESET_EVEN, &seed);
+  step(flow, 30);
+  const std::vector<double> line = line_of_guide(flow->flow->curve());
+  const uint32_t nodes = flow->flow->curve().strands[0].count;
+  ASSERT_GT(line.size(), 20u);
+  Rng rng(77);
+  for (int k = 0; k < 5; ++k) {
+    const double stretch = rng.in(1, 3), fold = rng.in(-0.2, 0.2);
+    const Mesh moved = mapped(mesh, [&](const Vec3& p) -> Vec3 {
+      return {stretch * p.x(), p.y() + fold * std::sin(9 * p.x()), fold * std::cos(11 * p.y() + 5 * p.x())};
+    });
+    ASSERT_EQ(set_vertices(flow, moved.vertices), "");
+    step(flow, 2);
+    expect_valid(flow);
+    EXPECT_EQ(line_of_guide(flow->flow->curve()), line);
+  }
+  EXPECT_GT(flow->flow->curve().strands[0].count, nodes) << "it should have been cut further";
+}
+
 TEST(Deformation, SameBytesForAnyScaleAndThreads) {
   const Mesh mesh = tube();
   const FlowHandle one = make_flow(mesh, 0.7, 1), two = make_flow(mesh, 0.7, 2),

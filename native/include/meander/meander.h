@@ -570,8 +570,9 @@ MEANDER_API meander_status meander_flow_get_preview(meander_flow* flow, meander_
 
 /* Moves the vertices of the flow's surface, for a mesh that is animated: the faces stay as they were
  * passed to meander_surface_create, the places of their corners change (section 5, Fig. 20). Nodes ride
- * on their faces with the same weights of the corners, fixed ones too; segments become straight again;
- * nothing crosses, and strands are as seeded. r and all other lengths stay what they are in the caller's
+ * on their faces with the same weights of the corners, fixed ones too; segments become straight again,
+ * but for those of guides, whose lines stay as drawn and are cut further where they stretch; nothing
+ * crosses, and strands are as seeded. r and all other lengths stay what they are in the caller's
  * units, as does the density at every vertex, so a surface that grows gets a longer curve in the steps
  * that follow. A few of them, two or three a frame, keep the spacing even.
  *
