@@ -198,6 +198,9 @@ def crossings(
         side_p = _cross(direction[:, None], p[None, :] - p[:, None])
         side_q = _cross(direction[:, None], q[None, :] - p[:, None])
         separates = side_p * side_q < 0
+        # Of pieces on one line, far apart, rounding may say anything.
+        low, high = np.minimum(p, q), np.maximum(p, q)
+        separates &= (low[:, None] <= high[None, :]).all(axis=2)
         ends = pieces[members]
         shares = (ends[:, None, :, None] == ends[None, :, None, :]).any(axis=(2, 3))
         for i, j in np.argwhere(separates & separates.T & ~shares):
