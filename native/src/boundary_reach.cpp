@@ -45,9 +45,6 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
   return samples;
 }
 
-/// Walks that are led in turns.
-constexpr uint32_t kTogether = 16;
-
 /// Share of the distance wanted below which the boundary pushes harder yet, and how much.
 constexpr double kVeryNear = 0.7, kVeryNearPush = 6;
 
@@ -88,7 +85,7 @@ void compute_reach(const Surface& surface, const Curve& curve, const Frames& fra
   team.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
     struct Way {
       uint32_t node, side;
-      double length;  // to the boundary; infinite where it is too far to matter
+      double length;  // to the boundary; infinite where it is too far to matter, negative until it is known
     };
     std::vector<Way> ways;
     std::vector<uint32_t> near;

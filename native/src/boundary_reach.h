@@ -30,6 +30,7 @@ class BoundaryObstacle {
   /// Unit directions into the surface at the samples; in the middle between those of two edges at a vertex.
   const std::vector<Vec3>& inward() const { return inward_; }
   const PointTree& tree() const { return tree_; }
+  /// Samples of one edge are no farther apart.
   double step() const { return step_; }
   bool empty() const { return tree_.points().empty(); }
 

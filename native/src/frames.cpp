@@ -32,9 +32,6 @@ Vec3 unit_or_else(const Vec3& v, const Otherwise& otherwise) {
   return n > 0 ? Vec3(v / n) : otherwise();
 }
 
-/// Walks that are led in turns, so that they wait for memory together.
-constexpr uint32_t kTogether = 16;
-
 /// The bisector of a node's two segments.
 Vec2 flat_tangent(const Curve& curve, uint32_t i) {
   const uint32_t before = curve.previous(i), after = curve.next(i);

@@ -57,13 +57,13 @@ class GeodesicWalk {
   bool ended_ = false, hit_boundary_ = false;
 };
 
-/// The most walks that are led in turns.
-inline constexpr uint32_t kMostTogether = 32;
+/// So many walks are led in turns, or both of so many nodes: enough that they wait for memory together.
+inline constexpr uint32_t kTogether = 16;
 
-/// Leads all walks to their ends, in turns; calls crossed(k) after walk k has crossed an edge.
+/// Leads all walks, 2 kTogether at most, to their ends, in turns; calls crossed(k) after walk k has crossed an edge.
 template <class Crossed>
 void lead_together(std::vector<GeodesicWalk>& walks, const Crossed& crossed) {
-  std::array<uint8_t, kMostTogether> under_way;
+  std::array<uint8_t, 2 * kTogether> under_way;
   uint32_t count = static_cast<uint32_t>(walks.size());
   for (uint32_t k = 0; k < count; ++k) under_way[k] = static_cast<uint8_t>(k);
   while (count > 0) {

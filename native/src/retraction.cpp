@@ -14,9 +14,6 @@ namespace {
 
 constexpr size_t kBlock = 256;
 
-/// Walks that are led in turns.
-constexpr uint32_t kTogether = 16;
-
 /// The faces of the segment this many places on are fetched while another one is joined: on a fine mesh
 /// that costs less than to wait for them.
 constexpr uint32_t kAhead = 4;

@@ -33,8 +33,8 @@ class Retraction {
               MoveSeconds& seconds);
 
   /// Makes every segment, but those of guides, a shortest geodesic again between nodes that stay, after the
-  /// surface has moved under `curve`, whose shapes are those of its paths as they are. It has no crossings and gets none:
-  /// where straight segments would cross, the paths are kept.
+  /// surface has moved under `curve`, whose shapes are those of its paths as they are. It has no crossings and
+  /// gets none: where straight segments would cross, the paths are kept.
   void straighten(const Surface& surface, Curve& curve, Team& team, MoveSeconds& seconds);
 
  private:

@@ -160,11 +160,7 @@ TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
       }
       if (near_boundary) continue;
       retraction.move(s, curve, d, team, seconds);
-      if (!std::ranges::equal(curve.nodes, ends, [](const SurfacePoint& a, const SurfacePoint& b) {
-            return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
-          })) {
-        continue;  // some have given way
-      }
+      if (!std::ranges::equal(curve.nodes, ends, same_bytes)) continue;  // some have given way
       ASSERT_TRUE(whole(s, curve));
       PathShortener shortener(s);
       for (uint32_t i = 0; i < curve.size(); ++i) {
