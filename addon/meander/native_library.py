@@ -12,7 +12,7 @@ import sys
 import threading
 import weakref
 from collections.abc import Callable
-from ctypes import c_size_t, sizeof
+from ctypes import Structure, c_size_t, sizeof
 from pathlib import Path
 from typing import Any
 
@@ -218,6 +218,19 @@ def checked_array(name: str, value: ArrayLike, dtype: type, columns: int | None)
 def address_of(array: NDArray[Any] | None) -> int | None:
     """A pointer to the data; NULL for None. The caller keeps the array alive during the call."""
     return None if array is None else array.ctypes.data
+
+
+def chosen(what: str, value: str, choices: tuple[str, ...]) -> int:
+    """The number of `value` among the names that the library knows by number."""
+    if value not in choices:
+        raise MeanderError(f"there is no {what} {value!r}; choose one of {', '.join(choices)}")
+    return choices.index(value)
+
+
+def figures_of(record: Structure) -> dict[str, Any]:
+    """The fields of a struct that mean something to a reader, by their C names."""
+    names = [field[0] for field in record._fields_ if field[0] not in ("struct_size", "reserved")]
+    return {name: getattr(record, name) for name in names}
 
 
 class Handle:

@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A triangle mesh in the native library, and what is known of it before anything grows."""
+
+from __future__ import annotations
+
+from ctypes import byref, c_size_t, c_void_p, sizeof
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .abi import CURVATURES, DIRECTIONS, Status, SurfaceOptionsRecord, SurfaceStatisticsRecord
+from .native_library import (
+    Handle,
+    MeanderError,
+    address_of,
+    checked_array,
+    chosen,
+    figures_of,
+    native,
+    new_error,
+    raise_error,
+)
+from .seed import Seed
+
+
+@dataclass
+class SurfaceOptions:
+    """What to do with a mesh before it is checked; see meander_surface_options.
+
+    As it is made, nothing is done, and the check is strict.
+
+    merge_distance    vertices this near to another become one; 0: none
+    drop_degenerate   faces without area are dissolved, doubled ones dropped
+    split_bow_ties    a vertex where fans of faces meet becomes one for each
+    cut_non_manifold  edges with more than two faces become boundaries of each
+    face_mask         (m,) bool: faces that are False are left out; None: all are in
+    vertex_mask       (n,) float64: what lies below mask_threshold is cut away, also across faces
+    """
+
+    merge_distance: float = 0.0
+    drop_degenerate: bool = False
+    split_bow_ties: bool = False
+    cut_non_manifold: bool = False
+    face_mask: NDArray[np.bool_] | None = None
+    vertex_mask: NDArray[np.float64] | None = None
+    mask_threshold: float = 0.0
+
+
+def _surface_options_record(
+    options: SurfaceOptions, vertex_count: int, face_count: int
+) -> tuple[SurfaceOptionsRecord, tuple[NDArray[Any], ...]]:
+    """The C struct of the options, and the arrays that it points to."""
+    record = SurfaceOptionsRecord()
+    native().meander_surface_options_init(byref(record))
+    record.drop_degenerate = bool(options.drop_degenerate)
+    record.split_bow_ties = bool(options.split_bow_ties)
+    record.cut_non_manifold = bool(options.cut_non_manifold)
+    record.merge_distance = float(options.merge_distance)
+    record.mask_threshold = float(options.mask_threshold)
+    arrays: list[NDArray[Any]] = []
+    for name, dtype, count, element in (
+        ("face_mask", np.uint8, face_count, "faces"),
+        ("vertex_mask", np.float64, vertex_count, "vertices"),
+    ):
+        value = getattr(options, name)
+        if value is None:
+            continue
+        array = checked_array(name, value, dtype, None)
+        if len(array) != count:
+            raise MeanderError(
+                f"{name} must have one value for each of the {count} {element} of the mesh, not "
+                f"{len(array)}"
+            )
+        arrays.append(array)
+        setattr(record, name, address_of(array))
+    return record, tuple(arrays)
+
+
+# Room for outlines that is offered at once, in points and strands: asking would compute twice.
+_OUTLINE_ROOM = (1 << 14, 1 << 8)
+
+
+class Surface(Handle):
+    """A triangle mesh that the library has checked and copied.
+
+    vertices  (n, 3) float64, finite, in any unit
+    faces     (m, 3) uint32, zero-based, each below n
+    options   how to prepare a mesh with faults, and which part of it to take; None: as it is
+    threads   for a large mesh, at most 256; 0: as many as the machine has; the result is the same
+
+    Whatever the options do, nodes, gaps, errors and densities speak of the vertices and faces that
+    were passed here.
+
+    Raises MeanderError, naming the first element, for a mesh that cannot be used: no faces, a
+    coordinate that is not finite, an index out of range, a vertex twice in a face, a face without
+    area, an edge with more than two faces, a bow-tie vertex, a component without orientation; also
+    where options leave no faces.
+    """
+
+    _what = "surface"
+
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        options: SurfaceOptions | None = None,
+        threads: int = 0,
+    ) -> None:
+        vertex_array = checked_array("vertices", vertices, np.float64, 3)
+        face_array = checked_array("faces", faces, np.uint32, 3)
+        library = native()
+        pointer = c_void_p()
+        error = new_error()
+        record, arrays = _surface_options_record(
+            SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
+        )
+        record.threads = int(threads)
+        status = library.meander_surface_create_prepared(
+            address_of(vertex_array),
+            len(vertex_array),
+            address_of(face_array),
+            len(face_array),
+            byref(record),
+            byref(pointer),
+            byref(error),
+        )
+        del arrays
+        if status != Status.OK:
+            raise_error(status, error)
+        super().__init__(pointer.value, library.meander_surface_destroy)
+        self.vertex_count = len(vertex_array)
+
+    def statistics(self) -> dict[str, int | float]:
+        """Figures of the surface, named as in meander_surface_statistics.
+
+        vertices (used ones), faces, components, boundary_loops, turned_faces, unused_vertices, and
+        what the options did, merged_vertices, dropped_faces, split_vertices, cut_edges,
+        masked_faces, clipped_faces: int; area (square units) and diagonal (of the bounding box):
+        float.
+        """
+        record = SurfaceStatisticsRecord(struct_size=sizeof(SurfaceStatisticsRecord))
+        error = new_error()
+        status = native().meander_surface_get_statistics(self._alive(), byref(record), byref(error))
+        if status != Status.OK:
+            raise_error(status, error)
+        return figures_of(record)
+
+    def outlines(self, distance: float, spacing: float) -> tuple[Seed, int]:
+        """Lines along the boundary at a distance from it, as guides for a seed.
+
+        Returns them, none for a closed surface, and how many stretches were left out because
+        nothing fits there; see meander_surface_get_outlines. Raises MeanderError for lengths out
+        of range.
+        """
+        function = native().meander_surface_get_outlines
+        error = new_error()
+        points, strands = c_size_t(), c_size_t()
+        skipped = np.zeros(1, dtype=np.uint32)
+        point_room, strand_room = _OUTLINE_ROOM
+        while True:
+            positions = np.empty((point_room, 3))
+            offsets = np.zeros(strand_room + 1, dtype=np.uint32)
+            closed = np.empty(strand_room, dtype=np.uint8)
+            status = function(
+                self._alive(),
+                float(distance),
+                float(spacing),
+                address_of(positions),
+                point_room,
+                byref(points),
+                address_of(offsets),
+                address_of(closed),
+                strand_room,
+                byref(strands),
+                address_of(skipped),
+                byref(error),
+            )
+            if status != Status.OK:
+                raise_error(status, error)
+            if points.value <= point_room and strands.value <= strand_room:
+                break
+            point_room, strand_room = points.value, strands.value
+        count = strands.value
+        seed = Seed(
+            positions[: points.value].copy(),
+            offsets[: count + 1].copy(),
+            closed[:count].copy(),
+            guides=np.ones(count, dtype=np.uint8),
+            loops=True,
+        )
+        return seed, int(skipped[0])
+
+    def curvature(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
+        """Curvature at every vertex, (vertex count,) float64; see meander_surface_get_curvature.
+
+        kind       one of CURVATURES
+        smoothing  radius over which values are averaged, in the surface's units; 0: none
+
+        Raises MeanderError for an unknown kind and a radius larger than the mesh.
+        """
+        values = np.empty(self.vertex_count)
+        number = chosen("kind of curvature", kind, CURVATURES)
+        error = new_error()
+        status = native().meander_surface_get_curvature(
+            self._alive(), number, float(smoothing), address_of(values), len(values), byref(error)
+        )
+        if status != Status.OK:
+            raise_error(status, error)
+        return values
+
+    def directions(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
+        """A field of lines for `Flow.set_directions`, (vertex count, 3) float64: unit tangent
+        vectors, signs arbitrary, zero where there is none; see meander_surface_get_directions.
+
+        kind       one of DIRECTIONS
+        smoothing  as in `curvature`; without meaning for 'smooth'
+
+        Raises MeanderError for an unknown kind and a radius larger than the mesh.
+        """
+        directions = np.empty((self.vertex_count, 3))
+        number = chosen("kind of directions", kind, DIRECTIONS)
+        error = new_error()
+        status = native().meander_surface_get_directions(
+            self._alive(),
+            number,
+            float(smoothing),
+            address_of(directions),
+            len(directions),
+            byref(error),
+        )
+        if status != Status.OK:
+            raise_error(status, error)
+        return directions
+
+    def extended_directions(self, points: ArrayLike, offsets: ArrayLike) -> NDArray[np.float64]:
+        """The smoothest field of lines that is parallel to strokes drawn on the surface.
+
+        points   (n, 3) float64, stroke after stroke, in the surface's units
+        offsets  (s + 1,) uint32: stroke k has the points offsets[k] .. offsets[k + 1] - 1
+
+        Returns directions as `directions` does; zero on components without a stroke. Raises
+        MeanderError for offsets that do not fit and points that are not finite.
+        """
+        point_array = checked_array("the strokes' points", points, np.float64, 3)
+        offset_array = checked_array("the strokes' offsets", offsets, np.uint32, None)
+        if len(offset_array) < 2 or offset_array[-1] != len(point_array):
+            raise MeanderError(
+                f"the strokes' offsets must rise from 0 to the number of points, {len(point_array)}"
+            )
+        directions = np.empty((self.vertex_count, 3))
+        error = new_error()
+        status = native().meander_surface_extend_directions(
+            self._alive(),
+            address_of(point_array),
+            address_of(offset_array),
+            len(offset_array) - 1,
+            address_of(directions),
+            len(directions),
+            byref(error),
+        )
+        if status != Status.OK:
+            raise_error(status, error)
+        return directions
