@@ -11,6 +11,10 @@ namespace {
 /// a good part of it.
 constexpr std::chrono::microseconds kMoment{50};
 
+uint64_t pack(size_t first, size_t end) { return uint64_t{first} << 32 | end; }
+size_t first_of(uint64_t blocks) { return blocks >> 32; }
+size_t end_of(uint64_t blocks) { return static_cast<uint32_t>(blocks); }
+
 /// Tells the processor that the thread only waits.
 void relax() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -25,9 +29,10 @@ void relax() {
 Team::Team(unsigned threads) {
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   stays_awake_ = threads > 1 && threads <= std::thread::hardware_concurrency();
+  shares_ = std::vector<Share>(threads);
   workers_.reserve(threads - 1);  // so that below a thread either is there or has not begun
   try {
-    for (unsigned k = 1; k < threads; ++k) workers_.emplace_back([this] { work(); });
+    for (unsigned k = 1; k < threads; ++k) workers_.emplace_back([this, k] { work(k); });
   } catch (const std::exception&) {
     // The machine gives no more threads, or no memory for them; the result is the same with fewer.
   }
@@ -71,12 +76,12 @@ void Team::for_blocks(size_t count, size_t grain,
     body_ = &body;
     count_ = count;
     grain_ = grain;
-    next_block_ = 0;
+    share_out(block_count(count, grain));
     error_ = nullptr;
     open_ = true;
   }
   start_.notify_all();
-  take_blocks();
+  take_blocks(0);
   stay_awake([this] { return running_ == 0; });
   // A thread that has not woken up by now is not waited for: nothing is left to do.
   std::unique_lock lock(mutex_);
@@ -85,20 +90,41 @@ void Team::for_blocks(size_t count, size_t grain,
   if (error_) std::rethrow_exception(error_);
 }
 
-void Team::take_blocks() {
-  const size_t blocks = block_count(count_, grain_);
-  for (size_t block; (block = next_block_.fetch_add(1, std::memory_order_relaxed)) < blocks;) {
-    try {
-      (*body_)(block, block * grain_, std::min(count_, (block + 1) * grain_));
-    } catch (...) {
-      next_block_ = blocks;
-      std::lock_guard lock(mutex_);
-      if (!error_) error_ = std::current_exception();
+/// A part of the blocks for each thread, in the order of the threads.
+void Team::share_out(size_t blocks) {
+  const size_t threads = size();
+  for (size_t k = 0; k < threads; ++k) {
+    shares_[k].blocks.store(pack(blocks * k / threads, blocks * (k + 1) / threads), std::memory_order_relaxed);
+  }
+}
+
+/// The blocks of the thread's own share, then those that others have left in theirs.
+void Team::take_blocks(unsigned thread) {
+  for (unsigned k = 0; k < size(); ++k) {
+    std::atomic<uint64_t>& share = shares_[(thread + k) % size()].blocks;
+    uint64_t blocks = share.load(std::memory_order_relaxed);
+    while (first_of(blocks) < end_of(blocks)) {
+      const bool own = k == 0;
+      const size_t block = own ? first_of(blocks) : end_of(blocks) - 1;
+      const uint64_t rest = own ? pack(block + 1, end_of(blocks)) : pack(first_of(blocks), block);
+      if (!share.compare_exchange_weak(blocks, rest, std::memory_order_relaxed)) continue;
+      do_block(block);
+      blocks = share.load(std::memory_order_relaxed);
     }
   }
 }
 
-void Team::work() {
+void Team::do_block(size_t block) {
+  try {
+    (*body_)(block, block * grain_, std::min(count_, (block + 1) * grain_));
+  } catch (...) {
+    share_out(0);
+    std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::current_exception();
+  }
+}
+
+void Team::work(unsigned thread) {
   std::unique_lock lock(mutex_);
   for (;;) {
     lock.unlock();
@@ -108,7 +134,7 @@ void Team::work() {
     if (quit_) return;
     ++running_;
     lock.unlock();
-    take_blocks();
+    take_blocks(thread);
     lock.lock();
     open_ = false;
     if (--running_ == 0) done_.notify_one();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The team of threads: every block once, the same blocks for any team, exceptions passed on.
+// The team of threads: every block once, the same blocks for any team, exceptions passed on,
+// nothing left waiting behind a thread that is held up.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -84,6 +85,24 @@ TEST_P(TeamOf, AddsUpTheSameNumberOnAnyThreads) {
     for (size_t i = 0; i < count; ++i) exact += 1 / (1.0L + static_cast<long double>(i));
     EXPECT_EQ(team.sum(count, term), alone.sum(count, term));
     EXPECT_NEAR(team.sum(count, term), static_cast<double>(exact), 1e-12);
+  }
+}
+
+TEST_P(TeamOf, TakesTheBlocksOfAThreadThatIsHeldUp) {
+  constexpr size_t kBlocks = 12;
+  Team team(GetParam());
+  if (team.size() == 1) return;  // nobody else is there
+  for (size_t held = 0; held < kBlocks; ++held) {
+    std::atomic<size_t> others = 0;
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    team.for_blocks(kBlocks, 1, [&](size_t block, size_t, size_t) {
+      if (block != held) {
+        ++others;
+        return;
+      }
+      while (others < kBlocks - 1 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+      EXPECT_EQ(others, kBlocks - 1);
+    });
   }
 }
 
