@@ -137,17 +137,17 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.polish = 1;
     o.stop_rule = MEANDER_STOP_SETTLED;
     o.polish_bending_weight = 2;
-    o.polish_length_offset = -0.85;
+    o.polish_length_offset = -0.82;
     o.polish_length_gain = 1;
     o.polish_medial_power = 6;
     o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
-    o.ripening_iterations = 100;
+    o.ripening_iterations = 60;
     o.iteration_limit = 600;
   }
   if (preset == MEANDER_PRESET_FINEST) {
     o.polish_bending_weight = 1.5;
-    o.polish_length_offset = -0.6;
-    o.ripening_iterations = 450;
+    o.polish_length_offset = -0.5;
+    o.ripening_iterations = 300;
     o.iteration_limit = 2500;
   }
   *options = o;

@@ -16,7 +16,8 @@ constexpr double kGrownLength = 0.02;     // growth ends when the length changes
 constexpr double kGrownClamped = 0.01;    // and fewer nodes than this still see nothing beside them,
 constexpr double kGrownForSure = 0.005;   // or the length has all but stopped changing
 constexpr double kSettledLength = 0.0025;
-constexpr double kSettledDistance = 0.04; // mean distance from the curve a window before, in local r
+constexpr double kSettledDistance = 0.05; // mean distance from the curve a window before, in local r
+constexpr uint32_t kPolishIterations = 30;
 constexpr size_t kCoolingIterations = 6;
 constexpr double kIdle = 1e-9;            // nodes that move less than this (in r) do not move
 constexpr size_t kIdleIterations = 5;
@@ -26,10 +27,10 @@ constexpr size_t kIdleIterations = 5;
 void Convergence::restart(double clamped_share) {
   lengths_.clear();
   const bool grown = phase_ != Phase::kGrowing || clamped_share < kGrownClamped;
-  // What has not ripened yet goes on with it: the polish would cut its segments finer at once.
-  begin(phase_ == Phase::kRipening        ? Phase::kRipening
-        : grown && polish_wanted_ ? Phase::kPolishing
-                                  : Phase::kGrowing);
+  // What is past its growth but has long segments still goes on where it is: else they would all be cut at
+  // once.
+  const bool under_way = phase_ == Phase::kRipening || phase_ == Phase::kPolishing;
+  begin(under_way ? phase_ : grown && polish_wanted_ ? Phase::kFinishing : Phase::kGrowing);
   converged_ = stalled_ = false;
   idle_ = quiet_ = 0;
 }
@@ -105,6 +106,9 @@ void Convergence::note(const Surface& surface, const Curve& curve, const std::ve
       if (++ripened_ >= ripening_iterations_) begin(Phase::kPolishing);
       break;
     case Phase::kPolishing:
+      if (++polished_ >= kPolishIterations) begin(Phase::kFinishing);
+      break;
+    case Phase::kFinishing:
       if (has_settled(surface, curve, local_radius, change, team)) begin(Phase::kCooling);
       break;
     case Phase::kCooling:

@@ -25,7 +25,8 @@ enum class StopRule { kSettled, kPaper };
 enum class Phase {
   kGrowing,   ///< until the length hardly changes and little is empty
   kRipening,  ///< a given number of iterations
-  kPolishing, ///< until the picture has stopped changing
+  kPolishing, ///< a number of iterations with segments as long as they were
+  kFinishing, ///< until the picture has stopped changing, with segments as short as they are to be
   kCooling    ///< a few iterations with short steps, so that nothing is left in mid-leap
 };
 
@@ -39,12 +40,14 @@ class Convergence {
             const IterationFigures& figures, Team& team);
 
   /// The surface has moved: what was seen before counts no more. A curve that fills it already, with no
-  /// more than `clamped_share` of its nodes at the clamp, need not grow again and goes to the polish.
+  /// more than `clamped_share` of its nodes at the clamp, need not grow again and is only finished.
   void restart(double clamped_share);
 
   Phase phase() const { return phase_; }
   /// Is it past its growth?
   bool polishing() const { return polish_wanted_ && phase_ != Phase::kGrowing; }
+  /// May its segments be longer than they are to be in the end?
+  bool coarse() const { return polish_wanted_ && phase_ <= Phase::kPolishing; }
   bool converged() const { return converged_; }
   bool stalled() const { return stalled_; }
 
@@ -59,7 +62,7 @@ class Convergence {
 
   StopRule rule_;
   bool polish_wanted_, converged_ = false, stalled_ = false;
-  uint32_t ripening_iterations_, ripened_ = 0;
+  uint32_t ripening_iterations_, ripened_ = 0, polished_ = 0;
   Phase phase_ = Phase::kGrowing;
   std::vector<double> lengths_;
   size_t phase_start_ = 0;  // iteration at which the phase began

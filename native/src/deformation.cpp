@@ -25,6 +25,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
   rescale(surface_->scale() / moved->scale());
   field_.ride(*surface_, *moved);
   looks_.clear();
+  steps_.clear();
   normals_.reset();  // before what it refers to
   surface_ = std::move(moved);
   boundary_.emplace(*surface_, 0.5 * settings_.segment_length);

@@ -57,6 +57,10 @@ constexpr double kOverfull = 0.4, kHardlyOverfull = 0.7;
 constexpr double kRipeningShare = 0.2;
 constexpr double kRipeningPull = 3;
 
+/// This share of its last step a node goes on by while the curve ripens, and in the polish while segments are
+/// long. In growth it makes more hairpins; from 0.7 on in the polish a curve does not come to rest.
+constexpr double kRipeningMomentum = 0.7, kPolishMomentum = 0.3;
+
 /// Length weight in a strip along the boundary that is to stay empty.
 constexpr double kOutOfStrip = 3;
 
@@ -145,6 +149,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   record.energy = energy(curve_, felt_radii_, local_radius_, weights_, team_);
   if (may_look_again()) remember_looks(frames_, local_radius_, team_, looks_);
   const double held = retraction_.move(*surface_, curve_, displacement, team_, seconds_.move);
+  remember_steps(displacement);
   figures.moved = held < 1 ? record.mean_step / settings_.radius : 0;
   watch.lap();
   refine();
@@ -496,7 +501,32 @@ void Flow::unfold_short_runs() {
   }
 }
 
-/// The steps of all nodes (eq. 10) in the planes of their faces, capped by their medial radii.
+/// What moves slowly but for long, as fingers that are drawn in and others that follow, is sooner there if it
+/// does not begin anew in every iteration (the heavy ball of Polyak).
+double Flow::momentum() const {
+  if (!settings_.polish) return 0;
+  return convergence_.phase() == Phase::kRipening    ? kRipeningMomentum
+         : convergence_.phase() == Phase::kPolishing ? kPolishMomentum
+                                                     : 0;
+}
+
+/// Keeps the displacements for the next iteration if they will count there. Nodes then lie in other faces,
+/// but their tangents say the same.
+void Flow::remember_steps(const std::vector<Vec2>& displacement) {
+  if (momentum() == 0) {
+    steps_.clear();
+    return;
+  }
+  steps_.resize(displacement.size());
+  team_.for_blocks(displacement.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      steps_[i] = {dot(displacement[i], frames_.tangent[i]), dot(displacement[i], frames_.bitangent2[i])};
+    }
+  });
+}
+
+/// The steps of all nodes (eq. 10) in the planes of their faces, with what is left of the last ones, capped by
+/// their medial radii.
 std::vector<Vec2> Flow::displacements() {
   std::vector<Vec2> d(curve_.size());
   const std::vector<Radii>& radii = driving_radii();
@@ -516,8 +546,12 @@ std::vector<Vec2> Flow::displacements() {
     for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
   });
   const bool cooling = convergence_.phase() == Phase::kCooling;
+  const double going_on = steps_.empty() ? 0 : momentum();
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
+      if (going_on > 0) {
+        d[i] = d[i] + going_on * (steps_[i].x * frames_.tangent[i] + steps_[i].y * frames_.bitangent2[i]);
+      }
       const double length = norm(d[i]);
       const size_t side = dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1;
       double most = kMostOfRadius * radii_[i][side];
@@ -548,9 +582,7 @@ void Flow::cut_guides() {
 
 void Flow::refine() {
   find_local_radii();
-  const Phase phase = convergence_.phase();
-  const bool coarse = settings_.polish && (phase == Phase::kGrowing || phase == Phase::kRipening);
-  const double h = settings_.segment_length * (coarse ? settings_.growth_coarsening : 1);
+  const double h = settings_.segment_length * (convergence_.coarse() ? settings_.growth_coarsening : 1);
   segment_targets_.resize(curve_.size());
   team_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
@@ -564,9 +596,11 @@ void Flow::refine() {
   try {
     follow(origin_, team_, radii_, radii_before_);
     follow(origin_, team_, looks_, looks_before_);
+    follow(origin_, team_, steps_, steps_before_);
   } catch (...) {  // out of memory: they can be found anew, but must not be those of other nodes
     radii_.clear();
     looks_.clear();
+    steps_.clear();
     throw;
   }
 }

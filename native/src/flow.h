@@ -143,7 +143,9 @@ class Flow {
   std::vector<double> smoothed_spacing();
   void follow_spacing(const std::vector<double>& spacing);
   void unfold_short_runs();
+  double momentum() const;
   std::vector<Vec2> displacements();
+  void remember_steps(const std::vector<Vec2>& displacement);
   void cut_guides();
   void refine();
 
@@ -162,6 +164,7 @@ class Flow {
   std::vector<double> local_radius_, max_radius_, overhang_, least_rest_;
   Frames frames_;
   std::vector<Look> looks_;  // empty where every node is to look anew
+  std::vector<Vec2> steps_;  // last displacements along tangent and bitangent; empty where none count
   std::vector<Reach> reach_;
   Weights weights_;
   // Kept for their memory, which is costly to find anew in every iteration.
@@ -169,6 +172,7 @@ class Flow {
   StrandSystem system_;
   std::vector<Radii> driving_radii_, radii_before_;
   std::vector<Look> looks_before_;
+  std::vector<Vec2> steps_before_;
   std::vector<double> segment_targets_;
   std::vector<uint32_t> origin_;
   Retraction retraction_;

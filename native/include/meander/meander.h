@@ -306,7 +306,7 @@ enum {
 
 /* When a flow has converged. */
 enum {
-  MEANDER_STOP_SETTLED = 0, /* the picture has stopped changing: nodes are in the mean within 0.04
+  MEANDER_STOP_SETTLED = 0, /* the picture has stopped changing: nodes are in the mean within 0.05
                                (local) r of the curve of 10 iterations before, length within 0.25 % */
   MEANDER_STOP_PAPER = 1    /* |d|_2 / n < 3e-4 r, the authors' program's own test, in 10 iterations
                                in a row */
@@ -330,7 +330,8 @@ typedef struct meander_flow_options {
   double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A polish
                                takes the larger of this and polish_medial_power */
   double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
-  double growth_coarsening; /* before a polish, segments are this much longer than h; in [1, 4] */
+  double growth_coarsening; /* until the polish is well under way, segments are this much longer than h;
+                               in [1, 4] */
   double start_spacing_factor; /* the curve first fills the surface at this many times the spacing, which then
                                shrinks to the one asked for (Fig. 25): fewer corners, more iterations; in
                                [1, 16]; 1: off */
