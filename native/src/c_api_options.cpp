@@ -137,7 +137,7 @@ meander_status meander_flow_options_init(meander_flow_options* options, uint32_t
     o.polish = 1;
     o.stop_rule = MEANDER_STOP_SETTLED;
     o.polish_bending_weight = 2;
-    o.polish_length_offset = -0.82;
+    o.polish_length_offset = -0.84;
     o.polish_length_gain = 1;
     o.polish_medial_power = 6;
     o.boundary_rule = MEANDER_BOUNDARY_CENTRE;
