@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What follows what in a flow with a polish, and that a surface that moves does not send it back.
+#include <gtest/gtest.h>
+
+#include "convergence.h"
+#include "test_curves.h"
+
+namespace meander::test {
+namespace {
+
+constexpr uint32_t kRipening = 7;
+
+class PhasesOf : public testing::TestWithParam<int> {
+ protected:
+  PhasesOf() {
+    Rng rng(3);
+    EXPECT_TRUE(add_ring(surface_, curve_, random_point(surface_, rng), 0.02, 12, 0.1, rng));
+    radius_.assign(curve_.size(), 0.01);
+  }
+
+  /// One more iteration in which nothing changes. Every so often the surface moves.
+  void note() {
+    if (GetParam() > 0 && ++notes_ % GetParam() == 0 && convergence_.phase() != Phase::kGrowing) {
+      convergence_.restart(0);
+    }
+    IterationFigures figures;
+    figures.length = 1;
+    figures.moved = 1;
+    convergence_.note(surface_, curve_, radius_, figures, team_);
+  }
+  /// Iterations until the phase ends, at most `most`.
+  uint32_t iterations_of(Phase phase, uint32_t most) {
+    uint32_t k = 0;
+    for (; k < most && convergence_.phase() == phase; ++k) note();
+    return k;
+  }
+
+  Surface surface_ = make_surface(sphere(3));
+  Curve curve_;
+  std::vector<double> radius_;
+  Team team_{1};
+  Convergence convergence_{StopRule::kSettled, true, kRipening};
+  int notes_ = 0;
+};
+
+TEST_P(PhasesOf, FollowOneAnother) {
+  EXPECT_FALSE(convergence_.polishing());
+  EXPECT_TRUE(convergence_.coarse());
+  EXPECT_LT(iterations_of(Phase::kGrowing, 100), 100u);
+  ASSERT_EQ(convergence_.phase(), Phase::kRipening);
+  EXPECT_TRUE(convergence_.polishing());
+  EXPECT_TRUE(convergence_.coarse());
+  EXPECT_EQ(iterations_of(Phase::kRipening, 100), kRipening);
+  ASSERT_EQ(convergence_.phase(), Phase::kPolishing);
+  EXPECT_TRUE(convergence_.coarse());
+  EXPECT_EQ(iterations_of(Phase::kPolishing, 100), 30u);
+  ASSERT_EQ(convergence_.phase(), Phase::kFinishing);
+  EXPECT_FALSE(convergence_.coarse());
+  EXPECT_FALSE(convergence_.converged());
+}
+
+INSTANTIATE_TEST_SUITE_P(SurfaceMovesEvery, PhasesOf, testing::Values(0, 3, 4));
+
+/// A curve that fills the surface but has not ripened when it moves for the first time is only finished; one
+/// that does not fill it goes on growing.
+TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {
+  Convergence full(StopRule::kSettled, true, kRipening), empty = full, plain(StopRule::kSettled, false, 0);
+  full.restart(0);
+  EXPECT_EQ(full.phase(), Phase::kFinishing);
+  EXPECT_TRUE(full.polishing());
+  empty.restart(0.5);
+  EXPECT_EQ(empty.phase(), Phase::kGrowing);
+  plain.restart(0);
+  EXPECT_EQ(plain.phase(), Phase::kGrowing);
+  EXPECT_FALSE(plain.coarse());
+}
+
+}  // namespace
+}  // namespace meander::test
