@@ -350,7 +350,8 @@ typedef struct meander_flow_options {
   uint32_t iteration_limit; /* of meander_flow_run, counted over the life of the flow; >= 1 */
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
   uint32_t ripening_iterations; /* between growth and polish: so long the fingers on the shortest runs between
-                               hairpins are drawn in, and others grow into their room; 0: not at all */
+                               hairpins are drawn in, and others grow into their room, while every node goes on
+                               by a share of its last step; 0: not at all */
   uint32_t medial_axis;     /* MEANDER_MEDIAL_AXIS_... */
   uint32_t reserved;
 } meander_flow_options;
