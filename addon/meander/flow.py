@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from ctypes import byref, c_size_t, c_void_p, sizeof
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
@@ -27,6 +27,7 @@ from .native_library import (
     Handle,
     MeanderError,
     address_of,
+    call,
     checked_array,
     chosen,
     figures_of,
@@ -101,6 +102,11 @@ class Context(Handle):
             self._closing = True
             if self._users == 0:
                 super().close()
+
+
+def _pointer_of(context: Context | None) -> AbstractContextManager[int | None]:
+    """The native context for the time of a call, null where there is none."""
+    return nullcontext() if context is None else context._use()
 
 
 # ------------------------------------------------------------------------------------------------
@@ -233,18 +239,15 @@ class Flow(Handle):
         record = options_record(options)
         library = native()
         pointer = c_void_p()
-        error = new_error()
-        status = library.meander_flow_create(
+        call(
+            library.meander_flow_create,
             surface._alive(),
             None if start is None else byref(start),
             address_of(density_array),
             byref(record),
             byref(pointer),
-            byref(error),
         )
         del seed_arrays
-        if status != Status.OK:
-            raise_error(status, error)
         super().__init__(pointer.value, library.meander_flow_destroy)
         self._busy = threading.Lock()
         self._seen = 0  # serial of the last preview handed out
@@ -287,13 +290,14 @@ class Flow(Handle):
         if directions is not None:
             array = checked_array("directions", directions, np.float64, 3)
         number = chosen("kind of alignment", kind, ALIGNMENTS)
-        error = new_error()
         with self._use() as pointer:
-            status = native().meander_flow_set_directions(
-                pointer, address_of(array), 0 if array is None else len(array), number, byref(error)
+            call(
+                native().meander_flow_set_directions,
+                pointer,
+                address_of(array),
+                0 if array is None else len(array),
+                number,
             )
-        if status != Status.OK:
-            raise_error(status, error)
 
     def step(self, context: Context | None = None) -> str:
         """Runs one iteration and returns the stop reason, one of STOP_REASONS.
@@ -315,11 +319,8 @@ class Flow(Handle):
         error = new_error()
         with self._use() as pointer:
             function = getattr(native(), name)
-            if context is None:
-                status = function(pointer, None, byref(error))
-            else:
-                with context._use() as context_pointer:
-                    status = function(pointer, context_pointer, byref(error))
+            with _pointer_of(context) as context_pointer:
+                status = function(pointer, context_pointer, byref(error))
             return self._reason(pointer, status, error)
 
     def _reason(self, pointer: int, status: int, error: ErrorRecord) -> str:
@@ -336,15 +337,9 @@ class Flow(Handle):
         The context may be closed meanwhile, but then the run can only be ended by `close`.
         """
         function = native().meander_flow_start
-        error = new_error()
         with self._use() as pointer:
-            if context is None:
-                status = function(pointer, None, byref(error))
-            else:
-                with context._use() as context_pointer:
-                    status = function(pointer, context_pointer, byref(error))
-            if status != Status.OK:
-                raise_error(status, error)
+            with _pointer_of(context) as context_pointer:
+                call(function, pointer, context_pointer)
             self._seen = 0
             # The interpreter must not go while the library computes; no other thread of Python's
             # can be inside the flow but in `wait`, which takes this back.
@@ -374,44 +369,15 @@ class Flow(Handle):
         `wait`.
         """
         function = native().meander_flow_get_preview
-        error = new_error()
         figures = PreviewRecord(struct_size=sizeof(PreviewRecord))
         points, strands = c_size_t(), c_size_t()
         with self._use() as pointer:
-            status = function(
-                pointer,
-                byref(figures),
-                None,
-                None,
-                0,
-                byref(points),
-                None,
-                None,
-                0,
-                byref(strands),
-                byref(error),
-            )
-            if status != Status.OK:
-                raise_error(status, error)
+            call(function, pointer, byref(figures), *_into(None, points, strands))
             if figures.serial == self._seen:
                 return None
             curve = _empty_polylines(points.value, strands.value)
             # The copy has not been taken yet, so that it is still the newest, of the same sizes.
-            status = function(
-                pointer,
-                byref(figures),
-                address_of(curve.positions),
-                address_of(curve.normals),
-                points.value,
-                byref(points),
-                address_of(curve.offsets),
-                address_of(curve.closed),
-                strands.value,
-                byref(strands),
-                byref(error),
-            )
-            if status != Status.OK:
-                raise_error(status, error)
+            call(function, pointer, byref(figures), *_into(curve, points, strands))
             self._seen = figures.serial
         return Preview(curve, figures.iterations, figures.nodes, figures.length, figures.seconds)
 
@@ -426,21 +392,8 @@ class Flow(Handle):
         or too large for the spacing.
         """
         array = checked_array("vertices", vertices, np.float64, 3)
-        error = new_error()
         with self._use() as pointer:
-            status = native().meander_flow_set_vertices(
-                pointer, address_of(array), len(array), byref(error)
-            )
-        if status != Status.OK:
-            raise_error(status, error)
-
-    def _statistics(self, pointer: int) -> FlowStatisticsRecord:
-        record = FlowStatisticsRecord(struct_size=sizeof(FlowStatisticsRecord))
-        error = new_error()
-        status = native().meander_flow_get_statistics(pointer, byref(record), byref(error))
-        if status != Status.OK:
-            raise_error(status, error)
-        return record
+            call(native().meander_flow_set_vertices, pointer, address_of(array), len(array))
 
     def statistics(self) -> dict[str, Any]:
         """Figures of the present state, named as in meander_flow_statistics.
@@ -448,8 +401,9 @@ class Flow(Handle):
         stop_reason is one of STOP_REASONS, polishing a bool, counts are int; lengths are in the
         surface's units, times in seconds. Costs one medial axis and one crossing test.
         """
+        record = FlowStatisticsRecord(struct_size=sizeof(FlowStatisticsRecord))
         with self._use() as pointer:
-            record = self._statistics(pointer)
+            call(native().meander_flow_get_statistics, pointer, byref(record))
         values = figures_of(record)
         values["stop_reason"] = STOP_REASONS[record.stop_reason]
         values["polishing"] = bool(record.polishing)
@@ -461,99 +415,60 @@ class Flow(Handle):
         iteration (from 1) and nodes: int; length, mean_step, energy, seconds: float.
         """
         library = native()
-        error = new_error()
         count = c_size_t()
         with self._use() as pointer:
-            status = library.meander_flow_get_history(pointer, None, 0, byref(count), byref(error))
-            if status != Status.OK:
-                raise_error(status, error)
+            call(library.meander_flow_get_history, pointer, None, 0, byref(count))
             records = (IterationRecord * count.value)()
-            status = library.meander_flow_get_history(
-                pointer, records, count.value, byref(count), byref(error)
-            )
-            if status != Status.OK:
-                raise_error(status, error)
+            call(library.meander_flow_get_history, pointer, records, count.value, byref(count))
         return [figures_of(record) for record in records]
 
     def polylines(self) -> Polylines:
         """The present curve, nodes and edge crossings; strands come in the order of the seed's."""
         function = native().meander_flow_get_polylines
-        error = new_error()
-        points = c_size_t()
-        strands = c_size_t()
+        points, strands = c_size_t(), c_size_t()
         with self._use() as pointer:
-            status = function(
-                pointer, None, None, 0, byref(points), None, None, 0, byref(strands), byref(error)
-            )
-            if status != Status.OK:
-                raise_error(status, error)
+            call(function, pointer, *_into(None, points, strands))
             curve = _empty_polylines(points.value, strands.value)
-            status = function(
-                pointer,
-                address_of(curve.positions),
-                address_of(curve.normals),
-                points.value,
-                byref(points),
-                address_of(curve.offsets),
-                address_of(curve.closed),
-                strands.value,
-                byref(strands),
-                byref(error),
-            )
-            if status != Status.OK:
-                raise_error(status, error)
+            call(function, pointer, *_into(curve, points, strands))
         return curve
 
     def guides(self) -> NDArray[np.bool_]:
         """(s,) bool: which strands are guides, in the order of the polylines."""
         function = native().meander_flow_get_guides
-        error = new_error()
         count = c_size_t()
         with self._use() as pointer:
-            status = function(pointer, None, 0, byref(count), byref(error))
-            if status != Status.OK:
-                raise_error(status, error)
+            call(function, pointer, None, 0, byref(count))
             flags = np.empty(count.value, dtype=np.uint8)
-            status = function(pointer, address_of(flags), len(flags), byref(count), byref(error))
-            if status != Status.OK:
-                raise_error(status, error)
+            call(function, pointer, address_of(flags), len(flags), byref(count))
         return flags.astype(bool)
 
     def nodes(self) -> Nodes:
         """The present nodes, strand after strand."""
         function = native().meander_flow_get_nodes
-        error = new_error()
         count = c_size_t()
         with self._use() as pointer:
-            status = function(pointer, None, None, None, None, 0, byref(count), byref(error))
-            if status != Status.OK:
-                raise_error(status, error)
+            call(function, pointer, None, None, None, None, 0, byref(count))
             nodes = Nodes(
                 np.empty(count.value, dtype=np.uint32),
                 np.empty((count.value, 3)),
                 np.empty((count.value, 2)),
                 np.empty(count.value, dtype=np.uint8),
             )
-            status = function(
+            call(
+                function,
                 pointer,
                 *(address_of(array) for array in nodes),
                 count.value,
                 byref(count),
-                byref(error),
             )
-            if status != Status.OK:
-                raise_error(status, error)
         return nodes
 
     def point_data(self) -> PointData:
         """What is known of every point of `polylines()`, in their order. Costs a medial axis."""
         function = native().meander_flow_get_point_data
-        error = new_error()
         count = c_size_t()
         with self._use() as pointer:
-            status = function(pointer, *(None,) * 6, 0, byref(count), byref(error))
-            if status != Status.OK:
-                raise_error(status, error)
+            call(function, pointer, *(None,) * 6, 0, byref(count))
             data = PointData(
                 np.empty(count.value),
                 np.empty((count.value, 3)),
@@ -562,15 +477,9 @@ class Flow(Handle):
                 np.empty(count.value, dtype=np.uint32),
                 np.empty((count.value, 3)),
             )
-            status = function(
-                pointer,
-                *(address_of(array) for array in data),
-                count.value,
-                byref(count),
-                byref(error),
+            call(
+                function, pointer, *(address_of(array) for array in data), count.value, byref(count)
             )
-            if status != Status.OK:
-                raise_error(status, error)
         return data
 
     def gaps(self, least_size: float = 0.0) -> Gaps:
@@ -583,7 +492,6 @@ class Flow(Handle):
         size out of range.
         """
         function = native().meander_flow_get_gaps
-        error = new_error()
         count = c_size_t()
         room = _GAP_ROOM
         with self._use() as pointer:
@@ -594,16 +502,14 @@ class Flow(Handle):
                     np.empty(room),
                     np.empty(room, dtype=np.uint32),
                 )
-                status = function(
+                call(
+                    function,
                     pointer,
                     float(least_size),
                     *(address_of(getattr(gaps, field.name)) for field in fields(Gaps)),
                     room,
                     byref(count),
-                    byref(error),
                 )
-                if status != Status.OK:
-                    raise_error(status, error)
                 if count.value <= room:
                     break
                 room = count.value
@@ -616,4 +522,23 @@ def _empty_polylines(points: int, strands: int) -> Polylines:
         np.empty((points, 3)),
         np.zeros(strands + 1, dtype=np.uint32),
         np.empty(strands, dtype=np.uint8),
+    )
+
+
+def _into(curve: Polylines | None, points: c_size_t, strands: c_size_t) -> tuple[Any, ...]:
+    """The arguments for a curve to be written to: its arrays, their room, and where the sizes go.
+
+    Without a curve only the sizes are asked for.
+    """
+    if curve is None:
+        return None, None, 0, byref(points), None, None, 0, byref(strands)
+    return (
+        address_of(curve.positions),
+        address_of(curve.normals),
+        len(curve.positions),
+        byref(points),
+        address_of(curve.offsets),
+        address_of(curve.closed),
+        len(curve.closed),
+        byref(strands),
     )

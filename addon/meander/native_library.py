@@ -12,7 +12,7 @@ import sys
 import threading
 import weakref
 from collections.abc import Callable
-from ctypes import Structure, c_size_t, sizeof
+from ctypes import Structure, byref, c_size_t, sizeof
 from pathlib import Path
 from typing import Any
 
@@ -75,6 +75,14 @@ def raise_error(status: int, error: ErrorRecord) -> None:
     elif kind is not None:
         elements = (error.element_index,)
     raise MeanderError(text, status, kind, elements)
+
+
+def call(function: Callable[..., int], *arguments: Any) -> None:
+    """Calls a function of the library's with these and a place for its error, which is raised."""
+    error = new_error()
+    status = function(*arguments, byref(error))
+    if status != Status.OK:
+        raise_error(status, error)
 
 
 # ------------------------------------------------------------------------------------------------

@@ -10,17 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .abi import CURVATURES, DIRECTIONS, Status, SurfaceOptionsRecord, SurfaceStatisticsRecord
+from .abi import CURVATURES, DIRECTIONS, SurfaceOptionsRecord, SurfaceStatisticsRecord
 from .native_library import (
     Handle,
     MeanderError,
     address_of,
+    call,
     checked_array,
     chosen,
     figures_of,
     native,
-    new_error,
-    raise_error,
 )
 from .seed import Seed
 
@@ -112,23 +111,20 @@ class Surface(Handle):
         face_array = checked_array("faces", faces, np.uint32, 3)
         library = native()
         pointer = c_void_p()
-        error = new_error()
         record, arrays = _surface_options_record(
             SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
         )
         record.threads = int(threads)
-        status = library.meander_surface_create_prepared(
+        call(
+            library.meander_surface_create_prepared,
             address_of(vertex_array),
             len(vertex_array),
             address_of(face_array),
             len(face_array),
             byref(record),
             byref(pointer),
-            byref(error),
         )
         del arrays
-        if status != Status.OK:
-            raise_error(status, error)
         super().__init__(pointer.value, library.meander_surface_destroy)
         self.vertex_count = len(vertex_array)
 
@@ -141,10 +137,7 @@ class Surface(Handle):
         float.
         """
         record = SurfaceStatisticsRecord(struct_size=sizeof(SurfaceStatisticsRecord))
-        error = new_error()
-        status = native().meander_surface_get_statistics(self._alive(), byref(record), byref(error))
-        if status != Status.OK:
-            raise_error(status, error)
+        call(native().meander_surface_get_statistics, self._alive(), byref(record))
         return figures_of(record)
 
     def outlines(self, distance: float, spacing: float) -> tuple[Seed, int]:
@@ -155,7 +148,6 @@ class Surface(Handle):
         of range.
         """
         function = native().meander_surface_get_outlines
-        error = new_error()
         points, strands = c_size_t(), c_size_t()
         skipped = np.zeros(1, dtype=np.uint32)
         point_room, strand_room = _OUTLINE_ROOM
@@ -163,7 +155,8 @@ class Surface(Handle):
             positions = np.empty((point_room, 3))
             offsets = np.zeros(strand_room + 1, dtype=np.uint32)
             closed = np.empty(strand_room, dtype=np.uint8)
-            status = function(
+            call(
+                function,
                 self._alive(),
                 float(distance),
                 float(spacing),
@@ -175,10 +168,7 @@ class Surface(Handle):
                 strand_room,
                 byref(strands),
                 address_of(skipped),
-                byref(error),
             )
-            if status != Status.OK:
-                raise_error(status, error)
             if points.value <= point_room and strands.value <= strand_room:
                 break
             point_room, strand_room = points.value, strands.value
@@ -202,12 +192,14 @@ class Surface(Handle):
         """
         values = np.empty(self.vertex_count)
         number = chosen("kind of curvature", kind, CURVATURES)
-        error = new_error()
-        status = native().meander_surface_get_curvature(
-            self._alive(), number, float(smoothing), address_of(values), len(values), byref(error)
+        call(
+            native().meander_surface_get_curvature,
+            self._alive(),
+            number,
+            float(smoothing),
+            address_of(values),
+            len(values),
         )
-        if status != Status.OK:
-            raise_error(status, error)
         return values
 
     def directions(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
@@ -221,17 +213,14 @@ class Surface(Handle):
         """
         directions = np.empty((self.vertex_count, 3))
         number = chosen("kind of directions", kind, DIRECTIONS)
-        error = new_error()
-        status = native().meander_surface_get_directions(
+        call(
+            native().meander_surface_get_directions,
             self._alive(),
             number,
             float(smoothing),
             address_of(directions),
             len(directions),
-            byref(error),
         )
-        if status != Status.OK:
-            raise_error(status, error)
         return directions
 
     def extended_directions(self, points: ArrayLike, offsets: ArrayLike) -> NDArray[np.float64]:
@@ -250,16 +239,13 @@ class Surface(Handle):
                 f"the strokes' offsets must rise from 0 to the number of points, {len(point_array)}"
             )
         directions = np.empty((self.vertex_count, 3))
-        error = new_error()
-        status = native().meander_surface_extend_directions(
+        call(
+            native().meander_surface_extend_directions,
             self._alive(),
             address_of(point_array),
             address_of(offset_array),
             len(offset_array) - 1,
             address_of(directions),
             len(directions),
-            byref(error),
         )
-        if status != Status.OK:
-            raise_error(status, error)
         return directions

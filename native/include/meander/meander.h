@@ -330,8 +330,8 @@ typedef struct meander_flow_options {
   double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A polish
                                takes the larger of this and polish_medial_power */
   double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
-  double growth_coarsening; /* until the polish is well under way, segments are this much longer than h;
-                               in [1, 4] */
+  double growth_coarsening; /* before a polish, and in its first 30 iterations, segments are this much
+                               longer than h; in [1, 4] */
   double start_spacing_factor; /* the curve first fills the surface at this many times the spacing, which then
                                shrinks to the one asked for (Fig. 25): fewer corners, more iterations; in
                                [1, 16]; 1: off */
