@@ -5,7 +5,7 @@
 set(generated_dir "${PROJECT_BINARY_DIR}/generated")
 configure_file(cmake/version.h.in "${generated_dir}/version.h" @ONLY)
 
-file(GLOB sources CONFIGURE_DEPENDS
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/native/src/*.cpp" "${PROJECT_SOURCE_DIR}/native/src/*.h")
 
 add_library(meander_core STATIC ${sources})

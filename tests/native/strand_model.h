@@ -7,8 +7,8 @@
 
 #include <Eigen/Dense>
 
-#include "energy.h"
-#include "solve.h"
+#include "model/energy.h"
+#include "model/solve.h"
 #include "test_curves.h"
 
 namespace meander::test {

@@ -3,9 +3,9 @@
 // What the boundary leaves of the balls, against the way to it and every point of it.
 #include <gtest/gtest.h>
 
-#include "boundary_reach.h"
-#include "geodesic_trace.h"
-#include "medial_axis.h"
+#include "medial/boundary_reach.h"
+#include "geodesic/geodesic_trace.h"
+#include "medial/medial_axis.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -18,17 +18,17 @@ struct Scene {
     for (int k = 0; k < walks; ++k) {
       add_walk(surface, curve, random_point(surface, rng), 0.02, 10, 0.4, rng);
     }
-    Team team(1);
+    ThreadPool pool(1);
     compute_frames(surface, curve, std::vector<double>(curve.size(), kRadius),
-                   std::vector<double>(surface.vertex_count(), kRadius), team, frames);
+                   std::vector<double>(surface.vertex_count(), kRadius), pool, frames);
   }
 
   std::vector<Reach> reach(BoundaryRule rule, MedialAxis axis, double most, double overhang, double rest,
                            unsigned threads = 1) const {
-    Team team(threads);
+    ThreadPool pool(threads);
     const auto all = [&](double value) { return std::vector<double>(curve.size(), value); };
     std::vector<Reach> result;
-    compute_reach(surface, curve, frames, boundary, rule, axis, all(most), all(overhang), all(rest), team, result);
+    compute_reach(surface, curve, frames, boundary, rule, axis, all(most), all(overhang), all(rest), pool, result);
     return result;
   }
 

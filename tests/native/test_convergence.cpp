@@ -3,13 +3,13 @@
 // What follows what in a flow with a polish, and that a surface that moves does not send it back.
 #include <gtest/gtest.h>
 
-#include "convergence.h"
+#include "flow/convergence.h"
 #include "test_curves.h"
 
 namespace meander::test {
 namespace {
 
-constexpr uint32_t kRipening = 7;
+constexpr uint32_t kHairpinRemoval = 7;
 
 class PhasesOf : public testing::TestWithParam<int> {
  protected:
@@ -27,7 +27,7 @@ class PhasesOf : public testing::TestWithParam<int> {
     IterationFigures figures;
     figures.length = 1;
     figures.moved = 1;
-    convergence_.note(surface_, curve_, radius_, figures, team_);
+    convergence_.note(surface_, curve_, radius_, figures, pool_);
   }
   /// Iterations until the phase ends, at most `most`.
   uint32_t iterations_of(Phase phase, uint32_t most) {
@@ -39,8 +39,8 @@ class PhasesOf : public testing::TestWithParam<int> {
   Surface surface_ = make_surface(sphere(3));
   Curve curve_;
   std::vector<double> radius_;
-  Team team_{1};
-  Convergence convergence_{StopRule::kSettled, true, kRipening};
+  ThreadPool pool_{1};
+  Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval};
   int notes_ = 0;
 };
 
@@ -48,10 +48,10 @@ TEST_P(PhasesOf, FollowOneAnother) {
   EXPECT_FALSE(convergence_.polishing());
   EXPECT_TRUE(convergence_.coarse());
   EXPECT_LT(iterations_of(Phase::kGrowing, 100), 100u);
-  ASSERT_EQ(convergence_.phase(), Phase::kRipening);
+  ASSERT_EQ(convergence_.phase(), Phase::kHairpinRemoval);
   EXPECT_TRUE(convergence_.polishing());
   EXPECT_TRUE(convergence_.coarse());
-  EXPECT_EQ(iterations_of(Phase::kRipening, 100), kRipening);
+  EXPECT_EQ(iterations_of(Phase::kHairpinRemoval, 100), kHairpinRemoval);
   ASSERT_EQ(convergence_.phase(), Phase::kPolishing);
   EXPECT_TRUE(convergence_.coarse());
   EXPECT_EQ(iterations_of(Phase::kPolishing, 100), 30u);
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(SurfaceMovesEvery, PhasesOf, testing::Values(0, 3, 4));
 /// A curve that fills the surface but has not ripened when it moves for the first time is only finished; one
 /// that does not fill it goes on growing.
 TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {
-  Convergence full(StopRule::kSettled, true, kRipening), empty = full, plain(StopRule::kSettled, false, 0);
+  Convergence full(StopRule::kSettled, true, kHairpinRemoval), empty = full, plain(StopRule::kSettled, false, 0);
   full.restart(0);
   EXPECT_EQ(full.phase(), Phase::kFinishing);
   EXPECT_TRUE(full.polishing());

@@ -3,7 +3,7 @@
 // The crossing test against a comparison of all pairs in exact integers.
 #include <gtest/gtest.h>
 
-#include "crossings.h"
+#include "curve/crossings.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -23,7 +23,7 @@ Pairs brute_force(const Surface& s, const Curve& c, const std::vector<uint8_t>* 
 void expect_equal(const Surface& s, const Curve& curve, Rng& rng) {
   ASSERT_TRUE(whole(s, curve));
   CrossingTest test;
-  Team one(1), three(3);
+  ThreadPool one(1), three(3);
   const Pairs expected = brute_force(s, curve);
   EXPECT_EQ(test.find(s, curve, one), expected);
   EXPECT_EQ(test.find(s, curve, three), expected);
@@ -111,9 +111,9 @@ TEST(Crossings, EqualBruteForceOnALongCurve) {
 TEST(Crossings, NeighboursMayMeetInTheirNodeOnly) {
   const Surface s = make_surface(octahedron());
   CrossingTest test;
-  Team team(1);
+  ThreadPool pool(1);
   const auto find = [&](const std::vector<Vec2>& points, bool closed = false) {
-    return test.find(s, strand_in_face(s, points, closed), team);
+    return test.find(s, strand_in_face(s, points, closed), pool);
   };
   EXPECT_TRUE(find({{0.1, 0.1}, {0.3, 0.1}, {0.3, 0.4}}).empty());
   EXPECT_TRUE(find({{0.1, 0.1}, {0.3, 0.1}, {0.3, 0.4}}, true).empty());
@@ -127,12 +127,12 @@ TEST(Crossings, NeighboursMayMeetInTheirNodeOnly) {
 TEST(Crossings, TouchingCounts) {
   const Surface s = make_surface(octahedron());
   CrossingTest test;
-  Team team(1);
+  ThreadPool pool(1);
   // The last node on the first segment, and a grain away from it.
   for (const bool apart : {false, true}) {
     const Vec2 last{0.25, 0.125 + (apart ? kGrain : 0)};
     const Curve c = strand_in_face(s, {{0.125, 0.125}, {0.5, 0.125}, {0.5, 0.375}, last}, false);
-    EXPECT_EQ(test.find(s, c, team), apart ? Pairs{} : (Pairs{{0, 2}}));
+    EXPECT_EQ(test.find(s, c, pool), apart ? Pairs{} : (Pairs{{0, 2}}));
   }
 }
 
@@ -142,7 +142,7 @@ TEST(Crossings, SegmentsThroughTheSamePointOfAnEdgeTouch) {
   HalfEdge e = 0;
   while (s.twin(e) == kNone) ++e;
   CrossingTest test;
-  Team team(1);
+  ThreadPool pool(1);
   for (const double gap : {0.0, kGrain}) {
     Curve c;
     for (const double t : {0.25, 0.75}) {
@@ -154,9 +154,9 @@ TEST(Crossings, SegmentsThroughTheSamePointOfAnEdgeTouch) {
       c.strands.push_back({first, 2, false});
     }
     c.link();
-    EXPECT_EQ(test.find(s, c, team), brute_force(s, c));
+    EXPECT_EQ(test.find(s, c, pool), brute_force(s, c));
     if (gap == 0) {
-      EXPECT_EQ(test.find(s, c, team), (Pairs{{0, 2}}));
+      EXPECT_EQ(test.find(s, c, pool), (Pairs{{0, 2}}));
     }
   }
 }

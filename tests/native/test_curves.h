@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "curve.h"
-#include "geodesic_path.h"
-#include "geodesic_trace.h"
+#include "curve/curve.h"
+#include "geodesic/geodesic_path.h"
+#include "geodesic/geodesic_trace.h"
 #include "test_meshes.h"
 
 namespace meander::test {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "c_api.h"
+#include "api/handles.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -101,13 +101,13 @@ bool same_nodes(const Curve& a, const Curve& b) {
 }
 
 TEST(Deformation, SurfaceIsThatOfTheMovedMesh) {
-  Team team(2);
+  ThreadPool pool(2);
   for (const Mesh& mesh : {tube(), sphere(2), grid_with_hole(9)}) {
     Rng rng(3);
     const Mesh moved = mapped(mesh, [&](const Vec3& p) -> Vec3 {
       return {3 * p.x() + 40, p.y() + 0.3 * p.z() * p.z(), p.z() * (1 + 0.02 * rng())};
     });
-    const Surface a = make_surface(mesh).deformed(moved.vertices, team), b = make_surface(moved);
+    const Surface a = make_surface(mesh).deformed(moved.vertices, pool), b = make_surface(moved);
     EXPECT_EQ(a.scale(), b.scale());
     EXPECT_EQ(a.area(), b.area());
     EXPECT_EQ(a.mean_edge_length(), b.mean_edge_length());

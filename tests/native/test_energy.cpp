@@ -22,7 +22,7 @@ struct Scene {
       weights.bending.push_back(rng());
     }
     weights.medial = 0.7;
-    compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), team, frames);
+    compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), pool, frames);
   }
 
   void align() {
@@ -34,7 +34,7 @@ struct Scene {
 
   Surface surface;
   Rng rng;
-  mutable Team team{1};
+  mutable ThreadPool pool{1};
   Curve curve;
   Frames frames;
   std::vector<Radii> radii;
@@ -49,7 +49,7 @@ TEST(Energy, IsTheModelWhereNothingMoves) {
     const Scene s(mesh, 51);
     const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.radius, s.weights);
     const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
-    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.team), expected,
+    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.pool), expected,
                 kRounding * std::abs(expected));
   }
 }
@@ -60,7 +60,7 @@ TEST(Energy, OfTheFieldIsTheModelsWhereNothingMoves) {
     s.align();
     const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.radius, s.weights);
     const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
-    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.team), expected,
+    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.pool), expected,
                 kRounding * std::abs(expected));
   }
 }
@@ -82,7 +82,7 @@ TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
         double at_rest = 0;
         for (const Strand& strand : s.curve.strands) {
           StrandSystem system;
-          assemble(s.curve, strand, s.frames, s.radii, s.radius, s.weights, s.team, system);
+          assemble(s.curve, strand, s.frames, s.radii, s.radius, s.weights, s.pool, system);
           // The literal energy of all terms that node k takes part in, moved by z in its frame.
           const auto literal = [&](uint32_t k, Vec2 z) {
             const uint32_t i = strand.first + k, before = s.curve.previous(i);
@@ -130,7 +130,7 @@ TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
                          std::pow(radius / s.radius[i], q);
           }
         }
-        EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.team), at_rest,
+        EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.pool), at_rest,
                     kRounding * std::abs(at_rest));
       }
     }
@@ -143,7 +143,7 @@ TEST(Energy, OfLengthAloneIsTheLength) {
     s.weights.length.assign(s.curve.size(), 1);
     s.weights.bending.assign(s.curve.size(), 0);
     s.radii.assign(s.curve.size(), Radii{0, 0});
-    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.team), s.curve.length(),
+    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.pool), s.curve.length(),
                 kRounding * s.curve.length());
   }
 }
@@ -158,7 +158,7 @@ TEST(Energy, DerivativeIsTheSystemsRightHandSide) {
     const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.radius, s.weights);
     for (const Strand& strand : s.curve.strands) {
       StrandSystem system;
-      assemble(s.curve, strand, s.frames, s.radii, s.radius, s.weights, s.team, system);
+      assemble(s.curve, strand, s.frames, s.radii, s.radius, s.weights, s.pool, system);
       for (uint32_t k = 0; k < strand.count; ++k) {
         const uint32_t i = strand.first + k;
         const Vec2 way = s.rng.direction();

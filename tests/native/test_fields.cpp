@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fields.h"
-#include "line_field.h"
+#include "mesh/fields.h"
+#include "mesh/line_field.h"
 #include "test_meshes.h"
 
 namespace meander::test {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "flow.h"
+#include "flow/flow.h"
 #include "meander/meander.h"
 #include "test_curves.h"
 
@@ -33,7 +33,7 @@ FlowSettings settings_of(uint32_t preset, const Surface& surface, double spacing
   s.polish_length_offset = o.polish_length_offset;
   s.polish_length_gain = o.polish_length_gain;
   s.polish_medial_power = o.polish_medial_power;
-  s.ripening_iterations = o.ripening_iterations;
+  s.hairpin_removal_iterations = o.ripening_iterations;
   s.grow_into_empty = s.widen_loops = preset != MEANDER_PRESET_PAPER;
   s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = BoundaryRule::kCentre;
@@ -391,7 +391,7 @@ TEST(FlowToTheEnd, RipensKeepsItsInvariantsAndEndsStill) {
   const Mesh mesh = torus(24, 12);
   const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
   FlowSettings settings = settings_of(MEANDER_PRESET_FINEST, *surface, spacing_for(*surface, 150));
-  settings.ripening_iterations = 60;
+  settings.hairpin_removal_iterations = 60;
   Flow flow(surface, nullptr, {}, settings);
   std::vector<Vec3> before;
   int steps = 0;
@@ -412,7 +412,7 @@ TEST(FlowToTheEnd, DoesNotDependOnWhoLooksAtIt) {
   const Mesh mesh = torus(24, 12);
   const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
   FlowSettings settings = settings_of(MEANDER_PRESET_EVEN, *surface, spacing_for(*surface, 100));
-  settings.ripening_iterations = 20;
+  settings.hairpin_removal_iterations = 20;
   Flow alone(surface, nullptr, {}, settings);
   settings.threads = 3;
   Flow watched(surface, nullptr, {}, settings);

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "frames.h"
-#include "retraction.h"
+#include "medial/frames.h"
+#include "curve/retraction.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -18,12 +18,12 @@ constexpr double kSinglePrecision = 1e-6;  // in which directions are kept
 struct Scene {
   explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)), vertex_radius(surface.vertex_count(), kRadius) {}
 
-  void find(const std::vector<Look>* looks, Frames& frames) {
+  void find(const std::vector<CachedDirections>* looks, Frames& frames) {
     local_radius.resize(curve.size());
     for (uint32_t i = 0; i < curve.size(); ++i) {
       local_radius[i] = radius_at(surface, vertex_radius, curve.nodes[i]);
     }
-    compute_frames(surface, curve, local_radius, vertex_radius, team, frames, looks);
+    compute_frames(surface, curve, local_radius, vertex_radius, pool, frames, looks);
   }
 
   /// Moves every node by up to `most`.
@@ -31,12 +31,12 @@ struct Scene {
     std::vector<Vec2> displacement(curve.size());
     for (Vec2& d : displacement) d = rng.in(0, most) * rng.direction();
     MoveSeconds seconds;
-    Retraction().move(surface, curve, displacement, team, seconds);
+    Retraction().move(surface, curve, displacement, pool, seconds);
   }
 
   Surface surface;
   std::vector<double> vertex_radius, local_radius;
-  Team team{2};
+  ThreadPool pool{2};
   Curve curve;
 };
 
@@ -58,9 +58,9 @@ TEST(Looks, OfNodesThatHaveNotMovedStay) {
     Rng rng(41);
     add_rings(scene, rng);
     Frames first, again;
-    std::vector<Look> looks;
+    std::vector<CachedDirections> looks;
     scene.find(nullptr, first);
-    remember_looks(first, scene.local_radius, scene.team, looks);
+    remember_directions(first, scene.local_radius, scene.pool, looks);
     scene.find(&looks, again);
     for (uint32_t i = 0; i < scene.curve.size(); ++i) {
       EXPECT_TRUE(first.walked[i]);
@@ -84,9 +84,9 @@ TEST(Looks, EndWhereNodesMoveOrTurn) {
     Rng rng(42);
     add_rings(scene, rng);
     Frames frames, exact;
-    std::vector<Look> looks;
+    std::vector<CachedDirections> looks;
     scene.find(nullptr, frames);
-    remember_looks(frames, scene.local_radius, scene.team, looks);
+    remember_directions(frames, scene.local_radius, scene.pool, looks);
     size_t kept = 0, walked = 0;
     for (int step = 0; step < 12; ++step) {
       scene.stir((step % 3 == 2 ? 0.1 : 0.002) * kRadius, rng);
@@ -107,7 +107,7 @@ TEST(Looks, EndWhereNodesMoveOrTurn) {
           EXPECT_LT((outward - exact.outward[i][side]).norm(), rests ? kMostOff : 1e-300);
         }
       }
-      remember_looks(frames, scene.local_radius, scene.team, looks);
+      remember_directions(frames, scene.local_radius, scene.pool, looks);
     }
     EXPECT_GT(kept, 500u);
     EXPECT_GT(walked, 500u);
@@ -119,9 +119,9 @@ TEST(Looks, EndWhereTheSpacingChanges) {
   Rng rng(43);
   add_rings(scene, rng);
   Frames frames;
-  std::vector<Look> looks;
+  std::vector<CachedDirections> looks;
   scene.find(nullptr, frames);
-  remember_looks(frames, scene.local_radius, scene.team, looks);
+  remember_directions(frames, scene.local_radius, scene.pool, looks);
   for (const double factor : {0.9, 0.96, 1.04, 1.1}) {
     scene.vertex_radius.assign(scene.vertex_radius.size(), factor * kRadius);
     scene.find(&looks, frames);
@@ -138,9 +138,9 @@ TEST(Looks, AreNotKeptAtTheBoundary) {
     if (!add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.03, 20, 0, rng)) scene.curve = before;
   }
   Frames first, again;
-  std::vector<Look> looks;
+  std::vector<CachedDirections> looks;
   scene.find(nullptr, first);
-  remember_looks(first, scene.local_radius, scene.team, looks);
+  remember_directions(first, scene.local_radius, scene.pool, looks);
   scene.find(&looks, again);
   size_t at_boundary = 0;
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {

@@ -4,7 +4,7 @@
 // satisfy.
 #include <gtest/gtest.h>
 
-#include "geodesic_distance.h"
+#include "geodesic/geodesic_distance.h"
 #include "test_curves.h"
 #include "unrolled_surfaces.h"
 

@@ -3,8 +3,8 @@
 // Geodesic medial radii against their definition on surfaces that unroll, and sheets that lie close.
 #include <gtest/gtest.h>
 
-#include "geodesic_distance.h"
-#include "geodesic_medial_axis.h"
+#include "geodesic/geodesic_distance.h"
+#include "medial/geodesic_medial_axis.h"
 #include "test_curves.h"
 #include "unrolled_surfaces.h"
 
@@ -23,19 +23,19 @@ struct Result {
 };
 
 Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
-  Team team(setting.threads);
+  ThreadPool pool(setting.threads);
   Result result;
   const std::vector<double> local(curve.size(), setting.local), most(curve.size(), setting.most);
   const std::vector<double> overhang(curve.size(), setting.overhang), least_rest(curve.size(), 0.0);
   const std::vector<double> vertex(s.vertex_count(), setting.local);
   const BoundaryObstacle boundary(s, 0.01);
-  compute_frames(s, curve, local, vertex, team, result.frames);
+  compute_frames(s, curve, local, vertex, pool, result.frames);
   std::vector<Reach> reach;
   compute_reach(s, curve, result.frames, boundary, setting.rule, MedialAxis::kGeodesic, most, overhang, least_rest,
-                team, reach);
-  compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, local, reach, team, result.geodesic);
-  RunTree tree;
-  compute_medial_axis(result.frames, boundary, setting.rule, reach, team, tree, result.euclidean);
+                pool, reach);
+  compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, local, reach, pool, result.geodesic);
+  CurveBvh tree;
+  compute_medial_axis(result.frames, boundary, setting.rule, reach, pool, tree, result.euclidean);
   return result;
 }
 

@@ -6,7 +6,7 @@
 
 #include <queue>
 
-#include "geodesic_path.h"
+#include "geodesic/geodesic_path.h"
 #include "test_curves.h"
 
 namespace meander::test {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "regions.h"
-#include "segment_distance.h"
+#include "curve/regions.h"
+#include "base/segment_distance.h"
 #include "test_seeds.h"
 
 namespace meander::test {
@@ -176,11 +176,11 @@ TEST(Guides, RegionsOfADrawnNetworkAreCounted) {
   for (const Mesh& mesh : {flat_grid(1), flat_grid(5), flat_grid(40)}) {
     const Surface s = make_surface(mesh);
     const std::vector<double> radius(s.vertex_count(), 0.03 / s.scale());
-    Team team(1);
+    ThreadPool pool(1);
     for (const Drawing& d : drawings) {
       SCOPED_TRACE(d.name + std::string(" on ") + std::to_string(s.face_count()));
       Curve curve;
-      if (!d.lines.empty()) curve = lay_seed(s, seed_of(d.lines, false), radius, team);
+      if (!d.lines.empty()) curve = lay_seed(s, seed_of(d.lines, false), radius, pool);
       const std::vector<Region> regions = find_regions(s, curve, radius);
       EXPECT_EQ(regions.size(), d.regions);
       for (const Region& r : regions) EXPECT_FALSE(r.growing);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hairpins.h"
+#include "curve/hairpins.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -67,13 +67,13 @@ std::vector<Vec2> serpentine(const std::vector<double>& rows) {
 }
 
 std::vector<Hairpin> hairpins_of(const Curve& curve, double radius = kRadius, unsigned threads = 2) {
-  Team team(threads);
-  return find_hairpins(curve, curve.strands[0], std::vector<double>(curve.size(), radius), team);
+  ThreadPool pool(threads);
+  return find_hairpins(curve, curve.strands[0], std::vector<double>(curve.size(), radius), pool);
 }
 
 std::vector<uint8_t> marked_of(const Curve& curve, double share, double radius = kRadius) {
-  Team team(2);
-  return mark_short_runs(curve, std::vector<double>(curve.size(), radius), share, team);
+  ThreadPool pool(2);
+  return mark_short_runs(curve, std::vector<double>(curve.size(), radius), share, pool);
 }
 
 Surface one_face() { return make_surface(Mesh{{-1, -1, 0, 1, -1, 0, 0, 1, 0}, {0, 1, 2}}); }

@@ -4,7 +4,7 @@
 // boundary.
 #include <gtest/gtest.h>
 
-#include "medial_axis.h"
+#include "medial/medial_axis.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -36,16 +36,16 @@ struct Scene {
   explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)), boundary(surface, 0.01) {}
 
   void compute(BoundaryRule rule, double most, std::vector<Radii>& radii, unsigned threads = 2) {
-    Team team(threads);
+    ThreadPool pool(threads);
     local_radius.assign(curve.size(), 0.05);
     max_radius.assign(curve.size(), most);
     const std::vector<double> vertex_radius(surface.vertex_count(), 0.05);
-    compute_frames(surface, curve, local_radius, vertex_radius, team, frames);
+    compute_frames(surface, curve, local_radius, vertex_radius, pool, frames);
     const std::vector<double> none(curve.size(), 0);
     std::vector<Reach> reach;
-    compute_reach(surface, curve, frames, boundary, rule, MedialAxis::kEuclidean, max_radius, none, none, team, reach);
-    RunTree tree;
-    compute_medial_axis(frames, boundary, rule, reach, team, tree, radii);
+    compute_reach(surface, curve, frames, boundary, rule, MedialAxis::kEuclidean, max_radius, none, none, pool, reach);
+    CurveBvh tree;
+    compute_medial_axis(frames, boundary, rule, reach, pool, tree, radii);
   }
 
   Surface surface;

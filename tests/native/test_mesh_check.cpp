@@ -9,7 +9,7 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "failure.h"
+#include "base/failure.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -20,19 +20,19 @@ Failure refusal(const Mesh& mesh) {
   try {
     make_surface(mesh);
   } catch (const Failure& failure) {
-    EXPECT_EQ(failure.status, MEANDER_INVALID_MESH);
+    EXPECT_EQ(failure.kind, FailureKind::kInvalidMesh);
     EXPECT_GT(std::string(failure.what()).size(), 20u) << "a sentence is wanted";
     return failure;
   }
   ADD_FAILURE() << "the mesh was not refused";
-  return Failure(MEANDER_OK, "");
+  return Failure(FailureKind::kInternal, "nothing was refused");
 }
 
-void expect_refused(const Mesh& mesh, int32_t kind, uint32_t index = 0) {
+void expect_refused(const Mesh& mesh, ElementKind kind, uint32_t index = 0) {
   const Failure failure = refusal(mesh);
-  EXPECT_EQ(failure.element_kind, kind) << failure.what();
+  EXPECT_EQ(failure.element, kind) << failure.what();
   EXPECT_EQ(failure.index, index) << failure.what();
-  if (kind != MEANDER_ELEMENT_NONE) {
+  if (kind != ElementKind::kNoElement) {
     EXPECT_NE(std::string(failure.what()).find(std::to_string(index)), std::string::npos)
         << failure.what();
   }
@@ -41,8 +41,8 @@ void expect_refused(const Mesh& mesh, int32_t kind, uint32_t index = 0) {
 TEST(Refusal, NoFaces) {
   Mesh m = sphere(0);
   m.faces.clear();
-  expect_refused(m, MEANDER_ELEMENT_NONE);
-  expect_refused(Mesh{}, MEANDER_ELEMENT_NONE);
+  expect_refused(m, ElementKind::kNoElement);
+  expect_refused(Mesh{}, ElementKind::kNoElement);
 }
 
 TEST(Refusal, NumbersThatAreNotFinite) {
@@ -53,7 +53,7 @@ TEST(Refusal, NumbersThatAreNotFinite) {
       Mesh m = sphere(1);
       m.vertices[3 * 17 + k] = bad;
       m.vertices[3 * 20 + k] = bad;
-      expect_refused(m, MEANDER_ELEMENT_VERTEX, 17);
+      expect_refused(m, ElementKind::kVertex, 17);
     }
   }
 }
@@ -61,16 +61,16 @@ TEST(Refusal, NumbersThatAreNotFinite) {
 TEST(Refusal, AnIndexOutOfRange) {
   Mesh m = sphere(1);
   m.faces[3 * 11 + 1] = m.vertex_count();
-  expect_refused(m, MEANDER_ELEMENT_FACE, 11);
+  expect_refused(m, ElementKind::kFace, 11);
   m.faces[3 * 11 + 1] = UINT32_MAX;
-  expect_refused(m, MEANDER_ELEMENT_FACE, 11);
+  expect_refused(m, ElementKind::kFace, 11);
 }
 
 TEST(Refusal, AVertexTwiceInAFace) {
   for (size_t k = 0; k < 3; ++k) {
     Mesh m = sphere(1);
     m.faces[3 * 11 + k] = m.faces[3 * 11 + (k + 1) % 3];
-    expect_refused(m, MEANDER_ELEMENT_FACE, 11);
+    expect_refused(m, ElementKind::kFace, 11);
   }
 }
 
@@ -78,14 +78,14 @@ TEST(Refusal, AFaceWithoutArea) {
   Mesh m = flat_grid(4, 0);
   const uint32_t a = m.add(0, 2, 0), b = m.add(1, 2, 0), c = m.add(3, 2, 0);
   m.face(a, b, c);
-  expect_refused(m, MEANDER_ELEMENT_FACE, m.face_count() - 1);
+  expect_refused(m, ElementKind::kFace, m.face_count() - 1);
 
   // Whatever the size of the mesh, and for two corners in one place.
   for (const double factor : {1e-6, 1.0, 1e6}) {
     Mesh n = scaled(sphere(1), factor);
     const uint32_t p = n.add(0, 0, 0), q = n.add(0, 0, 0), r = n.add(factor, 0, 0);
     n.face(p, q, r);
-    expect_refused(n, MEANDER_ELEMENT_FACE, n.face_count() - 1);
+    expect_refused(n, ElementKind::kFace, n.face_count() - 1);
   }
 }
 
@@ -93,7 +93,7 @@ TEST(Refusal, AllInOnePlace) {
   Mesh m;
   for (int k = 0; k < 3; ++k) m.add(1, 2, 3);
   m.face(0, 1, 2);
-  EXPECT_EQ(refusal(m).status, MEANDER_INVALID_MESH);
+  EXPECT_EQ(refusal(m).kind, FailureKind::kInvalidMesh);
 }
 
 TEST(Refusal, AnEdgeWithThreeFaces) {
@@ -101,7 +101,7 @@ TEST(Refusal, AnEdgeWithThreeFaces) {
   const uint32_t a = m.faces[3 * 9], b = m.faces[3 * 9 + 1];
   m.face(a, b, m.add(3, 3, 3));
   const Failure failure = refusal(m);
-  EXPECT_EQ(failure.element_kind, MEANDER_ELEMENT_EDGE);
+  EXPECT_EQ(failure.element, ElementKind::kEdge);
   EXPECT_EQ((std::set{failure.index, failure.index2}), (std::set{a, b}));
 }
 
@@ -114,7 +114,7 @@ TEST(Refusal, ABowTie) {
   m.add(-1, -1, 0);
   m.face(0, 1, 2);
   m.face(0, 3, 4);
-  expect_refused(m, MEANDER_ELEMENT_VERTEX, 0);
+  expect_refused(m, ElementKind::kVertex, 0);
 
   // Two closed surfaces that share a vertex.
   Mesh n = joined(sphere(1), sphere(1), 4);
@@ -122,13 +122,13 @@ TEST(Refusal, ABowTie) {
   for (uint32_t& v : n.faces) {
     if (v == other) v = shared;
   }
-  expect_refused(n, MEANDER_ELEMENT_VERTEX, shared);
+  expect_refused(n, ElementKind::kVertex, shared);
 }
 
 TEST(Refusal, OneSided) {
   for (const uint32_t around : {5u, 12u, 31u}) {
     const Failure failure = refusal(moebius(around));
-    EXPECT_EQ(failure.element_kind, MEANDER_ELEMENT_FACE);
+    EXPECT_EQ(failure.element, ElementKind::kFace);
     EXPECT_LT(failure.index, moebius(around).face_count());
   }
 }
@@ -182,7 +182,7 @@ TEST(GoodMesh, HasTheTopologyOfItsShape) {
     EXPECT_EQ(s.component_count(), m.components);
     EXPECT_EQ(s.boundary_loop_count(), m.loops);
     EXPECT_EQ(count_loops(s), m.loops);
-    EXPECT_EQ(s.turned_count(), 0u);
+    EXPECT_EQ(s.flipped_count(), 0u);
     std::set<uint32_t> used(m.mesh.faces.begin(), m.mesh.faces.end());
     EXPECT_EQ(s.used_vertices(), used.size());
     // Euler: V - E + F = 2 C - 2 g - b.
@@ -250,7 +250,7 @@ TEST(GoodMesh, TurnedFacesAreCountedAndOriented) {
     for (uint32_t f = 0; f < s.face_count(); ++f) {
       const bool turned = flipped[f] != first[s.component(f)];
       expected += turned;
-      EXPECT_EQ(s.turned(f), turned);
+      EXPECT_EQ(s.flipped(f), turned);
       const bool swapped = s.face(f)[1] == mesh.faces[3 * f + 2];
       EXPECT_EQ(swapped, turned);
       for (uint32_t k = 0; k < 3; ++k) {
@@ -260,7 +260,7 @@ TEST(GoodMesh, TurnedFacesAreCountedAndOriented) {
         }
       }
     }
-    EXPECT_EQ(s.turned_count(), expected);
+    EXPECT_EQ(s.flipped_count(), expected);
   }
 }
 

@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
-#include "surface.h"
-#include "surface_point.h"
+#include "mesh/surface.h"
+#include "mesh/surface_point.h"
 
 namespace meander::test {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <new>
 
-#include "crossings.h"
-#include "flow.h"
-#include "refine.h"
+#include "curve/crossings.h"
+#include "flow/flow.h"
+#include "curve/refinement.h"
 #include "test_curves.h"
 #include "test_seeds.h"
 
@@ -85,8 +85,8 @@ TEST(OutOfMemory, CrossingsAreFoundAfterwards) {
   const Curve curve = tangle(s, rng);
   std::vector<uint8_t> changed(curve.size());
   for (uint8_t& c : changed) c = rng() < 0.4;
-  Team team(2);
-  const auto all = CrossingTest().find(s, curve, team), some = CrossingTest().find(s, curve, team, &changed);
+  ThreadPool pool(2);
+  const auto all = CrossingTest().find(s, curve, pool), some = CrossingTest().find(s, curve, pool, &changed);
   ASSERT_FALSE(some.empty());
   ASSERT_LT(some.size(), all.size());
   long failures = 0;
@@ -94,10 +94,10 @@ TEST(OutOfMemory, CrossingsAreFoundAfterwards) {
                                             static_cast<const std::vector<uint8_t>*>(&changed)}) {
     for (long n = 0;; ++n) {
       CrossingTest test;
-      if (!runs_out_of_memory(n, [&] { test.find(s, curve, team, which); })) break;
+      if (!runs_out_of_memory(n, [&] { test.find(s, curve, pool, which); })) break;
       ++failures;
-      ASSERT_EQ(test.find(s, curve, team), all) << "allocation " << n;
-      ASSERT_EQ(test.find(s, curve, team, &changed), some) << "allocation " << n;
+      ASSERT_EQ(test.find(s, curve, pool), all) << "allocation " << n;
+      ASSERT_EQ(test.find(s, curve, pool, &changed), some) << "allocation " << n;
     }
   }
   EXPECT_GT(failures, 20);
@@ -109,15 +109,15 @@ TEST(OutOfMemory, RefinementLeavesTheCurve) {
   Curve old;
   while (!add_ring(s, old, random_point(s, rng), 0.15, 60, 0.2, rng) || !exact_crossings(s, old).empty()) old = {};
   const std::vector<double> target(old.size(), 0.7 * old.length() / old.size());
-  Team team(2);
+  ThreadPool pool(2);
   Curve expected = old;
   std::vector<uint32_t> origin;
-  ASSERT_TRUE(Refinement().refine(s, expected, target, team, origin));
+  ASSERT_TRUE(Refinement().refine(s, expected, target, pool, origin));
   long failures = 0;
   for (long n = 0;; ++n) {
     Refinement refinement;
     Curve curve = old;
-    if (!runs_out_of_memory(n, [&] { refinement.refine(s, curve, target, team, origin); })) break;
+    if (!runs_out_of_memory(n, [&] { refinement.refine(s, curve, target, pool, origin); })) break;
     ++failures;
     ASSERT_EQ(curve.size(), old.size()) << "allocation " << n;
     for (uint32_t i = 0; i < old.size(); ++i) {
@@ -125,7 +125,7 @@ TEST(OutOfMemory, RefinementLeavesTheCurve) {
       ASSERT_EQ(curve.paths[i].size(), old.paths[i].size());
       ASSERT_EQ(curve.shapes[i].length, old.shapes[i].length);
     }
-    ASSERT_TRUE(refinement.refine(s, curve, target, team, origin));
+    ASSERT_TRUE(refinement.refine(s, curve, target, pool, origin));
     ASSERT_EQ(curve.size(), expected.size());
     for (uint32_t i = 0; i < expected.size(); ++i) ASSERT_TRUE(same_bytes(curve.nodes[i], expected.nodes[i]));
   }

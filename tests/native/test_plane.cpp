@@ -3,8 +3,8 @@
 // The orientation predicate and the grid of coordinates, against integers of 128 bits.
 #include <gtest/gtest.h>
 
-#include "plane.h"
-#include "surface_point.h"
+#include "base/plane.h"
+#include "mesh/surface_point.h"
 #include "test_curves.h"
 
 namespace meander::test {

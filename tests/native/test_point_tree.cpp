@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "point_tree.h"
+#include "base/point_tree.h"
 #include "test_meshes.h"
 
 namespace meander::test {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "retraction.h"
+#include "curve/retraction.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -45,7 +45,7 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
   for (const Mesh& mesh : meshes()) {
     const Surface s = make_surface(mesh);
     Rng rng(71);
-    Team team(2);
+    ThreadPool pool(2);
     Retraction retraction;
     MoveSeconds seconds;
     for (const double size : {0.01, 0.1, 0.7}) {
@@ -57,7 +57,7 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
         const Curve old = curve;
         std::vector<Vec2> d(curve.size());
         for (Vec2& v : d) v = size * rng() * rng.direction();
-        const double held = retraction.move(s, curve, d, team, seconds);
+        const double held = retraction.move(s, curve, d, pool, seconds);
         EXPECT_GE(held, 0);
         EXPECT_LE(held, 1);
         ASSERT_TRUE(whole(s, curve));
@@ -95,10 +95,10 @@ TEST(Move, OneKnotDoesNotHoldTheOthers) {
     const Vec2 inwards = Vec2{0, 1} * unit(curve.shapes[before].arriving + curve.shapes[i].leaving);
     d[i] = i < knot ? 0.01 * inwards : 0.2 * rng.direction();
   }
-  Team team(2);
+  ThreadPool pool(2);
   Retraction retraction;
   MoveSeconds seconds;
-  retraction.move(s, curve, d, team, seconds);
+  retraction.move(s, curve, d, pool, seconds);
   ASSERT_TRUE(exact_crossings(s, curve).empty());
   for (uint32_t i = 0; i < knot; ++i) {
     Path path;
@@ -111,10 +111,10 @@ TEST(Move, OfNothingChangesNothing) {
   Rng rng(73);
   Curve curve = random_curve(s, 5, rng);
   const Curve old = curve;
-  Team team(1);
+  ThreadPool pool(1);
   Retraction retraction;
   MoveSeconds seconds;
-  retraction.move(s, curve, std::vector<Vec2>(curve.size()), team, seconds);
+  retraction.move(s, curve, std::vector<Vec2>(curve.size()), pool, seconds);
   for (uint32_t i = 0; i < curve.size(); ++i) {
     EXPECT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
     EXPECT_EQ(curve.paths[i].size(), old.paths[i].size());
@@ -135,7 +135,7 @@ TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
     const Surface s = make_surface(c.mesh);
     ASSERT_EQ(s.simply_connected(), c.simply_connected);
     Rng rng(75);
-    Team team(2);
+    ThreadPool pool(2);
     Retraction retraction;
     MoveSeconds seconds;
     size_t far = 0;
@@ -159,7 +159,7 @@ TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
         near_boundary |= trace.hit_boundary;
       }
       if (near_boundary) continue;
-      retraction.move(s, curve, d, team, seconds);
+      retraction.move(s, curve, d, pool, seconds);
       if (!std::ranges::equal(curve.nodes, ends, same_bytes)) continue;  // some have given way
       ASSERT_TRUE(whole(s, curve));
       PathShortener shortener(s);
@@ -183,11 +183,11 @@ TEST(Move, IsTheSameForAnyTeam) {
   for (Vec2& v : d) v = 0.1 * rng.direction();
   std::vector<Curve> results;
   for (const unsigned threads : {1u, 2u, 5u}) {
-    Team team(threads);
+    ThreadPool pool(threads);
     Retraction retraction;
     MoveSeconds seconds;
     results.push_back(old);
-    retraction.move(s, results.back(), d, team, seconds);
+    retraction.move(s, results.back(), d, pool, seconds);
   }
   for (const Curve& c : results) {
     for (uint32_t i = 0; i < old.size(); ++i) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "c_api.h"
+#include "api/handles.h"
 #include "test_curves.h"
 
 namespace meander::test {

@@ -60,18 +60,18 @@ struct Scene {
       weights.bending[i] = bending * rng.in(0.1, 1);
       curve.fixed[i] = rng() < fixed_share;
     }
-    Team team(1);
-    compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), team, frames);
+    ThreadPool pool(1);
+    compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), pool, frames);
   }
 
   /// Steps of all nodes in space, by the library.
   Eigen::VectorXd banded_step(unsigned threads = 1, size_t least_chunk = kLeastChunk) const {
     Eigen::VectorXd d(3 * curve.size());
-    Team team(threads);
+    ThreadPool pool(threads);
     for (const Strand& strand : curve.strands) {
       StrandSystem system;
-      assemble(curve, strand, frames, radii, radius, weights, team, system);
-      const std::vector<Vec2> z = solve(system, team, least_chunk);
+      assemble(curve, strand, frames, radii, radius, weights, pool, system);
+      const std::vector<Vec2> z = solve(system, pool, least_chunk);
       for (uint32_t k = 0; k < strand.count; ++k) {
         const uint32_t i = strand.first + k;
         d.segment<3>(3 * i) = surface.to_space(curve.nodes[i].face, system.frame[k] * z[k]);
@@ -180,9 +180,9 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
       ASSERT_TRUE(whole(scene.surface, scene.curve));
       scene.fill(rng, {0.2, 1, 0.5}, 0);
       StrandSystem system;
-      Team team(1);
+      ThreadPool pool(1);
       assemble(scene.curve, scene.curve.strands[0], scene.frames, scene.radii, scene.radius,
-               scene.weights, team, system);
+               scene.weights, pool, system);
       const double angle = std::atan2(system.holonomy.y, system.holonomy.x);
       const double missing = 2 * kPi - scene.surface.total_angle(0);
       constexpr double kRounding = 1e-6;  // the cone's own faces are flat to 2^-30 only

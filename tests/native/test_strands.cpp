@@ -166,7 +166,7 @@ TEST(Strands, KeepEverythingInRandomCompany) {
       const SeedStrands drawn = seed_of(lines, rng() < 0.6);
       flow = std::make_unique<Flow>(surface, &drawn, density, checked_settings(o, *surface));
     } catch (const Failure& failure) {  // lines that cross, mostly
-      ASSERT_EQ(failure.status, MEANDER_INVALID_SEED) << failure.what();
+      ASSERT_EQ(failure.kind, FailureKind::kInvalidSeed) << failure.what();
       continue;
     }
     ++laid;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "c_api.h"
+#include "api/handles.h"
 #include "test_curves.h"
 
 namespace meander::test {

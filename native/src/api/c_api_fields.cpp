@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The border of the fields: curvature and directions of a surface, and the directions of a flow.
+#include "api/handles.h"
+#include "mesh/fields.h"
+
+using namespace meander;
+
+namespace {
+
+void require_vertices(size_t given, const Surface& surface, const MeshMap* map, const void* array) {
+  require(array != nullptr, "The array of the vertices is NULL.");
+  const size_t wanted = caller_vertex_count(surface, map);
+  if (given == wanted) return;
+  refuse("The array has " + std::to_string(given) + " entries; it must have one for each of the " +
+         std::to_string(wanted) + " vertices of the surface.");
+}
+
+double checked_smoothing(double smoothing, const Surface& surface) {
+  if (std::isfinite(smoothing) && smoothing >= 0 && smoothing <= surface.scale()) return smoothing / surface.scale();
+  refuse("The smoothing radius is " + number(smoothing) + "; it must be between 0 and the mesh's diagonal, " +
+         number(surface.scale()) + ".");
+}
+
+/// Calls give(caller's vertex, vertex of the surface) so that every vertex of the caller's that the
+/// surface has got is the last time given its own.
+template <class Give>
+void for_caller_vertices(const Surface& surface, const MeshMap* map, Give&& give) {
+  for (const bool own : {false, true}) {  // first those that a cut has made
+    for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
+      const bool is_own = !map || map->vertex_origin(v).t == 0;
+      if (is_own == own) give(caller_vertex(map, v), v);
+    }
+  }
+}
+
+void write(const Surface& surface, const MeshMap* map, const std::vector<Vec3>& directions, double* out) {
+  std::fill_n(out, 3 * caller_vertex_count(surface, map), 0.0);
+  for_caller_vertices(surface, map, [&](uint32_t theirs, uint32_t v) {
+    std::copy_n(directions[v].data(), 3, out + 3 * size_t{theirs});
+  });
+}
+
+}  // namespace
+
+extern "C" {
+
+meander_status meander_surface_get_curvature(const meander_surface* surface, uint32_t kind, double smoothing,
+                                             double* values, size_t vertex_count, meander_error* error) {
+  return guard(error, [&] {
+    require(surface != nullptr, "The surface is NULL.");
+    require(kind <= MEANDER_CURVATURE_CURVEDNESS, "The kind is none of MEANDER_CURVATURE_...");
+    const Surface& s = *surface->surface;
+    const MeshMap* map = surface->map.get();
+    require_vertices(vertex_count, s, map, values);
+    const double radius = checked_smoothing(smoothing, s);
+    const bool gaussian = kind == MEANDER_CURVATURE_GAUSSIAN || kind == MEANDER_CURVATURE_ABSOLUTE_GAUSSIAN;
+    const double unit = gaussian ? 1 / (s.scale() * s.scale()) : 1 / s.scale();
+    const std::vector<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius);
+    std::fill_n(values, vertex_count, 0.0);
+    for_caller_vertices(s, map, [&](uint32_t theirs, uint32_t v) { values[theirs] = x[v] * unit; });
+    return MEANDER_OK;
+  });
+}
+
+meander_status meander_surface_get_directions(const meander_surface* surface, uint32_t kind, double smoothing,
+                                              double* directions, size_t vertex_count, meander_error* error) {
+  return guard(error, [&] {
+    require(surface != nullptr, "The surface is NULL.");
+    require(kind <= MEANDER_DIRECTIONS_SMOOTH, "The kind is none of MEANDER_DIRECTIONS_...");
+    const Surface& s = *surface->surface;
+    const MeshMap* map = surface->map.get();
+    require_vertices(vertex_count, s, map, directions);
+    const double radius = checked_smoothing(smoothing, s);
+    write(s, map,
+          kind == MEANDER_DIRECTIONS_SMOOTH
+              ? smoothest_directions(s)
+              : principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius),
+          directions);
+    return MEANDER_OK;
+  });
+}
+
+meander_status meander_surface_extend_directions(const meander_surface* surface, const double* points,
+                                                 const uint32_t* offsets, size_t stroke_count, double* directions,
+                                                 size_t vertex_count, meander_error* error) {
+  return guard(error, [&] {
+    require(surface != nullptr, "The surface is NULL.");
+    require(stroke_count >= 1, "There are no strokes; draw at least one.");
+    require(points && offsets, "A pointer of the strokes is NULL.");
+    require(offsets[0] == 0, "The strokes' offsets must start at 0.");
+    for (size_t g = 0; g < stroke_count; ++g) {
+      require(offsets[g] <= offsets[g + 1], "The strokes' offsets must not fall.");
+    }
+    const Surface& s = *surface->surface;
+    const MeshMap* map = surface->map.get();
+    require_vertices(vertex_count, s, map, directions);
+    std::vector<Vec3> inside;
+    for (uint32_t i = 0; i < offsets[stroke_count]; ++i) {
+      const Vec3 p(points[3 * size_t{i}], points[3 * size_t{i} + 1], points[3 * size_t{i} + 2]);
+      if (!p.allFinite()) {
+        refuse("Stroke point " + std::to_string(i) + " has a coordinate that is not a finite number.");
+      }
+      inside.push_back(s.to_inside(p));
+    }
+    std::vector<Stroke> strokes;
+    for (size_t g = 0; g < stroke_count; ++g) {
+      strokes.push_back(std::span(inside).subspan(offsets[g], offsets[g + 1] - offsets[g]));
+    }
+    write(s, map, extended_directions(s, strokes), directions);
+    return MEANDER_OK;
+  });
+}
+
+meander_status meander_flow_set_directions(meander_flow* flow, const double* directions, size_t vertex_count,
+                                           uint32_t kind, meander_error* error) {
+  return guard(error, [&] {
+    require(flow != nullptr, "The flow is NULL.");
+    require_idle(*flow);
+    require(kind <= MEANDER_ALIGN_ACROSS, "The kind is none of MEANDER_ALIGN_...");
+    Flow& f = *flow->flow;
+    require(f.history().empty(), "Directions must be set before the first iteration.");
+    if (!directions) {
+      f.set_field({});
+      return MEANDER_OK;
+    }
+    const Surface& s = f.surface();
+    require_vertices(vertex_count, s, flow->map.get(), directions);
+    std::vector<Vec3> vectors;
+    for (uint32_t v = 0; v < s.vertex_count(); ++v) {
+      // Lines have no sign, so where an edge has been cut the nearer end speaks.
+      const double* d = directions + 3 * size_t{caller_vertex(flow->map.get(), v)};
+      vectors.emplace_back(d[0], d[1], d[2]);
+    }
+    LineField field(s, vectors, kind == MEANDER_ALIGN_ACROSS);
+    require(!field.empty(), "No vertex has a direction in the surface; give a vector other than 0 0 0 to some.");
+    f.set_field(std::move(field));
+    return MEANDER_OK;
+  });
+}
+
+}  // extern "C"

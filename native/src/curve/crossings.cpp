@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/crossings.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+namespace meander {
+namespace {
+
+using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
+
+/// Segments, and faces, that a thread takes at a time: few faces of a coarse mesh, which hold many pieces.
+constexpr size_t kSegmentsPerBlock = 1024;
+constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
+
+bool same(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
+
+/// Is c, known to lie on the line through a and b, within the closed segment?
+bool between(Vec2 a, Vec2 b, Vec2 c) {
+  return std::min(a.x, b.x) <= c.x && c.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= c.y &&
+         c.y <= std::max(a.y, b.y);
+}
+
+/// Do two pieces that both end in `node` share more than it?
+bool overlap(Vec2 node, Vec2 p, Vec2 q) {
+  if (same(p, node) || same(q, node)) return false;
+  if (orientation(node, p, q) != 0) return false;
+  const Vec2 u = p - node, v = q - node;
+  return dot(u, v) > 0;
+}
+
+class FaceTest {
+ public:
+  FaceTest(const Curve& curve, const std::vector<uint8_t>* changed, Pairs& found)
+      : curve_(curve), changed_(changed), found_(found) {}
+
+  void operator()(const Piece* begin, const Piece* end) {
+    const size_t count = static_cast<size_t>(end - begin);
+    if (changed_ && std::none_of(begin, end, [&](const Piece& p) { return (*changed_)[p.segment] != 0; })) {
+      return;
+    }
+    if (count <= kFew) {
+      for (const Piece* p = begin; p != end; ++p) {
+        for (const Piece* q = p + 1; q != end; ++q) test(*p, *q);
+      }
+    } else {
+      by_cells(begin, count);
+    }
+  }
+
+ private:
+  static constexpr size_t kFew = 24;
+
+  void test(const Piece& p, const Piece& q) {
+    if (std::max(p.from.x, p.to.x) < std::min(q.from.x, q.to.x) ||
+        std::max(q.from.x, q.to.x) < std::min(p.from.x, p.to.x) ||
+        std::max(p.from.y, p.to.y) < std::min(q.from.y, q.to.y) ||
+        std::max(q.from.y, q.to.y) < std::min(p.from.y, p.to.y)) {
+      return;
+    }
+    if (changed_ && !(*changed_)[p.segment] && !(*changed_)[q.segment]) return;
+    if (curve_.on_guide(p.segment) && curve_.on_guide(q.segment)) return;
+    if (crossing(p, q)) found_.emplace_back(std::min(p.segment, q.segment), std::max(p.segment, q.segment));
+  }
+
+  /// Neighbouring segments share a node, where their pieces may meet if both end in it.
+  bool crossing(const Piece& p, const Piece& q) const {
+    // A path that comes back into a face (round a sharp tip) has another face in between.
+    if (p.segment == q.segment) return touch(p, q);
+    const bool p_then_q = curve_.next(p.segment) == q.segment;
+    const bool q_then_p = curve_.next(q.segment) == p.segment;
+    if (p_then_q && meets(p, q)) return overlap(p.to, p.from, q.to);
+    if (q_then_p && meets(q, p)) return overlap(q.to, q.from, p.to);
+    return touch(p, q);
+  }
+  /// Does `p` end in the node in which `q` starts?
+  bool meets(const Piece& p, const Piece& q) const {
+    const SurfacePoint& node = curve_.nodes[q.segment];
+    return node.face == q.face && same(node.b, q.from) && same(p.to, q.from);
+  }
+
+  /// Many pieces in one face: only those in the same cell of a grid are compared.
+  void by_cells(const Piece* pieces, size_t count) {
+    Vec2 low = pieces[0].from, high = low;
+    for (size_t i = 0; i < count; ++i) {
+      for (const Vec2 v : {pieces[i].from, pieces[i].to}) {
+        low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+        high = {std::max(high.x, v.x), std::max(high.y, v.y)};
+      }
+    }
+    const double side = std::ceil(std::sqrt(static_cast<double>(count)));
+    const Vec2 cell{std::max((high.x - low.x) / side, 1e-300), std::max((high.y - low.y) / side, 1e-300)};
+    const auto column = [&](double x, double from, double step) {
+      return static_cast<uint32_t>(std::clamp((x - from) / step, 0.0, side - 1));
+    };
+    entries_.clear();
+    const uint32_t width = static_cast<uint32_t>(side);
+    for (uint32_t i = 0; i < count; ++i) {
+      const Piece& p = pieces[i];
+      const uint32_t x0 = column(std::min(p.from.x, p.to.x), low.x, cell.x);
+      const uint32_t x1 = column(std::max(p.from.x, p.to.x), low.x, cell.x);
+      const uint32_t y0 = column(std::min(p.from.y, p.to.y), low.y, cell.y);
+      const uint32_t y1 = column(std::max(p.from.y, p.to.y), low.y, cell.y);
+      for (uint32_t y = y0; y <= y1; ++y) {
+        for (uint32_t x = x0; x <= x1; ++x) entries_.push_back({uint64_t{y} * width + x, i});
+      }
+    }
+    std::sort(entries_.begin(), entries_.end());
+    for (size_t i = 0; i < entries_.size(); ++i) {
+      for (size_t j = i + 1; j < entries_.size() && entries_[j].first == entries_[i].first; ++j) {
+        test(pieces[entries_[i].second], pieces[entries_[j].second]);
+      }
+    }
+  }
+
+  const Curve& curve_;
+  const std::vector<uint8_t>* changed_;
+  Pairs& found_;
+  std::vector<std::pair<uint64_t, uint32_t>> entries_;
+};
+
+}  // namespace
+
+bool touch(const Piece& p, const Piece& q) {
+  const int a = orientation(p.from, p.to, q.from), b = orientation(p.from, p.to, q.to);
+  if (a * b > 0) return false;
+  const int c = orientation(q.from, q.to, p.from), d = orientation(q.from, q.to, p.to);
+  if (c * d > 0) return false;
+  if (a * b < 0 && c * d < 0) return true;
+  return (a == 0 && between(p.from, p.to, q.from)) || (b == 0 && between(p.from, p.to, q.to)) ||
+         (c == 0 && between(q.from, q.to, p.from)) || (d == 0 && between(q.from, q.to, p.to));
+}
+
+/// Marks the faces that changed segments run through.
+void CrossingTest::mark(const Surface& surface, const Curve& curve, ThreadPool& pool, const std::vector<uint8_t>& changed) {
+  for (std::vector<uint32_t>& faces : marked_faces_) {
+    for (const uint32_t f : faces) marked_[f] = 0;
+    faces.clear();
+  }
+  marked_.resize(surface.face_count(), 0);
+  marked_faces_.resize(ThreadPool::block_count(curve.size(), kSegmentsPerBlock));
+  pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (!changed[i] || !curve.has_segment(i)) continue;
+      curve.faces_of(i, [&](uint32_t f) {
+        const std::atomic_ref<uint8_t> mark(marked_[f]);  // blocks may meet in a face
+        if (mark.load(std::memory_order_relaxed)) return;
+        marked_faces_[block].push_back(f);  // first: what is marked is listed, even if memory runs out here
+        mark.store(1, std::memory_order_relaxed);
+      });
+    }
+  });
+}
+
+/// The pieces that may have to be tested: all, or those in marked faces.
+void CrossingTest::collect(const Curve& curve, ThreadPool& pool, bool only_marked) {
+  pieces_.resize(ThreadPool::block_count(curve.size(), kSegmentsPerBlock));
+  pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
+    std::vector<Piece>& pieces = pieces_[block];
+    pieces.clear();
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (!curve.has_segment(i)) continue;
+      curve.pieces_of(i, [&](const Piece& piece) {
+        if (!only_marked || marked_[piece.face]) pieces.push_back(piece);
+      });
+    }
+  });
+}
+
+/// A counting sort by face that touches only the faces which the curve runs through: a fine mesh has many
+/// more.
+void CrossingTest::sort(const Surface& surface) {
+  size_t total = 0;
+  for (const std::vector<Piece>& block : pieces_) total += block.size();
+  // All memory first: counts must be 0 again in the end, whatever happens.
+  const size_t most_faces = std::min(total, surface.face_count());
+  count_.resize(surface.face_count(), 0);
+  sorted_.resize(total);
+  occupied_.clear();
+  occupied_.reserve(most_faces);
+  end_.clear();
+  end_.reserve(most_faces);
+  for (const std::vector<Piece>& block : pieces_) {
+    for (const Piece& p : block) {
+      if (count_[p.face]++ == 0) occupied_.push_back(p.face);
+    }
+  }
+  uint32_t place = 0;
+  for (const uint32_t f : occupied_) {
+    const uint32_t count = count_[f];
+    count_[f] = place;
+    place += count;
+  }
+  for (const std::vector<Piece>& block : pieces_) {
+    for (const Piece& p : block) sorted_[count_[p.face]++] = p;
+  }
+  for (const uint32_t f : occupied_) end_.push_back(std::exchange(count_[f], 0));
+}
+
+Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool& pool,
+                         const std::vector<uint8_t>* changed) {
+  if (changed) mark(surface, curve, pool, *changed);
+  collect(curve, pool, changed != nullptr);
+  sort(surface);
+  const size_t faces_per_block = std::clamp<size_t>(occupied_.size() / kMostBlocksOfFaces, 1, kMostFacesPerBlock);
+  std::vector<Pairs> found(ThreadPool::block_count(occupied_.size(), faces_per_block));
+  pool.for_blocks(occupied_.size(), faces_per_block, [&](size_t block, size_t begin, size_t end) {
+    FaceTest test(curve, changed, found[block]);
+    for (size_t k = begin; k < end; ++k) {
+      const size_t first = k == 0 ? 0 : end_[k - 1];
+      if (end_[k] - first > 1) test(sorted_.data() + first, sorted_.data() + end_[k]);
+    }
+  });
+  Pairs all;
+  for (const Pairs& p : found) all.insert(all.end(), p.begin(), p.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace meander

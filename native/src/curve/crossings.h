@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Do any two segments cross or touch? (section 3.3.1)
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "curve/curve.h"
+
+namespace meander {
+
+/// Do two straight pieces of one face, ends included, share a point? Exact.
+bool touch(const Piece& p, const Piece& q);
+
+/// Finds pairs of segments that share a point other than a common node, by sign-exact predicates
+/// within each face. Guides may cross and touch each other: they never move, and what grows can
+/// cross neither. Keeps its memory from call to call.
+class CrossingTest {
+ public:
+  /// All crossing pairs (lower segment first, sorted, each once). Where `changed` is given (per
+  /// segment), pairs of two unchanged segments are skipped: they did not cross before.
+  std::vector<std::pair<uint32_t, uint32_t>> find(const Surface& surface, const Curve& curve, ThreadPool& pool,
+                                                  const std::vector<uint8_t>* changed = nullptr);
+
+ private:
+  void mark(const Surface& surface, const Curve& curve, ThreadPool& pool, const std::vector<uint8_t>& changed);
+  void collect(const Curve& curve, ThreadPool& pool, bool only_marked);
+  void sort(const Surface& surface);
+
+  std::vector<std::vector<Piece>> pieces_;  // by blocks of segments, in order
+  std::vector<Piece> sorted_;               // by faces
+  std::vector<uint8_t> marked_;             // per face: holds a changed piece
+  std::vector<std::vector<uint32_t>> marked_faces_;  // those that are marked, by blocks of segments
+  std::vector<uint32_t> count_;             // of pieces in a face; all 0 between calls
+  std::vector<uint32_t> occupied_;          // faces that hold pieces, in the order in which the curve meets them
+  std::vector<uint32_t> end_;               // per occupied face: where its pieces end in sorted_
+};
+
+}  // namespace meander

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/curve.h"
+
+#include <algorithm>
+
+namespace meander {
+
+void Curve::link() {
+  next_.assign(nodes.size(), kNone);
+  previous_.assign(nodes.size(), kNone);
+  on_guide_.clear();
+  for (const Strand& s : strands) {
+    for (uint32_t i = s.first; i + 1 < s.end(); ++i) {
+      next_[i] = i + 1;
+      previous_[i + 1] = i;
+    }
+    if (s.closed && s.count > 0) {
+      next_[s.end() - 1] = s.first;
+      previous_[s.first] = s.end() - 1;
+    }
+    if (s.guide) {
+      on_guide_.resize(nodes.size(), 0);
+      std::fill_n(on_guide_.begin() + s.first, s.count, uint8_t{1});
+    }
+  }
+}
+
+void Curve::lay_out_as(const Curve& other) {
+  nodes.resize(other.size());
+  fixed = other.fixed;
+  strands = other.strands;
+  next_ = other.next_;
+  previous_ = other.previous_;
+  on_guide_ = other.on_guide_;
+  paths.resize(nodes.size());
+  shapes.resize(nodes.size());
+}
+
+void Curve::pieces(std::vector<Piece>& out) const {
+  out.clear();
+  out.reserve(2 * nodes.size());
+  for (uint32_t i = 0; i < size(); ++i) {
+    if (has_segment(i)) pieces_of(i, [&](const Piece& piece) { out.push_back(piece); });
+  }
+}
+
+double Curve::length() const {
+  double sum = 0;
+  for (uint32_t i = 0; i < size(); ++i) {
+    if (has_segment(i)) sum += shapes[i].length;
+  }
+  return sum;
+}
+
+double Curve::growing_length() const {
+  if (!has_guides()) return length();
+  double sum = 0;
+  for (uint32_t i = 0; i < size(); ++i) {
+    if (has_segment(i) && !on_guide(i)) sum += shapes[i].length;
+  }
+  return sum;
+}
+
+}  // namespace meander

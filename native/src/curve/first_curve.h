@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curve that a flow starts from: the caller's strands, and small loops where there are none.
+#pragma once
+
+#include <vector>
+
+#include "base/point_tree.h"
+#include "base/thread_pool.h"
+#include "curve/curve.h"
+#include "curve/seed.h"
+
+namespace meander {
+
+/// Lays the seed, and one closed strand in every region that is to have one: all of them without a
+/// seed (`seed` null), those without a growing strand where the seed asks for loops. Guides divide a
+/// component into regions; see find_regions.
+///
+/// A loop is the outline of the first face of a component or, where `widen` is set and that is
+/// smaller, a geodesic circle of 1.5 r around the middle of that face: bending and a clamped medial
+/// radius would make a loop much smaller than r collapse instead of grow. Beside guides it is a circle
+/// about as far from them as it is wide.
+///
+/// `boundary`, `border`: see find_regions.
+///
+/// Throws Failure(FailureKind::kInvalidSeed); `radius` is r at every vertex.
+Curve first_curve(const Surface& surface, const SeedStrands* seed, const std::vector<double>& radius, bool widen,
+                  const PointTree& boundary, double border, ThreadPool& pool);
+
+}  // namespace meander

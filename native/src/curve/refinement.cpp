@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <new>
+
+namespace meander {
+namespace {
+
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 2048;
+
+/// Cuts a segment's path into `parts` of equal length: fills paths[0] to paths[parts - 1], and nodes[1] to
+/// nodes[parts - 1] with where they begin. Returns how many there are; rounding may leave out the last cut.
+uint32_t cut(const Surface& surface, const SurfacePoint& start, const SurfacePoint& end, const Path& path,
+             double length, uint32_t parts, SurfacePoint* nodes, Path* paths) {
+  paths[0].clear();
+  double before = 0;
+  uint32_t next_cut = 1;
+  uint32_t face = start.face;
+  Vec2 from = flat(surface, start);
+  for (size_t k = 0; k <= path.size(); ++k) {
+    const Vec2 to = k < path.size() ? flat_on_edge(surface, path[k]) : flat(surface, end);
+    const double piece = norm(to - from);
+    while (next_cut < parts && length * next_cut / parts <= before + piece) {
+      const double t = piece > 0 ? (length * next_cut / parts - before) / piece : 0.5;
+      nodes[next_cut] = point_at(surface, face, (1 - t) * from + t * to);
+      paths[next_cut].clear();
+      ++next_cut;
+    }
+    before += piece;
+    if (k < path.size()) {
+      paths[next_cut - 1].push_back(path[k]);
+      const Crossing r = reversed(path[k]);
+      face = face_of(r.e);
+      from = flat_on_edge(surface, r);
+    }
+  }
+  return next_cut;
+}
+
+}  // namespace
+
+bool Refinement::refine(const Surface& surface, Curve& curve, const std::vector<double>& target, ThreadPool& pool,
+                        std::vector<uint32_t>& origin) {
+  may_split_.assign(curve.size(), 1);
+  may_remove_.assign(curve.size(), 1);
+  try {
+    while (propose(surface, curve, target, pool)) {
+      const auto pairs = test_.find(surface, next_, pool, &changed_);
+      if (pairs.empty()) {
+        std::swap(curve, next_);
+        lent_ = false;
+        origin.swap(origin_);
+        return true;
+      }
+      give_back(curve);
+      // Take back what lies between the old nodes around a crossing segment; the rest is proposed again.
+      for (const auto& [a, b] : pairs) {
+        for (const uint32_t segment : {a, b}) {
+          if (!changed_[segment]) continue;
+          const uint32_t first = origin_[segment], last = origin_[next_.next(segment)];
+          may_split_[first] = 0;
+          if (first == last) continue;  // between two cuts of one segment
+          for (uint32_t i = curve.next(first); i != kNone && i != last && i != first; i = curve.next(i)) {
+            may_split_[i] = 0;
+            may_remove_[i] = 0;
+          }
+        }
+      }
+    }
+  } catch (...) {
+    give_back(curve);  // out of memory: the curve stays what it was
+    throw;
+  }
+  return false;
+}
+
+/// May the node after i go? Not the strand's first one, which holds the list's place. There is a segment i.
+bool Refinement::removes_next(const Curve& curve, const std::vector<double>& target, uint32_t i) const {
+  const uint32_t j = curve.next(i);
+  if (j <= i || !curve.has_segment(j) || curve.fixed[j] || !may_remove_[j]) return false;
+  const double h = target[i], l = curve.shapes[i].length, l2 = curve.shapes[j].length;
+  return std::min(l, l2) < h && l + l2 <= 2 * h;
+}
+
+/// Into how many parts segment i is to be split; 1 where it stays whole.
+uint32_t Refinement::parts_of(const Curve& curve, const std::vector<double>& target, uint32_t i) const {
+  const double h = target[i], l = curve.shapes[i].length;
+  return l > 2 * h && may_split_[i] ? static_cast<uint32_t>(std::clamp(std::round(l / (1.5 * h)), 2.0, 1e6)) : 1;
+}
+
+/// Fills changes_ with what is to change, along the curve. All threads look for what could; of two nodes
+/// in a row only the first may go, and that is found out in order. Most late iterations change little.
+void Refinement::choose(const Curve& curve, const std::vector<double>& target, ThreadPool& pool) {
+  candidates_.resize(ThreadPool::block_count(curve.size(), kBlock));
+  pool.for_blocks(curve.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
+    candidates_[block].clear();
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (!curve.has_segment(i)) continue;
+      if (removes_next(curve, target, i) || parts_of(curve, target, i) > 1) candidates_[block].push_back(i);
+    }
+  });
+  changes_.clear();
+  uint32_t slots = 0;
+  const auto change = [&](uint32_t from, uint32_t parts) {
+    if (parts > UINT32_MAX - curve.size() - slots) throw std::bad_alloc();  // nodes could not be counted
+    changes_.push_back({from, parts, slots, parts});
+    slots += parts;
+  };
+  auto strand = curve.strands.begin();
+  uint32_t left = strand == curve.strands.end() ? 0 : strand->count, removed = kNone;
+  for (const std::vector<uint32_t>& block : candidates_) {
+    for (const uint32_t i : block) {
+      for (; i >= strand->end(); left = strand->count) ++strand;
+      if (i == removed) continue;
+      if (left > (strand->closed ? 3u : 2u) && removes_next(curve, target, i)) {
+        removed = curve.next(i);
+        --left;
+        change(i, 1);
+      } else if (const uint32_t parts = parts_of(curve, target, i); parts > 1) {
+        change(i, parts);
+      }
+    }
+  }
+  new_nodes_.resize(slots);
+  new_shapes_.resize(slots);
+  new_paths_.resize(std::max<size_t>(new_paths_.size(), slots));
+}
+
+/// The segments that a change brings.
+void Refinement::make(const Surface& surface, const Curve& curve, Change& change, PathShortener& shortener) {
+  const uint32_t i = change.from, j = curve.next(i);
+  SurfacePoint* const nodes = &new_nodes_[change.slot];
+  Path* const paths = &new_paths_[change.slot];
+  PathShape* const shapes = &new_shapes_[change.slot];
+  if (change.removed()) {
+    paths[0] = curve.paths[i];
+    paths[0].insert(paths[0].end(), curve.paths[j].begin(), curve.paths[j].end());
+    shapes[0] = shortener.shorten(curve.nodes[i], curve.nodes[curve.next(j)], paths[0]);
+    return;
+  }
+  const uint32_t count = change.segments = cut(surface, curve.nodes[i], curve.nodes[j], curve.paths[i],
+                                               curve.shapes[i].length, change.parts, nodes, paths);
+  for (uint32_t p = 0; p < count; ++p) {
+    shapes[p] = measure_path(surface, p > 0 ? nodes[p] : curve.nodes[i],
+                             p + 1 < count ? nodes[p + 1] : curve.nodes[j], paths[p]);
+  }
+}
+
+/// Fills next_ with what stays and what is changed. The paths of segments that do not change are moved
+/// there, not copied: give_back() undoes it.
+void Refinement::lay_out(Curve& curve, ThreadPool& pool) {
+  // Where the nodes of the strands and of the changes come to be.
+  places_.resize(changes_.size());
+  next_.strands = curve.strands;
+  uint32_t shift = 0;  // modulo 2^32
+  size_t c = 0;
+  for (Strand& strand : next_.strands) {
+    const uint32_t end = strand.end(), before = shift;
+    for (; c < changes_.size() && changes_[c].from < end; ++c) {
+      places_[c] = changes_[c].from + shift;
+      shift += changes_[c].added() - changes_[c].removed();
+    }
+    strand.first += before;
+    strand.count += shift - before;
+  }
+  const uint32_t count = curve.size() + shift;
+  next_.nodes.resize(count);
+  next_.fixed.resize(count);
+  next_.paths.resize(count);
+  next_.shapes.resize(count);
+  origin_.resize(count);
+  changed_.resize(count);
+
+  const auto put = [&](uint32_t place, const SurfacePoint& node, uint8_t fixed, uint32_t origin) {
+    next_.nodes[place] = node;
+    next_.fixed[place] = fixed;
+    origin_[place] = origin;
+  };
+  const auto put_change = [&](const Change& change, uint32_t place) {
+    for (uint32_t p = 0; p < change.segments; ++p) {
+      if (p > 0) put(place + p, new_nodes_[change.slot + p], curve.on_guide(change.from), change.from);
+      next_.paths[place + p].swap(new_paths_[change.slot + p]);
+      next_.shapes[place + p] = new_shapes_[change.slot + p];
+      changed_[place + p] = 1;
+    }
+  };
+  // Nothing below may fail half-way, so what for_blocks would have to allocate is here.
+  const std::function<void(size_t, size_t, size_t)> fill = [&](size_t, size_t begin, size_t end) {
+    auto i = static_cast<uint32_t>(begin);
+    auto next = static_cast<size_t>(std::ranges::lower_bound(changes_, i, {}, &Change::from) - changes_.begin());
+    // What comes before the next change is as far from its old place as that is.
+    const auto place_of = [&](uint32_t node) {
+      return next < changes_.size() ? places_[next] - (changes_[next].from - node) : count - (curve.size() - node);
+    };
+    if (next > 0 && changes_[next - 1].removed() && curve.next(changes_[next - 1].from) == i) ++i;
+    while (i < end) {
+      const uint32_t place = place_of(i);
+      put(place, curve.nodes[i], curve.fixed[i], i);
+      if (next < changes_.size() && changes_[next].from == i) {
+        put_change(changes_[next], place);
+        i += 1 + changes_[next].removed();
+        ++next;
+        continue;
+      }
+      next_.paths[place].swap(curve.paths[i]);
+      next_.shapes[place] = curve.shapes[i];
+      changed_[place] = 0;
+      ++i;
+    }
+  };
+  lent_ = true;
+  pool.for_blocks(curve.size(), kBlock, fill);
+  next_.link();
+}
+
+/// Returns the paths of unchanged segments to the curve.
+void Refinement::give_back(Curve& curve) {
+  for (uint32_t i = 0; lent_ && i < changed_.size(); ++i) {
+    if (!changed_[i]) curve.paths[origin_[i]].swap(next_.paths[i]);
+  }
+  lent_ = false;
+}
+
+/// Fills next_ with the refined curve; false if there is nothing to do.
+bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector<double>& target, ThreadPool& pool) {
+  choose(curve, target, pool);
+  if (changes_.empty()) return false;
+  constexpr size_t kChangesPerBlock = 16;
+  pool.for_blocks(changes_.size(), kChangesPerBlock, [&](size_t, size_t begin, size_t end) {
+    PathShortener shortener(surface);
+    for (size_t c = begin; c < end; ++c) make(surface, curve, changes_[c], shortener);
+  });
+  lay_out(curve, pool);
+  return true;
+}
+
+}  // namespace meander

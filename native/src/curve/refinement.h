@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Keeps segments between h and 2 h (section 3.3.2).
+#pragma once
+
+#include <vector>
+
+#include "curve/crossings.h"
+#include "curve/curve.h"
+
+namespace meander {
+
+class Refinement {
+ public:
+  /// Splits segments longer than 2 h into equal parts on their own path, and removes a node where a
+  /// segment is shorter than h and the one that replaces it and its neighbour stays within 2 h, so
+  /// that a split and a collapse never undo each other. Fixed nodes, the ends of open strands, and at
+  /// least 3 nodes of a closed strand (2 of an open one) stay. A change that would make segments
+  /// cross is not made. False if the curve stays as it is.
+  ///
+  /// `target`  h at every node
+  /// `origin`  where something changed, receives for every node of the new curve the old node it was,
+  ///           or, if new, the old node before it
+  bool refine(const Surface& surface, Curve& curve, const std::vector<double>& target, ThreadPool& pool,
+              std::vector<uint32_t>& origin);
+
+ private:
+  /// What replaces segment `from`; where the node after it goes, that one and the next.
+  struct Change {
+    uint32_t from;
+    uint32_t parts;     // 1 where a node goes
+    uint32_t slot;      // of the first new segment in new_*_
+    uint32_t segments;  // new ones: `parts`, or fewer where a cut came to lie on an end
+
+    uint32_t removed() const { return parts == 1; }
+    uint32_t added() const { return segments - 1; }
+  };
+  bool removes_next(const Curve& curve, const std::vector<double>& target, uint32_t i) const;
+  uint32_t parts_of(const Curve& curve, const std::vector<double>& target, uint32_t i) const;
+  void choose(const Curve& curve, const std::vector<double>& target, ThreadPool& pool);
+  void make(const Surface& surface, const Curve& curve, Change& change, PathShortener& shortener);
+  void lay_out(Curve& curve, ThreadPool& pool);
+  bool propose(const Surface& surface, Curve& curve, const std::vector<double>& target, ThreadPool& pool);
+  void give_back(Curve& curve);
+
+  CrossingTest test_;
+  Curve next_;
+  bool lent_ = false;                      // next_ holds the paths of the curve's unchanged segments
+  std::vector<Change> changes_;            // along the curve
+  std::vector<uint32_t> places_;           // per change: of the node `from` in the new curve
+  std::vector<SurfacePoint> new_nodes_;    // per new segment: where it begins
+  std::vector<Path> new_paths_;            // kept from call to call, for their memory
+  std::vector<PathShape> new_shapes_;
+  std::vector<std::vector<uint32_t>> candidates_;  // by blocks of nodes
+  std::vector<uint32_t> origin_;           // per new node
+  std::vector<uint8_t> changed_;           // per new segment
+  std::vector<uint8_t> may_split_, may_remove_;  // per old segment, per old node
+};
+
+}  // namespace meander

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/retraction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/stopwatch.h"
+#include "geodesic/geodesic_trace.h"
+
+namespace meander {
+namespace {
+
+constexpr size_t kBlock = 256;
+
+/// The faces of the segment this many places on are fetched while another one is joined: on a fine mesh
+/// that costs less than to wait for them.
+constexpr uint32_t kAhead = 4;
+
+/// Faces that both ends together have walked over before it pays to guess where they are joined.
+constexpr size_t kFar = 4;
+
+/// A guess that ends farther from its goal than this share of its length, or whose length changes by more
+/// when it is pulled straight, is none: on thin limbs it might lead round the other side.
+constexpr double kAstray = 0.25;
+
+/// Walks that a guess may take, each aimed by what the one before has missed.
+constexpr int kShots = 3;
+
+/// After this many halvings a marked node stays where it was.
+constexpr int kHalvings = 4;
+
+}  // namespace
+
+double Retraction::move(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement,
+                        ThreadPool& pool, MoveSeconds& seconds) {
+  const uint32_t n = curve.size();
+  share_.assign(n, 1);
+  for (uint32_t i = 0; i < n; ++i) {
+    if (curve.fixed[i]) share_[i] = 0;
+  }
+  resolve(surface, curve, displacement, pool, seconds);
+  size_t held = 0;
+  for (uint32_t i = 0; i < n; ++i) held += share_[i] == 0 && !curve.fixed[i];
+  return n > 0 ? static_cast<double>(held) / n : 0;
+}
+
+void Retraction::straighten(const Surface& surface, Curve& curve, ThreadPool& pool, MoveSeconds& seconds) {
+  // None of the nodes moves, and a share of 0 means that a path is kept: guides stay as drawn.
+  share_.assign(curve.size(), 1);
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    if (curve.on_guide(i)) share_[i] = 0;
+  }
+  resolve(surface, curve, std::vector<Vec2>(curve.size()), pool, seconds);
+}
+
+/// Moves the nodes by their shares, which fall until nothing crosses.
+void Retraction::resolve(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, ThreadPool& pool,
+                         MoveSeconds& seconds) {
+  Stopwatch watch;
+  const uint32_t n = curve.size();
+  next_.lay_out_as(curve);
+  traces_.resize(n);
+  trace(surface, curve, displacement, nullptr, pool);
+  seconds.retract += watch.lap();
+  reconnect(surface, curve, displacement, nullptr, pool);
+  seconds.reconnect += watch.lap();
+  auto pairs = test_.find(surface, next_, pool);
+  seconds.crossings += watch.lap();
+  for (int attempt = 1; !pairs.empty(); ++attempt) {
+    back_off(curve, pairs, attempt);
+    trace(surface, curve, displacement, &node_changed_, pool);
+    seconds.retract += watch.lap();
+    segment_changed_.assign(n, 0);
+    for (uint32_t i = 0; i < n; ++i) {
+      if (!node_changed_[i]) continue;
+      segment_changed_[i] = 1;
+      if (curve.previous(i) != kNone) segment_changed_[curve.previous(i)] = 1;
+    }
+    reconnect(surface, curve, displacement, &segment_changed_, pool);
+    seconds.reconnect += watch.lap();
+    pairs = test_.find(surface, next_, pool, &segment_changed_);
+    seconds.crossings += watch.lap();
+  }
+  std::swap(curve, next_);
+}
+
+void Retraction::trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
+                       const std::vector<uint8_t>* only, ThreadPool& pool) {
+  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    std::vector<GeodesicWalk> walks;
+    std::array<uint32_t, kTogether> node;  // of every walk
+    walks.reserve(kTogether);
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end;) {
+      walks.clear();
+      for (; i < end && walks.size() < kTogether; ++i) {
+        if (i + kTogether < end) surface.fetch_face(curve.nodes[i + kTogether].face);
+        if (only && !(*only)[i]) continue;
+        traces_[i].clear();
+        next_.nodes[i] = curve.nodes[i];
+        if (share_[i] == 0) continue;
+        node[walks.size()] = i;
+        walks.emplace_back(surface, curve.nodes[i], share_[i] * displacement[i]);
+      }
+      lead_together(walks, [&](size_t k) { traces_[node[k]].push_back(walks[k].crossing()); });
+      for (size_t k = 0; k < walks.size(); ++k) next_.nodes[node[k]] = walks[k].end();
+    }
+  });
+}
+
+/// Joins the moved nodes again. Where they have walked over many faces the new segment is first guessed: a
+/// straight walk costs the faces that it crosses, while a path that follows its ends is led over all the
+/// vertices that they have passed by. A guess might come to the same place by another way round a handle
+/// or a hole, so there must be none.
+void Retraction::reconnect(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+                           const std::vector<uint8_t>* only, ThreadPool& pool) {
+  const bool may_guess = surface.simply_connected();
+  pool.for_blocks(old.size(), kBlock, [&](size_t, size_t first, size_t last) {
+    const auto begin = static_cast<uint32_t>(first), end = static_cast<uint32_t>(last);
+    PathShortener shortener(surface);
+    std::vector<uint32_t> far;  // segments to be guessed; the others are joined at once
+    for (uint32_t i = begin; i < end; ++i) {
+      if (i + kAhead < end) {
+        for (const Crossing& c : old.paths[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
+        for (const Crossing& c : traces_[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
+      }
+      if (only && !(*only)[i]) continue;
+      const uint32_t j = old.next(i);
+      if (j != kNone && may_guess && traces_[i].size() + traces_[j].size() >= kFar) {
+        far.push_back(i);
+        continue;
+      }
+      Path& path = next_.paths[i];
+      path = old.paths[i];
+      if (j == kNone || (share_[i] == 0 && share_[j] == 0)) {
+        next_.shapes[i] = old.shapes[i];
+      } else {
+        next_.shapes[i] = shortener.follow(next_.nodes[i], next_.nodes[j], traces_[i], traces_[j], path);
+      }
+    }
+    guess(surface, old, displacement, far, shortener);
+  });
+}
+
+/// Joins the nodes of some segments again by walks that are led in turns.
+void Retraction::guess(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+                       std::span<const uint32_t> segments, PathShortener& shortener) {
+  std::vector<GeodesicWalk> walks;
+  walks.reserve(kTogether);
+  std::array<Vec2, kTogether> way;  // of every walk
+  while (!segments.empty()) {
+    const auto together = segments.first(std::min<size_t>(kTogether, segments.size()));
+    segments = segments.subspan(together.size());
+    walks.clear();
+    for (const uint32_t i : together) surface.fetch_face(next_.nodes[i].face);
+    for (const uint32_t i : together) {
+      next_.paths[i].clear();
+      way[walks.size()] = chord(surface, old, displacement, i);
+      walks.emplace_back(surface, next_.nodes[i], way[walks.size()]);
+    }
+    lead_together(walks, [&](size_t k) { next_.paths[together[k]].push_back(walks[k].crossing()); });
+    for (size_t k = 0; k < together.size(); ++k) {
+      const uint32_t i = together[k], j = old.next(i);
+      const SurfacePoint &start = next_.nodes[i], &goal = next_.nodes[j];
+      Path& path = next_.paths[i];
+      std::optional<PathShape> shape = aim(surface, start, goal, way[k], walks[k], path, shortener);
+      if (!shape) {
+        path = old.paths[i];
+        shape = shortener.follow(start, goal, traces_[i], traces_[j], path);
+      }
+      next_.shapes[i] = *shape;
+    }
+  }
+}
+
+/// Makes a shortest path to `goal` of a walk by `way` from `start`, and of its `path`; where the surface bends
+/// on the way, so that the walk ends elsewhere, it is aimed again by what it has missed. Nothing, and
+/// `path` is anything then, if that leads nowhere.
+std::optional<PathShape> Retraction::aim(const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal,
+                                         Vec2 way, const GeodesicWalk& first, Path& path,
+                                         PathShortener& shortener) {
+  std::optional<GeodesicWalk> again;
+  Vec2 aimed = way;
+  for (int shot = 1;; ++shot) {
+    const GeodesicWalk& walk = again ? *again : first;
+    const SurfacePoint end = walk.end();
+    const double length = walk.length();
+    const Vec3 missed = position(surface, goal) - position(surface, end);
+    if (missed.norm() <= kAstray * length) {
+      const std::optional<PathShape> shape = shortener.adopt(start, goal, path);
+      if (shape) return std::abs(shape->length - length) <= kAstray * length ? shape : std::nullopt;
+    }
+    if (shot == kShots) return std::nullopt;
+    aimed = aimed + surface.to_plane(end.face, missed) * conj(walk.direction()) * unit(aimed);
+    if (!(norm(aimed - way) <= norm(way))) return std::nullopt;
+    again.emplace(surface, start, aimed);
+    path.clear();
+    while (again->step()) path.push_back(again->crossing());
+  }
+}
+
+/// The way from a moved node to the next one, in the plane of its new face, as it is where the surface is
+/// flat between the old segment and the new one.
+Vec2 Retraction::chord(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+                       uint32_t i) const {
+  const uint32_t j = old.next(i);
+  const PathShape& shape = old.shapes[i];
+  const Vec2 step_here = share_[i] * displacement[i];
+  const Vec2 step_there = share_[j] * displacement[j] * conj(shape.arriving) * shape.leaving;
+  Unfolding trace(surface, old.nodes[i].face);
+  for (const Crossing& c : traces_[i]) trace.cross(c);
+  return trace.carried(shape.length * shape.leaving + step_there - step_here);
+}
+
+/// Marks the nodes of a strand up to `reach` beyond a marked one, both ways: two walks each way round,
+/// since what starts before the join goes on after it.
+void Retraction::spread(const Strand& strand, uint32_t reach) {
+  if (reach == 0) return;
+  const uint32_t rounds = strand.closed ? 2 : 1;
+  marked_.assign(node_changed_.begin() + strand.first, node_changed_.begin() + strand.end());
+  for (const bool forward : {true, false}) {
+    uint32_t left = 0;  // how much farther the last marked node reaches
+    for (uint32_t k = 0; k < rounds * strand.count; ++k) {
+      const uint32_t i = forward ? k % strand.count : strand.count - 1 - k % strand.count;
+      if (marked_[i]) {
+        left = reach;
+      } else if (left > 0) {
+        node_changed_[strand.first + i] = 1;
+        --left;
+      }
+    }
+  }
+}
+
+void Retraction::back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs,
+                          int attempt) {
+  // The stretch that gives way doubles with every attempt once single nodes have not helped.
+  const uint32_t reach = attempt <= 2 ? 0 : (attempt >= 32 ? UINT32_MAX : 1u << std::min(attempt - 2, 30));
+  node_changed_.assign(curve.size(), 0);
+  for (const auto& [a, b] : pairs) {
+    for (const uint32_t segment : {a, b}) node_changed_[segment] = node_changed_[curve.next(segment)] = 1;
+  }
+  for (const Strand& strand : curve.strands) spread(strand, reach);
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    if (node_changed_[i]) share_[i] = attempt > kHalvings ? 0 : 0.5 * share_[i];
+  }
+}
+
+}  // namespace meander

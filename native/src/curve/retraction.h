@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Moves the nodes along geodesics, joins them again, and backs off where segments would cross
+// (sections 3.3 and 3.3.1).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "curve/crossings.h"
+#include "curve/curve.h"
+#include "geodesic/geodesic_trace.h"
+
+namespace meander {
+
+/// Wall-clock seconds that the parts of a move took.
+struct MoveSeconds {
+  double retract = 0, reconnect = 0, crossings = 0;
+};
+
+class Retraction {
+ public:
+  /// Replaces `curve`, which has no crossings, by one whose nodes have moved along `displacement`
+  /// (per node, in the plane of its face; fixed nodes stay), and which has none either.
+  ///
+  /// Where segments would cross, only their nodes and, if that does not help, a growing stretch of
+  /// the strand around them take a shorter step, down to none: one knot does not hold the others.
+  /// Nodes that do not move, and the segments between them, are kept to the last bit; that the old
+  /// curve has no crossings therefore guarantees an end.
+  /// Returns the share of nodes that were backed off to no step at all.
+  double move(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, ThreadPool& pool,
+              MoveSeconds& seconds);
+
+  /// Makes every segment, but those of guides, a shortest geodesic again between nodes that stay, after the
+  /// surface has moved under `curve`, whose shapes are those of its paths as they are. It has no crossings and
+  /// gets none: where straight segments would cross, the paths are kept.
+  void straighten(const Surface& surface, Curve& curve, ThreadPool& pool, MoveSeconds& seconds);
+
+ private:
+  void resolve(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, ThreadPool& pool,
+               MoveSeconds& seconds);
+  void trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
+             const std::vector<uint8_t>* only, ThreadPool& pool);
+  void reconnect(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+                 const std::vector<uint8_t>* only, ThreadPool& pool);
+  void guess(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+             std::span<const uint32_t> segments, PathShortener& shortener);
+  static std::optional<PathShape> aim(const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal,
+                                      Vec2 way, const GeodesicWalk& first, Path& path, PathShortener& shortener);
+  Vec2 chord(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement, uint32_t i) const;
+  void spread(const Strand& strand, uint32_t reach);
+  void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
+
+  CrossingTest test_;
+  Curve next_;
+  std::vector<Path> traces_;
+  std::vector<double> share_;           // of the displacement that a node takes
+  std::vector<uint8_t> node_changed_, segment_changed_;
+  std::vector<uint8_t> marked_;
+};
+
+}  // namespace meander

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/seed.h"
+
+#include <algorithm>
+#include <queue>
+#include <string>
+#include <unordered_map>
+
+#include "base/failure.h"
+#include "curve/crossings.h"
+#include "curve/regions.h"
+#include "mesh/radius_field.h"
+#include "mesh/closest_point.h"
+
+namespace meander {
+namespace {
+
+[[noreturn]] void refuse(const std::string& sentence, size_t point) {
+  const uint32_t index = static_cast<uint32_t>(point);
+  throw Failure(FailureKind::kInvalidSeed, sentence, ElementKind::kSeedPoint, index, index);
+}
+
+bool same(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
+}
+
+/// Any sequence of edges from one face to another, by A* over face centres: near enough to a short
+/// path for PathShortener to make it one. Empty optional when they are on different components.
+bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to, Path& path) {
+  path.clear();
+  if (from == to.face) return true;
+  if (surface.component(from) != surface.component(to.face)) return false;
+  const Vec3 goal = position(surface, to);
+  const auto centre = [&](uint32_t f) {
+    const Triangle& t = surface.face(f);
+    return Vec3((surface.position(t[0]) + surface.position(t[1]) + surface.position(t[2])) / 3);
+  };
+  struct Reached {
+    double cost;
+    HalfEdge by;  // the half-edge across which the face was entered, kNone at the start
+    bool done;
+  };
+  std::unordered_map<uint32_t, Reached> reached;
+  using Entry = std::pair<double, uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  reached[from] = {0, kNone, false};
+  queue.push({0, from});
+  while (!queue.empty()) {
+    const uint32_t f = queue.top().second;
+    queue.pop();
+    Reached& here = reached[f];
+    if (here.done) continue;
+    here.done = true;
+    if (f == to.face) break;
+    const double cost = here.cost;
+    const Vec3 middle = centre(f);
+    for (uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge twin = surface.twin(3 * f + k);
+      if (twin == kNone) continue;
+      const uint32_t g = face_of(twin);
+      const double c = cost + (centre(g) - middle).norm();
+      const auto found = reached.find(g);
+      if (found != reached.end() && (found->second.done || found->second.cost <= c)) continue;
+      reached[g] = {c, 3 * f + k, false};
+      queue.push({c + (centre(g) - goal).norm(), g});
+    }
+  }
+  for (uint32_t f = to.face; f != from;) {
+    const HalfEdge e = reached[f].by;
+    path.push_back(crossing_of(surface, e, 0.5));
+    f = face_of(e);
+  }
+  std::reverse(path.begin(), path.end());
+  return true;
+}
+
+size_t strand_of(const SeedStrands& seed, size_t point) {
+  size_t s = 0;
+  while (seed.offsets[s + 1] <= point) ++s;
+  return s;
+}
+
+void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed) {
+  curve.nodes.push_back(p);
+  curve.fixed.push_back(fixed);
+  curve.paths.emplace_back();
+  curve.shapes.emplace_back();
+}
+
+/// Both ends of a strand that has nothing else stay where they are: a stroke from one point to another.
+bool is_stroke(const Curve& curve, const Strand& strand) {
+  return !strand.closed && !strand.guide && strand.count == 2 && curve.fixed[strand.first] &&
+         curve.fixed[strand.first + 1];
+}
+
+/// Leads strokes round the guides that the shortest way between their ends meets. `point_of_node` gives
+/// every node of the curve the seed's point.
+void lead_round_guides(const Surface& surface, const SeedStrands& seed, const std::vector<double>& radius, ThreadPool& pool,
+                       Curve& curve, std::vector<size_t>& point_of_node) {
+  if (!curve.has_guides()) return;
+  CrossingTest test;
+  std::vector<uint8_t> meets(curve.size(), 0);
+  bool any = false;
+  for (const auto& [first, second] : test.find(surface, curve, pool)) {
+    for (const auto& [a, b] : {std::pair{first, second}, {second, first}}) {
+      const auto strand = std::ranges::find_if(curve.strands, [&](const Strand& s) { return s.first == a; });
+      if (!curve.on_guide(b) || strand == curve.strands.end() || !is_stroke(curve, *strand)) continue;
+      meets[a] = 1;
+      any = true;
+    }
+  }
+  if (!any) return;
+  Curve led;
+  std::vector<size_t> points;
+  PathShortener shortener(surface);
+  for (const Strand& strand : curve.strands) {
+    const uint32_t first = led.size();
+    const auto take = [&](uint32_t i) {
+      add_node(led, curve.nodes[i], curve.fixed[i]);
+      led.paths.back() = curve.paths[i];
+      led.shapes.back() = curve.shapes[i];
+      points.push_back(point_of_node[i]);
+    };
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      take(i);
+      if (!meets[i]) continue;
+      const size_t a = point_of_node[i], b = point_of_node[i + 1];
+      const auto way = way_round_guides(surface, curve, radius, curve.nodes[i], curve.nodes[i + 1]);
+      if (!way) {
+        throw Failure(FailureKind::kInvalidSeed,
+                      "Strand " + std::to_string(strand_of(seed, a)) + " of the seed cannot reach from point " +
+                          std::to_string(a) + " to point " + std::to_string(b) +
+                          ", because guides part the two or leave too little room between them; open the guides, or "
+                          "move both points to the same side of them.",
+                      ElementKind::kSeedPoint, static_cast<uint32_t>(a), static_cast<uint32_t>(b));
+      }
+      for (const SurfacePoint& p : *way) {
+        add_node(led, p, 0);
+        points.push_back(a);
+      }
+      led.strands.push_back({first, led.size() - first + 1, false, false});
+    }
+    if (!meets[strand.first]) led.strands.push_back({first, strand.count, strand.closed, strand.guide});
+  }
+  led.link();
+  for (uint32_t i = 0, s = 0; i < led.size(); ++i) {
+    while (i >= led.strands[s].end()) ++s;
+    const uint32_t j = led.next(i);
+    if (j == kNone || led.strands[s].count == curve.strands[s].count) continue;
+    connect_faces(surface, led.nodes[i].face, led.nodes[j], led.paths[i] = {});
+    led.shapes[i] = shortener.shorten(led.nodes[i], led.nodes[j], led.paths[i]);
+  }
+  curve = std::move(led);
+  point_of_node = std::move(points);
+}
+
+}  // namespace
+
+Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vector<double>& radius, ThreadPool& pool) {
+  const ClosestPoint closest(surface);
+  Curve curve;
+  std::vector<size_t> point_of_node;
+  for (size_t s = 0; s + 1 < seed.offsets.size(); ++s) {
+    const bool closed = seed.closed[s] != 0, guide = !seed.guides.empty() && seed.guides[s];
+    Strand strand{curve.size(), 0, closed, guide};
+    for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
+      const auto hit = closest(surface.to_inside(seed.points[i]));
+      const double r = radius_at(surface, radius, hit.point);
+      if (!(hit.distance <= r)) {
+        refuse("Seed point " + std::to_string(i) + " is " + number(hit.distance / r) +
+                   " radii away from the surface (at most 1 is allowed); move the seed onto the surface.",
+               i);
+      }
+      const uint8_t fixed = guide || (!seed.fixed.empty() && seed.fixed[i]);
+      // A point drawn twice in a row is one node.
+      if (curve.size() > strand.first) {
+        if (same(curve.nodes.back(), hit.point)) {
+          curve.fixed.back() |= fixed;
+          continue;
+        }
+      }
+      add_node(curve, hit.point, fixed);
+      point_of_node.push_back(i);
+    }
+    if (closed && curve.size() > strand.first + 1 && same(curve.nodes.back(), curve.nodes[strand.first])) {
+      curve.fixed[strand.first] |= curve.fixed.back();
+      curve.nodes.pop_back();
+      curve.fixed.pop_back();
+      curve.paths.pop_back();
+      curve.shapes.pop_back();
+      point_of_node.pop_back();
+    }
+    strand.count = curve.size() - strand.first;
+    if (strand.count < (closed ? 3u : 2u)) {
+      refuse("Strand " + std::to_string(s) + " of the seed has " + std::to_string(strand.count) +
+                 " different points; a closed strand needs at least 3 and an open one 2.",
+             seed.offsets[s]);
+    }
+    curve.strands.push_back(strand);
+  }
+  curve.link();
+  PathShortener shortener(surface);
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    const uint32_t j = curve.next(i);
+    if (j == kNone) continue;
+    if (!connect_faces(surface, curve.nodes[i].face, curve.nodes[j], curve.paths[i])) {
+      refuse("Seed points " + std::to_string(point_of_node[i]) + " and " + std::to_string(point_of_node[j]) +
+                 " are neighbours on one strand but lie on different components of the surface, which "
+                 "no strand can leave; draw one strand for each component.",
+             point_of_node[i]);
+    }
+    curve.shapes[i] = shortener.shorten(curve.nodes[i], curve.nodes[j], curve.paths[i]);
+  }
+  lead_round_guides(surface, seed, radius, pool, curve, point_of_node);
+  CrossingTest test;
+  const auto pairs = test.find(surface, curve, pool);
+  if (!pairs.empty()) {
+    auto [first, second] = pairs[0];
+    if (curve.on_guide(first)) std::swap(first, second);
+    const size_t a = point_of_node[first], b = point_of_node[second];
+    const std::string points = std::to_string(a) + " and " + std::to_string(b);
+    std::string sentence = "The seed crosses or touches itself between points " + points +
+                           " (segments after them, on the surface); untangle it there.";
+    if (curve.on_guide(second)) {
+      sentence = "Strand " + std::to_string(strand_of(seed, a)) + " of the seed crosses or touches strand " +
+                 std::to_string(strand_of(seed, b)) + ", a guide, between points " + points +
+                 " (segments after them, on the surface); move one of the two, or shorten it.";
+    }
+    throw Failure(FailureKind::kInvalidSeed, sentence, ElementKind::kSeedPoint, static_cast<uint32_t>(a),
+                  static_cast<uint32_t>(b));
+  }
+  return curve;
+}
+
+}  // namespace meander

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow/job.h"
+
+#include <system_error>
+#include <utility>
+
+#include "base/failure.h"
+
+namespace meander {
+
+Job::~Job() {
+  quit_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
+  control_ = std::move(control);
+  if (control_) control_->progress = 0;
+  reason_ = StopReason::kRunning;
+  error_ = nullptr;
+  newest_.serial = 0;
+  copy(flow);
+  running_ = true;
+  try {
+    thread_ = std::thread([this, &flow] { work(flow, control_.get()); });
+  } catch (const std::system_error&) {
+    running_ = false;
+    throw Failure(FailureKind::kOutOfMemory,
+                  "The system gives no thread for the run; close other programs or call meander_flow_run.");
+  }
+}
+
+void Job::work(Flow& flow, RunControl* control) noexcept {
+  try {
+    reason_ = flow.run([&] { return quit_ || (control && control->cancelled); },
+                       [&](double progress) {
+                         if (control) control->progress = progress;
+                         if (wanted_) copy(flow);
+                       });
+  } catch (...) {
+    error_ = std::current_exception();
+  }
+  running_ = false;
+}
+
+void Job::copy(const Flow& flow) {
+  const double scale = flow.surface().scale();
+  next_.serial = newest_.serial + 1;  // nobody else writes it
+  next_.iterations = static_cast<uint32_t>(flow.history().size());
+  next_.nodes = flow.curve().size();
+  next_.length = flow.curve().length() * scale;
+  next_.seconds = flow.seconds().total;
+  next_.polylines.copy_from(flow.surface(), flow.curve(), flow.normals());
+  std::lock_guard lock(mutex_);
+  std::swap(newest_, next_);
+  wanted_ = false;
+}
+
+void Job::with_preview(const std::function<bool(const Preview&)>& take) {
+  std::lock_guard lock(mutex_);
+  if (take(newest_)) wanted_ = true;
+}
+
+StopReason Job::wait() {
+  thread_.join();
+  control_.reset();
+  if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+  return reason_;
+}
+
+}  // namespace meander

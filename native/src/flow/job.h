@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A run of the flow on a thread of the library's own, for hosts whose threads must stay their own.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "curve/polylines.h"
+#include "flow/flow.h"
+
+namespace meander {
+
+/// What a run asks and tells. Shared, so that a started run can outlive the caller's context.
+struct RunControl {
+  std::atomic<bool> cancelled{false};
+  std::atomic<double> progress{0};
+};
+
+/// The curve between two iterations of a started run; lengths in the caller's units.
+struct Preview {
+  uint32_t serial = 0;  ///< from 1 within a run
+  uint32_t iterations = 0, nodes = 0;
+  double length = 0, seconds = 0;
+  Polylines polylines;
+};
+
+/// One run at a time. Between start() and wait() the flow belongs to the worker. All but running()
+/// is called by one thread at a time. Not copyable.
+class Job {
+ public:
+  Job() = default;
+  /// Cancels and joins what has not been waited for.
+  ~Job();
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  /// Makes the first copy of the curve, and begins flow.run() on a thread; `control` may be null.
+  void start(Flow& flow, std::shared_ptr<RunControl> control);
+
+  /// start() has been called, and wait() not yet.
+  bool started() const { return thread_.joinable(); }
+
+  /// The worker has not ended yet. Any thread.
+  bool running() const { return running_; }
+
+  /// Calls `take` with the newest copy, which stays as it is meanwhile. When `take` returns true the
+  /// worker makes another copy after its present iteration, else this one stays the newest.
+  void with_preview(const std::function<bool(const Preview&)>& take);
+
+  /// Joins the worker; why it ended. Throws again what the worker threw.
+  StopReason wait();
+
+ private:
+  void work(Flow& flow, RunControl* control) noexcept;
+  void copy(const Flow& flow);
+
+  std::shared_ptr<RunControl> control_;
+  std::atomic<bool> running_{false}, quit_{false};
+  std::atomic<bool> wanted_{false};  // the newest copy has been taken
+  std::mutex mutex_;                 // of newest_
+  Preview newest_;
+  Preview next_;  // the worker's: filled without the lock, then swapped in
+  StopReason reason_ = StopReason::kRunning;
+  std::exception_ptr error_;
+  std::thread thread_;
+};
+
+}  // namespace meander

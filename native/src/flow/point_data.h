@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is known of every point of the polylines: where on the surface, how far along, which way, how
+// much room on both sides.
+#pragma once
+
+#include <cstdint>
+
+#include "flow/flow.h"
+#include "mesh/mesh_preparation.h"
+
+namespace meander {
+
+/// Arrays of the caller's with room for every point, in the order of write_polylines; each may be null.
+struct PointArrays {
+  double* arc_lengths = nullptr;   ///< from the strand's first point, caller's units
+  double* normals = nullptr;       ///< xyz, unit, of the surface
+  double* tangents = nullptr;      ///< xyz, unit, along the strand
+  double* radii = nullptr;         ///< r+ and r-, caller's units
+  uint32_t* faces = nullptr;       ///< the caller's
+  double* barycentrics = nullptr;  ///< weights of the face's vertices in the caller's order
+};
+
+/// Fills the arrays for the present curve. radii: those of flow.radii(), which must be up to date, at
+/// the nodes, and between them in proportion to the way. `map` tells the caller's faces, or is null.
+void write_point_data(const Flow& flow, const MeshMap* map, const PointArrays& arrays);
+
+}  // namespace meander

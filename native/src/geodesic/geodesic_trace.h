@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The straightest geodesic from a point along a tangent vector (retraction, section 3.3).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/surface_point.h"
+
+namespace meander {
+
+struct Trace {
+  SurfacePoint end;
+  Vec2 direction;          ///< unit direction of travel, in the plane of the end's face
+  double length = 0;       ///< travelled; less than asked for where the boundary came first
+  bool hit_boundary = false;
+};
+
+/// A walk from `start` along `displacement` (in the plane of the start's face), one face after another.
+/// Straight within the unfolded faces: the straightest geodesic of Polthier and Schmies (1998); it
+/// passes vertices on the side where it meets them, and stops just inside the boundary.
+///
+/// The faces are unfolded into the plane in which the way is the positive x axis from the origin, so
+/// that a face costs one complex product and the sign of one number. Every step ends with a hint to
+/// fetch the next face: several walks in turn do not wait for memory, where a single one would.
+class GeodesicWalk {
+ public:
+  GeodesicWalk(const Surface& surface, const SurfacePoint& start, Vec2 displacement);
+
+  /// Crosses into the next face; false where the walk ends in this one, and from then on.
+  bool step();
+  /// Whether the walk has left its first face.
+  bool crossed() const { return crossings_ > 0; }
+  /// What the last step crossed.
+  Crossing crossing() const;
+
+  /// The end, once step() has returned false.
+  SurfacePoint end() const;
+  double length() const;  ///< travelled
+  bool hit_boundary() const { return hit_boundary_; }
+  Vec2 direction() const;  ///< unit, in the plane of the end's face
+
+ private:
+  double exit_at() const;
+
+  const Surface& surface_;
+  SurfacePoint start_;
+  Vec2 way_;
+  double wanted_;
+  HalfEdge exit_ = kNone;   // across which the way leaves the face, from ends_[0] to ends_[1]
+  HalfEdge entry_ = kNone;  // its twin, once there is one
+  Vec2 ends_[2];            // below the axis; on or above it
+  Vec2 behind_;             // the third corner
+  int crossings_ = 0;
+  bool ended_ = false, hit_boundary_ = false;
+};
+
+/// So many walks are led in turns, or both of so many nodes: enough that they wait for memory together.
+inline constexpr uint32_t kTogether = 16;
+
+/// Leads all walks, 2 kTogether at most, to their ends, in turns; calls crossed(k) after walk k has crossed an edge.
+template <class Crossed>
+void lead_together(std::vector<GeodesicWalk>& walks, const Crossed& crossed) {
+  std::array<uint8_t, 2 * kTogether> under_way;
+  uint32_t count = static_cast<uint32_t>(walks.size());
+  for (uint32_t k = 0; k < count; ++k) under_way[k] = static_cast<uint8_t>(k);
+  while (count > 0) {
+    uint32_t left = 0;
+    for (uint32_t w = 0; w < count; ++w) {
+      const uint8_t k = under_way[w];
+      if (!walks[k].step()) continue;
+      under_way[left++] = k;
+      crossed(k);
+    }
+    count = left;
+  }
+}
+
+/// The whole walk. Appends the crossed edges to `crossings` (not cleared).
+Trace trace_geodesic(const Surface& surface, const SurfacePoint& start, Vec2 displacement,
+                     std::vector<Crossing>& crossings);
+
+}  // namespace meander

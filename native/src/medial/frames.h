@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tangent, surface normal and bitangent of every node (section 3.2).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "curve/curve.h"
+#include "mesh/radius_field.h"
+
+namespace meander {
+
+/// Per node.
+struct Frames {
+  std::vector<Vec3> position;
+  std::vector<Vec2> tangent;     ///< unit, in the plane of the node's face: bisects its two segments
+  std::vector<Vec2> bitangent2;  ///< unit, B = T x N in the plane of the face, on the right of the way
+  /// Unit directions in space to which the medial balls of both sides grow, normal to the curve: +B
+  /// and -B on a plane.
+  ///
+  /// The paper takes +-B in the tangent plane of a blended normal. Where the surface bends within r,
+  /// that plane leaves it: on limbs a few r thick radii come out too large, and at a crease they jump.
+  /// Here each side looks along the chord to the point that a geodesic along +-B reaches after r,
+  /// which is where the centre of a ball of the wanted size lies. It needs no normals, so noise in
+  /// them does not matter.
+  std::vector<std::array<Vec3, 2>> outward;
+  /// How far the geodesic along +-B came before the boundary stopped it, at most r; negative where
+  /// it was not stopped.
+  std::vector<std::array<double, 2>> to_boundary;
+  /// How fast the local r grows along that geodesic: its change per length. 0 without density.
+  std::vector<std::array<double, 2>> radius_slope;
+  /// 1 where geodesics were led, 0 where an earlier look was good enough.
+  std::vector<uint8_t> walked;
+};
+
+/// Where a node has looked, for as long as it hardly moves: see compute_frames.
+struct CachedDirections {
+  Vec3 from = Vec3::Zero();
+  float radius = 0;  ///< the local r there; 0: nothing is known
+  std::array<float, 2> radius_slope{};
+  std::array<Eigen::Vector3f, 2> outward;
+};
+
+/// Fills `frames`; `local_radius` is r at every node, `vertex_radius` at every vertex, see radius_at.
+///
+/// `looks`  per node, if not null: a node that is within kRest of where it looked then, and whose strand
+///          has not turned more than kTurn since, leads no geodesics but turns its old directions with
+///          its strand. What it finds then is off by an angle of the order of kRest, less where the
+///          surface is smooth. Nodes that saw the boundary always look again.
+void compute_frames(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+                    const std::vector<double>& vertex_radius, ThreadPool& pool, Frames& frames,
+                    const std::vector<CachedDirections>* looks = nullptr);
+
+/// Takes note of where the nodes that have `walked` looked.
+void remember_directions(const Frames& frames, const std::vector<double>& local_radius, ThreadPool& pool,
+                    std::vector<CachedDirections>& looks);
+
+/// How far, in local r, a node may have moved, and how far (as a sine) its strand may have turned.
+inline constexpr double kRest = 0.05, kTurn = 0.1;
+
+}  // namespace meander

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Gaps: the places of the surface that are farther from the curve than a filled surface has them.
+#pragma once
+
+#include <vector>
+
+#include "medial/frames.h"
+#include "medial/medial_axis.h"
+
+namespace meander {
+
+/// A place that the curve leaves empty.
+struct Gap {
+  SurfacePoint centre;
+  double radius = 0;  ///< distance in space from the centre to the curve
+  double size = 0;    ///< the radius in units of the local r at the centre
+};
+
+/// Size from which on a place is called a gap, where the caller does not say. Between parallel strands
+/// at the wanted spacing it is 1. Between the tips of two hairpins and a straight strand it is 1.5 if
+/// nothing gives way, so a good filling still has some of these, a little smaller.
+inline constexpr double kGapSize = 1.2;
+
+/// Places whose size is at least `least_size`, the largest first. No centre lies within the radius of
+/// a larger gap: what overlaps is one gap.
+///
+/// A largest empty place touches the curve on several sides, so it is a medial ball of the nodes
+/// where it touches, and the search starts from the centres of all balls, carried onto the surface by
+/// geodesics. It also starts from the middle of every face that is far from the curve: there are the
+/// places that no ball reaches, such as a component without a strand. From each start the centre
+/// climbs to where the distance has a maximum, and what it finds is measured anew. That is a local
+/// search, so where balls end at the clamp in one large void the size is a lower bound.
+///
+/// Distance is straight through space, as the Euclidean medial axis has it: a sheet that lies closer than
+/// the spacing to another one is covered by the strands of both. `along_surface`: only to what of the
+/// curve hangs together with the place, on the part of the surface that is no farther from it; gaps on
+/// sheets that face each other are then two. What only strands of another sheet are near to counts as at
+/// most 3 r from the curve.
+///
+/// `frames`, `radii`  of the present curve, see compute_frames and compute_medial_axis
+/// `vertex_radius`    local r at the vertices, see radius_at
+std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
+                           const std::vector<Radii>& radii, const std::vector<double>& vertex_radius,
+                           double least_size, bool along_surface, ThreadPool& pool);
+
+}  // namespace meander

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+
+#include "base/failure.h"
+#include "mesh/closest_point.h"
+#include "mesh/vertex_geometry.h"
+
+namespace meander {
+namespace {
+
+/// One implicit step of diffusion by this share of a radius averages over that radius.
+constexpr double kDiffusion = 0.5;
+
+/// A flat component has a line field without energy; this much of its area (a share) is added.
+constexpr double kShift = 1e-6;
+
+using LineSolver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<Complex>>;
+
+/// The curvature tensor at the vertices: its mean, and half the difference of its two eigenvalues as a
+/// line along the direction in which the surface bends least (signed).
+struct CurvatureTensor {
+  Functions mean;
+  Lines difference;
+};
+
+CurvatureTensor curvature_tensor(const VertexGeometry& g) {
+  const Surface& s = g.surface();
+  const auto n = static_cast<Eigen::Index>(s.vertex_count());
+  CurvatureTensor t{Functions::Zero(n), Lines::Zero(n)};
+  for (HalfEdge e = 0; e < 3 * s.face_count(); ++e) {
+    const HalfEdge other = s.twin(e);
+    if (other == kNone || other < e) continue;
+    const uint32_t f = face_of(e), k = corner_of(e), l = next_corner(k);
+    const uint32_t ends[2] = {s.face(f)[k], s.face(f)[l]};
+    const Vec3 edge = s.position(ends[1]) - s.position(ends[0]);
+    const Vec3 &n0 = s.face_normal(f), &n1 = s.face_normal(face_of(other));
+    // Positive where the surface bulges to the side of its normals. Along an edge it does not bend.
+    const double length = edge.norm();
+    const double angle = std::atan2(n0.cross(n1).dot(edge) / length, n0.dot(n1));
+    for (const uint32_t v : ends) {
+      const auto i = static_cast<Eigen::Index>(v);
+      const double share = 0.25 * angle * length / g.area()[i];
+      t.mean[i] += share;
+      t.difference[i] += share * g.line_along(v, edge);
+    }
+  }
+  return t;
+}
+
+/// The direction of least bending in absolute value: the difference of the squared curvatures.
+Lines least_bending(const VertexGeometry& g, double radius) {
+  const CurvatureTensor t = curvature_tensor(g);
+  const double length = kDiffusion * radius;
+  return g.smoothed(Lines(g.smoothed(t.difference, length).cwiseProduct(g.smoothed(t.mean, length))), 0.5 * length);
+}
+
+double mean_size(const Lines& x) { return x.size() ? x.cwiseAbs().mean() : 0; }
+
+/// Component of every vertex; kNone for unused ones.
+std::vector<uint32_t> components(const Surface& s) {
+  std::vector<uint32_t> component(s.vertex_count(), kNone);
+  for (uint32_t f = 0; f < s.face_count(); ++f) {
+    for (const uint32_t v : s.face(f)) component[v] = s.component(f);
+  }
+  return component;
+}
+
+/// Area of every vertex, as a share of that of its component.
+Functions relative_area(const VertexGeometry& g, const std::vector<uint32_t>& component) {
+  std::vector<double> total(g.surface().component_count(), 0);
+  for (uint32_t v = 0; v < component.size(); ++v) {
+    if (component[v] != kNone) total[component[v]] += g.area()[v];
+  }
+  Functions share = g.area();
+  for (uint32_t v = 0; v < component.size(); ++v) {
+    if (component[v] != kNone) share[v] /= total[component[v]];
+  }
+  return share;
+}
+
+/// Makes the square mean of every component 1.
+void normalise(Lines& x, const Functions& area, const std::vector<uint32_t>& component, size_t count) {
+  std::vector<double> square(count, 0);
+  for (uint32_t v = 0; v < component.size(); ++v) {
+    if (component[v] != kNone) square[component[v]] += area[v] * std::norm(x[v]);
+  }
+  for (uint32_t v = 0; v < component.size(); ++v) {
+    const double sum = component[v] != kNone ? square[component[v]] : 0;
+    x[v] = sum > 0 ? x[v] / std::sqrt(sum) : Complex(0);
+  }
+}
+
+Eigen::SparseMatrix<Complex> shifted(Eigen::SparseMatrix<Complex> matrix, const Functions& area) {
+  for (Eigen::Index v = 0; v < area.size(); ++v) matrix.coeffRef(v, v) += kShift * area[v];
+  return matrix;
+}
+
+void require_success(const LineSolver& solver) {
+  if (solver.info() == Eigen::Success) return;
+  throw Failure(FailureKind::kInternal, "The direction field could not be computed; please report this mesh.");
+}
+
+}  // namespace
+
+std::vector<double> curvature(const Surface& surface, CurvatureKind kind, double radius) {
+  const VertexGeometry g(surface);
+  Functions x = Functions::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
+  if (kind == CurvatureKind::kGaussian || kind == CurvatureKind::kAbsoluteGaussian) {
+    for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
+      if (!g.used(v) || surface.on_boundary(v)) continue;
+      x[v] = (2 * std::numbers::pi - surface.total_angle(v)) / g.area()[v];
+    }
+  } else {
+    const CurvatureTensor t = curvature_tensor(g);
+    x = t.mean;
+    if (kind == CurvatureKind::kCurvedness) x = (t.mean.array().square() + t.difference.array().abs2()).sqrt();
+  }
+  if (kind == CurvatureKind::kAbsoluteGaussian || kind == CurvatureKind::kAbsoluteMean) x = x.cwiseAbs();
+  x = g.smoothed(x, kDiffusion * radius);
+  return {x.begin(), x.end()};
+}
+
+std::vector<Vec3> principal_directions(const Surface& surface, bool most, double radius) {
+  const VertexGeometry g(surface);
+  const Lines least = least_bending(g, radius);
+  // Where it bends alike in all directions only rounding would be left.
+  constexpr double kNothing = 1e-7;
+  return g.to_space(most ? Lines(-least) : least, kNothing * mean_size(least));
+}
+
+std::vector<Vec3> smoothest_directions(const Surface& surface) {
+  constexpr int kMostIterations = 100;
+  constexpr double kSettled = 1e-6;  // change of a field of square mean 1
+  const VertexGeometry g(surface);
+  const std::vector<uint32_t> component = components(surface);
+  const Functions area = relative_area(g, component);
+  const size_t count = surface.component_count();
+  const LineSolver solver(shifted(g.line_laplacian(), area));
+  require_success(solver);
+
+  // Iteration takes its start to the nearest of all smoothest fields: directions of least bending, then
+  // the x-axis, and a little of everything, so that no start lies at right angles to the smoothest.
+  Lines x = least_bending(g, 0);
+  normalise(x, area, component, count);
+  constexpr double kAxis = 0.05, kNoise = 1e-3;
+  uint64_t random = 1;
+  for (uint32_t v = 0; v < component.size(); ++v) {
+    if (component[v] == kNone) continue;
+    random = random * 6364136223846793005u + 1442695040888963407u;
+    x[v] += kAxis * g.line_along(v, Vec3::UnitX()) +
+            std::polar(kNoise, 2 * std::numbers::pi * static_cast<double>(random >> 11) * 0x1p-53);
+  }
+  normalise(x, area, component, count);
+  for (int k = 0; k < kMostIterations; ++k) {
+    Lines y = solver.solve(area.cast<Complex>().cwiseProduct(x));
+    normalise(y, area, component, count);
+    const double change = area.dot((y - x).cwiseAbs2()) / static_cast<double>(count);
+    x = std::move(y);
+    if (change < kSettled * kSettled) break;
+  }
+  return g.to_space(x, 1e-9);
+}
+
+std::vector<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes) {
+  // How much stiffer a stroke of the length of an edge is than the field around it.
+  constexpr double kStiffness = 30;
+  const VertexGeometry g(surface);
+  const std::vector<uint32_t> component = components(surface);
+  const ClosestPoint closest(surface);
+  const double pitch = 0.5 * surface.mean_edge_length();
+  Lines wish = Lines::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
+  Functions weight = Functions::Zero(wish.size());
+  std::vector<uint8_t> stroked(surface.component_count(), 0);
+  for (const Stroke& stroke : strokes) {
+    for (size_t k = 0; k + 1 < stroke.size(); ++k) {
+      const Vec3 way = stroke[k + 1] - stroke[k];
+      const double length = way.norm();
+      if (!(length > 0)) continue;
+      const auto samples = static_cast<size_t>(std::ceil(length / pitch));
+      for (size_t q = 0; q < samples; ++q) {
+        const double at = (static_cast<double>(q) + 0.5) / static_cast<double>(samples);
+        const SurfacePoint p = closest(stroke[k] + at * way).point;
+        const Vec2 flat{way.dot(surface.to_space(p.face, {1, 0})), way.dot(surface.to_space(p.face, {0, 1}))};
+        if (!(norm(flat) > 1e-3 * length)) continue;
+        for (uint32_t c = 0; c < 3; ++c) {
+          const auto v = static_cast<Eigen::Index>(surface.face(p.face)[c]);
+          const double w = kStiffness * p.weight(c) * length / static_cast<double>(samples) / (2 * pitch);
+          weight[v] += w;
+          wish[v] += std::polar(w, 2 * g.angle_at_corner(p.face, c, flat));
+        }
+        stroked[surface.component(p.face)] = 1;
+      }
+    }
+  }
+  Eigen::SparseMatrix<Complex> matrix = shifted(g.line_laplacian(), relative_area(g, component));
+  for (Eigen::Index v = 0; v < weight.size(); ++v) matrix.coeffRef(v, v) += weight[v];
+  const LineSolver solver(matrix);
+  require_success(solver);
+  Lines x = solver.solve(wish);
+  for (uint32_t v = 0; v < component.size(); ++v) {
+    if (component[v] == kNone || !stroked[component[v]]) x[v] = 0;
+  }
+  // Far from its strokes the field is faint, but it still points somewhere.
+  return g.to_space(x, 1e-12);
+}
+
+}  // namespace meander

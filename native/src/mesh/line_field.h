@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A field of lines on the surface, as the curve is to follow it (eq. 11).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/surface_point.h"
+
+namespace meander {
+
+/// A square root of a number of the plane; the other one is its negative.
+Vec2 square_root(Vec2 square);
+
+/// Lines have no sign, so what is blended over a face are the squares of unit vectors, read as complex
+/// numbers (Knoppel et al. 2013). Where the corners of a face disagree the blend is shorter than 1, and
+/// at a singularity it vanishes: there the field wishes for nothing.
+class LineField {
+ public:
+  LineField() = default;
+
+  /// One vector in space a vertex, of any length; zero or not finite: no wish there. `across`: the
+  /// lines at right angles to them.
+  LineField(const Surface& surface, std::span<const Vec3> directions, bool across);
+
+  /// Takes the lines along when the corners of the faces move.
+  void ride(const Surface& from, const Surface& to);
+
+  /// Nothing is wished for anywhere.
+  bool empty() const { return square_.empty(); }
+
+  /// The line at a point in the plane of its face, of either sign; its length, at most 1, says how
+  /// sure the field is.
+  Vec2 at(const SurfacePoint& p) const;
+
+ private:
+  std::vector<Vec2> square_;  // per corner of every face, in the plane of the face
+};
+
+}  // namespace meander

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/mesh_check.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "base/disjoint_sets.h"
+#include "base/failure.h"
+#include "base/thread_pool.h"
+#include "mesh/mesh_map.h"
+
+namespace meander {
+namespace {
+
+using Vec3 = Eigen::Vector3d;
+
+constexpr uint32_t kNever = UINT32_MAX;
+
+/// Faces, or vertices, that a thread takes at once.
+constexpr size_t kBlock = 4096;
+
+[[noreturn]] void refuse(const std::string& sentence, ElementKind kind = ElementKind::kNoElement,
+                         size_t index = 0, size_t index2 = 0) {
+  throw Failure(FailureKind::kInvalidMesh, sentence, kind, static_cast<uint32_t>(index),
+                static_cast<uint32_t>(index2));
+}
+
+std::string str(size_t i) { return std::to_string(i); }
+
+/// What the caller calls the elements of the mesh that is checked.
+struct Names {
+  const MeshMap* map;
+  uint32_t vertex(uint32_t v) const { return map ? map->vertex(v) : v; }
+  uint32_t face(size_t f) const { return map ? map->face(static_cast<uint32_t>(f)) : static_cast<uint32_t>(f); }
+};
+
+/// An edge as seen from one of its faces and the lower of its vertices: the other one, and corner
+/// `half_edge % 3` of face `half_edge / 3` to the next.
+struct Side {
+  uint32_t high;
+  uint32_t half_edge;
+  bool operator<(const Side& o) const { return high != o.high ? high < o.high : half_edge < o.half_edge; }
+};
+
+void check_coordinates(std::span<const double> vertices, const Names& names) {
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    if (std::isfinite(vertices[i])) continue;
+    const uint32_t v = names.vertex(static_cast<uint32_t>(i / 3));
+    refuse("Vertex " + str(v) + " has a coordinate that is not a finite number; repair or remove it.",
+           ElementKind::kVertex, v);
+  }
+}
+
+void check_corners(std::span<const uint32_t> faces, const Names& names) {
+  for (size_t f = 0; f < faces.size() / 3; ++f) {
+    const uint32_t a = faces[3 * f], b = faces[3 * f + 1], c = faces[3 * f + 2];
+    if (a == b || b == c || c == a) {
+      refuse("Face " + str(names.face(f)) + " uses vertex " + str(names.vertex(a == b || a == c ? a : b)) +
+                 " twice; remove the face or merge its vertices.",
+             ElementKind::kFace, names.face(f));
+    }
+  }
+}
+
+/// `used_count` receives the number of vertices that faces use.
+Placement measure(std::span<const double> vertices, const Table<Triangle>& faces, uint32_t& used_count) {
+  std::vector<uint8_t> used(vertices.size() / 3, 0);
+  for (const Triangle& t : faces) {
+    for (uint32_t v : t) used[v] = 1;
+  }
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    const Vec3 p(vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]);
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+    ++used_count;
+  }
+  const Placement placement{{low.x(), low.y(), low.z()}, (high - low).norm()};
+  if (!std::isfinite(placement.diagonal)) refuse("The mesh is too large to measure; scale it down.");
+  if (!(placement.diagonal > 0)) refuse("All vertices of the mesh are in one place; it has no surface.");
+  return placement;
+}
+
+bool has_area(std::span<const double> vertices, const Triangle& face, const Placement& placement) {
+  const auto corner = [&](int k) {
+    const size_t at = 3 * size_t{face[k]};
+    return Vec3(vertices[at], vertices[at + 1], vertices[at + 2]);
+  };
+  const Vec3 u = (corner(1) - corner(0)) / placement.diagonal, v = (corner(2) - corner(0)) / placement.diagonal;
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+  return u.cross(v).squaredNorm() > kFlatFace * kFlatFace * longest;
+}
+
+void check_areas(std::span<const double> vertices, const Table<Triangle>& faces, const Placement& placement,
+                 const Names& names, ThreadPool& pool) {
+  const size_t f = pool.first(faces.size(), kBlock, [&](size_t i) { return !has_area(vertices, faces[i], placement); });
+  if (f == faces.size()) return;
+  refuse("Face " + str(names.face(f)) + " has no area (its corners lie on a line); dissolve degenerate faces.",
+         ElementKind::kFace, names.face(f));
+}
+
+/// The sides of the faces by the lower of their vertices.
+struct SidesOfVertices {
+  Table<Side> sides;
+  std::vector<uint32_t> end;  // per vertex
+
+  SidesOfVertices(const Table<Triangle>& faces, size_t vertex_count, ThreadPool& pool)
+      : sides(3 * faces.size()), end(vertex_count + 1, 0) {
+    // A counting sort: in the second pass `end` is where the next side of a vertex goes. Every thread reads
+    // all faces and looks after some of the vertices, whose sides so come in the order of the faces whatever
+    // the number of threads. More than a few would only read.
+    constexpr unsigned kMostReaders = 4;
+    const size_t share = vertex_count / std::min(pool.size(), kMostReaders) + 1;
+    const auto each = [&](const auto& put) {
+      pool.for_blocks(vertex_count, share, [&](size_t, size_t first, size_t last) {
+        for (size_t f = 0; f < faces.size(); ++f) {
+          for (size_t k = 0; k < 3; ++k) {
+            const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1], low = std::min(a, b);
+            if (low >= first && low < last) put(low, Side{std::max(a, b), static_cast<uint32_t>(3 * f + k)});
+          }
+        }
+      });
+    };
+    each([&](uint32_t low, const Side&) { ++end[low + 1]; });
+    for (size_t v = 0; v < vertex_count; ++v) end[v + 1] += end[v];
+    each([&](uint32_t low, const Side& side) { sides[end[low]++] = side; });
+  }
+
+  std::span<Side> of(size_t v) {
+    const uint32_t begin = v == 0 ? 0 : end[v - 1];
+    return std::span(sides).subspan(begin, end[v] - begin);
+  }
+};
+
+/// The sides of one edge, which is the first of sorted sides of a vertex.
+std::span<Side> first_edge(std::span<Side> sides) {
+  size_t count = 1;
+  while (count < sides.size() && sides[count].high == sides[0].high) ++count;
+  return sides.first(count);
+}
+
+[[noreturn]] void refuse_edge(uint32_t vertex, std::span<const Side> sides, const Names& names) {
+  const uint32_t low = names.vertex(vertex), high = names.vertex(sides[0].high);
+  refuse("The edge between vertices " + str(low) + " and " + str(high) + " has " + str(sides.size()) + " faces (" +
+             str(names.face(sides[0].half_edge / 3)) + ", " + str(names.face(sides[1].half_edge / 3)) + ", " +
+             str(names.face(sides[2].half_edge / 3)) + (sides.size() > 3 ? ", ..." : "") +
+             "); a surface has at most 2 there: remove the extra ones.",
+         ElementKind::kEdge, low, high);
+}
+
+/// Per half-edge the half-edge of the other face on the same edge, kNoTwin at the boundary.
+Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, const Names& names, ThreadPool& pool) {
+  SidesOfVertices table(faces, vertex_count, pool);
+  Table<uint32_t> mate(3 * faces.size(), kNoTwin);
+  const size_t crowded = pool.first(vertex_count, kBlock, [&](size_t v) {
+    std::span<Side> sides = table.of(v);
+    std::sort(sides.begin(), sides.end());
+    while (!sides.empty()) {
+      const std::span<Side> edge = first_edge(sides);
+      if (edge.size() > 2) return true;
+      if (edge.size() == 2) {
+        mate[edge[0].half_edge] = edge[1].half_edge;
+        mate[edge[1].half_edge] = edge[0].half_edge;
+      }
+      sides = sides.subspan(edge.size());
+    }
+    return false;
+  });
+  if (crowded < vertex_count) {
+    std::span<Side> sides = table.of(crowded);
+    while (first_edge(sides).size() < 3) sides = sides.subspan(first_edge(sides).size());
+    refuse_edge(static_cast<uint32_t>(crowded), first_edge(sides), names);
+  }
+  return mate;
+}
+
+/// Numbers the components, in the order of their first faces. Every thread joins the faces of its blocks;
+/// what hangs together across blocks is joined afterwards.
+void number_components(CheckedMesh& mesh, ThreadPool& pool) {
+  const auto face_count = static_cast<uint32_t>(mesh.faces.size());
+  DisjointSets groups(face_count);
+  std::vector<std::vector<uint32_t>> across(ThreadPool::block_count(face_count, kBlock));  // sides
+  pool.for_blocks(face_count, kBlock, [&](size_t block, size_t begin, size_t end) {
+    for (auto side = static_cast<uint32_t>(3 * begin); side < 3 * end; ++side) {
+      const uint32_t f = side / 3, other = mesh.twin[side];
+      if (other == kNoTwin || other / 3 >= f) continue;
+      if (other / 3 >= begin) {
+        groups.join(f, other / 3);
+      } else {
+        across[block].push_back(side);
+      }
+    }
+  });
+  for (const std::vector<uint32_t>& sides : across) {
+    for (const uint32_t side : sides) groups.join(side / 3, mesh.twin[side] / 3);
+  }
+  mesh.component.resize(face_count);
+  for (uint32_t f = 0; f < face_count; ++f) {
+    const uint32_t first = groups.find(f);
+    mesh.component[f] = first == f ? mesh.component_count++ : mesh.component[first];
+  }
+}
+
+/// Do these faces run along their common edge in opposite directions? `side` is one's half-edge there.
+bool opposed(const CheckedMesh& mesh, uint32_t side) {
+  const uint32_t other = mesh.twin[side];
+  return mesh.faces[side / 3][side % 3] != mesh.faces[other / 3][other % 3];
+}
+
+/// Finds faces to be turned so that neighbours agree.
+void orient(CheckedMesh& mesh, const Names& names, ThreadPool& pool) {
+  const size_t face_count = mesh.faces.size();
+  mesh.flipped.assign(face_count, 0);
+  const size_t disagreeing = pool.first(3 * face_count, kBlock, [&](size_t i) {
+    const auto side = static_cast<uint32_t>(i);
+    return mesh.twin[side] != kNoTwin && !opposed(mesh, side);
+  });
+  if (disagreeing == 3 * face_count) return;
+
+  std::vector<uint8_t> seen(face_count, 0);
+  std::vector<uint32_t> queue;
+  for (uint32_t start = 0; start < face_count; ++start) {
+    if (seen[start]) continue;
+    seen[start] = 1;
+    queue.assign(1, start);
+    for (size_t head = 0; head < queue.size(); ++head) {
+      const uint32_t f = queue[head];
+      for (uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
+        if (mesh.twin[side] == kNoTwin) continue;
+        const uint32_t g = mesh.twin[side] / 3;
+        const uint8_t wanted = static_cast<uint8_t>(mesh.flipped[f] ^ (opposed(mesh, side) ? 0 : 1));
+        if (!seen[g]) {
+          seen[g] = 1;
+          mesh.flipped[g] = wanted;
+          queue.push_back(g);
+        } else if (mesh.flipped[g] != wanted) {
+          refuse("The surface has only one side (it cannot be oriented, like a Moebius strip), as seen at "
+                 "face " + str(names.face(g)) + "; cut it open along an edge.",
+                 ElementKind::kFace, names.face(g));
+        }
+      }
+    }
+  }
+}
+
+/// Turns the faces that orient() found to be the wrong way round: corners 1 and 2 change places, and so
+/// half-edges 0 and 2.
+void turn(CheckedMesh& mesh) {
+  if (std::find(mesh.flipped.begin(), mesh.flipped.end(), 1) == mesh.flipped.end()) return;
+  for (uint32_t& other : mesh.twin) {
+    if (other != kNoTwin && mesh.flipped[other / 3]) other = 3 * (other / 3) + 2 - other % 3;
+  }
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (!mesh.flipped[f]) continue;
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    std::swap(mesh.twin[3 * f], mesh.twin[3 * f + 2]);
+  }
+}
+
+/// A vertex whose faces form more than one fan is named.
+void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& names, ThreadPool& pool) {
+  std::vector<uint32_t> any_corner(vertex_count, kNever);
+  pool.for_blocks(3 * mesh.faces.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (auto corner = static_cast<uint32_t>(begin); corner < end; ++corner) {
+      const std::atomic_ref any(any_corner[mesh.faces[corner / 3][corner % 3]]);
+      any.store(corner, std::memory_order_relaxed);  // whichever comes last
+    }
+  });
+  // Works before faces are turned, since it looks the vertex up each time.
+  const auto corner_of = [&](uint32_t face, uint32_t v) {
+    uint32_t k = 0;
+    while (mesh.faces[face][k] != v) ++k;
+    return 3 * face + k;
+  };
+  // Walks over the faces of the fan, from corner to corner, across the side that starts (forward) or ends
+  // at the vertex.
+  const auto corners_in_fan = [&](uint32_t v, uint32_t first) {
+    uint32_t seen = 1;
+    for (int direction = 0; direction < 2; ++direction) {
+      uint32_t side = direction == 0 ? first : 3 * (first / 3) + (first % 3 + 2) % 3;
+      while (mesh.twin[side] != kNoTwin) {
+        const uint32_t other = mesh.twin[side], face = other / 3, corner = corner_of(face, v);
+        if (corner == first) return seen;  // came round: a closed fan
+        ++seen;
+        // The other side of this face at v.
+        side = other == corner ? 3 * face + (corner % 3 + 2) % 3 : corner;
+      }
+    }
+    return seen;
+  };
+  const auto in_fan = [&](size_t v) {
+    return any_corner[v] == kNever ? 0 : corners_in_fan(static_cast<uint32_t>(v), any_corner[v]);
+  };
+  const size_t corners = 3 * mesh.faces.size();
+  if (pool.sum(vertex_count, in_fan) == static_cast<double>(corners)) return;
+  // Some corners are in none of these fans; their first vertex is named.
+  std::vector<uint32_t> corner_count(vertex_count, 0);
+  for (const Triangle& t : mesh.faces) {
+    for (const uint32_t v : t) ++corner_count[v];
+  }
+  size_t v = 0;
+  while (in_fan(v) == corner_count[v]) ++v;
+  const uint32_t name = names.vertex(static_cast<uint32_t>(v));
+  refuse("Vertex " + str(name) + " joins parts of the surface that meet in this point only (bow-tie); "
+         "split the vertex.",
+         ElementKind::kVertex, name);
+}
+
+}  // namespace
+
+void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces) {
+  const size_t vertex_count = vertices.size() / 3;
+  if (faces.empty()) refuse("The mesh has no faces; give a mesh with at least one triangle.");
+  check_coordinates(vertices, Names{nullptr});
+  for (size_t f = 0; f < faces.size() / 3; ++f) {
+    for (int k = 0; k < 3; ++k) {
+      if (faces[3 * f + k] >= vertex_count) {
+        refuse("Face " + str(f) + " refers to vertex " + str(faces[3 * f + k]) + ", but there are only " +
+                   str(vertex_count) + " vertices (counted from 0); repair the face list.",
+               ElementKind::kFace, f);
+      }
+    }
+  }
+}
+
+Placement check_placement(std::span<const double> vertices, const Table<Triangle>& faces, ThreadPool& pool,
+                          const MeshMap* map) {
+  const Names names{map};
+  check_coordinates(vertices, names);
+  uint32_t used_count = 0;
+  const Placement placement = measure(vertices, faces, used_count);
+  check_areas(vertices, faces, placement, names, pool);
+  return placement;
+}
+
+CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, ThreadPool& pool,
+                       const MeshMap* map) {
+  const Names names{map};
+  check_numbers(vertices, faces);
+  check_corners(faces, names);
+  CheckedMesh mesh;
+  mesh.faces.resize(faces.size() / 3);
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    mesh.faces[f] = {faces[3 * f], faces[3 * f + 1], faces[3 * f + 2]};
+  }
+  mesh.placement = measure(vertices, mesh.faces, mesh.used_vertices);
+  check_areas(vertices, mesh.faces, mesh.placement, names, pool);
+  mesh.twin = pair_sides(mesh.faces, vertices.size() / 3, names, pool);
+  check_vertices(mesh, vertices.size() / 3, names, pool);
+  number_components(mesh, pool);
+  orient(mesh, names, pool);
+  turn(mesh);
+  return mesh;
+}
+
+}  // namespace meander

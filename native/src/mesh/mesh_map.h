@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the vertices and faces of a prepared mesh came from, so that the caller goes on speaking of the
+// mesh that was passed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meander {
+
+/// From the prepared mesh back to the caller's.
+class MeshMap {
+ public:
+  using Weights = std::array<double, 3>;
+
+  /// Lies at the share t from the caller's vertex a to b.
+  struct VertexOrigin {
+    uint32_t a = 0, b = 0;
+    double t = 0;
+  };
+
+  size_t caller_vertex_count() const { return caller_vertex_count_; }
+  size_t caller_face_count() const { return caller_face_count_; }
+  const VertexOrigin& vertex_origin(uint32_t v) const { return vertices_[v]; }
+  /// The caller's vertex that is nearest along the edge.
+  uint32_t vertex(uint32_t v) const { return vertices_[v].t < 0.5 ? vertices_[v].a : vertices_[v].b; }
+  uint32_t face(uint32_t f) const { return faces_[f]; }
+
+  /// Weights of the corners of the caller's face, from those of prepared face f.
+  Weights weights(uint32_t f, const Weights& w) const;
+
+  /// A value for every prepared vertex, from the caller's.
+  std::vector<double> of_vertices(std::span<const double> values) const;
+
+ private:
+  friend class MeshPreparation;
+  static constexpr uint32_t kWhole = UINT32_MAX;  // a face that is the caller's whole face
+  size_t caller_vertex_count_ = 0, caller_face_count_ = 0;
+  std::vector<VertexOrigin> vertices_;
+  std::vector<uint32_t> faces_;
+  std::vector<uint32_t> corners_;  // per face: index into corner_weights_, kWhole for the caller's whole face
+  std::vector<std::array<Weights, 3>> corner_weights_;
+};
+
+}  // namespace meander

@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/mesh_preparation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include <Eigen/Geometry>
+
+#include "base/disjoint_sets.h"
+#include "base/failure.h"
+#include "mesh/mesh_check.h"
+
+namespace meander {
+namespace {
+
+using Vec3 = Eigen::Vector3d;
+using Weights = MeshMap::Weights;
+
+constexpr uint32_t kGone = UINT32_MAX;
+
+/// Faces flatter than this, and edges shorter, are dissolved: somewhat more than check_mesh refuses.
+constexpr double kFlat = 4 * kFlatFace;
+
+/// Where the mask's edge passes this near to a vertex, as a share of an edge, it goes through the
+/// vertex: the pieces of cut faces keep at least a tenth of their edges.
+constexpr double kSnap = 0.1;
+
+Weights between(const Weights& a, const Weights& b, double t) {
+  Weights w;
+  for (size_t k = 0; k < 3; ++k) w[k] = (1 - t) * a[k] + t * b[k];
+  return w;
+}
+
+uint64_t edge_key(uint32_t a, uint32_t b) { return (uint64_t{std::min(a, b)} << 32) | std::max(a, b); }
+
+}  // namespace
+
+/// The mesh while it is being prepared.
+class MeshPreparation {
+ public:
+  MeshPreparation(std::span<const double> vertices, std::span<const uint32_t> faces)
+      : caller_vertices_(vertices.size() / 3), caller_faces_(faces.size() / 3) {
+    positions_.resize(caller_vertices_);
+    origins_.resize(caller_vertices_);
+    for (uint32_t v = 0; v < caller_vertices_; ++v) {
+      positions_[v] = Vec3(vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]);
+      origins_[v] = {v, v, 0};
+    }
+    faces_.resize(caller_faces_);
+    for (uint32_t f = 0; f < caller_faces_; ++f) {
+      faces_[f] = {{faces[3 * f], faces[3 * f + 1], faces[3 * f + 2]}, f, MeshMap::kWhole};
+    }
+    at_mask_.assign(caller_vertices_, 0);
+    std::vector<uint8_t> used(caller_vertices_, 0);
+    for (const Face& face : faces_) {
+      for (const uint32_t v : face.v) used[v] = 1;
+    }
+    counts_.unused_vertices = static_cast<uint32_t>(std::count(used.begin(), used.end(), 0));
+    measure();
+  }
+
+  void mask_faces(std::span<const uint8_t> mask);
+  void merge_vertices(double distance);
+  void dissolve_degenerate();
+  void clip(std::span<const double> values, double threshold);
+  void split_vertices(bool bow_ties, bool non_manifold);
+  PreparedMesh result();
+  bool empty() const { return faces_.empty(); }
+
+ private:
+  struct Face {
+    Triangle v;
+    uint32_t source;   // the caller's face
+    uint32_t corners;  // index into corner_weights_, or MeshMap::kWhole
+  };
+
+  void measure();
+  Weights corner_weight(const Face& face, size_t k) const {
+    if (face.corners != MeshMap::kWhole) return corner_weights_[face.corners][k];
+    Weights w{};
+    w[k] = 1;
+    return w;
+  }
+  Face piece(const Face& of, const Triangle& v, const std::array<Weights, 3>& weights) {
+    corner_weights_.push_back(weights);
+    return {v, of.source, static_cast<uint32_t>(corner_weights_.size() - 1)};
+  }
+  void replace_vertices(DisjointSets& groups);
+  void drop_doubled();
+  bool dissolve_pass();
+  /// Per edge, in order of the key: key and face.
+  std::vector<std::pair<uint64_t, uint32_t>> edges() const;
+
+  size_t caller_vertices_, caller_faces_;
+  std::vector<Vec3> positions_;
+  std::vector<MeshMap::VertexOrigin> origins_;
+  std::vector<Face> faces_;
+  std::vector<std::array<Weights, 3>> corner_weights_;
+  std::vector<uint8_t> at_mask_;  // per vertex: a mask took something away there
+  double diagonal_ = 0;
+  PrepareCounts counts_;
+};
+
+void MeshPreparation::measure() {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Face& face : faces_) {
+    for (const uint32_t v : face.v) {
+      low = low.cwiseMin(positions_[v]);
+      high = high.cwiseMax(positions_[v]);
+    }
+  }
+  diagonal_ = faces_.empty() ? 0 : (high - low).norm();
+}
+
+std::vector<std::pair<uint64_t, uint32_t>> MeshPreparation::edges() const {
+  std::vector<std::pair<uint64_t, uint32_t>> edges;
+  edges.reserve(3 * faces_.size());
+  for (uint32_t f = 0; f < faces_.size(); ++f) {
+    const Triangle& v = faces_[f].v;
+    for (size_t k = 0; k < 3; ++k) edges.emplace_back(edge_key(v[k], v[(k + 1) % 3]), f);
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+void MeshPreparation::mask_faces(std::span<const uint8_t> mask) {
+  counts_.masked_faces += static_cast<uint32_t>(std::erase_if(faces_, [&](const Face& face) {
+    if (mask[face.source]) return false;
+    for (const uint32_t v : face.v) at_mask_[v] = 1;
+    return true;
+  }));
+  measure();  // what is left is the mesh from here on
+}
+
+/// Every vertex takes the name of its group; faces that lose a corner by it go.
+void MeshPreparation::replace_vertices(DisjointSets& groups) {
+  for (Face& face : faces_) {
+    for (uint32_t& v : face.v) {
+      const uint32_t group = groups.find(v);
+      at_mask_[group] |= at_mask_[v];
+      v = group;
+    }
+  }
+  counts_.dropped_faces += static_cast<uint32_t>(std::erase_if(faces_, [](const Face& face) {
+    const Triangle& v = face.v;
+    return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+  }));
+}
+
+void MeshPreparation::merge_vertices(double distance) {
+  // A grid of cells of the wanted size: what is near enough lies in the 27 cells around.
+  using Cell = std::array<double, 3>;
+  std::vector<uint8_t> used(positions_.size(), 0);
+  for (const Face& face : faces_) {
+    for (const uint32_t v : face.v) used[v] = 1;
+  }
+  const auto cell_of = [&](const Vec3& p) {
+    return Cell{std::floor(p.x() / distance), std::floor(p.y() / distance), std::floor(p.z() / distance)};
+  };
+  std::vector<std::pair<Cell, uint32_t>> sorted;
+  for (uint32_t v = 0; v < positions_.size(); ++v) {
+    if (used[v]) sorted.emplace_back(cell_of(positions_[v]), v);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<uint8_t> merged(positions_.size(), 0);
+  DisjointSets groups(positions_.size());
+  for (uint32_t v = 0; v < positions_.size(); ++v) {
+    if (!used[v] || merged[v]) continue;
+    const Cell cell = cell_of(positions_[v]);
+    for (double dx = -1; dx <= 1; ++dx) {
+      for (double dy = -1; dy <= 1; ++dy) {
+        const Cell low{cell[0] + dx, cell[1] + dy, cell[2] - 1}, high{cell[0] + dx, cell[1] + dy, cell[2] + 1};
+        auto at = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(low, 0u));
+        for (; at != sorted.end() && at->first <= high; ++at) {
+          const uint32_t w = at->second;
+          if (w <= v || merged[w] || !((positions_[w] - positions_[v]).norm() <= distance)) continue;
+          merged[w] = 1;
+          groups.join(v, w);
+          ++counts_.merged_vertices;
+        }
+      }
+    }
+  }
+  replace_vertices(groups);
+}
+
+void MeshPreparation::dissolve_degenerate() {
+  // Faces that name a vertex twice.
+  DisjointSets nothing(positions_.size());
+  replace_vertices(nothing);
+  // A pass settles what does not touch each other; chains of flat faces need several.
+  constexpr int kMostPasses = 64;
+  for (int pass = 0; pass < kMostPasses && dissolve_pass(); ++pass) {
+  }
+  drop_doubled();
+}
+
+/// Dissolves flat faces: a short edge becomes a vertex; a face whose corner lies on its longest edge
+/// goes, and the face beyond that edge is divided at the corner. True if there was one.
+bool MeshPreparation::dissolve_pass() {
+  std::vector<uint32_t> flat;
+  const double limit = kFlat * diagonal_;
+  for (uint32_t f = 0; f < faces_.size(); ++f) {
+    const Triangle& v = faces_[f].v;
+    const Vec3 a = positions_[v[1]] - positions_[v[0]], b = positions_[v[2]] - positions_[v[0]];
+    const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
+    if (!(a.cross(b).norm() > limit * longest)) flat.push_back(f);
+  }
+  if (flat.empty()) return false;
+  const auto edges = this->edges();
+  std::vector<uint8_t> touched(faces_.size(), 0);
+  std::vector<uint8_t> gone(faces_.size(), 0);
+  DisjointSets groups(positions_.size());
+  for (const uint32_t f : flat) {
+    if (touched[f]) continue;
+    const Triangle v = faces_[f].v;
+    size_t longest = 0;
+    double length[3];
+    for (size_t k = 0; k < 3; ++k) {
+      length[k] = (positions_[v[(k + 1) % 3]] - positions_[v[k]]).norm();
+      if (length[k] > length[longest]) longest = k;
+    }
+    const size_t shortest = static_cast<size_t>(std::min_element(length, length + 3) - length);
+    touched[f] = 1;
+    if (length[shortest] <= limit) {
+      if (groups.join(v[shortest], v[(shortest + 1) % 3])) ++counts_.merged_vertices;
+      continue;
+    }
+    const uint32_t a = v[longest], b = v[(longest + 1) % 3], c = v[(longest + 2) % 3];
+    const uint64_t key = edge_key(a, b);
+    auto at = std::lower_bound(edges.begin(), edges.end(), std::make_pair(key, 0u));
+    uint32_t other = kGone, others = 0;
+    for (; at != edges.end() && at->first == key; ++at) {
+      if (at->second == f) continue;
+      other = at->second;
+      ++others;
+    }
+    if (others == 1 && touched[other]) continue;  // in the next pass
+    gone[f] = 1;
+    ++counts_.dropped_faces;
+    if (others != 1) continue;
+    const Face g = faces_[other];
+    size_t k = 0;
+    while (edge_key(g.v[k], g.v[(k + 1) % 3]) != key) ++k;
+    const size_t k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+    if (g.v[k2] == c) continue;  // the same three corners: one of the two is enough
+    touched[other] = 1;
+    const Vec3 from = positions_[g.v[k]], way = positions_[g.v[k1]] - from;
+    const double t = std::clamp((positions_[c] - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    const Weights w[3] = {corner_weight(g, k), corner_weight(g, k1), corner_weight(g, k2)};
+    const Weights middle = between(w[0], w[1], t);
+    faces_[other] = piece(g, {g.v[k], c, g.v[k2]}, {w[0], middle, w[2]});
+    faces_.push_back(piece(g, {c, g.v[k1], g.v[k2]}, {middle, w[1], w[2]}));
+    gone.push_back(0);
+    touched.push_back(1);
+  }
+  size_t kept = 0;
+  for (size_t f = 0; f < faces_.size(); ++f) {
+    if (!gone[f]) faces_[kept++] = faces_[f];
+  }
+  faces_.resize(kept);
+  replace_vertices(groups);
+  return true;
+}
+
+void MeshPreparation::drop_doubled() {
+  std::vector<std::pair<Triangle, uint32_t>> sorted;
+  for (uint32_t f = 0; f < faces_.size(); ++f) {
+    Triangle v = faces_[f].v;
+    std::sort(v.begin(), v.end());
+    sorted.emplace_back(v, f);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<uint8_t> doubled(faces_.size(), 0);
+  for (size_t i = 1; i < sorted.size(); ++i) doubled[sorted[i].second] = sorted[i].first == sorted[i - 1].first;
+  size_t kept = 0;
+  for (size_t f = 0; f < faces_.size(); ++f) {
+    if (!doubled[f]) faces_[kept++] = faces_[f];
+  }
+  counts_.dropped_faces += static_cast<uint32_t>(faces_.size() - kept);
+  faces_.resize(kept);
+}
+
+/// Cuts away what lies below the threshold, along straight lines across faces.
+void MeshPreparation::clip(std::span<const double> values, double threshold) {
+  std::vector<double> height(positions_.size());
+  for (size_t v = 0; v < height.size(); ++v) height[v] = values[v] - threshold;
+  // A vertex that the edge of the mask passes closely lies on it; its neighbours are then cut there.
+  enum Side : uint8_t { kOut, kOn, kIn };
+  std::vector<Side> side(positions_.size());
+  for (size_t v = 0; v < side.size(); ++v) side[v] = height[v] > 0 ? kIn : (height[v] < 0 ? kOut : kOn);
+  const std::vector<Side> before = side;
+  for (const Face& face : faces_) {
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t a = face.v[k], b = face.v[(k + 1) % 3];
+      if (before[a] == kOn || before[b] == kOn || before[a] == before[b]) continue;
+      const double t = height[a] / (height[a] - height[b]);
+      if (t < kSnap) side[a] = kOn;
+      if (t > 1 - kSnap) side[b] = kOn;
+    }
+  }
+  std::unordered_map<uint64_t, uint32_t> cuts;
+  const auto cut = [&](uint32_t a, uint32_t b) {
+    const uint32_t low = std::min(a, b), high = std::max(a, b);
+    const auto [found, is_new] = cuts.try_emplace(edge_key(a, b), static_cast<uint32_t>(positions_.size()));
+    if (is_new) {
+      const double t = height[low] / (height[low] - height[high]);
+      positions_.push_back(positions_[low] + t * (positions_[high] - positions_[low]));
+      origins_.push_back({origins_[low].a, origins_[high].a, t});
+      at_mask_.push_back(1);
+    }
+    return found->second;
+  };
+  std::vector<Face> kept;
+  for (const Face& face : faces_) {
+    size_t in = 0, out = 0;
+    for (const uint32_t v : face.v) {
+      in += side[v] == kIn;
+      out += side[v] == kOut;
+    }
+    // Where all three corners lie on the edge, the middle decides.
+    const double middle = height[face.v[0]] + height[face.v[1]] + height[face.v[2]];
+    if (out == 0 && (in > 0 || middle >= 0)) {
+      kept.push_back(face);
+      continue;
+    }
+    for (const uint32_t v : face.v) at_mask_[v] = 1;
+    if (in == 0) {
+      ++counts_.masked_faces;
+      continue;
+    }
+    ++counts_.clipped_faces;
+    // What is left, corner by corner: a triangle, or a quadrangle where two corners are in.
+    std::vector<uint32_t> corner;
+    std::vector<Weights> weight;
+    for (size_t k = 0; k < 3; ++k) {
+      const size_t next = (k + 1) % 3;
+      const uint32_t a = face.v[k], b = face.v[next];
+      if (side[a] != kOut) {
+        corner.push_back(a);
+        weight.push_back(corner_weight(face, k));
+      }
+      if ((side[a] == kIn && side[b] == kOut) || (side[a] == kOut && side[b] == kIn)) {
+        corner.push_back(cut(a, b));
+        const double t = height[a] / (height[a] - height[b]);
+        weight.push_back(between(corner_weight(face, k), corner_weight(face, next), t));
+      }
+    }
+    const auto add = [&](size_t i, size_t j, size_t k) {
+      kept.push_back(piece(face, {corner[i], corner[j], corner[k]}, {weight[i], weight[j], weight[k]}));
+    };
+    if (corner.size() == 3) {
+      add(0, 1, 2);
+      continue;
+    }
+    // The shorter diagonal; not quite, so that rounding does not decide between equal ones.
+    const double one = (positions_[corner[2]] - positions_[corner[0]]).norm();
+    const double two = (positions_[corner[3]] - positions_[corner[1]]).norm();
+    if (one <= 1.001 * two) {
+      add(0, 1, 2);
+      add(0, 2, 3);
+    } else {
+      add(1, 2, 3);
+      add(1, 3, 0);
+    }
+  }
+  faces_ = std::move(kept);
+}
+
+/// Gives every fan of faces at a vertex a vertex of its own: at edges with more than two faces when
+/// these are cut, at bow-ties, and where a mask has taken away what held the fans together.
+void MeshPreparation::split_vertices(bool bow_ties, bool non_manifold) {
+  std::vector<uint8_t> at_cut(positions_.size(), 0);
+  DisjointSets fans(3 * faces_.size());
+  const auto corner_at = [&](uint32_t f, uint32_t v) {
+    uint32_t k = 0;
+    while (faces_[f].v[k] != v) ++k;
+    return 3 * f + k;
+  };
+  for (uint32_t f = 0; f < faces_.size(); ++f) {  // a face that names a vertex twice stays as it is
+    for (uint32_t k = 0; k < 3; ++k) fans.join(3 * f + k, corner_at(f, faces_[f].v[k]));
+  }
+  const auto edges = this->edges();
+  for (size_t i = 0; i < edges.size();) {
+    size_t j = i + 1;
+    while (j < edges.size() && edges[j].first == edges[i].first) ++j;
+    const uint32_t ends[2] = {static_cast<uint32_t>(edges[i].first >> 32), static_cast<uint32_t>(edges[i].first)};
+    if (j - i > 2 && non_manifold) {
+      ++counts_.cut_edges;
+      at_cut[ends[0]] = at_cut[ends[1]] = 1;
+    } else {
+      for (size_t k = i + 1; k < j; ++k) {
+        for (const uint32_t v : ends) fans.join(corner_at(edges[i].second, v), corner_at(edges[k].second, v));
+      }
+    }
+    i = j;
+  }
+  std::vector<uint32_t> first_fan(positions_.size(), kGone);  // per vertex, the fan that keeps it
+  std::unordered_map<uint32_t, uint32_t> vertex_of_fan;       // of the others
+  for (uint32_t f = 0; f < faces_.size(); ++f) {
+    for (uint32_t k = 0; k < 3; ++k) {
+      const uint32_t v = faces_[f].v[k];
+      if (!(bow_ties || at_cut[v] || at_mask_[v])) continue;
+      const uint32_t fan = fans.find(3 * f + k);
+      if (first_fan[v] == kGone) first_fan[v] = fan;
+      if (first_fan[v] == fan) continue;
+      const auto [found, is_new] = vertex_of_fan.try_emplace(fan, static_cast<uint32_t>(positions_.size()));
+      if (is_new) {
+        positions_.push_back(Vec3(positions_[v]));
+        origins_.push_back(MeshMap::VertexOrigin(origins_[v]));
+        if (!at_cut[v]) ++counts_.split_vertices;
+      }
+      faces_[f].v[k] = found->second;
+    }
+  }
+}
+
+PreparedMesh MeshPreparation::result() {
+  PreparedMesh mesh;
+  MeshMap& map = mesh.map;
+  map.caller_vertex_count_ = caller_vertices_;
+  map.caller_face_count_ = caller_faces_;
+  std::vector<uint32_t> number(positions_.size(), kGone);
+  for (const Face& face : faces_) {
+    for (const uint32_t v : face.v) number[v] = 0;
+  }
+  for (uint32_t v = 0; v < positions_.size(); ++v) {
+    if (number[v] == kGone) continue;
+    number[v] = static_cast<uint32_t>(map.vertices_.size());
+    mesh.vertices.insert(mesh.vertices.end(), {positions_[v].x(), positions_[v].y(), positions_[v].z()});
+    map.vertices_.push_back(origins_[v]);
+  }
+  for (const Face& face : faces_) {
+    for (const uint32_t v : face.v) mesh.faces.push_back(number[v]);
+    map.faces_.push_back(face.source);
+    map.corners_.push_back(face.corners);
+  }
+  map.corner_weights_ = std::move(corner_weights_);
+  mesh.counts = counts_;
+  return mesh;
+}
+
+PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
+                          const PrepareSettings& settings) {
+  MeshPreparation mesh(vertices, faces);
+  if (!settings.face_mask.empty()) {
+    mesh.mask_faces(settings.face_mask);
+    if (mesh.empty()) {
+      throw Failure(FailureKind::kInvalidMesh, "The mask leaves no faces of the mesh; choose the faces to fill.");
+    }
+  }
+  if (settings.merge_distance > 0) mesh.merge_vertices(settings.merge_distance);
+  if (settings.drop_degenerate) mesh.dissolve_degenerate();
+  if (mesh.empty()) {
+    throw Failure(FailureKind::kInvalidMesh,
+                  "Merging and dropping leave no faces of the mesh; choose a smaller merge distance.");
+  }
+  if (!settings.vertex_mask.empty()) {
+    mesh.clip(settings.vertex_mask, settings.mask_threshold);
+    if (mesh.empty()) {
+      throw Failure(FailureKind::kInvalidMesh,
+                    "The mask leaves no faces of the mesh: its values are nowhere above the threshold " +
+                        number(settings.mask_threshold) + "; choose a lower threshold.");
+    }
+  }
+  mesh.split_vertices(settings.split_bow_ties, settings.cut_non_manifold);
+  return mesh.result();
+}
+
+}  // namespace meander

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Makes of a mesh as artists have it one that passes the strict check: merges, drops, cuts, and leaves
+// out what a mask excludes; and remembers where every vertex and face came from, so that the caller
+// goes on speaking of his own.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh_map.h"
+
+namespace meander {
+
+/// meander_surface_options, checked.
+struct PrepareSettings {
+  double merge_distance = 0;           ///< caller's units; 0: none
+  bool drop_degenerate = false;
+  bool split_bow_ties = false;
+  bool cut_non_manifold = false;
+  std::span<const uint8_t> face_mask;  ///< per face, or empty
+  std::span<const double> vertex_mask; ///< per vertex, or empty
+  double mask_threshold = 0;           ///< what is below it is left out
+
+  bool changes_nothing() const {
+    return merge_distance == 0 && !drop_degenerate && !split_bow_ties && !cut_non_manifold && face_mask.empty() &&
+           vertex_mask.empty();
+  }
+};
+
+/// What was done; see meander_surface_statistics.
+struct PrepareCounts {
+  uint32_t unused_vertices = 0, merged_vertices = 0, dropped_faces = 0, split_vertices = 0, cut_edges = 0,
+           masked_faces = 0, clipped_faces = 0;
+};
+
+struct PreparedMesh {
+  std::vector<double> vertices;  ///< xyz xyz ...; those that faces use
+  std::vector<uint32_t> faces;
+  MeshMap map;
+  PrepareCounts counts;
+};
+
+/// Prepares a mesh whose numbers have been checked (check_numbers), in this order:
+///   faces outside face_mask go; vertices nearer than merge_distance to one with a lower index become
+///   that one; faces without area are dissolved and doubled ones dropped; what lies below the
+///   threshold of vertex_mask is cut away; vertices at which fans of faces meet are split.
+/// The result is as strict a mesh as the settings allow; check_mesh finds what is left. Throws
+/// Failure(FailureKind::kInvalidMesh) when nothing is left.
+PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
+                          const PrepareSettings& settings);
+
+}  // namespace meander

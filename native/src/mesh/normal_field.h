@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Surface normals, smooth enough to render and to follow.
+#pragma once
+
+#include <mutex>
+#include <vector>
+
+#include "mesh/surface.h"
+
+namespace meander {
+
+/// Surface normals for whoever renders or follows the curve; the flow itself needs none.
+///
+/// Vertex normals, weighted by angle and, where faces are much smaller than r, averaged over about
+/// r / 2 so that noise in them does not show, blended over each face.
+class NormalField {
+ public:
+  /// Finds them when they are first asked for, which may be on any thread.
+  NormalField(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
+
+  /// The unit normal at the point of face f with these weights of its corners.
+  Vec3 blended(uint32_t f, double w0, double w1, double w2) const;
+
+ private:
+  void find() const;
+
+  const Surface& surface_;
+  double radius_;
+  mutable std::once_flag found_;
+  mutable std::vector<Vec3> normals_;  // per vertex, unit
+};
+
+}  // namespace meander

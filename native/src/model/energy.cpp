@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace meander {
+namespace {
+
+/// Segments this short (in r) would make 1 / l meaningless; refinement removes them right after.
+constexpr double kShortest = 1e-6;
+
+double segment_length(const Curve& curve, uint32_t i, double r) {
+  return std::max(curve.shapes[i].length, kShortest * r);
+}
+
+/// x^e; for the even whole numbers that presets use without the general function's cost.
+double power(double x, double e) {
+  if (e == 0) return 1;
+  if (e == 2) return x * x;
+  if (e == 4) return (x * x) * (x * x);
+  if (e == 6) return (x * x) * (x * x) * (x * x);
+  return std::pow(x, e);
+}
+
+struct MedialForce {
+  double pull;       // towards +B, over 2 alpha w
+  double stiffness;  // second derivative, over 2 alpha w, of both sides together
+};
+
+/// Derivatives of eq. 13's medial term. Across the strand the second derivative is q - 1 times that
+/// along it; the larger one serves for both, so that the Hessian stays a multiple of the identity.
+MedialForce medial_force(const Radii& radii, double r, double q) {
+  if (q == 2) return {radii[0] - radii[1], 2};
+  const double a = radii[0] / r, b = radii[1] / r;
+  const double a2 = power(a, q - 2), b2 = power(b, q - 2);
+  return {r * (a2 * a - b2 * b), (q - 1) * (a2 + b2)};
+}
+
+/// Nodes or terms that a thread takes at a time.
+constexpr uint32_t kBlock = 2048;
+
+/// Fills the frames of a strand's nodes, carried parallel from (1, 0) on, and the directions of its
+/// segments in them; returns the frame that arrives after the last segment.
+///
+/// Every block begins with (1, 0) too, and is turned by what the blocks before it arrive with.
+Vec2 carry_frames(const Curve& curve, const Strand& strand, ThreadPool& pool, std::vector<Vec2>& frames,
+                  std::vector<Vec2>& directions) {
+  std::vector<Vec2> start(ThreadPool::block_count(strand.count, kBlock) + 1, Vec2{1, 0});
+  pool.for_blocks(strand.count, kBlock, [&](size_t block, size_t begin, size_t end) {
+    Vec2 frame{1, 0};
+    for (size_t k = begin; k < end; ++k) {
+      frames[k] = frame;
+      const auto i = static_cast<uint32_t>(strand.first + k);
+      if (!curve.has_segment(i)) break;
+      const PathShape& shape = curve.shapes[i];
+      directions[k] = shape.leaving * conj(frame);
+      frame = unit(shape.arriving * conj(directions[k]));
+    }
+    start[block + 1] = frame;
+  });
+  for (size_t block = 2; block < start.size(); ++block) start[block] = unit(start[block] * start[block - 1]);
+  pool.for_blocks(strand.count, kBlock, [&](size_t block, size_t begin, size_t end) {
+    if (block == 0) return;
+    for (size_t k = begin; k < end; ++k) {
+      frames[k] = frames[k] * start[block];
+      directions[k] = directions[k] * conj(start[block]);
+    }
+  });
+  return start.back();
+}
+
+/// A medial radius this small (in r) would make powers below 2 infinitely stiff.
+constexpr double kLeastRatio = 1e-3;
+
+/// The second derivative of eq. 13's medial term as it is, over 2 alpha w: `along` the strand, and how
+/// much more across it. Positive for every q above 1.
+struct MedialStiffness {
+  double along, more_across;
+};
+
+MedialStiffness medial_stiffness(const Radii& radii, double r, double q) {
+  double sum = 0;
+  for (const double radius : radii) sum += std::pow(std::max(radius / r, kLeastRatio), q - 2);
+  return {sum, (q - 2) * sum};
+}
+
+/// Factors c of the strand's segments, see energy.h; their mean, weighted with the lengths, is 1.
+std::vector<double> power_factors(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius,
+                                  double p) {
+  std::vector<double> factor(strand.segment_count());
+  double length = 0, sum = 0;
+  for (uint32_t k = 0; k < factor.size(); ++k) {
+    const uint32_t i = strand.first + k;
+    const double l = segment_length(curve, i, local_radius[i]);
+    factor[k] = std::pow(l / local_radius[i], p - 2);
+    length += l;
+    sum += l * factor[k];
+  }
+  for (double& c : factor) c *= length / sum;
+  return factor;
+}
+
+/// N of a segment: |v x (X + X')|^2 = (v . N)^2, with X' of the sign that makes it the nearer to X.
+Vec2 across_field(Vec2 from, Vec2 to) {
+  const Vec2 line = dot(from, to) < 0 ? from - to : from + to;
+  return {line.y, -line.x};
+}
+
+/// Eq. 13's medial term over alpha w; |r+|^2 + |r-|^2 for q = 2.
+double medial_energy(const Radii& radii, double r, double q) {
+  if (q == 2) return radii[0] * radii[0] + radii[1] * radii[1];
+  return 2 / q * r * r * (power(radii[0] / r, q) + power(radii[1] / r, q));
+}
+
+}  // namespace
+
+double power_balance(double q) {
+  // Measured on a square of 17 x 17 spacings with both presets: with alpha left as it is, the spacing
+  // falls by 11 to 16 % for q from 3 to 8.
+  constexpr double kLimit = 0.53, kRate = 1.1;
+  return q == 2 ? 1 : kLimit + (1 - kLimit) * std::exp(-kRate * (q - 2));
+}
+
+double polish_balance(double q) {
+  // Measured likewise: growth with q above 2 leaves the curve 7 to 16 % too dense.
+  return q == 2 ? 0 : 0.5 + 0.05 * q;
+}
+
+void StrandSystem::reset(size_t n, ThreadPool& pool) {
+  for (std::vector<double>* numbers : {&diagonal, &first, &second}) numbers->resize(n);
+  right.resize(n);
+  frame.resize(n);
+  pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
+    for (std::vector<double>* numbers : {&diagonal, &first, &second}) {
+      std::fill(numbers->data() + begin, numbers->data() + end, 0);
+    }
+    std::fill(right.data() + begin, right.data() + end, Vec2{});
+    std::fill(frame.data() + begin, frame.data() + end, Vec2{1, 0});
+  });
+  diagonal_block.clear();
+  first_block.clear();
+  holonomy = {1, 0};
+}
+
+void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
+              const std::vector<double>& local_radius, const Weights& weights, ThreadPool& pool, StrandSystem& system) {
+  const uint32_t n = strand.count, s = strand.first;
+  system.closed = strand.closed;
+  system.reset(n, pool);
+
+  // The frame of node k, and the direction u of segment k in it.
+  std::vector<Vec2> direction(n);
+  const Vec2 frame = carry_frames(curve, strand, pool, system.frame, direction);
+  // After the join the frame has become `frame` where the first node's was (1, 0).
+  system.holonomy = strand.closed ? unit(system.frame[0] * conj(frame)) : Vec2{1, 0};
+
+  // Terms of neighbours a and b = a + step; past the join b's unknown is holonomy * z.
+  const auto couple = [&](uint32_t k, uint32_t steps, double value) {
+    (steps == 1 ? system.first : system.second)[k] += value;
+  };
+  const auto wrapped = [&](uint32_t k) { return k >= n ? k - n : k; };
+  // Adds to the gradient of node k (unwrapped) a vector of the frame that continues past the join.
+  const auto add_gradient = [&](uint32_t k, Vec2 g) {
+    if (k >= n) g = conj(system.holonomy) * g;
+    Vec2& right = system.right[wrapped(k)];
+    right = right - g;
+  };
+
+  // A term adds to its node and to the next two at most. So that no two threads add to one node, the
+  // last two terms of every block follow when all threads are done.
+  const auto for_terms = [&](uint32_t count, const auto& term) {
+    pool.for_blocks(count, kBlock, [&](size_t, size_t begin, size_t end) {
+      for (size_t k = begin; k + 2 < end; ++k) term(static_cast<uint32_t>(k));
+    });
+    for (uint32_t begin = 0; begin < count; begin += kBlock) {
+      const uint32_t end = std::min(begin + kBlock, count);
+      for (uint32_t k = end - std::min(end - begin, 2u); k < end; ++k) term(k);
+    }
+  };
+
+  const bool coupled = weights.coupled();
+  if (coupled) {
+    system.diagonal_block.assign(n, Sym2{});
+    system.first_block.assign(n, Sym2{});
+  }
+  // Adds stiffness (v . (z_k - z_(k+1)))^2 / 2, v in the frame of node k.
+  const auto stiffen_along = [&](uint32_t k, double stiffness, Vec2 v) {
+    system.diagonal_block[k].add(stiffness, v);
+    system.first_block[k].add(-stiffness, v);
+    system.diagonal_block[wrapped(k + 1)].add(stiffness, k + 1 >= n ? conj(system.holonomy) * v : v);
+  };
+
+  const uint32_t segments = strand.segment_count();
+  const double p = weights.length_power;
+  const std::vector<double> factor = p != 2 ? power_factors(curve, strand, local_radius, p) : std::vector<double>{};
+  for_terms(segments, [&](uint32_t k) {
+    const uint32_t i = s + k, j = s + wrapped(k + 1);
+    const double l = segment_length(curve, i, local_radius[i]);
+    const double scale = p != 2 ? factor[k] : 1;
+    const double t = 0.5 * (weights.length[i] + weights.length[j]);
+    const double stiffness = 2 * std::max(t, kLeastLengthStiffness) / l * scale;
+    system.diagonal[k] += stiffness;
+    system.diagonal[wrapped(k + 1)] += stiffness;
+    couple(k, 1, -stiffness);
+    add_gradient(k, -2 * t * scale * direction[k]);
+    add_gradient(k + 1, 2 * t * scale * direction[k]);
+    if (p != 2) stiffen_along(k, (p - 2) * stiffness, direction[k]);
+    if (weights.alignment.empty()) return;
+    const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
+    const Vec2 there = weights.field[j] * conj(system.frame[wrapped(k + 1)]);
+    const Vec2 across = across_field(weights.field[i] * conj(system.frame[k]),
+                                     k + 1 >= n ? system.holonomy * there : there);
+    const double pull = 2 * beta * dot(direction[k], across);
+    stiffen_along(k, 2 * beta / l, across);
+    add_gradient(k, -pull * across);
+    add_gradient(k + 1, pull * across);
+  });
+
+  for_terms(n, [&](uint32_t k) {
+    const uint32_t i = s + k, before = curve.previous(i);
+    const double r = local_radius[i];
+    const double w = 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
+                            (before != kNone ? segment_length(curve, before, r) : 0));
+    const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
+    const Vec2 b = frames.bitangent2[i] * conj(system.frame[k]);
+    const MedialForce f = medial_force(radii[i], r, weights.medial_power);
+    if (weights.medial_blocks) {
+      const MedialStiffness m = medial_stiffness(radii[i], r, weights.medial_power);
+      system.diagonal[k] += 2 * alpha * w * m.along;
+      system.diagonal_block[k].add(2 * alpha * w * m.more_across, b);
+    } else {
+      system.diagonal[k] += 2 * alpha * w * f.stiffness;
+    }
+    add_gradient(k, -2 * alpha * w * f.pull * b);
+  });
+
+  // Bending at the node between segments k and k + 1, nodes k, k + 1, k + 2.
+  for_terms(strand.closed || segments == 0 ? segments : segments - 1, [&](uint32_t k) {
+    const uint32_t middle = wrapped(k + 1);
+    const uint32_t i = s + middle;
+    const double r = local_radius[i];
+    const double l0 = segment_length(curve, s + k, r), l1 = segment_length(curve, i, r);
+    const double stiffness = 2 * weights.bending[i] * r * r / (0.5 * (l0 + l1));
+    if (stiffness == 0) return;
+    const double c[3] = {1 / l0, -(1 / l0 + 1 / l1), 1 / l1};
+    const uint32_t node[3] = {k, k + 1, k + 2};
+    // Past the join the direction is stored in the first node's frame.
+    const Vec2 u1 = k + 1 >= n ? system.holonomy * direction[middle] : direction[middle];
+    const Vec2 turn = u1 - direction[k];
+    for (int a = 0; a < 3; ++a) {
+      add_gradient(node[a], stiffness * c[a] * turn);
+      system.diagonal[wrapped(node[a])] += stiffness * c[a] * c[a];
+    }
+    couple(wrapped(k), 1, stiffness * c[0] * c[1]);
+    couple(middle, 1, stiffness * c[1] * c[2]);
+    couple(wrapped(k), 2, stiffness * c[0] * c[2]);
+  });
+
+  for (uint32_t k = 0; k < n; ++k) {
+    if (!curve.fixed[s + k]) continue;
+    system.diagonal[k] = 1;
+    system.right[k] = Vec2{};
+    system.first[k] = system.second[k] = 0;
+    if (strand.closed || k >= 1) system.first[(k + n - 1) % n] = 0;
+    if (strand.closed || k >= 2) system.second[(k + 2 * n - 2) % n] = 0;
+    if (!coupled) continue;
+    system.diagonal_block[k] = system.first_block[k] = Sym2{};
+    if (strand.closed || k >= 1) system.first_block[(k + n - 1) % n] = Sym2{};
+  }
+}
+
+void add_end_term(const FreeEnd& end, uint32_t node, double local_radius, double medial_weight,
+                  StrandSystem& system) {
+  const double stiffness = 2 * medial_weight * kAlphaRadiusSquared / local_radius;
+  const Vec2 pull = (end.radius - local_radius) * end.ahead;
+  system.diagonal[node] += stiffness;
+  system.right[node] = system.right[node] + stiffness * (pull * conj(system.frame[node]));
+}
+
+double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
+              const Weights& weights, ThreadPool& pool) {
+  double sum = pool.sum(curve.size(), [&](size_t k) {
+    const auto i = static_cast<uint32_t>(k);
+    const uint32_t before = curve.previous(i);
+    const double r = local_radius[i];
+    const double l0 = before != kNone ? curve.shapes[before].length : 0;
+    const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
+    const double w = 0.5 * (l0 + l1);
+    const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
+    double term = weights.length[i] * w + alpha * w * medial_energy(radii[i], r, weights.medial_power);
+    if (l0 > 0 && l1 > 0) {
+      const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
+      term += weights.bending[i] * r * r * dot(turn, turn) / w;
+    }
+    return term;
+  });
+  if (weights.length_power != 2) {
+    const double p = weights.length_power;
+    for (const Strand& strand : curve.strands) {
+      const std::vector<double> factor = power_factors(curve, strand, local_radius, p);
+      for (uint32_t k = 0; k < factor.size(); ++k) {
+        const uint32_t i = strand.first + k;
+        const double t = 0.5 * (weights.length[i] + weights.length[curve.next(i)]);
+        sum += t * (2 / p * factor[k] - 1) * curve.shapes[i].length;  // in place of t l
+      }
+    }
+  }
+  for (uint32_t i = 0; i < curve.size() && !weights.alignment.empty(); ++i) {
+    if (!curve.has_segment(i)) continue;
+    const uint32_t j = curve.next(i);
+    const PathShape& shape = curve.shapes[i];
+    const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
+    // The line at the end, carried back along the segment.
+    const Vec2 there = weights.field[j] * conj(shape.arriving) * shape.leaving;
+    const double across = dot(shape.leaving, across_field(weights.field[i], there));
+    sum += beta * shape.length * across * across;
+  }
+  return sum;
+}
+
+}  // namespace meander

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rooms of native/src: data goes one way, and every room includes only what stands before it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+SOURCES = Path(__file__).resolve().parents[2] / "native" / "src"
+
+# In the order of the data; docs/architecture.md says what each is for.
+ROOMS = ("base", "mesh", "geodesic", "curve", "medial", "model", "flow", "api")
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+# Not a room: the public header and the one that CMake makes belong to the border alone.
+BORDER = {"meander/meander.h": "api", "version.h": "api"}
+
+
+def wrong_includes(sources: Path) -> list[str]:
+    """One line for every include that breaks the rule, naming the file and what it includes."""
+    wrong = []
+    for file in sorted(p for p in sources.rglob("*") if p.suffix in {".h", ".cpp"}):
+        place = file.relative_to(sources)
+        room = place.parts[0]
+        if len(place.parts) != 2 or room not in ROOMS:
+            wrong.append(f"{place} stands in no room")
+            continue
+        for name in INCLUDE.findall(file.read_text(encoding="utf-8")):
+            target = BORDER.get(name, name.split("/")[0])
+            if target not in ROOMS:
+                wrong.append(f"{place} includes {name}, which names no room")
+            elif ROOMS.index(target) > ROOMS.index(room):
+                wrong.append(f"{place} includes {name} from a later room")
+    return wrong
+
+
+def headers_in_a_circle(sources: Path) -> list[str]:
+    """The headers that lead into a circle."""
+    includes = {
+        str(p.relative_to(sources)): set(INCLUDE.findall(p.read_text(encoding="utf-8")))
+        for p in sources.rglob("*.h")
+    }
+    # What includes nothing that is left is in no circle, and neither is what only includes such.
+    while free := {name for name, used in includes.items() if not used & includes.keys()}:
+        includes = {name: used for name, used in includes.items() if name not in free}
+    return sorted(includes)
+
+
+def test_every_room_includes_only_what_stands_before_it():
+    assert wrong_includes(SOURCES) == []
+
+
+def test_no_header_includes_itself_by_others():
+    assert headers_in_a_circle(SOURCES) == []
+
+
+@pytest.mark.parametrize(
+    ("file", "include", "complaint"),
+    [
+        ("base/plane.h", "mesh/surface.h", "later room"),
+        ("medial/gaps.cpp", "flow/flow.h", "later room"),
+        ("flow/job.h", "meander/meander.h", "later room"),
+        ("mesh/fields.cpp", "surface.h", "names no room"),
+        ("stray.h", "base/plane.h", "stands in no room"),
+    ],
+)
+def test_a_wrong_include_is_found(tmp_path, file, include, complaint):
+    path = tmp_path / file
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f'#pragma once\n#include "{include}"\n', encoding="utf-8")
+    (found,) = wrong_includes(tmp_path)
+    assert file in found
+    assert complaint in found
+
+
+def test_a_circle_is_found(tmp_path):
+    (tmp_path / "mesh").mkdir()
+    for name, other in (("a", "b"), ("b", "c"), ("c", "a"), ("d", "a")):
+        (tmp_path / "mesh" / f"{name}.h").write_text(f'#include "mesh/{other}.h"\n', encoding="utf-8")
+    # d leads into the circle.
+    assert headers_in_a_circle(tmp_path) == [f"mesh/{name}.h" for name in "abcd"]

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Free ends of open strands: they keep from what is ahead of them, and fill what is empty there.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "medial/free_ends.h"
+#include "test_seeds.h"
+
+namespace meander::test {
+namespace {
+
+/// How far an end is from everything but the last 4 r of its own strand, in r.
+double room_of_end(const Surface& s, const Curve& c, const Strand& strand, bool last, double r) {
+  const uint32_t end = last ? strand.end() - 1 : strand.first;
+  const Vec3 x = position(s, c.nodes[end]);
+  double along = 0, nearest = std::numeric_limits<double>::infinity();
+  for (uint32_t k = 1; k < strand.count; ++k) {
+    const uint32_t i = last ? end - k : end + k;
+    along += c.shapes[last ? i : i - 1].length;
+    if (along > 4 * r) nearest = std::min(nearest, (position(s, c.nodes[i]) - x).norm());
+  }
+  for (uint32_t i = 0; i < c.size(); ++i) {
+    if (i < strand.first || i >= strand.end()) nearest = std::min(nearest, (position(s, c.nodes[i]) - x).norm());
+  }
+  return nearest / r;
+}
+
+TEST(Ends, KeepFromWhatIsAheadAndFillWhatIsEmpty) {
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(12)));
+  const std::vector<Line> lines{{{{0.2, 0.5, 0}, {0.3, 0.55, 0}}, false, false},
+                                {{{0.7, 0.5, 0}, {0.8, 0.55, 0}}, false, false},
+                                {{{0.5, 0.8, 0}, {0.6, 0.8, 0}, {0.5, 0.7, 0}}, true, false}};
+  Flow flow = flow_on(surface, lines, false, 0.06);
+  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+  const double r = flow.settings().radius;
+  for (size_t s = 0; s < 2; ++s) {
+    for (const bool last : {false, true}) {
+      const double room = room_of_end(*surface, flow.curve(), flow.curve().strands[s], last, r);
+      EXPECT_GT(room, 1.2) << s << last;
+      EXPECT_LT(room, 2.6) << s << last;
+    }
+  }
+  for (const Gap& gap : flow.gaps(1)) EXPECT_LT(gap.size, 1.8);
+}
+
+TEST(Ends, TheBallAheadIsTheLargestThatIsEmpty) {
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(6)));
+  // An end that looks at a wall 0.2 ahead, and one that looks at the boundary 0.3 ahead.
+  const std::vector<Line> lines{{{{0.7, 0.5, 0}, {0.5, 0.5, 0}}, false, false},
+                                {{{0.3, 0.2, 0}, {0.3, 0.8, 0}}, false, true}};
+  Flow flow = flow_on(surface, lines, false, 0.1);
+  Frames frames;
+  ThreadPool pool(1);
+  const Curve& c = flow.curve();
+  const double unit = 1 / surface->scale();
+  const std::vector<double> r(c.size(), 0.05 * unit), most(c.size(), 1 * unit), overhang(c.size(), 0);
+  compute_frames(*surface, c, r, std::vector<double>(surface->vertex_count(), 0.05 * unit), pool, frames);
+  const BoundaryObstacle boundary(*surface, 0.01 * unit);
+  const auto ends =
+      find_free_ends(*surface, c, frames, boundary, BoundaryRule::kCentre, most, overhang, r, pool);
+  ASSERT_EQ(ends.size(), 2u);  // those of the guide are none
+  EXPECT_EQ(ends[0].node, 0u);
+  EXPECT_NEAR(ends[0].radius / unit, 0.3, 1e-6);
+  // Nodes of the wall are up to 2 h apart, so that a ball may bulge between them.
+  EXPECT_NEAR(ends[1].radius / unit, 0.1, 0.002);
+}
+
+TEST(Ends, TheTermAloneMovesAnEndByWhatIsMissing) {
+  StrandSystem system;
+  ThreadPool pool(1);
+  system.reset(3, pool);
+  const Vec2 ahead{0.6, 0.8};
+  system.frame[2] = Vec2{0, 1};
+  add_end_term({7, ahead, 0.5}, 2, 0.2, 1.5, system);
+  const Vec2 z = (1 / system.diagonal[2]) * (system.frame[2] * system.right[2]);
+  EXPECT_NEAR(z.x, 0.3 * ahead.x, 1e-15);
+  EXPECT_NEAR(z.y, 0.3 * ahead.y, 1e-15);
+  EXPECT_NEAR(system.diagonal[2], 2 * 1.5 * kAlphaRadiusSquared / 0.2, 1e-12);
+  EXPECT_EQ(system.diagonal[0], 0);
+}
+
+}  // namespace
+}  // namespace meander::test

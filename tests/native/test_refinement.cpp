@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Splits and collapses keep segments near the target length, and the curve whole.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "curve/refinement.h"
+#include "test_curves.h"
+
+namespace meander::test {
+namespace {
+
+/// Cuts are rounded into the face (clearance and grain), which changes the length by this at each.
+constexpr double kCut = 8 * kClearance;
+
+struct Refined {
+  Curve curve;
+  std::vector<uint32_t> origin;
+};
+
+Refined refine(const Surface& s, const Curve& curve, double h, unsigned threads = 2) {
+  Refined r{curve, {}};
+  ThreadPool pool(threads);
+  Refinement refinement;
+  if (!refinement.refine(s, r.curve, std::vector<double>(curve.size(), h), pool, r.origin)) {
+    r.origin.resize(curve.size());
+    std::iota(r.origin.begin(), r.origin.end(), 0u);
+  }
+  return r;
+}
+
+double longest(const Curve& c) {
+  double l = 0;
+  for (uint32_t i = 0; i < c.size(); ++i) {
+    if (c.has_segment(i)) l = std::max(l, c.shapes[i].length);
+  }
+  return l;
+}
+
+double shortest(const Curve& c) {
+  double l = 1e9;
+  for (uint32_t i = 0; i < c.size(); ++i) {
+    if (c.has_segment(i)) l = std::min(l, c.shapes[i].length);
+  }
+  return l;
+}
+
+/// The new nodes come from the old ones, in order; what was fixed stays to the last bit.
+void expect_origin(const Curve& old, const Refined& r) {
+  ASSERT_EQ(r.origin.size(), r.curve.size());
+  ASSERT_EQ(r.curve.strands.size(), old.strands.size());
+  std::vector<uint8_t> seen(old.size(), 0);
+  for (size_t k = 0; k < old.strands.size(); ++k) {
+    const Strand &a = old.strands[k], &b = r.curve.strands[k];
+    EXPECT_EQ(a.closed, b.closed);
+    uint32_t last = kNone;
+    for (uint32_t i = b.first; i < b.end(); ++i) {
+      const uint32_t o = r.origin[i];
+      ASSERT_GE(o, a.first);
+      ASSERT_LT(o, a.end());
+      if (o == last) {
+        EXPECT_FALSE(r.curve.fixed[i]) << "a new node is free";
+        continue;
+      }
+      ASSERT_TRUE(last == kNone || o > last);
+      last = o;
+      seen[o] = 1;
+      EXPECT_TRUE(same_bytes(r.curve.nodes[i], old.nodes[o]));
+      EXPECT_EQ(r.curve.fixed[i], old.fixed[o]);
+    }
+    EXPECT_EQ(r.origin[b.first], a.first);
+    if (!a.closed) {
+      EXPECT_TRUE(same_bytes(r.curve.nodes[b.end() - 1], old.nodes[a.end() - 1])) << "ends stay";
+    }
+  }
+  for (uint32_t i = 0; i < old.size(); ++i) {
+    if (old.fixed[i]) {
+      EXPECT_TRUE(seen[i]) << "fixed node " << i << " was removed";
+    }
+  }
+}
+
+std::vector<Mesh> meshes() {
+  return {sphere(2),
+          torus(16, 8),
+          cube(),
+          octahedron(),
+          with_noise(sphere(2), 0.3, 19),
+          grid_with_hole(7),
+          cone(12, 3, 1, true),
+          flat_grid(1)};
+}
+
+/// Rings of very unequal segments, and an open strand.
+Curve random_curve(const Surface& s, Rng& rng) {
+  Curve curve;
+  for (int k = 0; k < 40 && curve.strands.size() < 4; ++k) {
+    Curve next = curve;
+    if (!add_ring(s, next, random_point(s, rng), rng.in(0.04, 0.15), 4 + rng.below(60), 0.15, rng))
+      continue;
+    if (exact_crossings(s, next).empty()) curve = next;
+  }
+  for (int k = 0; k < 20; ++k) {
+    Curve next = curve;
+    add_walk(s, next, random_point(s, rng), rng.in(0.005, 0.06), 15, 0.3, rng);
+    if (!exact_crossings(s, next).empty()) continue;
+    curve = next;
+    break;
+  }
+  for (uint8_t& f : curve.fixed) f = rng() < 0.05;
+  return curve;
+}
+
+TEST(Refine, KeepsTheCurveWholeAndItsSegmentsShort) {
+  for (const Mesh& mesh : meshes()) {
+    const Surface s = make_surface(mesh);
+    Rng rng(81);
+    for (int round = 0; round < 12; ++round) {
+      const Curve old = random_curve(s, rng);
+      const double h = rng.in(0.002, 0.06);
+      const Refined r = refine(s, old, h);
+      ASSERT_TRUE(whole(s, r.curve));
+      ASSERT_TRUE(exact_crossings(s, r.curve).empty());
+      expect_origin(old, r);
+      for (uint32_t i = 0; i < r.curve.size(); ++i) {
+        if (!r.curve.has_segment(i)) continue;
+        const double l = r.curve.shapes[i].length;
+        const PathShape shape =
+            measure_path(s, r.curve.nodes[i], r.curve.nodes[r.curve.next(i)], r.curve.paths[i]);
+        EXPECT_NEAR(l, shape.length, kMeasured);
+        if (l <= 2 * h + kCut) continue;
+        // Only a split that made segments cross is left out: then the old segment is still there.
+        const uint32_t o = r.origin[i];
+        EXPECT_EQ(l, old.shapes[o].length);
+      }
+    }
+  }
+}
+
+TEST(Refine, SplittingKeepsLengthAndPlace) {
+  for (const Mesh& mesh : meshes()) {
+    const Surface s = make_surface(mesh);
+    Rng rng(82);
+    for (int round = 0; round < 8; ++round) {
+      const Curve old = random_curve(s, rng);
+      const double h = 0.99 * std::min(shortest(old), longest(old) / 3);  // nothing is short
+      const Refined r = refine(s, old, h);
+      EXPECT_GT(r.curve.size(), old.size());
+      EXPECT_LE(longest(r.curve), 2 * h + kCut);
+      EXPECT_GE(shortest(r.curve), h - kCut) << "a split makes no segment that should collapse";
+      EXPECT_NEAR(r.curve.length(), old.length(), kCut * r.curve.size());
+      // No old node is gone, and a second time there is nothing to do.
+      size_t kept = 0;
+      for (uint32_t i = 0; i < r.curve.size(); ++i)
+        kept += i == 0 || r.origin[i] != r.origin[i - 1];
+      EXPECT_EQ(kept, old.size());
+      const Refined again = refine(s, r.curve, h);
+      EXPECT_EQ(again.curve.size(), r.curve.size());
+    }
+  }
+}
+
+/// One pass removes every other node at most; passes end, and none splits what an earlier one
+/// joined.
+TEST(Refine, RepeatedComesToRest) {
+  for (const Mesh& mesh : meshes()) {
+    const Surface s = make_surface(mesh);
+    Rng rng(83);
+    for (int round = 0; round < 8; ++round) {
+      Refined r{random_curve(s, rng), {}};
+      const double h = rng.in(0.002, 0.06);
+      r = refine(s, r.curve, h);
+      bool rest = false;
+      for (uint32_t pass = 0; pass < 40 && !rest; ++pass) {
+        const Refined next = refine(s, r.curve, h);
+        ASSERT_LE(next.curve.size(), r.curve.size());
+        ASSERT_TRUE(exact_crossings(s, next.curve).empty());
+        for (uint32_t i = 1; i < next.curve.size(); ++i)
+          ASSERT_NE(next.origin[i], next.origin[i - 1]) << "a split";
+        rest = next.curve.size() == r.curve.size();
+        r = next;
+      }
+      EXPECT_TRUE(rest);
+      // What could still be joined is what would cross something.
+      for (const Strand& strand : r.curve.strands) {
+        for (uint32_t i = strand.first; i + 2 < strand.end() && strand.count > 3; ++i) {
+          const double l = r.curve.shapes[i].length, l2 = r.curve.shapes[i + 1].length;
+          if (r.curve.fixed[i + 1] || std::min(l, l2) >= h || l + l2 > 2 * h) continue;
+          Curve joined = r.curve;
+          joined.nodes.erase(joined.nodes.begin() + i + 1);
+          Path path = joined.paths[i];
+          path.insert(path.end(), joined.paths[i + 1].begin(), joined.paths[i + 1].end());
+          PathShortener(s).shorten(r.curve.nodes[i], r.curve.nodes[i + 2], path);
+          joined.paths[i] = path;
+          joined.paths.erase(joined.paths.begin() + i + 1);
+          for (Strand& other : joined.strands) {
+            if (other.first == strand.first) --other.count;
+            if (other.first > strand.first) --other.first;
+          }
+          joined.link();
+          EXPECT_FALSE(exact_crossings(s, joined).empty()) << "nodes " << i << " to " << i + 2;
+        }
+      }
+    }
+  }
+}
+
+/// What the rule says, node after node, where nothing would cross: the origins of the new nodes.
+std::vector<uint32_t> one_after_another(const Curve& curve, double h) {
+  std::vector<uint32_t> origin;
+  for (const Strand& strand : curve.strands) {
+    uint32_t left = strand.count;
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      origin.push_back(i);
+      if (!curve.has_segment(i)) continue;
+      const uint32_t j = i + 1;
+      const double l = curve.shapes[i].length;
+      if (j < strand.end() && curve.has_segment(j) && !curve.fixed[j] && left > (strand.closed ? 3u : 2u)) {
+        const double l2 = curve.shapes[j].length;
+        if (std::min(l, l2) < h && l + l2 <= 2 * h) {
+          --left;
+          ++i;  // goes
+          continue;
+        }
+      }
+      if (l <= 2 * h) continue;
+      const int parts = std::max(2, static_cast<int>(std::round(l / (1.5 * h))));
+      for (int p = 1; p < parts; ++p) origin.push_back(i);
+    }
+  }
+  return origin;
+}
+
+TEST(Refine, ManyNodesAreRefinedAsOneAfterAnother) {
+  const Surface s = make_surface(flat_grid(8));  // flat, where rays never meet
+  Rng rng(85);
+  for (int round = 0; round < 4; ++round) {
+    Curve old;
+    const SurfacePoint centre{static_cast<uint32_t>(s.face_count()) / 2 + 8, {0.3, 0.3}};  // in the middle
+    for (const double radius : {0.1, 0.15, 0.2}) {  // rings of neighbours at unequal distances
+      ASSERT_TRUE(add_ring(s, old, centre, radius, 3000 + rng.below(3000), 0.002, rng));
+    }
+    ASSERT_TRUE(exact_crossings(s, old).empty());
+    const double h = rng.in(0.5, 1.5) * old.length() / old.size();
+    const std::vector<uint32_t> expected = one_after_another(old, h);
+    const Refined r = refine(s, old, h, 1);
+    ASSERT_TRUE(whole(s, r.curve));
+    EXPECT_EQ(r.origin, expected);
+    EXPECT_NE(r.origin.size(), old.size());
+    for (const unsigned threads : {2u, 16u}) {
+      const Refined other = refine(s, old, h, threads);
+      ASSERT_EQ(other.origin, r.origin);
+      for (uint32_t i = 0; i < r.curve.size(); ++i) {
+        EXPECT_TRUE(same_bytes(other.curve.nodes[i], r.curve.nodes[i]));
+        EXPECT_EQ(other.curve.shapes[i].length, r.curve.shapes[i].length);
+      }
+    }
+  }
+}
+
+TEST(Refine, KeepsTheLeastNumberOfNodes) {
+  const Surface s = make_surface(sphere(2));
+  Rng rng(84);
+  Curve curve;
+  ASSERT_TRUE(add_ring(s, curve, random_point(s, rng), 0.02, 20, 0, rng));
+  add_walk(s, curve, random_point(s, rng), 0.001, 20, 0.1, rng);
+  ASSERT_TRUE(exact_crossings(s, curve).empty());
+  Refined r{curve, {}};
+  for (int pass = 0; pass < 12; ++pass) r = refine(s, r.curve, 0.9);
+  ASSERT_TRUE(whole(s, r.curve));
+  EXPECT_EQ(r.curve.strands[0].count, 3u);
+  EXPECT_EQ(r.curve.strands[1].count, 2u);
+}
+
+}  // namespace
+}  // namespace meander::test

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pool of threads: every block once, the same blocks for any pool, exceptions passed on,
+// nothing left waiting behind a thread that is held up.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "base/thread_pool.h"
+
+namespace meander::test {
+namespace {
+
+class TeamOf : public testing::TestWithParam<unsigned> {};
+
+TEST_P(TeamOf, RunsEveryBlockOnceWithTheSameBounds) {
+  ThreadPool pool(GetParam());
+  for (const size_t count : {size_t{0}, size_t{1}, size_t{7}, size_t{8}, size_t{9}, size_t{1000}}) {
+    for (const size_t grain : {size_t{1}, size_t{8}, size_t{2000}}) {
+      const size_t blocks = ThreadPool::block_count(count, grain);
+      std::vector<std::atomic<int>> calls(blocks), visits(count);
+      std::vector<std::pair<size_t, size_t>> bounds(blocks);
+      pool.for_blocks(count, grain, [&](size_t block, size_t begin, size_t end) {
+        ASSERT_LT(block, blocks);
+        ++calls[block];
+        bounds[block] = {begin, end};
+        for (size_t i = begin; i < end; ++i) ++visits[i];
+      });
+      for (size_t b = 0; b < blocks; ++b) {
+        EXPECT_EQ(calls[b], 1);
+        EXPECT_EQ(bounds[b].first, b * grain);
+        EXPECT_EQ(bounds[b].second, std::min(count, (b + 1) * grain));
+      }
+      for (const auto& v : visits) EXPECT_EQ(v, 1);
+    }
+  }
+}
+
+TEST_P(TeamOf, ThrowsWhatABodyThrewAndWorksAfterwards) {
+  ThreadPool pool(GetParam());
+  for (int round = 0; round < 20; ++round) {
+    const auto body = [](size_t block, size_t, size_t) {
+      if (block % 5 == 3) throw std::runtime_error("from a body");
+    };
+    EXPECT_THROW(pool.for_blocks(100, 3, body), std::runtime_error);
+    std::atomic<size_t> sum{0};
+    pool.for_blocks(100, 3, [&](size_t, size_t begin, size_t end) { sum += end - begin; });
+    EXPECT_EQ(sum, 100u);
+  }
+}
+
+/// Every one of so many loops visits every index once; `between` is called with the number of each.
+template <class Between>
+void expect_rounds(unsigned threads, int rounds, const Between& between) {
+  ThreadPool pool(threads);
+  std::vector<int> values(64, 0);
+  for (int round = 0; round < rounds; ++round) {
+    pool.for_blocks(values.size(), 4, [&](size_t, size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) ++values[i];
+    });
+    between(round);
+  }
+  for (const int v : values) EXPECT_EQ(v, rounds);
+}
+
+TEST_P(TeamOf, MakesManyShortRounds) {
+  expect_rounds(GetParam(), 2000, [](int) {});
+}
+
+TEST_P(TeamOf, WakesUpAfterAPause) {
+  expect_rounds(GetParam(), 50, [](int round) {
+    std::this_thread::sleep_for(std::chrono::microseconds(40 * (round % 8)));  // some fall asleep meanwhile
+  });
+}
+
+TEST_P(TeamOf, AddsUpTheSameNumberOnAnyThreads) {
+  ThreadPool pool(GetParam()), alone(1);
+  for (const size_t count : {size_t{0}, size_t{3}, size_t{100'000}}) {
+    const auto term = [](size_t i) { return 1 / (1.0 + static_cast<double>(i)); };
+    long double exact = 0;
+    for (size_t i = 0; i < count; ++i) exact += 1 / (1.0L + static_cast<long double>(i));
+    EXPECT_EQ(pool.sum(count, term), alone.sum(count, term));
+    EXPECT_NEAR(pool.sum(count, term), static_cast<double>(exact), 1e-12);
+  }
+}
+
+TEST_P(TeamOf, TakesTheBlocksOfAThreadThatIsHeldUp) {
+  constexpr size_t kBlocks = 12;
+  ThreadPool pool(GetParam());
+  if (pool.size() == 1) return;  // nobody else is there
+  for (size_t held = 0; held < kBlocks; ++held) {
+    std::atomic<size_t> others = 0;
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    pool.for_blocks(kBlocks, 1, [&](size_t block, size_t, size_t) {
+      if (block != held) {
+        ++others;
+        return;
+      }
+      while (others < kBlocks - 1 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+      EXPECT_EQ(others, kBlocks - 1);
+    });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, TeamOf, testing::Values(1u, 2u, 3u, 16u));
+
+TEST(ThreadPool, CountsTheCaller) {
+  EXPECT_EQ(ThreadPool(1).size(), 1u);
+  EXPECT_EQ(ThreadPool(3).size(), 3u);
+  EXPECT_GE(ThreadPool(0).size(), 1u);
+}
+
+}  // namespace
+}  // namespace meander::test
