@@ -155,9 +155,53 @@ struct Farthest {
   double distance = 0;
 };
 
+/// Tells for many points whether they are farther from a curve than a bound: most are not, and the
+/// piece that shows it for one point mostly shows it for the next. In plain numbers, since a
+/// sanitized build checks every access to a vector of Eigen's.
+class FartherThan {
+ public:
+  explicit FartherThan(const std::vector<Vec3>& pieces) {
+    for (size_t k = 0; k < pieces.size(); k += 2) {
+      const Vec3 d = pieces[k + 1] - pieces[k];
+      const double dd = d.squaredNorm();
+      pieces_.push_back({{pieces[k].x(), pieces[k].y(), pieces[k].z()},
+                         {d.x(), d.y(), d.z()},
+                         dd > 0 ? 1 / dd : 0});
+    }
+  }
+
+  bool operator()(const Vec3& p, double bound) {
+    const double at[3] = {p.x(), p.y(), p.z()};
+    if (is_within(pieces_[last_], at, bound * bound)) return false;
+    for (size_t k = 0; k < pieces_.size(); ++k) {
+      if (!is_within(pieces_[k], at, bound * bound)) continue;
+      last_ = k;
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  struct Piece {
+    double begin[3], direction[3], inverse;  // of the squared length; 0 for a point
+  };
+
+  static bool is_within(const Piece& piece, const double at[3], double square) {
+    const double x = at[0] - piece.begin[0], y = at[1] - piece.begin[1], z = at[2] - piece.begin[2];
+    const double *d = piece.direction, along = (x * d[0] + y * d[1] + z * d[2]) * piece.inverse;
+    const double t = along < 0 ? 0 : along > 1 ? 1 : along;
+    const double a = x - t * d[0], b = y - t * d[1], c = z - t * d[2];
+    return a * a + b * b + c * c <= square;
+  }
+
+  std::vector<Piece> pieces_;
+  size_t last_ = 0;
+};
+
 /// The sample of the surface that is farthest from the curve.
 Farthest brute_force(const Mesh& mesh, const std::vector<Vec3>& pieces, double spacing) {
   Farthest best;
+  FartherThan is_farther(pieces);
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
     const Vec3 a = mesh.at(mesh.faces[3 * f]), b = mesh.at(mesh.faces[3 * f + 1]),
                c = mesh.at(mesh.faces[3 * f + 2]);
@@ -165,13 +209,12 @@ Farthest brute_force(const Mesh& mesh, const std::vector<Vec3>& pieces, double s
     // Everything in the face is nearer than this, so most faces need no samples.
     const Vec3 middle = (a + b + c) / 3;
     const double reach = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
-    if (distance(middle, pieces) + reach <= best.distance) continue;
+    if (best.distance > reach && !is_farther(middle, best.distance - reach)) continue;
     const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
     for (int i = 0; i <= n; ++i) {
       for (int j = 0; i + j <= n; ++j) {
         const Vec3 p = a + (b - a) * (double(i) / n) + (c - a) * (double(j) / n);
-        const double d = distance(p, pieces);
-        if (d > best.distance) best = {p, d};
+        if (is_farther(p, best.distance)) best = {p, distance(p, pieces)};
       }
     }
   }
