@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The add-on's zip: sources, library and licences in one folder, byte for byte the same for the
-# same contents.
+# The add-on's zip: sources, library and licences in one folder; the same contents give the same
+# bytes.
 
 set(addon_zip "${PROJECT_BINARY_DIR}/meander-${PROJECT_VERSION}.zip")
 
-# Always run: it takes a blink, and a glob of the add-on's files as dependencies would go stale.
+# Always run: it is quick, and a glob of the add-on's files as dependencies would go stale.
 add_custom_target(addon
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/make_addon_zip.py"
           --addon "${PROJECT_SOURCE_DIR}/addon/meander"

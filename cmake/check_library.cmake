@@ -3,8 +3,8 @@
 # cmake -DLIBRARY=... -DHEADER=... -DNM=nm -DREADELF=readelf [-DSANITIZED=ON] -P check_library.cmake
 #
 # Fails unless the shared library exports exactly the functions that the header declares, needs no
-# libraries but those of the compiler and the system (a sanitized one that of the sanitizers as well), and
-# has no search path for them.
+# libraries but those of the compiler and the system (a sanitized one also that of the sanitizers),
+# and has no search path for them.
 
 file(READ "${HEADER}" header)
 string(REGEX MATCHALL "MEANDER_API [^;(]*(meander_[a-z_]+)\\(" declarations "${header}")

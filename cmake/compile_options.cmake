@@ -8,11 +8,12 @@ add_library(meander_compile_options INTERFACE)
 target_compile_options(meander_compile_options INTERFACE
   -Wall -Wextra -Wshadow
   $<$<COMPILE_LANGUAGE:CXX>:-Wconversion>
-  # Neither errno nor trapping is read anywhere, and both keep sqrt and comparisons from being
-  # plain instructions. -ffast-math is out of the question: crossing tests rely on exact signs.
+  # No code reads errno or traps floating-point exceptions, and support for them keeps sqrt and
+  # comparisons from being plain instructions. -ffast-math is out of the question: crossing tests
+  # rely on exact signs.
   -fno-math-errno -fno-trapping-math
-  # A fused multiply-add rounds once instead of twice: the same source would give other curves on a
-  # processor that has it. For the same reason there is no -march=native.
+  # A fused multiply-add rounds once instead of twice: the same source would give different curves
+  # on a processor that has it. For the same reason there is no -march=native.
   -ffp-contract=off)
 
 if(MEANDER_WERROR)
@@ -22,7 +23,7 @@ endif()
 if(MEANDER_SANITIZE)
   target_compile_options(meander_compile_options INTERFACE
     -fsanitize=${MEANDER_SANITIZE} -fno-omit-frame-pointer -g)
-  # Without recovery the first undefined behaviour fails the test instead of scrolling by.
+  # Without recovery the first undefined behaviour fails the test instead of only printing a line.
   if(MEANDER_SANITIZE MATCHES "undefined")
     target_compile_options(meander_compile_options INTERFACE -fno-sanitize-recover=undefined)
   endif()

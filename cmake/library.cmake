@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The native library, once as meander_core for the tests and once as meander for everybody else.
+# The native library: meander_core, a static one for the tests, and meander, the shared one.
 
 set(generated_dir "${PROJECT_BINARY_DIR}/generated")
 configure_file(cmake/version.h.in "${generated_dir}/version.h" @ONLY)
@@ -23,7 +23,7 @@ target_link_libraries(meander_core
   PUBLIC Eigen3::Eigen nanoflann::nanoflann Threads::Threads meander_compile_options)
 
 # The version is part of the file name: a process that has loaded a library keeps it when another
-# one takes its path, so an add-on updated in a running Blender needs a name of its own.
+# takes its path, so the library of an add-on updated in a running Blender needs a name of its own.
 add_library(meander SHARED $<TARGET_OBJECTS:meander_core>)
 set_target_properties(meander PROPERTIES
   OUTPUT_NAME "meander-${PROJECT_VERSION}"
@@ -35,12 +35,12 @@ target_link_libraries(meander PRIVATE Threads::Threads meander_compile_options)
 target_link_options(meander PRIVATE
   "LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map"
   "LINKER:--as-needed")
-# A sanitized library finds its runtime only in the program that loads it.
+# A sanitized library finds its run-time symbols only in the program that loads it.
 if(NOT MEANDER_SANITIZE)
   target_link_options(meander PRIVATE "LINKER:--no-undefined")
 endif()
 
-# A source checkout works as an add-on once it has been built. Looked at in every build, so that a
+# A source checkout works as an add-on once it has been built. Checked in every build, so that a
 # deleted copy comes back.
 if(MEANDER_STAGE)
   add_custom_target(stage ALL

@@ -2,8 +2,9 @@
 #
 # cmake "-DFILES=a;b" -DFOLDER=... -DVERSION=... -P stage.cmake
 #
-# Puts the files into the folder and takes libraries of other versions out of it. Every file is
-# written aside and renamed: a Blender that has the old one loaded keeps it whole.
+# Copies the files into the folder and removes libraries of other versions from it. Every file is
+# written under a temporary name and renamed, so that a Blender that has the old one loaded keeps
+# it whole.
 
 file(MAKE_DIRECTORY "${FOLDER}")
 set(names "")

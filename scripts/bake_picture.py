@@ -3,8 +3,8 @@
 
     blender --background --factory-startup --python-exit-code 1 --python scripts/bake_picture.py -- PICTURE.png
 
-Fills a tube, bakes its curve while an armature bends it, saves the scene, and lets a Blender that
-knows nothing of the add-on render three frames, which stand side by side in the picture.
+Fills a tube, bakes its curve while an armature bends it, saves the scene, and lets a Blender
+without the add-on render three frames, which the picture shows side by side.
 """  # noqa: E501
 
 import math
@@ -112,7 +112,7 @@ def bake(path: Path) -> None:
 
 
 def render(path: Path, folder: Path) -> None:
-    """Three frames, by a Blender of its own."""
+    """Three frames, rendered by a separate Blender."""
     command = [bpy.app.binary_path, "-b", "--factory-startup", str(path)]
     command += ["-o", str(folder / "frame_####"), "-F", "PNG"]
     command += ["-f", ",".join(map(str, SHOWN))]
@@ -131,7 +131,7 @@ def join(folder: Path, picture: Path) -> None:
 
 
 def write_png(path: Path, pixels: np.ndarray) -> None:
-    """With a palette of 256 colours at most, which halves the file and more."""
+    """With a palette of at most 256 colours, which makes the file less than half as large."""
     for step in range(1, 64):
         reduced = np.minimum(pixels // step * step + step // 2, 255)
         reduced[pixels > 250] = 255
@@ -139,7 +139,7 @@ def write_png(path: Path, pixels: np.ndarray) -> None:
         if len(colours) <= 256:
             break
     height, width = pixels.shape[:2]
-    rows = np.zeros((height, width + 1), dtype=np.uint8)  # each begins with its filter: none
+    rows = np.zeros((height, width + 1), dtype=np.uint8)  # each row begins with its filter: none
     rows[:, 1:] = index.reshape(height, width)
 
     def chunk(kind: bytes, data: bytes) -> bytes:

@@ -100,7 +100,7 @@ def compare(case: tuple[str, str, str, str], runs: dict[str, list[dict]], by: st
         row["ratio"] = row["old"][by] / row["new"][by]
         row["iteration_ratio"] = row["old"]["iteration_cpu_seconds"] / row["new"][
             "iteration_cpu_seconds"]
-        # Each new run against the old run just before it: a neighbour's load hits both alike.
+        # Each new run against the old run just before it: load from other programs hits both alike.
         row["all_ratios"] = [o[by] / n[by] for o, n in zip(runs["old"], runs["new"])]
         row["same_bytes"] = row["old"]["fingerprints"] == row["new"]["fingerprints"]
     if name in AUTHORS_SECONDS and group in ("models", "threads"):

@@ -8,32 +8,33 @@
 
 Prints JSON objects, one a line. All of them have `width` and `height` of the window, `view_width`
 and `view_height` of the 3D view, `sidebar`, `renderer` and `threads` of the solver. Seconds are
-those of a processor where the key has `cpu` in it, of the clock elsewhere.
+processor time where the key has `cpu` in it, and clock time elsewhere.
 
-    bare      redraws of the 3D view for a second that Blender reaches in this window while nothing
-              of ours is there and nothing else is done, and seconds of all processors for each;
+    bare      redraws of the 3D view a second that Blender reaches in this window with nothing of
+              ours in it and nothing else to do, and seconds of all processors for each redraw;
               `main_cpu`, those of Blender's own thread. `smooth` with Blender's smoothing of edges,
               `plain` without
-    picture   what one picture of a curve that has changed takes, in seconds of all processors:
+    picture   what one picture of a changed curve takes, in seconds of all processors:
               `bare_cpu`, a redraw without the curve; `still_cpu`, with the curve, unchanged, on
               top of it; `copy_cpu`, from the arrays of the solver to those of the view;
-              `evaluate_cpu`, Blender's evaluation of the scene; `batch_cpu`, what drawing a changed
-              curve takes more than drawing an unchanged one. `our_cpu` is all but the bare redraw
+              `evaluate_cpu`, Blender's evaluation of the scene; `batch_cpu`, by how much drawing a
+              changed curve takes longer than drawing an unchanged one. `our_cpu` is all but the
+              bare redraw
     watched   medians of the same run in one go and in the modal operator: `solver_speed`, ratio of
               the seconds of the iterations alone; `speed`, ratio of the seconds until the window
               knows of the end (1: showing costs nothing); `finishing`, seconds from there to the
               finished result; `cpu_alone` and `cpu_watched`, seconds of all processors until the
               end is known; `main_cpu_share`, of Blender's own thread in each second of the run, and
               `tick_cpu_share` of it in the operator; redraws of the 3D view, of the sidebar beside
-              it, and copies of the curve shown, for a second; `all_others`, how many processors
-              other programs kept busy in each pair of runs (Linux): where they did, seconds by the
-              clock and their ratios say little
+              it, and copies of the curve shown, per second; `all_others`, how many processors other
+              programs kept busy in each pair of runs (Linux): where they did, clock times and
+              their ratios say little
     write     seconds to write a curve of 200,000 points into a curve object
 
-Where there is no graphics card set LIBGL_ALWAYS_SOFTWARE=1; the drawing then takes processors away
+Where there is no graphics card, set LIBGL_ALWAYS_SOFTWARE=1; the drawing then takes processors away
 from the solver, which a card would not. With GALLIUM_NOOP=1 as well, Mesa's driver takes every
-command and draws nothing: the window stays black, and what is left is what Blender and the add-on
-do on a processor before a card begins. Such rows have the renderer NOOP.
+command and draws nothing: the window stays black, and what remains is the work that Blender and
+the add-on do on a processor before a card begins. Such rows have the renderer NOOP.
 """
 
 from __future__ import annotations
@@ -60,7 +61,7 @@ import meander  # noqa: E402
 from meander import blender_data, core, session  # noqa: E402
 from meander.growing_curve import GrowingCurve  # noqa: E402
 
-# This spacing takes about so many nodes; converges before the limit.
+# The spacing that takes about this many nodes; the run converges before the limit.
 SPACING, NODES, ITERATIONS = 0.04, 50_000, 400
 POINTS, STRANDS = 200_000, 20
 
@@ -79,7 +80,7 @@ class Tally:
 
 
 def busy_seconds() -> float:
-    """Of all processors and all programs since the machine started; 0 where that is not told."""
+    """Of all processors and all programs since the machine started; 0 where that is unknown."""
     try:
         with open("/proc/stat") as file:
             user, nice, system = (int(ticks) for ticks in file.readline().split()[1:4])
@@ -95,12 +96,12 @@ class Moment:
         self.busy = busy_seconds()
 
     def others_since(self, earlier: Moment) -> float:
-        """How many processors other programs kept busy: above 0 the clock says little."""
+        """How many processors other programs kept busy: above 0, clock times say little."""
         others = self.busy - earlier.busy - (self.cpu - earlier.cpu)
         return max(0.0, others / (self.clock - earlier.clock))
 
     def since(self, earlier: Moment) -> tuple[float, float, float]:
-        """Seconds by the clock, of all processors, and of this thread."""
+        """Seconds of the clock, of all processors, and of this thread."""
         return (
             self.clock - earlier.clock,
             self.cpu - earlier.cpu,
@@ -186,9 +187,9 @@ def say(row: str, **figures: Any) -> None:
 
 
 def redraw() -> None:
-    """Draws the view and puts the window together, at once."""
+    """Draws the view and composes the window, at once."""
     view_override()["region"].tag_redraw()
-    # The timer warns of what it has measured, a line for each redraw.
+    # The timer prints what it has measured as warnings, one line for each redraw.
     sys.stdout.flush()
     kept = os.dup(1)
     try:
@@ -201,7 +202,7 @@ def redraw() -> None:
 
 
 def repeated(work: Callable[[], None]) -> tuple[float, float, float]:
-    """Seconds by the clock, of all processors and of this thread; means of calls for a second."""
+    """Seconds of the clock, of all processors and of this thread; means of calls in one second."""
     work()  # the first drawing compiles its programs
     begin = now = Moment()
     calls = 0
@@ -227,7 +228,7 @@ def bare_figures() -> dict[str, float]:
 
 
 def bare() -> None:
-    """Redraws while nothing but Blender's own is drawn."""
+    """Redraws of nothing but Blender's own interface."""
     system = bpy.context.preferences.system
     before = system.viewport_aa
     smooth = bare_figures()
@@ -238,7 +239,7 @@ def bare() -> None:
 
 
 def picture(surface: bpy.types.Object, polylines: core.Polylines) -> None:
-    """What a picture of these polylines takes, without smoothing, by parts."""
+    """What a picture of these polylines takes, without smoothing, part by part."""
     system = bpy.context.preferences.system
     before = system.viewport_aa
     system.viewport_aa = "OFF"

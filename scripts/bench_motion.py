@@ -5,9 +5,9 @@
         --python scripts/bench_motion.py -- [--spacing S] [--steps N] [--threads T]
 
 Prints a JSON object for Blender's own evaluation, the frame set and nothing following, and for both
-ways to follow: medians over the frames of seconds by the clock and of seconds of all processors,
-and the frames a second that the clock came to; `least_seconds` is the best frame, which tells most
-on a machine that has other things to do.
+kinds of motion: medians over the frames of clock seconds and of seconds of all processors, and the
+frames a second by the clock; `least_seconds` is the best frame, which tells most on a machine that
+is busy with other things.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def main(given: argparse.Namespace) -> None:
     curve = result.data
     for motion in (None, "STICK", "EVEN"):
         bpy.context.scene.frame_set(1)
-        result.data = curve.copy()  # as it was made, in the first frame
+        result.data = curve.copy()  # as it was in the first frame
         if motion is not None:
             result.meander.motion = motion
             result.meander.follow = True

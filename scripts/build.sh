@@ -3,9 +3,9 @@
 #
 # build.sh [TARGET]...
 #
-# Builds into build/: the targets, or without any everything: the library, the native tests, the
+# Builds into build/ the given targets, or else everything: the library, the native tests, the
 # benchmark, and the add-on's zip build/meander-VERSION.zip. The packages of install_dependencies.sh
-# must be there. Options of the build are remembered in build/: docs/building.md.
+# must be installed. Options of the build are remembered in build/: docs/building.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -13,7 +13,7 @@ targets=("$@")
 [ ${#targets[@]} -gt 0 ] || targets=(all addon)
 
 mkdir -p build
-# Debian's Python by its full path: another one may come first on the PATH.
+# Debian's Python by its full path: another Python may come first on the PATH.
 if ! cmake -S . -B build -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 >build/configure.log 2>&1
 then
   cat build/configure.log >&2

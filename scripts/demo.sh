@@ -36,7 +36,7 @@ blender_script() {
 zip=$(ls -t build/meander-*.zip | head -n 1)
 blender_script "Installing the add-on" scripts/install_addon.py "$zip"
 blender_script "Setting the scene" scripts/demo_scene.py "$demo/scene.blend"
-# From the profile, as a user has it: nothing of the checkout's add-on is used.
+# From the profile, as a user runs it: nothing of the checkout's add-on is used.
 blender_script "Filling Suzanne" "$BLENDER_USER_SCRIPTS/addons/meander/batch.py" \
   --input "$demo/scene.blend" --object Suzanne --seed-object Seed --density-group Fine \
   --spacing 0.055 --output "$demo/suzanne.blend" --report "$demo/suzanne.json"

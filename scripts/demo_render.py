@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script, last act of the demo: light, camera, materials, and the picture.
+"""Blender script, last part of the demo: light, camera, materials, and the picture.
 
     blender --background --python scripts/demo_render.py -- SCENE.blend PICTURE.png
 
-Saves the scene as it was rendered, so that opening it shows the picture's view.
+Saves the scene as rendered, so that opening it shows the picture's view.
 """
 
 import sys
@@ -16,8 +16,8 @@ SURFACE = "Suzanne"
 SEED = "Seed"
 RESULT = "Suzanne Meander"
 DENSITY_GROUP = "Fine"
-# Radius of the tube in scene units where the weight is 0, and what it is multiplied by at weight 1:
-# a fifth of the spacing, and as the spacing.
+# Radius of the tube in scene units where the weight is 0, and its factor at weight 1: a fifth of
+# the spacing, and the same factor as the spacing.
 TUBE_RADIUS = 0.0105
 FACTOR_AT_WEIGHT_1 = 0.5
 PICTURE_SIZE = (1000, 800)

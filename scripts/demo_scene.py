@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script, first act of the demo: Suzanne, a seed drawn on her, and a painted vertex group.
+"""Blender script, first part of the demo: Suzanne, a seed drawn on her, and a painted vertex group.
 
     blender --background --factory-startup --python scripts/demo_scene.py -- SCENE.blend
 
-Leaves a scene such as a user would make by hand: nothing in it knows of Meander.
+Leaves a scene as a user would make it by hand: nothing in it refers to Meander.
 """
 
 import math
@@ -17,15 +17,15 @@ SURFACE = "Suzanne"
 SEED = "Seed"
 DENSITY_GROUP = "Fine"
 
-# Eyes and muzzle, where the curve shall be finer: centre, radius of full weight, radius of none.
+# Eyes and muzzle, where the curve is to be finer: centre, radius of full weight, radius of none.
 FINE_REGIONS = [
     (Vector((0.35, -0.75, 0.24)), 0.30, 0.60),
     (Vector((-0.35, -0.75, 0.24)), 0.30, 0.60),
     (Vector((0.0, -0.80, -0.45)), 0.30, 0.75),
 ]
 
-# Loops of the seed, looked at from the front: centre in x and z, radius. One for each of her three
-# pieces, head and eyes, since a curve cannot leave the piece it starts on.
+# Loops of the seed, seen from the front: centre in x and z, radius. One for each of her three
+# parts, head and eyes, since a curve cannot leave the part it starts on.
 SEED_LOOPS = [
     (Vector((0.0, 0.0, 0.62)), 0.16),
     (Vector((0.35, 0.0, 0.24)), 0.09),

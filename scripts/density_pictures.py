@@ -4,7 +4,7 @@
     blender --background --python-exit-code 1 --python scripts/density_pictures.py -- [FOLDER]
 
 FOLDER is docs/images by default. Workbench renders them, which needs an EGL driver but no display.
-The ones in the folder have been reduced to 32 greys since.
+Those in the folder have since been reduced to 32 greys.
 
 """
 
@@ -47,7 +47,7 @@ def ramp_sheet() -> bpy.types.Object:
 
 
 def shaped_sheet() -> bpy.types.Object:
-    """The same with a ramp that has its least factor a third of the way, and another at the end."""
+    """The same with a ramp that is least a third of the way along, and low again at the end."""
     sheet = ramp_sheet()
     sheet.meander.density_interpolation = "FREE"
     sheet.meander.density_ramp = blender_ramp.ramp_of(

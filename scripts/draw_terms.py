@@ -3,7 +3,7 @@
 
     python3 scripts/draw_terms.py docs/images
 
-Needs numpy and the built library, no Blender. One PNG a term, and one row of figures on stdout.
+Needs numpy and the built library, no Blender. Writes one PNG for each term, and figures to stdout.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: installs the add-on's zip into the present profile, enables it, and saves that.
+"""Blender script: installs the add-on's zip into the current profile, enables it, and saves that.
 
     blender --background --python-exit-code 1 --python scripts/install_addon.py -- ZIP
     python scripts/install_addon.py -- ZIP                     (where bpy is a module of Python)
 
-As an extension from Blender 4.2 on, as an add-on before. The last line printed is the folder that
-the add-on was installed into. A throw-away profile is a matter of Blender's own variables:
+As an extension from Blender 4.2 on, as an add-on before. The last line printed is the folder into
+which the add-on was installed. For a throw-away profile, set Blender's own variables:
 BLENDER_USER_CONFIG and BLENDER_USER_SCRIPTS up to 4.1, BLENDER_USER_RESOURCES after.
 """
 
@@ -34,7 +34,7 @@ def install(path: str) -> str:
 
 def main(path: str) -> None:
     module = install(path)
-    # Blender prints a traceback and goes on when an add-on fails to load: ask.
+    # When an add-on fails to load, Blender prints a traceback and continues: so check.
     _enabled_at_start, loaded = addon_utils.check(module)
     if not loaded:
         raise SystemExit(f"{module} was installed from {path} but could not be enabled")

@@ -5,7 +5,7 @@
 
 Needs numpy, matplotlib (Debian: python3-matplotlib) and the built library, no Blender. Figures are
 the library's own medial radii on a square of 30 x 30 spacings; strands within 2.5 r of its boundary
-are left out, since nothing lies beyond it to be spaced from.
+are left out, since beyond the boundary there is nothing to keep the spacing from.
 """
 
 from __future__ import annotations

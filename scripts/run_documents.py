@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the commands of README.md and docs/*.md, so that none of them goes stale.
+"""Runs the commands of README.md and docs/*.md, so that they stay correct.
 
 In each document the fenced blocks marked `sh` are run from the project's root, one after the
 other. A comment on the line before a block says otherwise:

@@ -4,7 +4,7 @@
     blender --background --python-exit-code 1 --python scripts/strands_pictures.py -- [FOLDER]
 
 FOLDER is docs/images by default. Workbench renders them, which needs an EGL driver but no display.
-The ones in the folder have been reduced to 96 colours since.
+Those in the folder have since been reduced to 96 colours.
 """
 
 import math
@@ -134,7 +134,7 @@ def one_stroke(folder: Path) -> None:
     begin()
     bpy.ops.mesh.primitive_monkey_add()
     monkey = bpy.context.active_object
-    # Of its three parts only the head: an eye is a part that a stroke cannot reach.
+    # Only the head, of its three parts: an eye is a part that a stroke cannot reach.
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.separate(type="LOOSE")
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -20,7 +20,7 @@ from strands_pictures import begin, fill, meander, render, surface_of  # noqa: E
 
 
 def region(folder: Path) -> None:
-    """A band of a sphere, between two wavy lines that are no edges of the mesh."""
+    """A band of a sphere, between two wavy lines that are not edges of the mesh."""
     begin()
     bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=24)
     surface = surface_of(bpy.context.active_object)

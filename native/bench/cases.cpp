@@ -13,8 +13,7 @@ struct Model {
   double radius;
 };
 
-/// Radii that give about as many nodes as the paper's Table 2 has, for the four models of that
-/// table.
+/// Radii that give about as many nodes as the paper's Table 2, for the four models of that table.
 constexpr Model kModels[] = {
     {"bunny", 0.02952},
     {"spot", 0.05775},
@@ -65,7 +64,7 @@ std::vector<Case> all_cases(const std::string& folder, uint32_t threads) {
   add("generated", "generated_torus", 0.05, [] { return torus(96, 48); });
   add("generated", "square", 0.0125, [] { return square(64); });
 
-  // The same shape with more faces, and flat sides without any.
+  // The same shape with more faces, and flat sides without any more.
   for (int times = 0; times <= 2; ++times) {
     const std::string suffix = "_x" + std::to_string(1 << 2 * times);
     add("mesh", "bumpy_sphere" + suffix, 0.05,

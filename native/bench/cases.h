@@ -19,12 +19,12 @@ struct Case {
   double radius = 0;  ///< 0: chosen for about this many nodes
   double nodes = 0;
   std::function<Mesh()> mesh;
-  /// Run until the picture settles, whatever the preset stops at: |d|_2 / n, the rule of `paper`,
-  /// gets easier with every node: with a spacing for 910,000 it ended at half of them.
+  /// Run until the curve settles, whatever the preset stops at: |d|_2 / n, the rule of `paper`,
+  /// gets easier with every node: with a spacing for 910,000 nodes it ended at half of them.
   bool settle = false;
 };
 
-/// Every case there is, with the models of `folder` as far as they are there; none if it is empty.
+/// All cases, with those models that `folder` holds; no models if it is empty.
 /// `threads` is used where the group does not vary them.
 std::vector<Case> all_cases(const std::string& folder, uint32_t threads);
 

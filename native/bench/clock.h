@@ -6,7 +6,7 @@
 
 namespace meander::bench {
 
-/// Wall-clock seconds since it was made.
+/// Wall-clock seconds since construction.
 class Clock {
  public:
   double seconds() const {
@@ -17,9 +17,8 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Processor seconds of all threads of this process since it was made: on a machine that others use
-/// at the same time they say what work was done, where the clock on the wall says how long it
-/// waited.
+/// Processor seconds of all threads of this process since construction: on a machine that is shared
+/// they measure the work done, while wall-clock time also counts the waiting.
 class ProcessorClock {
  public:
   double seconds() const { return now() - start_; }

@@ -21,7 +21,7 @@ Floor measure_floor(const Mesh& mesh, const Nodes& nodes, double radius) {
     const Corners& f = mesh.faces[nodes.faces[i]];
     const Point& a = mesh.vertices[f[0]];
     const Point normal = cross(mesh.vertices[f[1]] - a, mesh.vertices[f[2]] - a);
-    // The list does not say where strands end; a handful of odd directions there cost nothing.
+    // The list does not say where strands end; a handful of odd directions there does no harm.
     const Point along =
         i + 1 < n ? positions[i + 1] - positions[i] : positions[i] - positions[i - 1];
     const Point side = cross(normal, along);
@@ -32,7 +32,7 @@ Floor measure_floor(const Mesh& mesh, const Nodes& nodes, double radius) {
   }
 
   std::vector<double> tree_seconds, query_seconds, cpu_seconds;
-  volatile double sink = 0;  // keeps the queries from being left out
+  volatile double sink = 0;  // keeps the queries from being optimised away
   for (int repeat = 0; repeat < 3; ++repeat) {
     std::optional<NearestPoint> tree;
     Clock clock;
@@ -41,8 +41,8 @@ Floor measure_floor(const Mesh& mesh, const Nodes& nodes, double radius) {
     tree_seconds.push_back(clock.seconds());
     clock = Clock();
     double sum = 0;
-    // Four times round and three nodes of ten once more. Going round keeps one node's queries from
-    // following each other, where branch prediction would make them cheaper than any flow's.
+    // Four rounds, and three nodes of ten once more. In rounds, the queries of one node do not
+    // follow each other: branch prediction would make them cheaper than any flow's.
     for (int round = 0; round < 4; ++round) {
       for (const Point& q : queries) sum += tree->squared_distance(q);
     }

@@ -2,8 +2,8 @@
 //
 // The floor: what the medial axis alone must cost. Shrinking a ball takes about 4.3 nearest-point
 // queries per node and side from a cold start (Ma, Bae and Choi 2012, as measured here), so one
-// tree over the nodes plus that many queries, on one thread, is the work that an iteration cannot
-// do without - unless it is warm, threaded or clever, which is what the ratio shows.
+// tree over the nodes plus that many queries, on one thread, is the work of an iteration that does
+// not start from known radii, use threads, or search better; the ratio shows what these gain.
 #pragma once
 
 #include "result.h"

@@ -37,7 +37,7 @@ Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NO
   }
   find(version, "meander_version");
   // Between releases a struct may have grown without a new ABI number: fields would be written to
-  // the wrong places, and the figures would be those of other options.
+  // the wrong offsets, and the figures would be those of other options.
   find(struct_layout, "meander_struct_layout");
   require_size<meander_error>("meander_error");
   require_size<meander_flow_options>("meander_flow_options");

@@ -12,7 +12,7 @@ namespace meander::bench {
 
 class Library {
  public:
-  /// Loads the shared library, for the rest of the process. Throws std::runtime_error, also where
+  /// Loads the shared library, for the rest of the process. Throws std::runtime_error, also if
   /// its ABI, by number or by the size of a struct, is not the one that this program knows.
   explicit Library(const std::string& path);
 
@@ -42,7 +42,7 @@ class Library {
   void* handle_ = nullptr;
 };
 
-/// The library that the same build has put beside this program.
+/// The library that the same build has placed beside this program.
 std::string library_of_this_build();
 
 }  // namespace meander::bench

@@ -23,12 +23,12 @@ static_assert(std::is_trivially_copyable_v<Measurement>);
 constexpr size_t kLastIterations = 10;
 constexpr int kExtraIterations = 5;
 
-/// A moving surface: so many frames of so many iterations, each this much longer along x.
+/// A moving surface: frames, iterations per frame, and the stretch along x of each frame.
 constexpr int kFrames = 12, kFrameSteps = 3;
 constexpr double kFrameStretch = 0.005;
 
-/// Nodes are between h and 2 h apart, in the mean about 1.4 h with h = 0.2 r, and the length is
-/// A / (2 r): a curve of n nodes has this n r^2 / A.
+/// n r^2 / A of a curve of n nodes on an area A: nodes are between h and 2 h apart, on average
+/// about 1.4 h with h = 0.2 r, and the length is A / (2 r).
 constexpr double kNodesPerArea = 1.75;
 
 /// The kernel's high-water mark of this process's resident memory, in bytes.
@@ -200,7 +200,7 @@ void measure(const std::string& path, const Case& which, uint32_t iteration_limi
   session.run();
   m.seconds = clock.seconds();
   m.cpu_seconds = processor.seconds();
-  m.memory = peak_memory();  // before the judgement takes some of its own
+  m.memory = peak_memory();  // before judging the curve takes memory of its own
 
   const meander_flow_statistics s = session.statistics();
   m.nodes = s.nodes;

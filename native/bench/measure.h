@@ -16,9 +16,9 @@ struct StageSeconds {
          refine = 0;
 };
 
-/// Plain bytes, since it comes through a pipe.
+/// Plain bytes, since it is sent through a pipe.
 struct Measurement {
-  char error[256] = "";  ///< empty when all went well
+  char error[256] = "";  ///< empty on success
   char version[32] = "";
   double radius = 0;
   uint32_t faces = 0, nodes = 0, strands = 0, iterations = 0, stop_reason = 0, crossings = 0;
@@ -32,15 +32,15 @@ struct Measurement {
   double set_vertices_seconds = 0;   ///< the surface moves: median of kFrames,
   double frame_seconds = 0;          ///< and with kFrameSteps iterations,
   double frame_cpu_seconds = 0;      ///< processor time of all threads, mean of the same
-  uint64_t memory = 0;         ///< greatest resident memory up to the end of the flow, in bytes
+  uint64_t memory = 0;         ///< peak resident memory up to the end of the flow, in bytes
   uint64_t memory_before = 0;  ///< the same before the mesh was handed over
   uint64_t fingerprint = 0;    ///< of the bytes of the polylines
   Quality quality;
   Floor floor;
 };
 
-/// Forks, loads the library, runs, and comes back with what was found. An iteration limit of 0 is
-/// the preset's. A crash of the library becomes an error of the measurement.
+/// Forks, loads the library, runs the case, and returns the figures. An iteration limit of 0 is the
+/// preset's. A crash of the library becomes an error of the measurement.
 Measurement measure_apart(const std::string& library, const Case& which, uint32_t iteration_limit);
 
 }  // namespace meander::bench

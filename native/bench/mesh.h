@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Triangle meshes as the C API takes them: two plain arrays. The benchmark measures a library from
-// outside, so nothing here comes from native/src.
+// the outside, so it uses nothing of native/src.
 #pragma once
 
 #include <array>
@@ -33,10 +33,10 @@ double length(const Point& a);
 double area(const Mesh& mesh, const Corners& face);
 double area(const Mesh& mesh);
 
-/// Every face cut into four at the middles of its edges, which changes nothing of the shape.
+/// Every face cut into four at the midpoints of its edges, which does not change the shape.
 Mesh subdivided(const Mesh& mesh);
 
-/// The `v` and `f` lines of an OBJ file, polygons as fans. Throws std::runtime_error.
+/// Reads the `v` and `f` lines of an OBJ file, polygons as fans. Throws std::runtime_error.
 Mesh read_obj(const std::string& path);
 
 }  // namespace meander::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// nanoflann as its manual shows it: the benchmark's own, so that no cleverness of the library's
-// tree gets into the floor or into the judgement.
+// nanoflann as its manual shows it: the benchmark's own tree, so that no optimisation of the
+// library's gets into the floor or into the judgement.
 #pragma once
 
 #include <nanoflann.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How good the curve is, seen from outside: a change that is faster because the curve is worse must
-// show here. All figures are ratios, lengths in r.
+// How good the curve is, measured from outside: a change that is faster because the curve is worse
+// must show here. All figures are ratios, with lengths in r.
 #pragma once
 
 #include "result.h"
@@ -16,7 +16,7 @@ struct Quality {
   double coverage_max = 0;
 };
 
-/// `nodes.radii` must be those of the curve as it is now.
+/// `nodes.radii` must be those of the present curve.
 Quality judge(const Mesh& mesh, const Polylines& curve, const Nodes& nodes, double radius);
 
 }  // namespace meander::bench

@@ -27,7 +27,7 @@ void print_table_heading(std::FILE* file);
 void print_table_line(std::FILE* file, const Row& row);
 
 /// seconds of an iteration = c nodes^exponent, by least squares in logarithms, for every preset
-/// among the rows of the scaling group that has two and more; one JSON line each.
+/// that has at least two rows in the scaling group; one JSON line each.
 void print_scaling_fit(const std::vector<Row>& rows);
 
 }  // namespace meander::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the benchmark takes out of a flow once it has ended.
+// What the benchmark reads from a flow once it has ended.
 #pragma once
 
 #include <cstdint>

@@ -80,7 +80,7 @@ Mesh cube(const std::array<uint32_t, 3>& cuts) {
   };
   for (size_t axis = 0; axis < 3; ++axis) {
     for (const bool positive : {false, true}) {
-      // The order of the two other axes turns the side outwards.
+      // The order of the two other axes makes the side face outwards.
       const size_t u = (axis + (positive ? 1 : 2)) % 3, v = 3 - axis - u;
       add_grid(mesh, cuts[u], cuts[v], [&](uint32_t i, uint32_t j) {
         Point p;

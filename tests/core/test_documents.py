@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""README.md and docs/*.md name only what exists: links, files, tests and names of the C interface.
+
+What their commands do is for scripts/run_documents.py to say.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCES = ROOT / "native" / "src"
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+ROOMS = sorted(folder.name for folder in SOURCES.iterdir())
+
+FENCE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
+CODE = re.compile(r"`([^`\n]+)`")
+# `medial/frames`, `medial/frames.h` or `medial/frames.cpp`
+SOURCE = re.compile(rf"(?:{'|'.join(ROOMS)})/\w+(?:\.h|\.cpp)?")
+TEST = re.compile(r"(?:tests/\w+/)?test_\w+(?:\.py|\.cpp)?")
+API = re.compile(r"\b(?:meander|MEANDER)_\w+\b")
+# Not of the header: the benchmark, and the options of the build.
+OTHERS = re.compile(r"meander_(?:bench|core)|MEANDER_(?:BUILD_\w+|WERROR|SANITIZE|STAGE)")
+
+
+def is_source(name: str) -> bool:
+    suffixes = [""] if "." in name else [".h", ".cpp"]
+    return any((SOURCES / (name + suffix)).is_file() for suffix in suffixes)
+
+
+def is_test(name: str) -> bool:
+    if "/" in name:
+        return (ROOT / name).is_file()
+    pattern = name if "." in name else f"{name}.*"
+    return any((ROOT / "tests").glob(f"*/{pattern}"))
+
+
+def is_declared(name: str, header: str) -> bool:
+    # A name that ends in an underscore stands for all that begin with it.
+    return re.search(rf"\b{name}" + ("" if name.endswith("_") else r"\b"), header) is not None
+
+
+def wrong_names(text: str, folder: Path, header: str) -> list[str]:
+    """What a document names that does not exist; its links are relative to `folder`."""
+    wrong = [target for target in LINK.findall(text) if not (folder / target).exists()]
+    for code in CODE.findall(FENCE.sub("", text)):
+        if SOURCE.fullmatch(code):
+            wrong += [] if is_source(code) else [code]
+        elif TEST.fullmatch(code):
+            wrong += [] if is_test(code) else [code]
+        else:
+            wrong += [
+                name for name in API.findall(code)
+                if not OTHERS.fullmatch(name) and not is_declared(name, header)
+            ]
+    return wrong
+
+
+@pytest.fixture(scope="module")
+def header() -> str:
+    path = ROOT / "native" / "include" / "meander" / "meander.h"
+    return path.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
+def test_a_document_names_only_what_exists(document, header):
+    text = document.read_text(encoding="utf-8")
+    assert wrong_names(text, document.parent, header) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "wrong"),
+    [
+        ("[x](quality.md) [y](nowhere.md)", "nowhere.md"),
+        ("`medial/frames` `medial/frames.h` `medial/fames`", "medial/fames"),
+        ("`curve/curve.cpp` `curve/frames.cpp`", "curve/frames.cpp"),
+        ("`test_flow` `tests/core/test_documents.py` `test_flows`", "test_flows"),
+        ("`meander_flow_step(flow)` `meander_flow_stop(flow)`", "meander_flow_stop"),
+        ("`MEANDER_PRESET_` `MEANDER_PRESET_EVEN` `MEANDER_PRESET_ODD`", "MEANDER_PRESET_ODD"),
+    ],
+)
+def test_a_wrong_name_is_found(text, wrong, header):
+    assert wrong_names(text, ROOT / "docs", header) == [wrong]
