@@ -43,7 +43,7 @@ def check_versions(addon: Path, version: str) -> None:
     found = {
         "__init__.py": ".".join(str(part) for part in bl_info["version"]),
         "blender_manifest.toml": manifest_version(addon / "blender_manifest.toml"),
-        "abi.py": literal(addon / "abi.py", "VERSION"),
+        "binding/abi.py": literal(addon / "binding" / "abi.py", "VERSION"),
     }
     wrong = [f"{addon / name}: {other}" for name, other in found.items() if other != version]
     if wrong:

@@ -105,7 +105,7 @@ def test_same_contents_give_same_bytes(addon_zip: Path, tmp_path: Path) -> None:
     assert (tmp_path / "again.zip").read_bytes() == addon_zip.read_bytes()
 
 
-@pytest.mark.parametrize("file", ["__init__.py", "blender_manifest.toml", "abi.py"])
+@pytest.mark.parametrize("file", ["__init__.py", "blender_manifest.toml", "binding/abi.py"])
 def test_a_version_that_differs_stops_the_build(file: str, tmp_path: Path) -> None:
     addon = tmp_path / "meander"
     shutil.copytree(ROOT / "addon/meander", addon)
