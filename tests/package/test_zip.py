@@ -38,6 +38,11 @@ def test_one_folder(names: list[str]) -> None:
     assert {name.split("/")[0] for name in names} == {"meander"}
 
 
+def test_the_folder_has_an_entry(names: list[str]) -> None:
+    # What Blender 3.4 goes by when it removes the version that was there.
+    assert names[0] == "meander/"
+
+
 def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     version = project_version()
     assert "meander/__init__.py" in names
