@@ -58,8 +58,13 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
 
 import meander  # noqa: E402
-from meander import blender_data, core, session  # noqa: E402
-from meander.growing_curve import GrowingCurve  # noqa: E402
+from meander import core  # noqa: E402
+from meander.run import session  # noqa: E402
+from meander.run.growing_curve import GrowingCurve  # noqa: E402
+from meander.run.plan import plan_run  # noqa: E402
+from meander.run.preview import Preview  # noqa: E402
+from meander.run.stepper import Stepper  # noqa: E402
+from meander.scene import curve_writer, transforms  # noqa: E402
 
 # The spacing that takes about this many nodes; the run converges before the limit.
 SPACING, NODES, ITERATIONS = 0.04, 50_000, 400
@@ -121,7 +126,7 @@ def count_panel_redraw() -> None:
 
 
 def count_shown(original: Callable) -> Callable:
-    def show(self: session.Session, *arguments: Any) -> None:
+    def show(self: Preview, *arguments: Any) -> None:
         tally.shown += 1
         original(self, *arguments)
 
@@ -243,7 +248,7 @@ def picture(surface: bpy.types.Object, polylines: core.Polylines) -> None:
     system = bpy.context.preferences.system
     before = system.viewport_aa
     system.viewport_aa = "OFF"
-    matrix = blender_data.world_matrix(surface)
+    matrix = transforms.world_matrix(surface)
     bare_cpu = repeated(redraw)[1]
     curve = GrowingCurve(lambda: surface, bpy.context.scene.name, matrix)
     taken = {"copy_cpu": 0.0, "evaluate_cpu": 0.0, "draw_cpu": 0.0}
@@ -290,7 +295,7 @@ def write_seconds(surface: bpy.types.Object) -> float:
         closed=np.ones(STRANDS, dtype=bool),
     )
     begin = time.perf_counter()
-    curve = blender_data.write_curve(polylines, surface, "Bench")
+    curve = curve_writer.write_curve(polylines, surface, "Bench")
     bpy.context.view_layer.update()
     seconds = time.perf_counter() - begin
     assert sum(len(spline.points) for spline in curve.data.splines) == POINTS
@@ -300,8 +305,8 @@ def write_seconds(surface: bpy.types.Object) -> float:
 
 def in_one_go() -> tuple[dict[str, float], core.Polylines]:
     with bpy.context.temp_override(**view_override()):
-        plan = session.plan_run(bpy.context)
-    stepper = session.Stepper(plan.problem)
+        plan = plan_run(bpy.context)
+    stepper = Stepper(plan.problem)
     begin = Moment()
     stepper.run()
     end = Moment()
@@ -434,7 +439,7 @@ given = parser.parse_args(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.ar
 nowhere = os.open(os.devnull, os.O_WRONLY)
 bpy.context.preferences.view.show_splash = False
 meander.register()
-session.Session._show = count_shown(session.Session._show)
+Preview.show = count_shown(Preview.show)
 session.Session.tick = measure_tick(session.Session.tick)
 session.Session.keep = note_end(session.Session.keep)
 bpy.types.SpaceView3D.draw_handler_add(count_redraw, (), "WINDOW", "POST_VIEW")

@@ -5,7 +5,8 @@
 #
 # Installs what building, running and testing need on Debian 12, as far as it is missing: Debian's
 # packages with apt-get (through sudo unless root), and for every --bpy a virtual environment
-# build/bpy-VERSION with Blender as a Python module, pytest and ruff from the Python index.
+# build/bpy-VERSION with Blender as a Python module, pytest, ruff and import-linter from the Python
+# index.
 # Runs again at no cost: nothing is fetched that is there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -61,15 +62,18 @@ fi
 
 for version in "${bpy_versions[@]}"; do
   venv="build/bpy-$version"
-  # The mark is made last, so that an interrupted installation starts over.
+  packages=("bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*")
+  # The mark is made last, so that an interrupted installation starts over; it names the packages, so
+  # that what is added to them is installed where the others are.
   if [ ! -e "$venv/.complete" ]; then
     echo "Installing bpy $version into $venv (about 1 GB)"
     rm -rf "$venv"
     mkdir -p build
     # The system's Python by its full path: another one may come first on the PATH, and bpy needs 3.11.
     /usr/bin/python3 -m venv "$venv"
-    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check \
-      "bpy==$version.*" "pytest==8.*" "ruff==0.6.*"
-    touch "$venv/.complete"
+  fi
+  if [ "$(cat "$venv/.complete" 2>/dev/null)" != "${packages[*]}" ]; then
+    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "${packages[@]}"
+    echo "${packages[*]}" >"$venv/.complete"
   fi
 done

@@ -43,7 +43,7 @@ def check_versions(addon: Path, version: str) -> None:
     found = {
         "__init__.py": ".".join(str(part) for part in bl_info["version"]),
         "blender_manifest.toml": manifest_version(addon / "blender_manifest.toml"),
-        "abi.py": literal(addon / "abi.py", "VERSION"),
+        "binding/abi.py": literal(addon / "binding" / "abi.py", "VERSION"),
     }
     wrong = [f"{addon / name}: {other}" for name, other in found.items() if other != version]
     if wrong:
@@ -71,6 +71,13 @@ def write_zip(output: Path, files: dict[str, Path]) -> None:
     # Written aside and renamed, so that a zip is always whole.
     unfinished = output.with_suffix(".zip.part")
     with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        # With an entry of its own for the folder, Blender 3.4 removes the installed one first.
+        # Without, it writes into the files that are there: of a library in use that is a crash, and
+        # what the new version does not have any more would stay.
+        folder = zipfile.ZipInfo(f"{FOLDER}/", TIMESTAMP)
+        folder.create_system = 3
+        folder.external_attr = (0o40755 << 16) | 0x10
+        archive.writestr(folder, b"")
         for name, path in sorted(files.items()):
             entry = zipfile.ZipInfo(name, TIMESTAMP)
             entry.compress_type = zipfile.ZIP_DEFLATED

@@ -15,7 +15,9 @@ from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "addon"))
 
-from meander import blender_data, core, motion  # noqa: E402
+from meander import core  # noqa: E402
+from meander.run import followers  # noqa: E402
+from meander.scene import curve_writer  # noqa: E402
 
 SPACING, HEIGHT, FRAMES, STEPS = 0.3, 4.0, 24, 3
 SHOWN = (0, 12, 24)
@@ -62,7 +64,7 @@ def show(vertices: np.ndarray, faces: np.ndarray, curve: core.Polylines, place: 
     bpy.context.scene.collection.objects.link(thing)
     bpy.context.view_layer.update()
     moved = curve._replace(positions=curve.positions + np.array(place))
-    strand = blender_data.write_curve(moved, thing, "Curve", bevel_depth=0.06)
+    strand = curve_writer.write_curve(moved, thing, "Curve", bevel_depth=0.06)
     strand.data.materials.append(bpy.data.materials["Curve"])
 
 
@@ -77,7 +79,7 @@ def main(picture: str) -> None:
         flow = core.Flow(surface, options)
     flow.run()
     start = flow.polylines()
-    sticking = motion.StickingFollower(
+    sticking = followers.StickingFollower(
         start.positions, start.offsets, start.closed, None, vertices, faces
     )
     for frame in range(FRAMES + 1):

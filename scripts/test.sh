@@ -5,8 +5,8 @@
 #
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
-# in both, one UI test in a window, the commands of the documents, and the linter. Every suite runs
-# whatever became of the others. Logs stay in build/logs; the last line counts, and the exit code is
+# in both, one UI test in a window, the commands of the documents, the linter, and the rule of which
+# module may import which. Every suite runs whatever became of the others. Logs stay in build/logs; the last line counts, and the exit code is
 # 0 only when nothing failed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -98,6 +98,7 @@ suite ui 300 "${in_profile[@]}" \
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
 check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
+check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
 
 printf '\n'
 printf '%s\n' "${summary[@]}"

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The bridge to the native library: numpy in, numpy out, no bpy.
 
-This is the door; behind it are `surface`, `seed`, `flow_options` and `flow`, and below them
-`abi`, which mirrors ``meander.h``, and `native_library`, which finds and loads the library. Nothing
-else knows ctypes.
+This is the door. Behind it is the room `binding`, and nothing else knows ctypes.
 
     surface = Surface(vertices, faces)           checked and copied by the library
     options = default_options("even")            defaults live in the library only
@@ -27,7 +25,7 @@ Python thread of its own starts the flow, and the library runs it on one that kn
 
 from __future__ import annotations
 
-from .abi import (
+from .binding.abi import (
     ABI_VERSION,
     ALIGNMENTS,
     CURVATURES,
@@ -41,9 +39,10 @@ from .abi import (
     Status,
     StopRule,
 )
-from .flow import Context, Flow, Gaps, Nodes, PointData, Polylines, Preview
-from .flow_options import FlowOptions, default_options, option_warnings
-from .native_library import (
+from .binding.context import Context
+from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
+from .binding.flow_options import FlowOptions, default_options, option_warnings
+from .binding.native_library import (
     LIBRARY_VARIABLE,
     STATUS_NO_LIBRARY,
     MeanderError,
@@ -51,8 +50,8 @@ from .native_library import (
     library_version,
     struct_layouts,
 )
-from .seed import Seed
-from .surface import Surface, SurfaceOptions
+from .binding.seed import Seed
+from .binding.surface import Surface, SurfaceOptions
 
 # What hosts use; they import nothing else of these modules.
 __all__ = [

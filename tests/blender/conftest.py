@@ -33,6 +33,6 @@ def empty_scene() -> Iterator[None]:
     """An empty file before every test; nothing of ours still going after it."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     yield
-    from meander import session
+    from meander.run import session
 
     assert session.current() is None

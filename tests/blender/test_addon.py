@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import importlib
-import sys
 import tomllib
 from pathlib import Path
 from types import SimpleNamespace
@@ -12,10 +10,10 @@ from types import SimpleNamespace
 import bpy
 import meander
 import pytest
-from meander import panels, session, term_panels
+from meander.run import session
+from meander.run.plan import plan_run
+from meander.ui import panels, term_panels
 from scenes import activate, cube, fill, poly_curve, sphere
-
-RELOADED = ("properties", "session", "operators", "panels")
 
 
 class Layout:
@@ -76,17 +74,6 @@ def test_registering_twice():
     meander.unregister()
     meander.register()
     assert hasattr(bpy.types.Object, "meander")
-
-
-def test_a_reload_takes_the_submodules_along():
-    """What Blender does when a new version is installed over this one: reload the package only."""
-    before = {name: sys.modules[f"meander.{name}"].register for name in RELOADED}
-    meander.unregister()
-    importlib.reload(meander)
-    meander.register()
-    for name, register in before.items():
-        assert sys.modules[f"meander.{name}"].register is not register, name
-    assert fill(cube(), 0.5).meander.surface.name == "Cube"
 
 
 def test_manifest_and_bl_info_say_the_same():
@@ -182,7 +169,7 @@ def test_figures_in_all_units(system):
 
 def test_panel_while_running(monkeypatch):
     cube()
-    plan = session.plan_run(bpy.context)
+    plan = plan_run(bpy.context)
     monkeypatch.setattr(session, "_current", session.Session(plan))
     shown = draw(panels.MEANDER_PT_main)
     assert "Stop" in shown and "Fill with Curve" not in shown
@@ -193,6 +180,6 @@ def test_panel_while_running(monkeypatch):
 def test_menu_entry():
     assert bpy.ops.meander.run.get_rna_type().name == "Fill with Curve"
     assert any(
-        getattr(entry, "__module__", "") == "meander.operators"
+        getattr(entry, "__module__", "") == "meander.ui.operators"
         for entry in bpy.types.VIEW3D_MT_object._dyn_ui_initialize()
     )

@@ -10,15 +10,19 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Matrix
-from meander import blender_alignment, blender_terms, core, session
-from meander.alignment import Alignment
-from meander.terms import Terms
+from meander import core
+from meander.model.alignment import Alignment
+from meander.model.terms import Terms
+from meander.run.plan import plan_run
+from meander.scene import alignment as scene_alignment
+from meander.scene import attributes
+from meander.scene import terms as scene_terms
 from scenes import fill, grid, poly_curve, refused, sphere, world_splines, world_triangles
 
 
 def directions(thing: bpy.types.Object, alignment: Alignment) -> np.ndarray:
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    found = blender_alignment.directions_of(alignment, thing, depsgraph, 0.1)
+    found = scene_alignment.directions_of(alignment, thing, depsgraph, 0.1)
     if callable(found):
         with core.Surface(*world_triangles(thing)) as surface:
             found = found(surface)
@@ -58,7 +62,7 @@ def test_a_vector_attribute_turns_with_the_object():
     found = directions(thing, Alignment("ATTRIBUTE", name="flow"))
     matrix = np.array([row[:3] for row in thing.matrix_world[:3]])
     assert_lines(found, np.array([matrix @ vector for vector in vectors]))
-    names = blender_alignment.vector_names(thing.meander, bpy.context, "")
+    names = attributes.vector_names(thing.meander, bpy.context, "")
     assert "flow" in names
 
 
@@ -102,14 +106,14 @@ def test_a_curve_follows_an_axis(across):
     share = pieces[:, 0].sum() / pieces[:, :2].sum()
     assert share < 0.35 if across else share > 0.65
     assert result.meander.alignment_source == "AXIS"
-    assert session.plan_run(bpy.context).problem.options.alignment_weight == 2.0
+    assert plan_run(bpy.context).problem.options.alignment_weight == 2.0
 
 
 def test_without_a_source_the_weight_counts_nothing():
     surface = grid(cells=4)
     surface.meander.alignment_weight = 3.0
-    assert session.plan_run(bpy.context).problem.options.alignment_weight == 0.0
-    assert session.plan_run(bpy.context).problem.directions is None
+    assert plan_run(bpy.context).problem.options.alignment_weight == 0.0
+    assert plan_run(bpy.context).problem.directions is None
 
 
 def test_alignments_and_terms_go_into_settings_and_out_again():
@@ -124,27 +128,27 @@ def test_alignments_and_terms_go_into_settings_and_out_again():
         Alignment("UV", choice="V", name="Flat"),
         Alignment("ATTRIBUTE", name="flow"),
     ):
-        blender_alignment.store_alignment(alignment, thing.meander)
-        assert asdict(blender_alignment.alignment_of(thing.meander)) == asdict(alignment)
+        scene_alignment.store_alignment(alignment, thing.meander)
+        assert asdict(scene_alignment.alignment_of(thing.meander)) == asdict(alignment)
     for terms in (
         Terms(start_spacing_factor=1.0),
         Terms(0.3, 1.7, 3.0, 2.5, 0.35, 4.5, 2.0),
     ):
-        blender_terms.store_terms(terms, thing.meander)
-        assert asdict(blender_terms.terms_of(thing.meander)) == asdict(terms)
+        scene_terms.store_terms(terms, thing.meander)
+        assert asdict(scene_terms.terms_of(thing.meander)) == asdict(terms)
 
 
 def test_terms_reach_the_options():
     surface = sphere()
     settings = surface.meander
     settings.spacing = 0.25
-    before = session.plan_run(bpy.context).problem.options
+    before = plan_run(bpy.context).problem.options
     assert (before.segment_length, before.max_radius) == (0.0, 0.0)
     settings.length_weight, settings.bending_weight = 0.3, 2.0
-    assert session.plan_run(bpy.context).problem.options == before  # not without the tick
+    assert plan_run(bpy.context).problem.options == before  # not without the tick
     settings.use_weights = True
     settings.segment_share, settings.reach, settings.start_spacing_factor = 0.4, 2.4, 2.0
-    options = session.plan_run(bpy.context).problem.options
+    options = plan_run(bpy.context).problem.options
     assert (options.length_weight, options.bending_weight) == (0.3, 2.0)
     assert options.segment_length == pytest.approx(0.05)
     assert options.max_radius == pytest.approx(0.3)

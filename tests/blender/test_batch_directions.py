@@ -8,7 +8,8 @@ import json
 import bpy
 import numpy as np
 import pytest
-from meander import batch, mesh_files
+from meander import batch
+from meander.model import mesh_files
 from scenes import grid
 
 

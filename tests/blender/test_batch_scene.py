@@ -12,7 +12,7 @@ import bpy
 import meander
 import numpy as np
 import pytest
-from meander import blender_density
+from meander.scene import density as scene_density
 from scenes import circle_points, farthest_from, length_of, poly_curve, sphere
 
 BATCH = Path(meander.__file__).parent / "batch.py"
@@ -108,7 +108,7 @@ def test_a_ramp_of_stops_is_kept_with_the_result(scene, tmp_path):
     assert np.allclose(places, [[0.0, 0.0], [0.4, 1.0 / 3.0], [1.0, 1.0]])
     bpy.ops.wm.open_mainfile(filepath=str(output))
     (curve,) = (thing for thing in bpy.data.objects["Ball"].children if thing.type == "CURVE")
-    ramp = blender_density.choice_of(curve.meander).ramp(np.array([0.0, 1.0]))
+    ramp = scene_density.choice_of(curve.meander).ramp(np.array([0.0, 1.0]))
     wanted = np.interp(np.linspace(0.0, 1.0, 21), [0.0, 0.4, 1.0], [0.5, 1.0, 2.0])
     assert np.allclose(ramp.factors(np.linspace(0.0, 1.0, 21)), wanted, atol=0.01)
 

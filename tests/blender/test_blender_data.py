@@ -7,7 +7,8 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Matrix
-from meander import blender_data, core
+from meander import core
+from meander.scene import curve_reader, curve_writer, meshes
 from scenes import (
     activate,
     circle_points,
@@ -42,17 +43,17 @@ def test_triangles_are_in_world_units():
     thing.scale = (2.0, 3.0, 0.5)
     thing.location = (1.0, 2.0, 3.0)
     thing.rotation_euler = (0.3, 0.2, 0.1)
-    vertices, faces = blender_data.triangles_of(thing, depsgraph())
+    vertices, faces = meshes.triangles_of(thing, depsgraph())
     assert (vertices.dtype, faces.dtype) == (np.float64, np.uint32)
     assert faces.shape == (12, 3)
-    assert blender_data.area_of(vertices, faces) == pytest.approx(2 * (24 + 4 + 6), rel=1e-6)
+    assert meshes.area_of(vertices, faces) == pytest.approx(2 * (24 + 4 + 6), rel=1e-6)
     assert volume(vertices, faces) == pytest.approx(24.0, rel=1e-6)
 
 
 def test_modifiers_are_applied():
     thing = cube()
     thing.modifiers.new("Subdivision", "SUBSURF").levels = 2
-    assert len(blender_data.triangles_of(thing, depsgraph())[0]) == 98
+    assert len(meshes.triangles_of(thing, depsgraph())[0]) == 98
 
 
 def test_a_hidden_surface_has_its_modifiers_too():
@@ -60,7 +61,7 @@ def test_a_hidden_surface_has_its_modifiers_too():
     thing.modifiers.new("Subdivision", "SUBSURF").levels = 2
     thing.hide_viewport = True
     before = counts()
-    assert len(blender_data.triangles_of(thing, depsgraph())[0]) == 98
+    assert len(meshes.triangles_of(thing, depsgraph())[0]) == 98
     assert counts() == before
 
 
@@ -72,7 +73,7 @@ def test_edit_mode_is_read_as_it_is_on_screen():
     edited = bmesh.from_edit_mesh(thing.data)
     edited.verts.ensure_lookup_table()
     edited.verts[0].co.x = -7.0
-    vertices, _faces = blender_data.triangles_of(thing, depsgraph())
+    vertices, _faces = meshes.triangles_of(thing, depsgraph())
     assert vertices[:, 0].min() == pytest.approx(-7.0)
     bpy.ops.object.mode_set(mode="OBJECT")
 
@@ -80,19 +81,19 @@ def test_edit_mode_is_read_as_it_is_on_screen():
 def test_a_mirrored_surface_still_looks_outward():
     thing = cube()
     thing.scale = (-1.0, 1.0, 1.0)
-    assert volume(*blender_data.triangles_of(thing, depsgraph())) == pytest.approx(8.0)
+    assert volume(*meshes.triangles_of(thing, depsgraph())) == pytest.approx(8.0)
 
 
 def test_what_is_no_surface_is_refused():
     curve = poly_curve("Curve", [[(0, 0, 0), (1, 0, 0)]], False)
     with pytest.raises(ValueError, match="not a mesh"):
-        blender_data.triangles_of(curve, depsgraph())
+        meshes.triangles_of(curve, depsgraph())
     with pytest.raises(ValueError, match="no faces"):
-        blender_data.triangles_of(mesh_object("Points", [(0, 0, 0)], []), depsgraph())
+        meshes.triangles_of(mesh_object("Points", [(0, 0, 0)], []), depsgraph())
     flat = cube()
     flat.scale.z = 0.0
     with pytest.raises(ValueError, match="scale"):
-        blender_data.triangles_of(flat, depsgraph())
+        meshes.triangles_of(flat, depsgraph())
 
 
 def test_weights_of_the_evaluated_mesh():
@@ -100,13 +101,13 @@ def test_weights_of_the_evaluated_mesh():
     group = thing.vertex_groups.new(name="Other")
     group = thing.vertex_groups.new(name="Fine")
     group.add([0, 1, 2], 0.25, "REPLACE")
-    weights = blender_data.vertex_group_weights(thing, depsgraph(), "Fine")
+    weights = meshes.vertex_group_weights(thing, depsgraph(), "Fine")
     assert weights.tolist() == [0.25] * 3 + [0.0] * 6
     thing.modifiers.new("Subdivision", "SUBSURF").levels = 1
-    weights = blender_data.vertex_group_weights(thing, depsgraph(), "Fine")
-    assert len(weights) == len(blender_data.triangles_of(thing, depsgraph())[0]) == 25
+    weights = meshes.vertex_group_weights(thing, depsgraph(), "Fine")
+    assert len(weights) == len(meshes.triangles_of(thing, depsgraph())[0]) == 25
     with pytest.raises(ValueError, match=r"no vertex group 'Coarse'; it has 'Other', 'Fine'"):
-        blender_data.vertex_group_weights(thing, depsgraph(), "Coarse")
+        meshes.vertex_group_weights(thing, depsgraph(), "Coarse")
 
 
 # -- curves in -------------------------------------------------------------------------------------
@@ -121,7 +122,7 @@ def test_strands_of_all_kinds_of_spline(kind, cyclic):
     thing.data.extrude = 0.2
     thing.location.x = 10.0
     before = counts()
-    seed = blender_data.strands_of_curve(thing, depsgraph())
+    seed = curve_reader.strands_of_curve(thing, depsgraph())
     assert counts() == before
     assert thing.data.bevel_depth == pytest.approx(0.1)
     assert (seed.points.dtype, seed.offsets.dtype) == (np.float64, np.uint32)
@@ -142,16 +143,16 @@ def test_ends_of_open_strands_can_be_fixed():
     ring = thing.data.splines.new("POLY")
     ring.points.add(2)
     ring.use_cyclic_u = True
-    seed = blender_data.strands_of_curve(thing, depsgraph(), fixed_ends=True)
+    seed = curve_reader.strands_of_curve(thing, depsgraph(), fixed_ends=True)
     assert seed.fixed.tolist() == [1, 0, 1, 0, 0, 0]
-    assert blender_data.strands_of_curve(thing, depsgraph()).fixed is None
+    assert curve_reader.strands_of_curve(thing, depsgraph()).fixed is None
 
 
 def test_hidden_seeds_modifiers_and_edit_mode():
     thing = poly_curve("Seed", [circle_points(1.0, 0.0)], True)
     thing.modifiers.new("Array", "ARRAY").count = 2
     thing.hide_viewport = True
-    seed = blender_data.strands_of_curve(thing, depsgraph())
+    seed = curve_reader.strands_of_curve(thing, depsgraph())
     assert seed.closed.tolist() == [1, 1]
     thing.hide_viewport = False
     thing.modifiers.clear()
@@ -159,20 +160,20 @@ def test_hidden_seeds_modifiers_and_edit_mode():
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.curve.select_all(action="SELECT")
     bpy.ops.transform.translate(value=(0.0, 0.0, 4.0))
-    assert blender_data.strands_of_curve(thing, depsgraph()).points[:, 2] == pytest.approx(4.0)
+    assert curve_reader.strands_of_curve(thing, depsgraph()).points[:, 2] == pytest.approx(4.0)
     bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def test_what_is_no_seed_is_refused():
     with pytest.raises(ValueError, match="not a curve"):
-        blender_data.strands_of_curve(cube(), depsgraph())
+        curve_reader.strands_of_curve(cube(), depsgraph())
     with pytest.raises(ValueError, match="two or more points"):
-        blender_data.strands_of_curve(poly_curve("Seed", [[(0, 0, 0)]], False), depsgraph())
+        curve_reader.strands_of_curve(poly_curve("Seed", [[(0, 0, 0)]], False), depsgraph())
     solid = poly_curve("Solid", [circle_points(1.0, 0.0)], True)
     solid.modifiers.new("Skin", "SOLIDIFY")
     solid.data.dimensions = "2D"
     solid.data.fill_mode = "BOTH"
-    blender_data.strands_of_curve(solid, depsgraph())  # the fill is left out
+    curve_reader.strands_of_curve(solid, depsgraph())  # the fill is left out
 
 
 # -- curves out ------------------------------------------------------------------------------------
@@ -193,9 +194,9 @@ def test_world_positions_are_exact_under_a_sheared_parent():
     thing.rotation_euler = (0.5, 0.6, 0.7)
     thing.matrix_parent_inverse = Matrix.Translation((1.0, 2.0, 3.0))
     thing.scale = (-1.0, 2.0, 0.5)
-    vertices, faces = blender_data.triangles_of(thing, depsgraph())
+    vertices, faces = meshes.triangles_of(thing, depsgraph())
     centres = vertices[faces].mean(axis=1)
-    curve = blender_data.write_curve(
+    curve = curve_writer.write_curve(
         polylines([centres[:50], centres[50:]], [1, 0]), thing, "Result"
     )
     assert curve.parent == thing
@@ -207,7 +208,7 @@ def test_world_positions_are_exact_under_a_sheared_parent():
     parent.scale = (3.0, 1.0, 1.0)
     parent.rotation_euler.x = 1.0
     bpy.context.view_layer.update()
-    vertices, faces = blender_data.triangles_of(thing, depsgraph())
+    vertices, faces = meshes.triangles_of(thing, depsgraph())
     moved = np.vstack([points for points, _cyclic in world_splines(curve)])
     assert np.abs(moved - vertices[faces].mean(axis=1)).max() < 8 * FLOAT32 * scale
     assert np.array_equal(matrix_of(curve), matrix_of(thing))
@@ -218,13 +219,13 @@ def test_a_curve_that_was_written_reads_back():
     thing.scale = (1.0, 2.0, 3.0)
     bpy.context.view_layer.update()
     points = np.array(circle_points(1.0, 3.0))
-    curve = blender_data.write_curve(polylines([points], [1]), thing, "Result", bevel_depth=0.1)
+    curve = curve_writer.write_curve(polylines([points], [1]), thing, "Result", bevel_depth=0.1)
     bpy.context.view_layer.update()
-    seed = blender_data.strands_of_curve(curve, depsgraph())
+    seed = curve_reader.strands_of_curve(curve, depsgraph())
     assert np.abs(seed.points - points).max() < 4 * FLOAT32 * 3.0
     assert seed.closed.tolist() == [1]
     # Rewriting leaves one object and one spline.
-    again = blender_data.write_curve(
+    again = curve_writer.write_curve(
         polylines([points[:5]], [0]), thing, "Other", curve_object=curve
     )
     assert again == curve and len(curve.data.splines) == 1 and curve.data.bevel_depth == 0.0
@@ -235,7 +236,7 @@ def test_the_bevel_is_as_thick_as_asked_in_world_units():
     thing.scale = (2.0, 2.0, 2.0)
     bpy.context.view_layer.update()
     points = np.array(circle_points(3.0, 2.0))
-    curve = blender_data.write_curve(polylines([points], [1]), thing, "Result", bevel_depth=0.25)
+    curve = curve_writer.write_curve(polylines([points], [1]), thing, "Result", bevel_depth=0.25)
     assert curve.data.bevel_depth == pytest.approx(0.125)
 
 
@@ -245,12 +246,12 @@ def test_many_points_are_written_quickly():
     thing = sphere()
     points = np.random.default_rng(1).random((200_000, 3))
     begin = time.perf_counter()
-    blender_data.write_curve(polylines([points], [1]), thing, "Result")
+    curve_writer.write_curve(polylines([points], [1]), thing, "Result")
     # It takes 30 ms; point by point in Python it would be half a minute.
     assert time.perf_counter() - begin < 1.0
 
 
 def test_the_proposed_spacing_follows_the_size():
-    small = blender_data.proposed_spacing(*blender_data.triangles_of(sphere(0.01), depsgraph()))
-    large = blender_data.proposed_spacing(*blender_data.triangles_of(sphere(10.0), depsgraph()))
+    small = meshes.proposed_spacing(*meshes.triangles_of(sphere(0.01), depsgraph()))
+    large = meshes.proposed_spacing(*meshes.triangles_of(sphere(10.0), depsgraph()))
     assert large == pytest.approx(1000.0 * small, rel=0.1)

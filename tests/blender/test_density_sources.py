@@ -8,8 +8,10 @@ from dataclasses import asdict
 import bpy
 import numpy as np
 import pytest
-from meander import blender_density, blender_ramp, session
-from meander.density import Choice
+from meander.model.density import Choice
+from meander.run.plan import plan_run
+from meander.scene import attributes, ramp
+from meander.scene import density as scene_density
 from scenes import fill, grid, mesh_object, poly_curve, refused, sphere, world_splines
 
 KINDS = [
@@ -21,7 +23,7 @@ KINDS = [
 
 
 def density(thing: bpy.types.Object, choice: Choice) -> list[float]:
-    return blender_density.density_of(
+    return scene_density.density_of(
         choice, thing, bpy.context.evaluated_depsgraph_get()
     ).tolist()
 
@@ -59,7 +61,7 @@ def test_vertex_group():
     assert density(thing, choice) == expected(weights, choice)
     choice = Choice("GROUP", "Fine", value_range=(0.25, 0.75))
     assert density(thing, choice) == expected(weights, choice)
-    nothing = blender_density.density_of(
+    nothing = scene_density.density_of(
         Choice("GROUP"), thing, bpy.context.evaluated_depsgraph_get()
     )
     assert nothing is None
@@ -181,7 +183,7 @@ def test_curvature_makes_tips_denser():
     share.append(share_near_tips(result))
     assert share[1] > 1.15 * share[0]
     assert result.meander.density_curvature == "GAUSSIAN"
-    plan = session.plan_run(bpy.context)
+    plan = plan_run(bpy.context)
     assert callable(plan.problem.density)  # Continue computes the same
 
 
@@ -224,7 +226,7 @@ def test_the_spacing_follows(source):
     # The result knows what it was made with, and Continue reads the same.
     for name in ("density_source", "density_attribute", "density_color", "density_image"):
         assert getattr(result.meander, name) == getattr(settings, name)
-    plan = session.plan_run(bpy.context)
+    plan = plan_run(bpy.context)
     assert plan.problem.density.min() == 1.0 and plan.problem.density.max() == pytest.approx(4.0)
 
 
@@ -240,10 +242,10 @@ def test_attributes_of_a_modifier_are_found():
     found = density(thing, Choice("ATTRIBUTE", "height", value_range=(0.0, 8.0)))
     assert len(found) == 25
     assert min(found) == 1.0 and max(found) == pytest.approx(4.0)
-    names = blender_density.attribute_names(thing.meander, bpy.context, "")
+    names = attributes.attribute_names(thing.meander, bpy.context, "")
     assert names == ["height"]
-    assert blender_density.color_names(thing.meander, bpy.context, "") == ["Paint"]
-    assert blender_density.color_names(poly_curve("C", [], False).meander, bpy.context, "") == []
+    assert attributes.color_names(thing.meander, bpy.context, "") == ["Paint"]
+    assert attributes.color_names(poly_curve("C", [], False).meander, bpy.context, "") == []
 
 
 def test_choices_go_into_settings_and_out_again():
@@ -257,8 +259,8 @@ def test_choices_go_into_settings_and_out_again():
         Choice("IMAGE", "Map", uv_map="Flat"),
         Choice("CURVATURE", "gaussian", smoothing=3.5),
     ):
-        blender_density.store_choice(choice, thing.meander)
-        assert asdict(blender_density.choice_of(thing.meander)) == asdict(choice)
+        scene_density.store_choice(choice, thing.meander)
+        assert asdict(scene_density.choice_of(thing.meander)) == asdict(choice)
 
 
 def test_a_curve_shapes_the_ramp():
@@ -270,22 +272,22 @@ def test_a_curve_shapes_the_ramp():
     settings.density_source, settings.density_attribute = "ATTRIBUTE", "height"
     settings.factor_0, settings.factor_1 = 1.0, 3.0
     settings.density_interpolation = "FREE"
-    assert density(thing, blender_density.choice_of(settings)) == pytest.approx(
+    assert density(thing, scene_density.choice_of(settings)) == pytest.approx(
         (1.0 + 2.0 * values) ** -2.0, rel=1e-4
     )
-    mapping = blender_ramp.node_of(settings.density_ramp).mapping
+    mapping = ramp.node_of(settings.density_ramp).mapping
     point = mapping.curves[0].points.new(0.5, 1.0)
     for other in mapping.curves[0].points:
         other.handle_type = "VECTOR"
     mapping.curves[0].points[-1].location = (1.0, 0.5)
     mapping.update()
     heights = np.array([0.0, 0.5, 1.0, 0.75, 0.5, 0.0])
-    found = density(thing, blender_density.choice_of(settings))
+    found = density(thing, scene_density.choice_of(settings))
     assert found == pytest.approx((1.0 + 2.0 * heights) ** -2.0, rel=0.02)
     assert point is not None
     # Without its node, as somebody may have left it, the ramp is straight.
     settings.density_ramp.nodes.clear()
-    assert density(thing, blender_density.choice_of(settings)) == pytest.approx(
+    assert density(thing, scene_density.choice_of(settings)) == pytest.approx(
         (1.0 + 2.0 * values) ** -2.0, rel=1e-5
     )
 
@@ -296,15 +298,15 @@ def test_a_result_has_a_curve_of_its_own(tmp_path):
     heights.data.foreach_set("value", [vertex.co.x for vertex in thing.data.vertices])
     stops = ((0.0, 0.0), (0.5, 1.0), (1.0, 0.25))
     choice = Choice("ATTRIBUTE", "height", factors=(1.0, 2.0), interpolation="free", stops=stops)
-    blender_density.store_choice(choice, thing.meander)
+    scene_density.store_choice(choice, thing.meander)
     result = fill(thing, 0.4)
     own, source = result.meander.density_ramp, thing.meander.density_ramp
     assert own != source
-    assert blender_ramp.stops_of(own) == blender_ramp.stops_of(source)
+    assert ramp.stops_of(own) == ramp.stops_of(source)
     path = tmp_path / "kept.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     bpy.ops.wm.open_mainfile(filepath=str(path))
-    kept = blender_ramp.stops_of(bpy.data.objects["Grid Meander"].meander.density_ramp)
+    kept = ramp.stops_of(bpy.data.objects["Grid Meander"].meander.density_ramp)
     shares, shape = np.array(kept).T
     assert shape == pytest.approx(np.interp(shares, *np.array(stops).T), abs=0.01)
 

@@ -9,7 +9,11 @@ import time
 import bpy
 import numpy as np
 import pytest
-from meander import blender_data, core, session
+from meander import core
+from meander.run import session
+from meander.run.plan import plan_run
+from meander.run.preview import Preview
+from meander.scene import errors
 from scenes import (
     activate,
     area_of,
@@ -283,13 +287,13 @@ class FakeWindow:
 
 @pytest.fixture
 def windowed(monkeypatch) -> None:
-    monkeypatch.setattr(session, "_Window", FakeWindow)
+    monkeypatch.setattr(session, "Window", FakeWindow)
 
 
 def begin(thing: bpy.types.Object, spacing: float) -> session.Session:
     activate(thing)
     thing.meander.spacing = spacing
-    running = session.Session(session.plan_run(bpy.context))
+    running = session.Session(plan_run(bpy.context))
     running.start(bpy.context)
     return running
 
@@ -340,7 +344,7 @@ def test_a_picture_shows_the_curve_as_it_is_now(windowed, monkeypatch):
     """Copies are made when the last one has been taken, so one that has waited is an old one."""
     due, shown = [True], []
     monkeypatch.setattr(FakeWindow, "picture_due", lambda _self: due[0])
-    monkeypatch.setattr(session.Session, "_show", lambda self, _lines: shown.append(self.latest))
+    monkeypatch.setattr(Preview, "show", lambda *_: shown.append(running.latest))
     monkeypatch.setattr(session, "STALE", 0.3)
     running = begin(sphere(), 0.03)
     tick_until(running, lambda: len(shown) == 2)
@@ -429,7 +433,7 @@ def test_deleting_an_object_under_the_run_ends_it(windowed, victim):
     running = begin(result, 0.05)
     tick_until(running, lambda: running.shown_points > 0)
     bpy.data.objects.remove(surface if victim == "surface" else result)
-    with pytest.raises(blender_data.DataError, match="deleted"):
+    with pytest.raises(errors.DataError, match="deleted"):
         running.tick(bpy.context)
     running.end()
     after = counts()

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import bpy
-import meander
 import numpy as np
 import pytest
-from meander import operators, panels
+from meander.run import result as result_of_run
+from meander.ui import operators, panels
 from scenes import activate, cube, fill, grid, matrix_of, poly_curve, sphere, world_splines
 from test_addon import draw
 
@@ -168,7 +168,7 @@ def test_going_on_replaces_the_gaps():
 
 
 def test_of_many_gaps_the_largest_are_kept(monkeypatch):
-    monkeypatch.setattr(meander.session, "MOST_GAPS", 2)
+    monkeypatch.setattr(result_of_run, "MOST_GAPS", 2)
     result = stopped_early(grid())
     figures = result.meander.figures
     assert figures.gap_count > 2 == len(figures.gaps)

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from meander import core
-from meander.growing_curve import GrowingCurve, segments_of
+from meander.run.growing_curve import GrowingCurve, segments_of
 from scenes import sphere
 
 

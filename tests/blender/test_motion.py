@@ -76,9 +76,9 @@ def test_follow_keeps_the_spacing_and_the_surface(
     assert len(result.data.splines) == strands
     assert scenes.length_of(result) > 1.3 * before
     # What a file keeps is the switch; the rest begins again from the curve as it is.
-    from meander import motion_panel
+    from meander.run import following
 
-    motion_panel.forget()
+    following.forget()
     bpy.context.scene.frame_set(7)
     assert scenes.farthest_from(tube, result) < ON_SURFACE
     result.meander.follow = False
@@ -123,14 +123,14 @@ def test_follow_can_stick(tube: bpy.types.Object, result: bpy.types.Object) -> N
 def test_a_mesh_that_changes_is_a_sentence_in_the_panel(
     tube: bpy.types.Object, result: bpy.types.Object
 ) -> None:
-    from meander import motion_panel, session
+    from meander.run import following
 
     result.meander.follow = True
     bpy.context.scene.frame_set(2)
     before = scenes.length_of(result)
     tube.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.context.scene.frame_set(3)
-    problem = motion_panel._problems[session.Key.of(result)]
+    problem = following.problem_of(result)
     assert "modifiers" in problem
     assert scenes.length_of(result) == pytest.approx(before)
     tube.modifiers.clear()
@@ -141,7 +141,7 @@ def test_a_mesh_that_changes_is_a_sentence_in_the_panel(
 def test_other_faces_between_as_many_vertices_are_a_sentence(
     tube: bpy.types.Object, result: bpy.types.Object, motion: str
 ) -> None:
-    from meander import motion_panel, session
+    from meander.run import following
 
     result.meander.motion = motion
     result.meander.follow = True
@@ -155,7 +155,7 @@ def test_other_faces_between_as_many_vertices_are_a_sentence(
     mesh.loops.foreach_set("vertex_index", order[corners])
     mesh.update(calc_edges=True)
     bpy.context.scene.frame_set(3)
-    assert "join other vertices now" in motion_panel._problems[session.Key.of(result)]
+    assert "join other vertices now" in following.problem_of(result)
     assert np.array_equal(_points(result), before)
 
 

@@ -7,7 +7,9 @@ import bpy
 import numpy as np
 import pytest
 import scenes
-from meander import core, profile
+from meander import core
+from meander.model import profile
+from meander.scene.profile import dress_points
 
 
 def _evaluated(thing: bpy.types.Object) -> np.ndarray:
@@ -21,7 +23,7 @@ def _evaluated(thing: bpy.types.Object) -> np.ndarray:
 def _dressed(points: np.ndarray, normals: np.ndarray, cyclic: bool) -> bpy.types.Object:
     thing = scenes.poly_curve("Strip", [points.tolist()], cyclic)
     curve = core.Polylines(points, normals, np.array([0, len(points)]), np.array([cyclic]))
-    profile.dress_points(thing.data, curve, np.eye(4), flat=True)
+    dress_points(thing.data, curve, np.eye(4), flat=True)
     return thing
 
 

@@ -6,9 +6,10 @@ from __future__ import annotations
 import geometry
 import numpy as np
 import pytest
-from meander import alignment, core, density
-from meander.density import Choice
-from meander.terms import Terms
+from meander import core
+from meander.model import alignment, density
+from meander.model.density import Choice
+from meander.model.terms import Terms
 
 
 def test_uv_lines_are_those_of_the_map():

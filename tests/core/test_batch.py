@@ -12,7 +12,10 @@ import geometry
 import numpy as np
 import pytest
 from conftest import PACKAGE
-from meander import abi, batch, core, mesh_files, report
+from meander import batch, core
+from meander.binding import abi
+from meander.cli import command
+from meander.model import mesh_files, report
 from sentences import assert_sentence
 
 
@@ -363,7 +366,7 @@ def test_defect_is_not_bad_input(run, square: Path, monkeypatch: pytest.MonkeyPa
     def broken(*_: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(batch, "_run", broken)
+    monkeypatch.setattr(command, "run", broken)
     code, _, err = run(square, *GOOD)
     assert code == 1 and "Traceback" in err
 

@@ -10,7 +10,8 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from meander import batch, mesh_files
+from meander import batch
+from meander.model import mesh_files
 from sentences import assert_sentence
 
 

@@ -7,8 +7,8 @@ import colorsys
 
 import numpy as np
 import pytest
-from meander import density
-from meander.density import Choice, Ramp
+from meander.model import density
+from meander.model.density import Choice, Ramp
 
 
 @pytest.mark.parametrize("interpolation", density.INTERPOLATIONS)

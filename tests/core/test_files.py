@@ -9,7 +9,8 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from meander import core, mesh_files
+from meander import core
+from meander.model import mesh_files
 from sentences import assert_sentence
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"

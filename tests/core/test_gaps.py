@@ -76,7 +76,7 @@ def test_more_gaps_than_there_is_room_for_at_first(monkeypatch: pytest.MonkeyPat
     with flow:
         flow.step()
         whole = flow.gaps()
-        monkeypatch.setattr("meander.flow._GAP_ROOM", 1)
+        monkeypatch.setattr("meander.binding.flow._GAP_ROOM", 1)
         again = flow.gaps()
     assert len(whole) > 1
     assert np.array_equal(again.positions, whole.positions)

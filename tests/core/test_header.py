@@ -9,7 +9,8 @@ import re
 
 import pytest
 from conftest import REPOSITORY
-from meander import abi, core, native_library
+from meander import core
+from meander.binding import abi, native_library
 
 HEADER = (REPOSITORY / "native/include/meander/meander.h").read_text(encoding="utf-8")
 CODE = re.sub(r"/\*.*?\*/", "", HEADER, flags=re.DOTALL)

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 from conftest import PACKAGE
-from meander import core, native_library
+from meander import core
+from meander.binding import native_library
 from sentences import assert_sentence
 
 HAVE_COMPILER = shutil.which("gcc") is not None and sys.platform == "linux"
@@ -49,7 +50,8 @@ def test_import_loads_nothing() -> None:
         "package = importlib.util.module_from_spec(spec)\n"
         "sys.modules['m'] = package\n"
         "spec.loader.exec_module(package)\n"
-        "from m import core, native_library\n"
+        "from m import core\n"
+        "from m.binding import native_library\n"
         "assert native_library._loaded is None and 'bpy' not in sys.modules\n"
         "try:\n"
         "    core.default_options()\n"

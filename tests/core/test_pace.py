@@ -2,7 +2,7 @@
 """How often a growing curve is shown: by what drawing takes, on clocks of the test's own."""
 
 import pytest
-from meander.pace import CARD_SHARE_ON_TWO, LARGEST_SHARE, LONGEST_WAIT, SHARE_ON_TWO, Pace
+from meander.run.pace import CARD_SHARE_ON_TWO, LARGEST_SHARE, LONGEST_WAIT, SHARE_ON_TWO, Pace
 
 INTERVAL = 1.0 / 12.0
 

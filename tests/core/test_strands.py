@@ -10,7 +10,8 @@ import geometry
 import numpy as np
 import pytest
 from conftest import grow
-from meander import batch, core, mesh_files, strands
+from meander import batch, core
+from meander.model import mesh_files, strands
 from sentences import assert_sentence
 
 BAR = [[0.2, 0.5, 0.0], [0.8, 0.55, 0.0]]

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from meander import core, thinning
+from meander import core
+from meander.model import thinning
 
 
 def polylines(strands: list[np.ndarray], closed: list[bool]) -> core.Polylines:

@@ -9,7 +9,8 @@ import json
 import geometry
 import numpy as np
 import pytest
-from meander import core, mesh_files, toolpath
+from meander import core
+from meander.model import mesh_files, toolpath
 
 
 def _polylines():

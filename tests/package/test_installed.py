@@ -5,6 +5,7 @@ import json
 import os
 import shutil
 import subprocess
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -123,3 +124,24 @@ def test_batch_command_refuses_bad_input(installed: tuple[Blender, Path]) -> Non
     assert done.returncode == 2, done.stdout + done.stderr
     assert "missing.obj" in done.stderr
     assert not (work / "never.obj").exists()
+
+
+def test_an_upgrade_in_one_session_leaves_nothing_of_the_old_version(
+    installed: tuple[Blender, Path], addon_zip: Path
+) -> None:
+    blender, _addon = installed
+    work = blender.folder / "work"
+    with zipfile.ZipFile(addon_zip) as old, zipfile.ZipFile(work / "new.zip", "w") as new:
+        for entry in old.infolist():
+            text = old.read(entry)
+            if entry.filename.endswith(".py"):
+                text += b"\nNEW_VERSION = True\n"
+            new.writestr(entry, text)
+    done = blender.run(
+        HERE / "upgrade_in_place.py", addon_zip, work / "new.zip", work / "upgraded.json"
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    found = json.loads((work / "upgraded.json").read_text())
+    assert found["result"].startswith("Cube")
+    assert any(name.endswith(".meander.core") or name == "meander.core" for name in found["modules"])
+    assert found["old"] == []

@@ -28,7 +28,9 @@ PICTURES = ROOT / "build" / "ui"
 sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
 
 import meander  # noqa: E402
-from meander import blender_ramp, operators, panels, session  # noqa: E402
+from meander.run import session  # noqa: E402
+from meander.scene import ramp  # noqa: E402
+from meander.ui import operators, panels  # noqa: E402
 
 # The story takes 25 s on a quiet machine; this is for a busy one.
 TIME_LIMIT = 100.0
@@ -261,7 +263,7 @@ def story() -> Iterator[float]:
     settings = bpy.context.view_layer.objects.active.meander
     settings.density_group = bpy.context.active_object.vertex_groups.new(name="Fine").name
     settings.density_interpolation = "FREE"
-    mapping = blender_ramp.node_of(settings.density_ramp).mapping
+    mapping = ramp.node_of(settings.density_ramp).mapping
     mapping.curves[0].points.new(0.35, 0.8)
     mapping.update()
     yield 0.5

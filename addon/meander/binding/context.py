@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What cancels a flow and tells how far it is, from any thread."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+
+from .abi import Status
+from .native_library import Handle, MeanderError, native
+
+
+class Context(Handle):
+    """Cancels a flow and reports its progress, from any thread at any time.
+
+    A cancel is sticky: every call that was given this context returns 'cancelled' within one
+    iteration, and so do later ones, until `reset`.
+    """
+
+    _what = "context"
+
+    def __init__(self) -> None:
+        library = native()
+        pointer = library.meander_context_create()
+        if not pointer:
+            raise MeanderError(
+                "there is no memory for a context; close other programs and try again",
+                Status.OUT_OF_MEMORY,
+            )
+        super().__init__(pointer, library.meander_context_destroy)
+        # Counts the calls that use the native context, so that close() cannot pull it away.
+        self._lock = threading.Lock()
+        self._users = 0
+        self._closing = False
+
+    @contextmanager
+    def _use(self) -> Iterator[int]:
+        with self._lock:
+            if self._closing:
+                raise MeanderError("this context has been closed; make a new one")
+            pointer = self._alive()
+            self._users += 1
+        try:
+            yield pointer
+        finally:
+            with self._lock:
+                self._users -= 1
+                if self._closing and self._users == 0:
+                    super().close()
+
+    def cancel(self) -> None:
+        """Asks the calls that use this context to end within one iteration."""
+        with self._use() as pointer:
+            native().meander_context_cancel(pointer)
+
+    def reset(self) -> None:
+        """Takes a cancel back, so that the context can be used again."""
+        with self._use() as pointer:
+            native().meander_context_reset(pointer)
+
+    @property
+    def progress(self) -> float:
+        """How far the present run of a flow is, from 0 to 1; never falls during one run."""
+        with self._use() as pointer:
+            return native().meander_context_progress(pointer)
+
+    def close(self) -> None:
+        """Frees the context, at once or as soon as the last call that uses it has ended."""
+        with self._lock:
+            self._closing = True
+            if self._users == 0:
+                super().close()
+
+
+def pointer_of(context: Context | None) -> AbstractContextManager[int | None]:
+    """The native context for the time of a call, null where there is none."""
+    return nullcontext() if context is None else context._use()

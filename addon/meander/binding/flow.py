@@ -1,0 +1,474 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A curve that grows on a surface: its run, and what it has become."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from ctypes import byref, c_size_t, c_void_p, sizeof
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .abi import (
+    ALIGNMENTS,
+    STOP_REASONS,
+    ErrorRecord,
+    FlowStatisticsRecord,
+    IterationRecord,
+    PreviewRecord,
+    Status,
+)
+from .context import Context, pointer_of
+from .flow_options import FlowOptions, options_record
+from .native_library import (
+    Handle,
+    MeanderError,
+    address_of,
+    call,
+    checked_array,
+    chosen,
+    figures_of,
+    native,
+    new_error,
+    raise_error,
+)
+from .seed import Seed, seed_record
+from .surface import Surface
+
+# ------------------------------------------------------------------------------------------------
+# Results
+
+
+class Polylines(NamedTuple):
+    """The curve as full geodesic polylines; every straight piece lies in one face.
+
+    positions  (n, 3) float64, strand after strand
+    normals    (n, 3) float64, unit normals of the surface
+    offsets    (s + 1,) uint32: strand k has the points offsets[k] .. offsets[k + 1] - 1
+    closed     (s,) uint8: 1 if the last point joins the first, which is not repeated
+    """
+
+    positions: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    offsets: NDArray[np.uint32]
+    closed: NDArray[np.uint8]
+
+
+class Preview(NamedTuple):
+    """The curve of a started run between two iterations.
+
+    iterations  over the life of the flow
+    nodes       of the curve
+    length      of the curve
+    seconds     of all iterations
+    """
+
+    polylines: Polylines
+    iterations: int
+    nodes: int
+    length: float
+    seconds: float
+
+
+class Nodes(NamedTuple):
+    """The nodes of the curve as points of the mesh, strand after strand.
+
+    faces         (n,) uint32, index of the face as passed to Surface
+    barycentrics  (n, 3) float64, weights of the face's vertices in the caller's order; sum 1
+    radii         (n, 2) float64, medial radius on either side; 0 before the first step
+    fixed         (n,) uint8, 1 never moves
+    """
+
+    faces: NDArray[np.uint32]
+    barycentrics: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    fixed: NDArray[np.uint8]
+
+
+class PointData(NamedTuple):
+    """What is known of every point of the polylines, in their order.
+
+    arc_lengths   (n,) float64, way along the strand from its first point
+    normals       (n, 3) float64, unit normals of the surface
+    tangents      (n, 3) float64, unit, along the strand
+    radii         (n, 2) float64, half the room on the right and on the left, seen from outside
+    faces         (n,) uint32, a face that holds the point, as passed to Surface
+    barycentrics  (n, 3) float64, weights of the face's vertices in the caller's order; sum 1
+    """
+
+    arc_lengths: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    tangents: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    faces: NDArray[np.uint32]
+    barycentrics: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Gaps:
+    """Places that a curve leaves empty, the largest first.
+
+    positions  (n, 3) float64, on the surface
+    radii      (n,) float64, distance from each position to the curve, in the surface's units
+    sizes      (n,) float64, the same in units of the local r: 1 between well spaced strands
+    faces      (n,) uint32, the face of each position, as passed to Surface
+    """
+
+    positions: NDArray[np.float64]
+    radii: NDArray[np.float64]
+    sizes: NDArray[np.float64]
+    faces: NDArray[np.uint32]
+
+    def __len__(self) -> int:
+        return len(self.sizes)
+
+
+# ------------------------------------------------------------------------------------------------
+# Flow
+
+# Room for gaps that is offered at once: asking for the number first would search twice.
+_GAP_ROOM = 256
+
+
+class Flow(Handle):
+    """A curve that grows on a surface. It belongs to one thread at a time.
+
+    surface   stays usable and may be closed; the flow keeps what it needs of it
+    options   see `default_options`; read once
+    seed      a Seed, or None: one small closed strand per component
+    density   (vertex count of the surface,) float64, each > 0, or None for 1 everywhere: the
+              local spacing is the spacing divided by sqrt(density)
+
+    Raises MeanderError for options out of range, a density of the wrong length or sign, and a seed
+    that is off the surface, crosses or touches itself, or is too short.
+    """
+
+    _what = "flow"
+
+    def __init__(
+        self,
+        surface: Surface,
+        options: FlowOptions,
+        seed: Seed | None = None,
+        density: ArrayLike | None = None,
+    ) -> None:
+        density_array = None
+        if density is not None:
+            density_array = checked_array("density", density, np.float64, None)
+            if len(density_array) != surface.vertex_count:
+                raise MeanderError(
+                    f"density must have one value for each of the {surface.vertex_count} vertices "
+                    f"of the surface, not {len(density_array)}"
+                )
+        # The arrays behind the record must outlive the call, hence the second name.
+        start, seed_arrays = (None, ()) if seed is None else seed_record(seed)
+        record = options_record(options)
+        library = native()
+        pointer = c_void_p()
+        call(
+            library.meander_flow_create,
+            surface._alive(),
+            None if start is None else byref(start),
+            address_of(density_array),
+            byref(record),
+            byref(pointer),
+        )
+        del seed_arrays
+        super().__init__(pointer.value, library.meander_flow_destroy)
+        self._busy = threading.Lock()
+        self._seen = 0  # serial of the last preview handed out
+
+    @contextmanager
+    def _use(self) -> Iterator[int]:
+        """The native flow, for this thread alone.
+
+        The library does not check the thread rule; two threads in one flow would corrupt memory.
+        """
+        if not self._busy.acquire(blocking=False):
+            raise MeanderError(
+                "this flow is in use on another thread; wait until its call has ended"
+            )
+        try:
+            yield self._alive()
+        finally:
+            self._busy.release()
+
+    def close(self) -> None:
+        """Frees the flow; raises MeanderError while another thread is using it.
+
+        A started run is cancelled and waited for: an iteration at most.
+        """
+        if self._pointer is not None:
+            with self._use():
+                super().close()
+
+    def set_directions(self, directions: ArrayLike | None, kind: str = "along") -> None:
+        """Gives the field of lines that the option alignment_weight refers to, before any step.
+
+        directions  (vertex count of the surface, 3) float64, of any length and either sign; zero
+                    or not finite: no wish there. None: takes a field back
+        kind        one of ALIGNMENTS: the curve lies along the field, or across it
+
+        Raises MeanderError for an array that does not fit, a field without any direction in the
+        surface, and a flow that has made an iteration.
+        """
+        array = None
+        if directions is not None:
+            array = checked_array("directions", directions, np.float64, 3)
+        number = chosen("kind of alignment", kind, ALIGNMENTS)
+        with self._use() as pointer:
+            call(
+                native().meander_flow_set_directions,
+                pointer,
+                address_of(array),
+                0 if array is None else len(array),
+                number,
+            )
+
+    def step(self, context: Context | None = None) -> str:
+        """Runs one iteration and returns the stop reason, one of STOP_REASONS.
+
+        A step is taken whatever the reason says, so the caller decides when to stop. 'cancelled'
+        leaves the state of the last whole iteration; the flow can go on.
+        """
+        return self._advance("meander_flow_step", context)
+
+    def run(self, context: Context | None = None) -> str:
+        """Steps until the flow converges, stalls, is cancelled or reaches its iteration limit.
+
+        Returns which of these it was, one of STOP_REASONS. 'cancelled' leaves the last whole
+        iteration in place; the flow can go on.
+        """
+        return self._advance("meander_flow_run", context)
+
+    def _advance(self, name: str, context: Context | None) -> str:
+        error = new_error()
+        with self._use() as pointer:
+            function = getattr(native(), name)
+            with pointer_of(context) as context_pointer:
+                status = function(pointer, context_pointer, byref(error))
+            return self._reason(pointer, status, error)
+
+    def _reason(self, pointer: int, status: int, error: ErrorRecord) -> str:
+        if status == Status.CANCELLED:
+            return "cancelled"
+        if status != Status.OK:
+            raise_error(status, error)
+        return STOP_REASONS[native().meander_flow_stop_reason(pointer)]
+
+    def start(self, context: Context | None = None) -> None:
+        """Begins `run` on a thread of the library's and returns at once; the curve is the same.
+
+        Until `wait`, everything but `running`, `preview`, `wait` and `close` raises MeanderError.
+        The context may be closed meanwhile, but then the run can only be ended by `close`.
+        """
+        function = native().meander_flow_start
+        with self._use() as pointer:
+            with pointer_of(context) as context_pointer:
+                call(function, pointer, context_pointer)
+            self._seen = 0
+            # The interpreter must not go while the library computes; no other thread of Python's
+            # can be inside the flow but in `wait`, which takes this back.
+            self._finalizer.atexit = True
+
+    @property
+    def running(self) -> bool:
+        """Whether a started run is still going. Any thread; costs nothing."""
+        return bool(native().meander_flow_is_running(self._alive()))
+
+    def wait(self) -> str:
+        """Waits for the end of a started run; returns or raises what `run` would have.
+
+        Raises MeanderError also when no run has been started since the last wait.
+        """
+        error = new_error()
+        with self._use() as pointer:
+            self._finalizer.atexit = False
+            status = native().meander_flow_wait(pointer, byref(error))
+            return self._reason(pointer, status, error)
+
+    def preview(self) -> Preview | None:
+        """The newest copy of the curve of a started run, once; None while there is no newer one.
+
+        The first is of the curve at the start; the run makes the next one, after its present
+        iteration, when this one has been taken. Raises MeanderError before `start` and after
+        `wait`.
+        """
+        function = native().meander_flow_get_preview
+        figures = PreviewRecord(struct_size=sizeof(PreviewRecord))
+        points, strands = c_size_t(), c_size_t()
+        with self._use() as pointer:
+            call(function, pointer, byref(figures), *_into(None, points, strands))
+            if figures.serial == self._seen:
+                return None
+            curve = _empty_polylines(points.value, strands.value)
+            # The copy has not been taken yet, so that it is still the newest, of the same sizes.
+            call(function, pointer, byref(figures), *_into(curve, points, strands))
+            self._seen = figures.serial
+        return Preview(curve, figures.iterations, figures.nodes, figures.length, figures.seconds)
+
+    def set_vertices(self, vertices: ArrayLike) -> None:
+        """Moves the vertices of the flow's surface, and the curve with it; see the C header.
+
+        vertices  (n, 3) float64, as many and in the order as passed to Surface
+
+        The curve rides on its faces and is straightened; the steps that follow make it even again.
+        Raises MeanderError, and leaves the flow as it was, for another number of vertices, a
+        coordinate that is not finite, a face without area, and a surface that has become too small
+        or too large for the spacing.
+        """
+        array = checked_array("vertices", vertices, np.float64, 3)
+        with self._use() as pointer:
+            call(native().meander_flow_set_vertices, pointer, address_of(array), len(array))
+
+    def statistics(self) -> dict[str, Any]:
+        """Figures of the present state, named as in meander_flow_statistics.
+
+        stop_reason is one of STOP_REASONS, polishing a bool, counts are int; lengths are in the
+        surface's units, times in seconds. Costs one medial axis and one crossing test.
+        """
+        record = FlowStatisticsRecord(struct_size=sizeof(FlowStatisticsRecord))
+        with self._use() as pointer:
+            call(native().meander_flow_get_statistics, pointer, byref(record))
+        values = figures_of(record)
+        values["stop_reason"] = STOP_REASONS[record.stop_reason]
+        values["polishing"] = bool(record.polishing)
+        return values
+
+    def history(self) -> list[dict[str, int | float]]:
+        """One record per iteration, oldest first, named as in meander_iteration.
+
+        iteration (from 1) and nodes: int; length, mean_step, energy, seconds: float.
+        """
+        library = native()
+        count = c_size_t()
+        with self._use() as pointer:
+            call(library.meander_flow_get_history, pointer, None, 0, byref(count))
+            records = (IterationRecord * count.value)()
+            call(library.meander_flow_get_history, pointer, records, count.value, byref(count))
+        return [figures_of(record) for record in records]
+
+    def polylines(self) -> Polylines:
+        """The present curve, nodes and edge crossings; strands come in the order of the seed's."""
+        function = native().meander_flow_get_polylines
+        points, strands = c_size_t(), c_size_t()
+        with self._use() as pointer:
+            call(function, pointer, *_into(None, points, strands))
+            curve = _empty_polylines(points.value, strands.value)
+            call(function, pointer, *_into(curve, points, strands))
+        return curve
+
+    def guides(self) -> NDArray[np.bool_]:
+        """(s,) bool: which strands are guides, in the order of the polylines."""
+        function = native().meander_flow_get_guides
+        count = c_size_t()
+        with self._use() as pointer:
+            call(function, pointer, None, 0, byref(count))
+            flags = np.empty(count.value, dtype=np.uint8)
+            call(function, pointer, address_of(flags), len(flags), byref(count))
+        return flags.astype(bool)
+
+    def nodes(self) -> Nodes:
+        """The present nodes, strand after strand."""
+        function = native().meander_flow_get_nodes
+        count = c_size_t()
+        with self._use() as pointer:
+            call(function, pointer, None, None, None, None, 0, byref(count))
+            nodes = Nodes(
+                np.empty(count.value, dtype=np.uint32),
+                np.empty((count.value, 3)),
+                np.empty((count.value, 2)),
+                np.empty(count.value, dtype=np.uint8),
+            )
+            call(
+                function,
+                pointer,
+                *(address_of(array) for array in nodes),
+                count.value,
+                byref(count),
+            )
+        return nodes
+
+    def point_data(self) -> PointData:
+        """What is known of every point of `polylines()`, in their order. Costs a medial axis."""
+        function = native().meander_flow_get_point_data
+        count = c_size_t()
+        with self._use() as pointer:
+            call(function, pointer, *(None,) * 6, 0, byref(count))
+            data = PointData(
+                np.empty(count.value),
+                np.empty((count.value, 3)),
+                np.empty((count.value, 3)),
+                np.empty((count.value, 2)),
+                np.empty(count.value, dtype=np.uint32),
+                np.empty((count.value, 3)),
+            )
+            call(
+                function, pointer, *(address_of(array) for array in data), count.value, byref(count)
+            )
+        return data
+
+    def gaps(self, least_size: float = 0.0) -> Gaps:
+        """The places that the present curve leaves empty; see meander_flow_get_gaps.
+
+        least_size   how far from the curve a place must be to count, in local r, at least 1;
+                     0 leaves it to the library, which takes 1.2
+
+        Costs one medial axis and a search; the curve stays as it is. Raises MeanderError for a
+        size out of range.
+        """
+        function = native().meander_flow_get_gaps
+        count = c_size_t()
+        room = _GAP_ROOM
+        with self._use() as pointer:
+            while True:
+                gaps = Gaps(
+                    np.empty((room, 3)),
+                    np.empty(room),
+                    np.empty(room),
+                    np.empty(room, dtype=np.uint32),
+                )
+                call(
+                    function,
+                    pointer,
+                    float(least_size),
+                    *(address_of(getattr(gaps, field.name)) for field in fields(Gaps)),
+                    room,
+                    byref(count),
+                )
+                if count.value <= room:
+                    break
+                room = count.value
+        return Gaps(*(getattr(gaps, field.name)[: count.value].copy() for field in fields(Gaps)))
+
+
+def _empty_polylines(points: int, strands: int) -> Polylines:
+    return Polylines(
+        np.empty((points, 3)),
+        np.empty((points, 3)),
+        np.zeros(strands + 1, dtype=np.uint32),
+        np.empty(strands, dtype=np.uint8),
+    )
+
+
+def _into(curve: Polylines | None, points: c_size_t, strands: c_size_t) -> tuple[Any, ...]:
+    """The arguments for a curve to be written to: its arrays, their room, and where the sizes go.
+
+    Without a curve only the sizes are asked for.
+    """
+    if curve is None:
+        return None, None, 0, byref(points), None, None, 0, byref(strands)
+    return (
+        address_of(curve.positions),
+        address_of(curve.normals),
+        len(curve.positions),
+        byref(points),
+        address_of(curve.offsets),
+        address_of(curve.closed),
+        len(curve.closed),
+        byref(strands),
+    )

@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Finds and loads the native library, and what every call into it needs: errors, arrays, handles.
+
+What the library does is for `core` to know; hosts have no use for this module.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+import threading
+import weakref
+from collections.abc import Callable
+from ctypes import Structure, byref, c_size_t, sizeof
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .abi import ABI_VERSION, ELEMENT_KINDS, PROTOTYPES, STRUCTS, VERSION, ErrorRecord, Status
+
+# Names the library file to load instead of the one in the package.
+LIBRARY_VARIABLE = "MEANDER_LIBRARY"
+
+# The status of a MeanderError about the library file itself: it is missing or does not fit.
+STATUS_NO_LIBRARY = -1
+
+
+# ------------------------------------------------------------------------------------------------
+# Errors
+
+
+class MeanderError(Exception):
+    """Something that a person can put right; ``str(error)`` is one sentence that says how.
+
+    status        a `Status`, or STATUS_NO_LIBRARY when the library could not be loaded
+    element_kind  what `elements` counts: 'vertex', 'face', 'edge', 'seed_point', or None
+    elements      the first element at fault; an edge has the indices of its two end vertices, and
+                  where two strands of a seed meet there is a point of each
+    """
+
+    def __init__(
+        self,
+        text: str,
+        status: int = Status.INVALID_ARGUMENT,
+        element_kind: str | None = None,
+        elements: tuple[int, ...] = (),
+    ) -> None:
+        super().__init__(text)
+        self.status = int(status)
+        self.element_kind = element_kind
+        self.elements = elements
+
+
+def new_error() -> ErrorRecord:
+    return ErrorRecord(struct_size=sizeof(ErrorRecord))
+
+
+def raise_error(status: int, error: ErrorRecord) -> None:
+    """Turns a failed call into a MeanderError."""
+    text = error.text.decode("utf-8", "replace")
+    if not text:
+        name = native().meander_status_name(status)
+        text = f"the native library failed ({name.decode('utf-8', 'replace')})"
+    kind = None
+    if 0 <= error.element_kind < len(ELEMENT_KINDS):
+        kind = ELEMENT_KINDS[error.element_kind]
+    elements: tuple[int, ...] = ()
+    if kind == "edge":
+        elements = (error.element_index, error.element_index2)
+    elif kind == "seed_point":
+        elements = tuple(dict.fromkeys((error.element_index, error.element_index2)))
+    elif kind is not None:
+        elements = (error.element_index,)
+    raise MeanderError(text, status, kind, elements)
+
+
+def call(function: Callable[..., int], *arguments: Any) -> None:
+    """Calls a function of the library's with these and a place for its error, which is raised."""
+    error = new_error()
+    status = function(*arguments, byref(error))
+    if status != Status.OK:
+        raise_error(status, error)
+
+
+# ------------------------------------------------------------------------------------------------
+# Loading
+
+_loaded: ctypes.CDLL | None = None
+_load_lock = threading.Lock()
+
+
+def library_path() -> Path:
+    """Where the library is expected: MEANDER_LIBRARY if set, else ``native/`` in the package."""
+    override = os.environ.get(LIBRARY_VARIABLE)
+    if override:
+        return Path(override)
+    if sys.platform == "win32":
+        name = f"meander-{VERSION}.dll"
+    elif sys.platform == "darwin":
+        name = f"libmeander-{VERSION}.dylib"
+    else:
+        name = f"libmeander-{VERSION}.so"
+    return Path(__file__).resolve().parents[1] / "native" / name
+
+
+def _load(path: Path) -> ctypes.CDLL:
+    """Loads the library and compares ABI and version before anything else is called."""
+    if not path.is_file():
+        raise MeanderError(
+            f"the native library {path} is missing; build it, install the add-on again from its "
+            f"zip, or set {LIBRARY_VARIABLE} to its full path",
+            STATUS_NO_LIBRARY,
+        )
+    try:
+        library = ctypes.CDLL(str(path))
+    except OSError as problem:
+        raise MeanderError(
+            f"the native library {path} cannot be loaded on this system ({problem}); install the "
+            "add-on from the zip made for it",
+            STATUS_NO_LIBRARY,
+        ) from problem
+    try:
+        abi_version = _bind(library, "meander_abi_version")()
+        if abi_version != ABI_VERSION:
+            raise MeanderError(
+                f"the native library {path} has ABI {abi_version}, but this add-on needs "
+                f"{ABI_VERSION}; install the add-on again from its zip and restart Blender",
+                STATUS_NO_LIBRARY,
+            )
+        version = _bind(library, "meander_version")().decode("utf-8", "replace")
+        if version != VERSION:
+            raise MeanderError(
+                f"the native library {path} is version {version}, but this add-on is version "
+                f"{VERSION}; install the add-on again from its zip and restart Blender",
+                STATUS_NO_LIBRARY,
+            )
+        for name in PROTOTYPES:
+            _bind(library, name)
+    except AttributeError as problem:
+        raise MeanderError(
+            f"the file {path} is not Meander's native library ({problem}); install the add-on "
+            "again from its zip",
+            STATUS_NO_LIBRARY,
+        ) from problem
+    return library
+
+
+def _bind(library: ctypes.CDLL, name: str) -> Callable[..., Any]:
+    function = getattr(library, name)
+    result, arguments = PROTOTYPES[name]
+    function.restype = result
+    function.argtypes = list(arguments)
+    return function
+
+
+def native() -> ctypes.CDLL:
+    """The library, loaded on first use: on Windows a loaded file blocks an update."""
+    global _loaded
+    if _loaded is None:
+        with _load_lock:
+            if _loaded is None:
+                _loaded = _load(library_path())
+    return _loaded
+
+
+def library_version() -> str:
+    """The version of the native library, such as "0.1.0"; loads it.
+
+    Raises MeanderError when the library is missing or does not fit this add-on.
+    """
+    return native().meander_version().decode("utf-8")
+
+
+def struct_layouts() -> dict[str, tuple[list[int], list[int]]]:
+    """How ctypes and the library lay each struct out, for the test that compares them.
+
+    Per C struct name: (ours, theirs), each the size of the struct followed by the offset of every
+    field in the order of declaration. Theirs is empty when the library does not know the name.
+    """
+    library = native()
+    layouts: dict[str, tuple[list[int], list[int]]] = {}
+    for name, struct in STRUCTS.items():
+        ours = [sizeof(struct)]
+        ours += [getattr(struct, field[0]).offset for field in struct._fields_]
+        count = library.meander_struct_layout(name.encode(), None, 0)
+        theirs = (c_size_t * count)()
+        library.meander_struct_layout(name.encode(), theirs, count)
+        layouts[name] = (ours, list(theirs))
+    return layouts
+
+
+# ------------------------------------------------------------------------------------------------
+# Arrays and handles
+
+
+def checked_array(name: str, value: ArrayLike, dtype: type, columns: int | None) -> NDArray[Any]:
+    """`value` as a C-contiguous array of exactly this dtype, of shape (n,) or (n, columns).
+
+    Numbers that the dtype cannot hold are refused rather than wrapped round: a face index of -1
+    must not become 4294967295.
+    """
+    array = np.asarray(value)
+    shape = "(n,)" if columns is None else f"(n, {columns})"
+    fits = array.ndim == 1 if columns is None else array.ndim == 2 and array.shape[1] == columns
+    if not fits:
+        raise MeanderError(f"{name} must be an array of shape {shape}, not {array.shape}")
+    if array.dtype != dtype:
+        if np.issubdtype(dtype, np.integer):
+            if array.size and not (
+                np.issubdtype(array.dtype, np.integer) or array.dtype == np.bool_
+            ):
+                raise MeanderError(f"{name} must hold whole numbers, not {array.dtype}")
+            limit = np.iinfo(dtype).max
+            if array.size and array.dtype != np.bool_ and (array.min() < 0 or array.max() > limit):
+                raise MeanderError(f"{name} must hold numbers from 0 to {limit}")
+        elif not (np.issubdtype(array.dtype, np.number) or array.dtype == np.bool_) or (
+            np.issubdtype(array.dtype, np.complexfloating)
+        ):
+            raise MeanderError(f"{name} must hold real numbers, not {array.dtype}")
+    return np.ascontiguousarray(array, dtype=dtype)
+
+
+def address_of(array: NDArray[Any] | None) -> int | None:
+    """A pointer to the data; NULL for None. The caller keeps the array alive during the call."""
+    return None if array is None else array.ctypes.data
+
+
+def chosen(what: str, value: str, choices: tuple[str, ...]) -> int:
+    """The number of `value` among the names that the library knows by number."""
+    if value not in choices:
+        raise MeanderError(f"there is no {what} {value!r}; choose one of {', '.join(choices)}")
+    return choices.index(value)
+
+
+def figures_of(record: Structure) -> dict[str, Any]:
+    """The fields of a struct that mean something to a reader, by their C names."""
+    names = [field[0] for field in record._fields_ if field[0] not in ("struct_size", "reserved")]
+    return {name: getattr(record, name) for name in names}
+
+
+class Handle:
+    """Owns one opaque pointer: freed by close(), on leaving a `with`, or when collected."""
+
+    _what = "object"
+
+    def __init__(self, pointer: int, destroy: Callable[[int], None]) -> None:
+        self._pointer: int | None = pointer
+        self._finalizer = weakref.finalize(self, destroy, pointer)
+        # At exit a daemon thread may still be inside the library; the process frees all anyway.
+        self._finalizer.atexit = False
+
+    def _alive(self) -> int:
+        if self._pointer is None:
+            raise MeanderError(f"this {self._what} has been closed; make a new one")
+        return self._pointer
+
+    def close(self) -> None:
+        """Frees the native memory now; closing twice is allowed, using it afterwards is not."""
+        self._pointer = None
+        self._finalizer()
+
+    def __enter__(self) -> Any:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()

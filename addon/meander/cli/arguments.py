@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options of the batch command, and what can be refused before any file is read."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from .. import core
+from . import density, motion, preparation, strands, terms, toolpath, values
+from .values import BadInput
+
+
+def parser() -> argparse.ArgumentParser:
+    parser = values.Parser(
+        prog="batch.py",
+        description="Grow a curve on a mesh until it fills the surface at an even spacing.",
+        allow_abbrev=False,
+    )
+    add = parser.add_argument
+    add("--input", type=Path, required=True, metavar="MESH", help=".obj, .ply, .stl or .blend")
+    add("--object", metavar="NAME", help="mesh object in the .blend; default: the active one")
+    add("--output", type=Path, required=True, metavar="OUT", help=".obj, .blend, .csv or .json")
+    add("--report", type=Path, metavar="JSON", help="write figures of the run")
+    add(
+        "--spacing",
+        type=values.positive,
+        required=True,
+        metavar="S",
+        help="distance of neighbouring strands, in scene units",
+    )
+    add("--seed", type=Path, metavar="CURVE", help=".obj with v and l lines, in the mesh's space")
+    add(
+        "--seed-object",
+        metavar="NAME",
+        help="curve object in the .blend; its ends stay put if the surface's settings say so",
+    )
+    add(
+        "--segment-length",
+        type=values.positive,
+        metavar="H",
+        help="default: a tenth of the spacing",
+    )
+    add(
+        "--max-radius",
+        type=values.positive,
+        metavar="RMAX",
+        help="limit of the medial radius",
+    )
+    add("--iterations", type=values.count(1, 2**31 - 1), metavar="N", help="iteration limit")
+    add(
+        "--medial-axis",
+        choices=("euclidean", "geodesic"),
+        default="euclidean",
+        help="measure distances between strands through space, or along the surface",
+    )
+    add("--preset", choices=("even", "finest", "paper"), default="even")
+    add(
+        "--threads",
+        type=values.count(0, 256),
+        default=0,
+        metavar="T",
+        help="0: all; same result",
+    )
+    add("--quiet", action="store_true", help="print nothing but errors")
+    density.add_options(parser, values.number)
+    terms.add_options(parser, values.not_negative)
+    strands.add_options(parser, values.number, values.count(0, 2**31 - 1))
+    preparation.add_options(parser, values.number)
+    toolpath.add_options(parser, values.positive)
+    motion.add_options(parser, values.count(1, 1000))
+    return parser
+
+
+def arguments_of_process() -> list[str]:
+    """What stands behind ``--``; inside Blender all the rest is Blender's own."""
+    if "--" in sys.argv:
+        return sys.argv[sys.argv.index("--") + 1 :]
+    loaded_bpy = sys.modules.get("bpy")
+    if loaded_bpy is not None and loaded_bpy.app.binary_path:
+        return []
+    return sys.argv[1:]
+
+
+def check_arguments(arguments: argparse.Namespace) -> None:
+    """Refuses what can be refused before any file is read."""
+    kind = arguments.input.suffix.lower()
+    if kind not in (".obj", ".ply", ".stl", ".blend"):
+        raise BadInput(f"--input {arguments.input} is no .obj, .ply, .stl or .blend file")
+    if not arguments.input.is_file():
+        raise BadInput(f"--input {arguments.input} does not exist; check the path")
+    if kind != ".blend":
+        for option in ("object", "seed_object", "guides_object"):
+            if getattr(arguments, option) is not None:
+                name = option.replace("_", "-")
+                raise BadInput(f"--{name} names an object of a .blend, but --input is {kind}")
+    for part in (density, preparation, terms, motion):
+        wrong = part.problem_of(arguments, kind)
+        if wrong is not None:
+            raise BadInput(wrong)
+    if arguments.seed is not None and arguments.seed_object is not None:
+        raise BadInput("--seed and --seed-object are both given; choose one")
+    strand_problem = strands.problem_of(arguments)
+    if strand_problem is not None:
+        raise BadInput(strand_problem)
+    if arguments.output.suffix.lower() not in (".obj", ".blend", ".csv", ".json"):
+        raise BadInput(f"--output {arguments.output} is no .obj, .blend, .csv or .json file")
+    toolpath_problem = toolpath.problem_of(arguments)
+    if toolpath_problem is not None:
+        raise BadInput(toolpath_problem)
+    _check_outputs(arguments)
+
+
+def _check_outputs(arguments: argparse.Namespace) -> None:
+    taken = {"--input": arguments.input, "--seed": arguments.seed, "--guides": arguments.guides}
+    for option, path in (("--output", arguments.output), ("--report", arguments.report)):
+        if path is None:
+            continue
+        if path.is_dir() or not path.name:
+            raise BadInput(f"{option} {path} is a folder; give a file name")
+        if not path.absolute().parent.is_dir():
+            raise BadInput(f"the folder of {option} {path} does not exist; make it first")
+        if not os.access(path.absolute().parent, os.W_OK):
+            raise BadInput(f"the folder of {option} {path} cannot be written to; choose another")
+        for other, other_path in taken.items():
+            # A scene may be saved over itself: it still holds all that was in it.
+            scene = option == "--output" and other == "--input" and path.suffix == ".blend"
+            if other_path is not None and path.resolve() == other_path.resolve() and not scene:
+                raise BadInput(f"{option} would overwrite {other} {path}; choose another name")
+        taken[option] = path
+
+
+def flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
+    """The preset's options with what the command line says in their place."""
+    options = core.default_options(arguments.preset)
+    options.radius = arguments.spacing / 2
+    options.threads = arguments.threads
+    options.medial_axis = core.MedialAxis[arguments.medial_axis.upper()]
+    if arguments.border_distance is not None:
+        options.border_distance = arguments.border_distance
+    if arguments.iterations is not None:
+        options.iteration_limit = arguments.iterations
+    terms.terms_of(arguments).apply(options)
+    if arguments.segment_length is not None:
+        options.segment_length = arguments.segment_length  # to the last bit
+    if arguments.max_radius is not None:
+        options.max_radius = arguments.max_radius
+    return options

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads what the batch command fills: an OBJ file by itself, other files with Blender's help."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+from dataclasses import asdict
+from pathlib import Path
+
+from .. import core
+from ..model import mesh_files, strands
+from ..model.density import Choice, curvature_density
+from . import density, preparation, terms
+from . import strands as strand_options
+from .input import Input
+from .values import BadInput
+
+
+def read_input(arguments: argparse.Namespace) -> Input:
+    kind = arguments.input.suffix.lower()
+    if kind == ".obj":
+        given = Input(*mesh_files.read_obj_mesh(arguments.input))
+    else:
+        need_bpy(arguments.input)
+        from . import scene_input  # which needs bpy, and reading an OBJ file does not
+
+        given = scene_input.read(arguments)
+    if kind != ".blend":
+        _set_fields(given, arguments)
+    given.repair = preparation.repair_of(arguments)
+    if given.mask.source == "NONE":
+        given.surface_options = core.SurfaceOptions(**asdict(given.repair))
+    if arguments.seed is not None:
+        seed = mesh_files.read_obj_curve(arguments.seed)
+        given.parts.insert(0, strands.Part(str(arguments.seed), seed))
+    given.stroke = strand_options.stroke_of(arguments, given.vertices)
+    if isinstance(given.stroke, str):
+        raise BadInput(given.stroke)
+    if given.stroke is not None:
+        given.parts.insert(0, strands.Part("the stroke", strands.stroke(*given.stroke)))
+    if arguments.guides is not None:
+        guides = mesh_files.read_obj_curve(arguments.guides)
+        given.parts.append(strands.Part(str(arguments.guides), guides, guide=True))
+    given.seed = strands.assembled(given.parts, arguments.fill_every_part)
+    return given
+
+
+def _set_fields(given: Input, arguments: argparse.Namespace) -> None:
+    """Density and directions of a mesh from a file of its own: what can be computed on it."""
+    radius = arguments.spacing / 2
+    given.density_choice = density.choice_of(arguments, Choice())
+    if given.density_choice.source == "CURVATURE":
+        given.density = curvature_density(given.density_choice, radius)
+    given.alignment = terms.alignment_of(arguments)
+    given.directions = terms.directions_without_a_scene(
+        given.alignment, len(given.vertices), radius
+    )
+
+
+def need_bpy(path: Path) -> None:
+    if importlib.util.find_spec("bpy") is None:
+        raise BadInput(f"{path} needs Blender; run this command with blender --background --python")

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads a .blend, PLY or STL file in Blender: the surface, and what objects beside it say."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import bpy
+
+from .. import core
+from ..model import strands
+from ..scene.alignment import directions_of
+from ..scene.curve_reader import strands_of_curve
+from ..scene.density import choice_of, density_of
+from ..scene.errors import DataError
+from ..scene.meshes import in_polygons as renumbered
+from ..scene.meshes import loose_edge_count, triangles_of
+from ..scene.preparation import surface_options
+from . import density, preparation, terms
+from .input import Input
+from .saved_settings import saved_settings
+from .values import BadInput
+
+
+def read(arguments: argparse.Namespace) -> Input:
+    """What --input holds, with the objects that other options name. Raises BadInput."""
+    try:
+        if arguments.input.suffix.lower() == ".blend":
+            return _read_scene(arguments)
+        return _import_mesh(arguments.input)
+    except DataError as refusal:
+        raise BadInput(str(refusal)) from refusal
+
+
+def empty_scene() -> None:
+    # read_factory_settings would take installed add-ons out of the session.
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+
+
+def _import_mesh(path: Path) -> Input:
+    """Reads a PLY or STL file with Blender's importer, axes and scale left alone."""
+    empty_scene()
+    kind = path.suffix.lower()[1:]
+    try:
+        with _stderr_to_stdout():
+            # Importers in C++ replaced the add-ons one by one: in 3.4 there is one for STL only.
+            if f"{kind}_import" in dir(bpy.ops.wm):
+                operator = getattr(bpy.ops.wm, f"{kind}_import")
+                operator(filepath=str(path), forward_axis="Y", up_axis="Z", global_scale=1.0)
+            else:
+                import addon_utils
+
+                addon_utils.enable(f"io_mesh_{kind}")
+                operator = getattr(bpy.ops.import_mesh, kind)
+                # STL has an option for axes, and PLY takes them as they are.
+                axes = {"axis_forward": "Y", "axis_up": "Z"} if kind == "stl" else {}
+                operator(filepath=str(path), **axes)
+    except RuntimeError as problem:
+        raise BadInput(
+            f"{path} cannot be read as {kind.upper()}; export it again or give an .obj file"
+        ) from problem
+    meshes = [item for item in bpy.context.scene.objects if item.type == "MESH"]
+    if len(meshes) != 1:
+        raise BadInput(
+            f"{path} cannot be read as {kind.upper()}; export it again or give an .obj file"
+        )
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    vertices, faces = triangles_of(meshes[0], depsgraph)
+    return Input(vertices, faces, surface_object=meshes[0])
+
+
+@contextmanager
+def _stderr_to_stdout() -> Iterator[None]:
+    """Importers print their complaints from C; stderr is for the one sentence that follows."""
+    sys.stderr.flush()
+    kept = os.dup(2)
+    os.dup2(1, 2)
+    try:
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+
+
+def _read_scene(arguments: argparse.Namespace) -> Input:
+    """Opens a .blend and takes surface, seed and density from its objects, in world units."""
+    try:
+        bpy.ops.wm.open_mainfile(filepath=str(arguments.input.absolute()), load_ui=False)
+    except RuntimeError as problem:
+        raise BadInput(
+            f"{arguments.input} is no .blend file that Blender {bpy.app.version_string} can open; "
+            "save it again with this version or an older one"
+        ) from problem
+    surface_object = _mesh_object(arguments)
+    with saved_settings():
+        settings = surface_object.meander
+        choice = density.choice_of(arguments, choice_of(settings))
+        fixed_ends = settings.fixed_ends
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    vertices, faces = triangles_of(surface_object, depsgraph)
+    given = Input(vertices, faces, surface_object=surface_object)
+    given.mask = preparation.mask_of(arguments)
+    if given.mask.source != "NONE":
+        given.surface_options = surface_options(
+            preparation.repair_of(arguments), given.mask, surface_object, depsgraph
+        )
+    given.loose_edges = loose_edge_count(surface_object, depsgraph)
+    given.density_choice = choice
+    radius = arguments.spacing / 2
+    given.density = density_of(choice, surface_object, depsgraph, radius)
+    given.alignment = terms.alignment_of(arguments)
+    given.directions = directions_of(given.alignment, surface_object, depsgraph, radius)
+    if arguments.seed_object is not None:
+        seed_object = bpy.context.scene.objects.get(arguments.seed_object)
+        if seed_object is None:
+            raise BadInput(
+                f"{arguments.input} has no object {arguments.seed_object!r} in its scene; give "
+                "the name of a curve object to --seed-object"
+            )
+        given.fixed_ends = fixed_ends
+        seed = strands_of_curve(seed_object, depsgraph, fixed_ends)
+        given.parts.append(strands.Part(seed_object.name, seed))
+    if arguments.guides_object is not None:
+        guides_object = bpy.context.scene.objects.get(arguments.guides_object)
+        if guides_object is None:
+            raise BadInput(
+                f"{arguments.input} has no object {arguments.guides_object!r} in its scene; give "
+                "the name of a curve object to --guides-object"
+            )
+        guides = strands_of_curve(guides_object, depsgraph)
+        given.parts.append(strands.Part(guides_object.name, guides, guide=True))
+    return given
+
+
+def _mesh_object(arguments: argparse.Namespace) -> bpy.types.Object:
+    """--object, else the active mesh object, else the only one."""
+    scene_objects = bpy.context.scene.objects
+    if arguments.object is not None:
+        named = scene_objects.get(arguments.object)
+        if named is None:
+            raise BadInput(
+                f"{arguments.input} has no object {arguments.object!r} in its scene; give the "
+                "name of a mesh object to --object"
+            )
+        return named
+    active = bpy.context.view_layer.objects.active
+    if active is not None and active.type == "MESH":
+        return active
+    meshes = [item for item in scene_objects if item.type == "MESH"]
+    if len(meshes) != 1:
+        found = "no mesh object" if not meshes else f"{len(meshes)} mesh objects, none of it active"
+        raise BadInput(f"{arguments.input} has {found}; name one with --object")
+    return meshes[0]
+
+
+def in_polygons(error: core.MeanderError, surface_object: bpy.types.Object) -> core.MeanderError:
+    """The same error, with faces counted as Blender counts them."""
+    return renumbered(error, surface_object, bpy.context.evaluated_depsgraph_get())

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options of the batch command that write the curve as a path for tools."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from .. import core
+from ..model import toolpath
+
+
+def add_options(parser: argparse.ArgumentParser, positive: Callable[[str], float]) -> None:
+    """Adds the options; `positive` reads a number greater than 0."""
+    group = parser.add_argument_group(
+        "tool paths", "How densely the points of an --output of kind .csv or .json lie."
+    )
+    add = group.add_argument
+    add(
+        "--resample-step",
+        type=positive,
+        metavar="D",
+        help="points at equal ways along each strand, at most this far apart",
+    )
+    add(
+        "--chord-tolerance",
+        type=positive,
+        metavar="D",
+        help="as few points as keep the straight way between them this near",
+    )
+
+    add(
+        "--points",
+        choices=("mesh", "curves"),
+        help="an --output of kind .blend also gets an object of all points, with attributes",
+    )
+
+
+def problem_of(arguments: argparse.Namespace) -> str | None:
+    """What is wrong with the options, as a sentence, or None."""
+    given = [
+        f"--{name.replace('_', '-')}"
+        for name in ("resample_step", "chord_tolerance")
+        if getattr(arguments, name) is not None
+    ]
+    if len(given) == 2:
+        return "--resample-step and --chord-tolerance are both given; choose one"
+    if given and not is_wanted(arguments.output):
+        return f"{given[0]} needs an --output of kind .csv or .json"
+    if arguments.points is not None and arguments.output.suffix.lower() != ".blend":
+        return "--points needs an --output of kind .blend; .csv and .json have the same in columns"
+    return None
+
+
+def is_wanted(path: Path) -> bool:
+    """Whether an output file is a path for tools."""
+    return path.suffix.lower() in toolpath.SUFFIXES
+
+
+def echo(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What is in effect, for the report."""
+    return {
+        "resample_step": arguments.resample_step,
+        "chord_tolerance": arguments.chord_tolerance,
+        "points": arguments.points,
+    }
+
+
+def write(
+    path: Path,
+    arguments: argparse.Namespace,
+    curve: core.Polylines,
+    data: core.PointData,
+    mesh: toolpath.Mesh,
+) -> None:
+    """Writes the curve, resampled as the options say."""
+    strands = toolpath.resampled(
+        curve, arguments.resample_step, arguments.chord_tolerance, data, mesh
+    )
+    toolpath.write(path, strands, core.library_version())

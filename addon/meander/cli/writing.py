@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the batch command leaves: the curve, and the report of every option and figure."""
+
+from __future__ import annotations
+
+import argparse
+from contextlib import ExitStack
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import core
+from ..model import mesh_files, report, toolpath
+from . import density, motion, preparation, strands, terms
+from . import toolpath as toolpath_options
+from .input import Input
+
+
+def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input) -> dict[str, Any]:
+    """Every option in effect, for the report; null: the preset's own value."""
+    echo: dict[str, Any] = {
+        "input": str(arguments.input),
+        "object": None if given.surface_object is None else given.surface_object.name,
+        "output": str(arguments.output),
+        **toolpath_options.echo(arguments),
+        "seed": None if arguments.seed is None else str(arguments.seed),
+        "seed_object": arguments.seed_object,
+        "fixed_ends": given.fixed_ends,
+        **strands.echo(arguments, given.stroke),
+        "spacing": arguments.spacing,
+        **density.echo(arguments, given.density_choice),
+        **preparation.echo(given.repair, given.mask),
+        "outline": arguments.outline,
+        **terms.echo(arguments, options),
+        **motion.echo(arguments),
+    }
+    echo.update(asdict(options))
+    echo["medial_axis"] = arguments.medial_axis
+    if options.segment_length == 0:
+        echo["segment_length"] = 0.2 * options.radius  # what 0 stands for in the C API
+    if options.max_radius == 0:
+        echo["max_radius"] = None
+    return echo
+
+
+def write_outputs(
+    arguments: argparse.Namespace,
+    given: Input,
+    curve: core.Polylines,
+    data: core.PointData,
+    guides: NDArray[np.bool_],
+    record: dict[str, Any],
+) -> None:
+    """Writes both files beside their places first, then moves the curve in and then the report."""
+    with ExitStack() as stack:  # leaves in reverse order
+        report_path = None
+        if arguments.report is not None:
+            report_path = stack.enter_context(mesh_files.atomic_output(arguments.report))
+        curve_path = stack.enter_context(mesh_files.atomic_output(arguments.output))
+        if arguments.output.suffix.lower() == ".obj":
+            mesh_files.write_obj_curve(curve_path, curve)
+        elif toolpath_options.is_wanted(arguments.output):
+            mesh = toolpath.Mesh(given.vertices, given.faces)
+            toolpath_options.write(curve_path, arguments, curve, data, mesh)
+        else:
+            from . import scene_output  # which needs bpy
+
+            scene_output.write_scene(curve_path, arguments, given, curve, data, guides)
+        if report_path is not None:
+            report.write_report(report_path, record)

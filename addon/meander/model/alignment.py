@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which way the strands run: numpy in, numpy out, no bpy.
+
+Directions are lines: their signs and lengths do not matter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import core
+
+# Per vertex (n, 3), or what computes them from the surface once that is there.
+Directions = NDArray[np.float64] | Callable[[core.Surface], NDArray[np.float64]]
+
+
+@dataclass(frozen=True)
+class Alignment:
+    """What the strands follow, apart from any object: those saved, or those of a command."""
+
+    source: str = "NONE"
+    weight: float = 1.0
+    across: bool = False
+    name: str = ""  # of the attribute, UV map or curve object
+    choice: str = ""  # "X", "Y", "Z"; "MIN", "MAX"; "U", "V"
+    local: bool = False  # the axis is the object's
+    smoothing: float = 2.0  # in units of r
+
+    @property
+    def kind(self) -> str:
+        """One of core.ALIGNMENTS."""
+        return "across" if self.across else "along"
+
+
+def axis_directions(frame: NDArray[np.float64], axis: str, count: int) -> NDArray[np.float64]:
+    """The axis "X", "Y" or "Z" of a frame, whose columns are its axes, for every vertex."""
+    return np.tile(frame[:, "XYZ".index(axis)], (count, 1))
+
+
+def computed(kind: str, smoothing: float = 0.0) -> Directions:
+    """Directions that the library computes: one of core.DIRECTIONS."""
+
+    def on(surface: core.Surface) -> NDArray[np.float64]:
+        # Averaging over more than the mesh is no mistake worth stopping for.
+        return surface.directions(kind, min(smoothing, surface.statistics()["diagonal"]))
+
+    return on
+
+
+def uv_lines(
+    places: NDArray[np.float64], uv: NDArray[np.float64], axis: int
+) -> NDArray[np.float64]:
+    """The lines along u (0) or v (1), where the other stays the same, of triangles (m, 3, 3) with
+    coordinates (m, 3, 2).
+
+    Their squared lengths are twice the areas, so that large triangles count more in a mean; zero
+    where the coordinates say nothing.
+    """
+    a, b = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
+    da, db = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
+    other = 1 - axis
+    # Up to its length and sign, the way in the triangle along which the other coordinate stays.
+    lines = a * db[:, other, None] - b * da[:, other, None]
+    flat = np.abs(da[:, 0] * db[:, 1] - da[:, 1] * db[:, 0]) <= 1e-12 * (da**2 + db**2).sum(axis=1)
+    lengths = np.linalg.norm(lines, axis=1)
+    lines = np.where((flat | (lengths == 0.0))[:, None], 0.0, lines)
+    areas = np.linalg.norm(np.cross(a, b), axis=1)
+    return lines / np.where(lengths > 0.0, lengths, 1.0)[:, None] * np.sqrt(areas)[:, None]
+
+
+def mean_lines(
+    lines: NDArray[np.float64], faces: NDArray[np.integer], count: int
+) -> NDArray[np.float64]:
+    """The mean line (count, 3) at the vertices of faces (m, 3) with a line each, of any sign."""
+    products = (lines[:, :, None] * lines[:, None, :]).reshape(-1, 9)
+    sums = np.zeros((count, 9))
+    for corner in range(3):
+        for entry in range(9):
+            sums[:, entry] += np.bincount(
+                faces[:, corner], weights=products[:, entry], minlength=count
+            )
+    values, vectors = np.linalg.eigh(sums.reshape(-1, 3, 3))
+    return np.where(values[:, 2:] > 0.0, vectors[:, :, 2], 0.0)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How a mesh is made ready: what is mended, which part is filled, what that came to; no bpy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .. import core
+
+
+@dataclass(frozen=True)
+class Repair:
+    """What is done to a mesh with faults; as made, nothing, so that faults are refused."""
+
+    merge_distance: float = 0.0  # world units; 0: none
+    drop_degenerate: bool = False
+    split_bow_ties: bool = False
+    cut_non_manifold: bool = False
+
+
+@dataclass(frozen=True)
+class Mask:
+    """Which part of a mesh is filled: as a panel or a command line says it."""
+
+    source: str = "NONE"  # or "MATERIAL", "ATTRIBUTE", "GROUP"
+    name: str = ""
+    threshold: float = 0.5  # of a vertex group
+    inverted: bool = False  # fill the rest instead
+
+
+def _count(number: int, one: str, many: str) -> str:
+    return f"{number:,} {one if number == 1 else many}"
+
+
+def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
+    """What was done to a mesh, in words; empty if nothing was.
+
+    figures      of core.Surface.statistics(); with "skipped_outlines", of Surface.outlines()
+    loose_edges  of the mesh, in no face
+    """
+    parts = [
+        f"{verb} {_count(int(figures[key]), one, many)}"
+        for key, verb, one, many in (
+            ("turned_faces", "turned", "face", "faces"),
+            ("merged_vertices", "merged", "vertex", "vertices"),
+            ("dropped_faces", "dropped", "face without area", "faces without area"),
+            ("split_vertices", "split", "vertex", "vertices"),
+            ("cut_edges", "cut", "edge with more than two faces", "edges with more than two faces"),
+            ("masked_faces", "left out", "face", "faces"),
+            ("clipped_faces", "clipped", "face", "faces"),
+            ("unused_vertices", "ignored", "loose vertex", "loose vertices"),
+        )
+        if figures[key]
+    ]
+    if figures.get("skipped_outlines"):
+        count = _count(int(figures["skipped_outlines"]), "stretch", "stretches")
+        parts.append(f"left out {count} of the outline for want of room")
+    if loose_edges:
+        parts.append(f"ignored {_count(loose_edges, 'loose edge', 'loose edges')}")
+    return ", ".join(parts)
+
+
+def outlined(
+    seed: core.Seed | None, surface: core.Surface, distance: float, spacing: float
+) -> tuple[core.Seed | None, int]:
+    """The seed with outlines along the border as guides behind it, and how many had no room.
+
+    distance, spacing   in the surface's units
+    """
+    outlines, skipped = surface.outlines(distance, spacing)
+    count = len(outlines.closed)
+    if not count:
+        return seed, skipped
+    if seed is None:
+        return outlines, skipped
+    flags = [part.guides for part in (seed, outlines)]
+    guides = np.concatenate(
+        [np.zeros(len(seed.closed), np.uint8) if flags[0] is None else flags[0], flags[1]]
+    )
+    moving = np.zeros(len(seed.points), np.uint8) if seed.fixed is None else seed.fixed
+    joined = core.Seed(
+        points=np.vstack([seed.points, outlines.points]),
+        offsets=np.concatenate([seed.offsets, outlines.offsets[1:] + len(seed.points)]).astype(
+            np.uint32
+        ),
+        closed=np.concatenate([seed.closed, outlines.closed]).astype(np.uint8),
+        fixed=np.concatenate([moving, np.zeros(len(outlines.points), np.uint8)]),
+        guides=guides.astype(np.uint8),
+        loops=seed.loops or bool(guides.all()),
+    )
+    return joined, skipped

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Polylines without points that nearly coincide, for what is drawn along them; no bpy.
+
+Where a segment crosses an edge of the mesh close to a node, two points of the exact polyline nearly
+coincide. The curve is right there, but a bevel turns so sharply between them that it shows notches.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import core
+
+# Points nearer to each other than this share of the spacing become one: 0.02 r.
+MERGED_SHARE = 0.01
+
+
+def merge_distance(radius: float, density: NDArray[np.float64] | None) -> float:
+    """What counts as near at a radius r and a density: by the least spacing on the surface."""
+    greatest = 1.0 if density is None else float(np.max(density))
+    return 2.0 * radius * MERGED_SHARE / math.sqrt(greatest)
+
+
+def kept_points(polylines: core.Polylines, distance: float) -> NDArray[np.int64]:
+    """The indices of the points to keep, so that the curve moves by less than `distance`.
+
+    The first point of each strand stays, and of open ones the last; so do two points of every
+    strand, and three of a closed one.
+    """
+    positions = np.asarray(polylines.positions, dtype=np.float64)
+    keep = np.ones(len(positions), dtype=bool)
+    short = np.linalg.norm(np.diff(positions, axis=0), axis=1) < distance
+    offsets = np.asarray(polylines.offsets, dtype=np.int64)
+    for begin, end, closed in zip(offsets[:-1].tolist(), offsets[1:].tolist(), polylines.closed):
+        if begin == end:
+            continue
+        # Before the end of an open strand, or before the first point of a closed one's next round.
+        last = begin if closed else end - 1
+        stop = end if closed else end - 1
+        while stop > begin + 1 and math.dist(positions[stop - 1], positions[last]) < distance:
+            stop -= 1
+            keep[stop] = False
+        # After every point that stays.
+        for anchor in (np.flatnonzero(short[begin : stop - 1]) + begin).tolist():
+            point = anchor + 1
+            while (
+                keep[anchor]
+                and point < stop
+                and math.dist(positions[anchor], positions[point]) < distance
+            ):
+                keep[point] = False
+                point += 1
+        if keep[begin:end].sum() < (3 if closed else 2):
+            keep[begin:end] = True
+    return np.flatnonzero(keep)
+
+
+def thinned(polylines: core.Polylines, distance: float) -> core.Polylines:
+    """The polylines with kept_points() only."""
+    kept = kept_points(polylines, distance)
+    return core.Polylines(
+        polylines.positions[kept],
+        polylines.normals[kept],
+        np.searchsorted(kept, polylines.offsets).astype(polylines.offsets.dtype),
+        polylines.closed,
+    )

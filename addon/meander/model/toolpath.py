@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curves as paths for tools: points in order with normals, resampled, as CSV or JSON. No bpy.
+
+Strands are never joined: a machine that goes from one to the next lifts its tool. Resampled points
+lie on the pieces of the polyline, and so on the surface, since every piece lies in one face.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core import PointData, Polylines
+from .mesh_files import FileError, atomic_output
+
+SUFFIXES = (".csv", ".json")
+
+# So many points at most come of resampling; more is a slip of the unit.
+_MOST_POINTS = 50_000_000
+
+
+@dataclass(frozen=True)
+class Strand:
+    """One strand: its points in order.
+
+    closed       the last point goes on to the first, which is not repeated
+    length       of the polyline that the points were taken from, back to the first point if closed
+    points       (n, 3) float64
+    normals      (n, 3) float64, unit, of the surface
+    tangents     (n, 3) float64, unit, along the strand
+    arc_lengths  (n,) float64, way from the first point along the polyline
+    radii        (n, 2) float64, r+ and r-: half the room on the right and on the left, seen from
+                 outside; None where it is not known
+    faces        (n,) int64, a triangle that holds the point, of the mesh that was filled
+    weights      (n, 3) float64, of the triangle's corners
+    """
+
+    closed: bool
+    length: float
+    points: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    tangents: NDArray[np.float64]
+    arc_lengths: NDArray[np.float64]
+    radii: NDArray[np.float64] | None = None
+    faces: NDArray[np.int64] | None = None
+    weights: NDArray[np.float64] | None = None
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """The triangles that faces and weights are about, in the units of the curve."""
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.uint32]
+
+
+def strands_of(polylines: Polylines, data: PointData | None = None) -> list[Strand]:
+    """Every point of every strand, with what `data` knows of it."""
+    strands = []
+    offsets = np.asarray(polylines.offsets, dtype=np.int64)
+    for begin, end, closed in zip(offsets[:-1], offsets[1:], polylines.closed, strict=True):
+        points = np.asarray(polylines.positions[begin:end], dtype=np.float64)
+        normals = np.asarray(polylines.normals[begin:end], dtype=np.float64)
+        way = _way(points, bool(closed))
+        strands.append(
+            Strand(
+                bool(closed),
+                float(way[-1]),
+                points,
+                normals,
+                _tangents(points, bool(closed)),
+                way[: len(points)],
+                *_known(data, begin, end),
+            )
+        )
+    return strands
+
+
+def _known(data: PointData | None, begin: int, end: int) -> tuple:
+    """Radii, faces and weights of the points from `begin` to `end`."""
+    if data is None:
+        return None, None, None
+    span = slice(begin, end)
+    radii = None if data.radii is None else np.asarray(data.radii[span], dtype=np.float64)
+    return radii, data.faces[span].astype(np.int64), np.asarray(data.barycentrics[span])
+
+
+def resampled_by_step(strand: Strand, step: float, mesh: Mesh | None = None) -> Strand:
+    """Points at equal ways along the strand, at most `step` apart, its ends among them.
+
+    Normals, r+ and r- go from point to point in proportion to the way. Faces and weights are those
+    of the new points, and need the mesh.
+
+    At least 3 points of a closed strand and 2 of an open one. Raises FileError for a step so small
+    that the points could not be counted.
+    """
+    if not strand.length > 0.0:
+        return strand
+    ratio = strand.length / step
+    if ratio > _MOST_POINTS:
+        raise FileError(
+            f"A step of {step:g} would give more than {_MOST_POINTS:,} points; choose a longer one"
+        )
+    pieces = max(int(np.ceil(ratio * (1.0 - 1e-12))), 3 if strand.closed else 1)
+    ways = np.linspace(0.0, strand.length, pieces + 1)
+    if strand.closed:
+        ways = ways[:-1]
+    knots = strand.arc_lengths
+    points, normals = strand.points, strand.normals
+    radii, faces = strand.radii, strand.faces
+    if strand.closed:
+        knots = np.append(knots, strand.length)
+        points, normals = np.vstack([points, points[:1]]), np.vstack([normals, normals[:1]])
+        radii = None if radii is None else np.vstack([radii, radii[:1]])
+        faces = None if faces is None else np.append(faces, faces[0])
+    piece = np.clip(np.searchsorted(knots, ways, side="right") - 1, 0, len(knots) - 2)
+    length = knots[piece + 1] - knots[piece]
+    share = np.divide(ways - knots[piece], length, out=np.zeros_like(ways), where=length > 0.0)
+    share = np.clip(share, 0.0, 1.0)[:, None]
+    blended = (1.0 - share) * normals[piece] + share * normals[piece + 1]
+    taken = (1.0 - share) * points[piece] + share * points[piece + 1]
+    if radii is not None:
+        radii = (1.0 - share) * radii[piece] + share * radii[piece + 1]
+    held: tuple = (None, None)
+    if faces is not None and mesh is not None:
+        held = _holding(taken, faces[piece], faces[piece + 1], mesh)
+    return Strand(
+        strand.closed,
+        strand.length,
+        taken,
+        _unit(blended, normals[piece]),
+        _tangents(taken, strand.closed),
+        ways,
+        radii,
+        *held,
+    )
+
+
+def _holding(points: np.ndarray, here: np.ndarray, there: np.ndarray, mesh: Mesh) -> tuple:
+    """Which of two triangles holds each point, and the weights of its corners there.
+
+    A piece of the polyline lies in the triangle of one of its ends, if not in those of both.
+    """
+    first, first_off = _weights(points, here, mesh)
+    second, second_off = _weights(points, there, mesh)
+    other = second_off < first_off
+    weights = np.clip(np.where(other[:, None], second, first), 0.0, 1.0)
+    return np.where(other, there, here), weights / weights.sum(axis=1, keepdims=True)
+
+
+def _weights(
+    points: np.ndarray, triangles: np.ndarray, mesh: Mesh
+) -> tuple[np.ndarray, np.ndarray]:
+    """Weights of the corners at the places in the triangles' planes that are nearest to points, and
+    how far off the points are: outside as a share of the triangle, or above it of its size."""
+    a, b, c = (mesh.vertices[mesh.faces[triangles, corner]] for corner in range(3))
+    u, v, w = b - a, c - a, points - a
+    normal = np.cross(u, v)
+    square = np.maximum((normal * normal).sum(axis=1), np.finfo(float).tiny)
+    second = (np.cross(w, v) * normal).sum(axis=1) / square
+    third = (np.cross(u, w) * normal).sum(axis=1) / square
+    weights = np.column_stack([1.0 - second - third, second, third])
+    height = np.abs((w * normal).sum(axis=1)) / square**0.75
+    return weights, np.maximum(-weights.min(axis=1), height)
+
+
+def resampled_by_tolerance(strand: Strand, tolerance: float) -> Strand:
+    """As few of the strand's own points as keep it within `tolerance` of the straight pieces
+    between them (Ramer 1972; Douglas and Peucker 1973). At least 3 of a closed strand.
+    """
+    points = strand.points
+    count = len(points)
+    if count < 3:
+        return strand
+    keep = np.zeros(count + 1, dtype=bool)
+    if strand.closed:
+        # Three to begin with: the first, the farthest from it, and the farthest from both.
+        ring = np.vstack([points, points[:1]])
+        far = int(np.argmax(((points - points[0]) ** 2).sum(axis=1)))
+        third = int(np.argmax(_distances(points, points[0], points[far])))
+        first = sorted({0, far, third, count})
+    else:
+        ring = points
+        first = [0, count - 1]
+    keep[first] = True
+    spans = list(zip(first[:-1], first[1:]))
+    while spans:
+        begin, end = spans.pop()
+        if end - begin < 2:
+            continue
+        distances = _distances(ring[begin + 1 : end], ring[begin], ring[end])
+        worst = int(np.argmax(distances))
+        if distances[worst] <= tolerance:
+            continue
+        middle = begin + 1 + worst
+        keep[middle] = True
+        spans += [(begin, middle), (middle, end)]
+    kept = np.flatnonzero(keep[:count])
+    return Strand(
+        strand.closed,
+        strand.length,
+        points[kept],
+        strand.normals[kept],
+        _tangents(points[kept], strand.closed),
+        strand.arc_lengths[kept],
+        *(
+            None if values is None else values[kept]
+            for values in (strand.radii, strand.faces, strand.weights)
+        ),
+    )
+
+
+def resampled(
+    polylines: Polylines,
+    step: float | None = None,
+    tolerance: float | None = None,
+    data: PointData | None = None,
+    mesh: Mesh | None = None,
+) -> list[Strand]:
+    """The strands of polylines, resampled by a step or by a chord tolerance, or with all points."""
+    strands = strands_of(polylines, data)
+    if step is not None:
+        return [resampled_by_step(strand, step, mesh) for strand in strands]
+    if tolerance is not None:
+        return [resampled_by_tolerance(strand, tolerance) for strand in strands]
+    return strands
+
+
+def _unit(vectors: np.ndarray, otherwise: np.ndarray) -> np.ndarray:
+    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return np.where(lengths > 0.0, vectors / np.where(lengths > 0.0, lengths, 1.0), otherwise)
+
+
+def _way(points: np.ndarray, closed: bool) -> np.ndarray:
+    """Way to every point, and last the whole length, which in an open strand stands twice."""
+    following = np.roll(points, -1, axis=0) if closed else np.vstack([points[1:], points[-1:]])
+    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(following - points, axis=1))])
+
+
+def _tangents(points: np.ndarray, closed: bool) -> np.ndarray:
+    zero = np.zeros((1, 3))
+    pieces = np.diff(points, axis=0, append=points[:1] if closed else points[-1:])
+    out = _unit(pieces, np.zeros_like(pieces))
+    before = np.roll(out, 1, axis=0)
+    if not closed:
+        before[:1] = zero
+    return _unit(before + out, np.where(np.any(out, axis=1)[:, None], out, before))
+
+
+def _distances(points: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Of points from the straight piece between two points."""
+    way = end - begin
+    square = float(way @ way)
+    share = np.clip((points - begin) @ way / square, 0.0, 1.0) if square > 0.0 else 0.0
+    return np.linalg.norm(points - begin - np.multiply.outer(share, way), axis=1)
+
+
+# ------------------------------------------------------------------------------------------------
+# Files
+
+_COLUMNS = "strand,closed,point,x,y,z,nx,ny,nz,tx,ty,tz,arc_length,r_plus,r_minus,face,w0,w1,w2"
+_FORMATS = ["%d"] * 3 + ["%.17g"] * 3 + ["%.9g"] * 6 + ["%.17g"]
+# Of what may be unknown: nothing stands between the commas then.
+_MORE = (("radii", 2, "%.9g"), ("faces", 1, "%d"), ("weights", 3, "%.17g"))
+
+
+def write_csv(path: str | Path, strands: list[Strand]) -> None:
+    """Writes one row a point, strands numbered from 0, atomically.
+
+    A strand ends where the next number begins; 'closed' is 1 where its last point goes on to its
+    first. What is not known of a strand is left empty. Raises FileError when the file cannot be
+    written; it is then as it was.
+    """
+    with atomic_output(Path(path)) as temporary, temporary.open("w", newline="\n") as file:
+        file.write(_COLUMNS + "\n")
+        for number, strand in enumerate(strands):
+            count = len(strand.points)
+            values = [
+                np.full(count, number),
+                np.full(count, int(strand.closed)),
+                np.arange(count),
+                strand.points,
+                strand.normals,
+                strand.tangents,
+                strand.arc_lengths,
+            ]
+            formats = list(_FORMATS)
+            for name, width, kind in _MORE:
+                known = getattr(strand, name)
+                formats += [kind if known is not None else ""] * width
+                if known is not None:
+                    values.append(known)
+            np.savetxt(file, np.column_stack(values), fmt=",".join(formats), newline="\n")
+
+
+def write_json(path: str | Path, strands: list[Strand], version: str) -> None:
+    """Writes the strands as one JSON object, atomically. Raises FileError as write_csv does."""
+    record = {
+        "version": version,
+        "strands": [
+            {
+                "closed": strand.closed,
+                "length": strand.length,
+                "points": strand.points.tolist(),
+                "normals": strand.normals.tolist(),
+                "tangents": strand.tangents.tolist(),
+                "arc_lengths": strand.arc_lengths.tolist(),
+                "r_plus": None if strand.radii is None else strand.radii[:, 0].tolist(),
+                "r_minus": None if strand.radii is None else strand.radii[:, 1].tolist(),
+                "faces": None if strand.faces is None else strand.faces.tolist(),
+                "weights": None if strand.weights is None else strand.weights.tolist(),
+            }
+            for strand in strands
+        ],
+    }
+    with atomic_output(Path(path)) as temporary:
+        temporary.write_text(json.dumps(record, allow_nan=False) + "\n", encoding="ascii")
+
+
+def write(path: str | Path, strands: list[Strand], version: str) -> None:
+    """Writes a .csv or a .json file."""
+    if Path(path).suffix.lower() == ".json":
+        write_json(path, strands, version)
+    else:
+        write_csv(path, strands)

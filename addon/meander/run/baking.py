@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Frames of a result on its moving surface, and of its growth, written into the file."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..model.thinning import thinned
+from ..scene import baked_frames
+from ..scene.baked_frames import Frames
+from ..scene.meshes import surface_now
+from ..scene.transforms import to_local
+from .followers import flow_of, follower_of
+from .plan import plan_of
+
+
+def bake_motion(
+    result: bpy.types.Object, context: bpy.types.Context, first: int, last: int
+) -> bpy.types.Collection:
+    """Writes the frames `first` to `last` of a result on its moving surface.
+
+    The curve is taken as it lies in the present frame, which therefore has to be one in which it
+    fits; from there the frames are met in their order. The present frame comes back at the end.
+
+    Raises DataError or core.MeanderError, with nothing baked.
+    """
+    scene, settings = context.scene, result.meander
+    present = scene.frame_current
+    follow, settings.follow = settings.follow, False  # two followers would take turns
+    frames = Frames(result, scene)
+    context.view_layer.update()
+    manager = context.window_manager
+    manager.progress_begin(0.0, 1.0)
+    try:
+        depsgraph = context.evaluated_depsgraph_get()
+        follower = follower_of(result, scene, depsgraph)
+        sticks = settings.motion == "STICK"
+        numbers, places, offsets = [], [], None
+        for frame in range(first, last + 1):
+            scene.frame_set(frame)
+            depsgraph = context.evaluated_depsgraph_get()
+            vertices, faces, matrix = surface_now(settings.surface, depsgraph)
+            curve = follower.moved(vertices, faces)
+            if sticks:
+                numbers.append(frame)
+                places.append(to_local(curve.positions, matrix))
+                offsets = curve.offsets
+            else:
+                frames.add(frame, curve, matrix, follower.factors)
+            manager.progress_update((frame - first + 1) / (last - first + 1))
+        if sticks:
+            frames.add_sticking(numbers, places, offsets)
+        frames.finish()
+    except BaseException:
+        baked_frames.clear(result)
+        raise
+    finally:
+        manager.progress_end()
+        settings.follow = follow
+        scene.frame_set(present)
+    return frames.collection
+
+
+def bake_growth(
+    result: bpy.types.Object, context: bpy.types.Context, first: int, every: int
+) -> bpy.types.Collection:
+    """Grows the curve anew from its seed and writes every so manieth iteration as a frame.
+
+    Raises DataError or core.MeanderError, with nothing baked.
+    """
+    plan = plan_of(result, context.scene, context.evaluated_depsgraph_get(), restart=True)
+    frames = Frames(result, context.scene)
+    manager = context.window_manager
+    manager.progress_begin(0.0, 1.0)
+    try:
+        flow, distance = flow_of(plan)
+        with flow:
+            reason, iteration, frame = "running", 0, first
+            while True:
+                frames.add(frame, thinned(flow.polylines(), distance), plan.matrix)
+                if reason != "running":
+                    break
+                frame += 1
+                for _ in range(every):
+                    reason = flow.step()
+                    iteration += 1
+                    if reason != "running":
+                        break
+                manager.progress_update(iteration / plan.problem.options.iteration_limit)
+        frames.finish()
+    except BaseException:
+        baked_frames.clear(result)
+        raise
+    finally:
+        manager.progress_end()
+    return frames.collection

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curves on surfaces that move, from frame to frame.
+
+A follower takes the vertices of a frame and gives the curve there. The even one lets the flow go
+on, so that the spacing stays what it was; the sticking one only takes the points along with their
+faces. Followers keep no references to Blender's data.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import bpy
+import numpy as np
+
+from .. import core
+from ..model.problem import evaluated
+from ..model.profile import room_factors
+from ..model.thinning import kept_points, merge_distance, thinned
+from ..scene.curve_reader import strands_of_curve
+from ..scene.errors import DataError
+from ..scene.meshes import surface_now
+from ..scene.surface_points import bind
+from .plan import Plan, plan_of
+
+
+class Follower(Protocol):
+    """A curve that goes with its surface."""
+
+    factors: np.ndarray | None  # radius of every point of the last curve; None: 1
+
+    def moved(self, vertices: np.ndarray, faces: np.ndarray) -> core.Polylines:
+        """The curve in world units when the surface is there. Raises DataError, MeanderError."""
+
+
+# Of the sides of a mesh's triangles. Polygons keep their own sides however they are divided, which
+# is all of them in a mesh of triangles, two thirds among quads, more than a third in any other.
+_LEAST_KEPT = 0.3
+
+
+def _same_faces(faces: np.ndarray, wanted: np.ndarray) -> None:
+    """Quads are divided along the shorter diagonal, so not every triangle stays what it was."""
+    if len(faces) != len(wanted):
+        raise DataError(
+            f"The surface has {len(faces)} triangles now and had {len(wanted)}; only its shape may "
+            "change while a curve follows it, so leave out modifiers that change the mesh"
+        )
+    if np.array_equal(faces, wanted):
+        return
+    if np.isin(_sides(wanted), _sides(faces)).mean() < _LEAST_KEPT:
+        raise DataError(
+            "The faces of the surface join other vertices now; only its shape may change while a "
+            "curve follows it, so leave out modifiers that change the mesh"
+        )
+
+
+def _sides(faces: np.ndarray) -> np.ndarray:
+    """A number for every side of a triangle, the same from both of its faces."""
+    pairs = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    return (pairs[:, 0].astype(np.uint64) << np.uint64(32)) | pairs[:, 1].astype(np.uint64)
+
+
+class EvenFollower:
+    """The flow goes on for some iterations in every frame."""
+
+    def __init__(self, plan: Plan, steps: int) -> None:
+        problem = plan.problem
+        self.factors = None
+        self._radius = problem.options.radius if plan.radius_follows else 0.0
+        problem.options.growth_coarsening = 1.0  # the curve has grown already
+        self._faces, self._steps = problem.faces, steps
+        try:
+            self._flow, self.distance = flow_of(plan)
+        except core.MeanderError as error:
+            if error.status != core.Status.INVALID_SEED:
+                raise
+            raise DataError(
+                "The curve does not lie on its surface in this frame; go to the frame in which it "
+                "was made, or fill the surface anew"
+            ) from error
+        self._flow.set_vertices(problem.vertices)
+
+    def moved(self, vertices: np.ndarray, faces: np.ndarray) -> core.Polylines:
+        _same_faces(faces, self._faces)
+        self._flow.set_vertices(vertices)
+        for _ in range(self._steps):
+            self._flow.step()
+        curve = self._flow.polylines()
+        if self._radius:
+            radii = self._flow.point_data().radii[kept_points(curve, self.distance)]
+            self.factors = room_factors(radii, self._radius)
+        return thinned(curve, self.distance)
+
+
+class StickingFollower:
+    """Every point stays where it is on its face."""
+
+    def __init__(
+        self,
+        points: np.ndarray,
+        offsets: np.ndarray,
+        closed: np.ndarray,
+        factors: np.ndarray | None,
+        vertices: np.ndarray,
+        faces: np.ndarray,
+    ) -> None:
+        self.factors = factors
+        self._offsets, self._closed, self._faces = offsets, closed, faces
+        self._index, self._weights = bind(points, vertices, faces)
+
+    def moved(self, vertices: np.ndarray, faces: np.ndarray) -> core.Polylines:
+        _same_faces(faces, self._faces)
+        # The triangles of the frame in which the points were bound, however quads are divided now.
+        corners = vertices[self._faces[self._index]]
+        positions = np.einsum("nk,nkj->nj", self._weights, corners)
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        return core.Polylines(positions, normals, self._offsets, self._closed)
+
+
+def flow_of(plan: Plan) -> tuple[core.Flow, float]:
+    """The flow of a plan before its first iteration, and which points of its curve are one."""
+    problem = plan.problem
+    with problem.surface() as surface:
+        density = evaluated(problem.density, surface)
+        flow = core.Flow(surface, problem.options, problem.seed, density)
+        if problem.directions is not None:
+            flow.set_directions(evaluated(problem.directions, surface), problem.alignment)
+    return flow, merge_distance(problem.options.radius, density)
+
+
+def follower_of(
+    result: bpy.types.Object, scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph
+) -> Follower:
+    """A follower that begins with the result as it is. Raises DataError, core.MeanderError."""
+    settings = result.meander
+    if settings.motion == "EVEN":
+        return EvenFollower(plan_of(result, scene, depsgraph), settings.motion_steps)
+    vertices, faces, _matrix = surface_now(settings.surface, depsgraph)
+    own = strands_of_curve(result, depsgraph)
+    radii = [point.radius for spline in result.data.splines for point in spline.points]
+    factors = np.array(radii) if len(radii) == len(own.points) else None
+    return StickingFollower(own.points, own.offsets, own.closed, factors, vertices, faces)

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results that follow their surfaces whenever the frame changes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .. import core
+from ..scene import baked_frames
+from ..scene.errors import DataError
+from ..scene.meshes import surface_now
+from . import session
+from .followers import Follower, follower_of
+from .plan import Key
+
+# Followers of the results that follow, by name and library: what they know is not in the file, and
+# whatever may have changed it (undo, another file) makes new ones necessary.
+_followers: dict[Key, Follower] = {}
+# Why a result does not follow, for the panel.
+_problems: dict[Key, str] = {}
+_rendering = False
+
+
+def problem_of(result: bpy.types.Object) -> str | None:
+    """Why a result does not follow, as a sentence; None while it does."""
+    return _problems.get(Key.of(result))
+
+
+def forget() -> None:
+    """Lets every follower begin again with its curve as it is."""
+    _followers.clear()
+    _problems.clear()
+
+
+def begin(result: bpy.types.Object, context: bpy.types.Context) -> None:
+    """Lets a result follow from the present frame on, in which its curve fits, or no more."""
+    key = Key.of(result)
+    _followers.pop(key, None)
+    _problems.pop(key, None)
+    settings = result.meander
+    if not settings.follow or settings.surface is None or session.current() is not None:
+        return
+    try:
+        depsgraph = context.evaluated_depsgraph_get()
+        _followers[key] = follower_of(result, context.scene, depsgraph)
+    except (DataError, core.MeanderError) as error:
+        _problems[key] = str(error)
+
+
+def _may_change(scene: bpy.types.Scene) -> bool:
+    """A render in a window runs on a thread of its own while the window draws the same data."""
+    return not _rendering or bpy.app.background or scene.render.use_lock_interface
+
+
+@persistent
+def _on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+    results = [thing for thing in scene.objects if thing.type == "CURVE" and thing.meander.follow]
+    if not results or session.current() is not None or not _may_change(scene):
+        return
+    depsgraph = depsgraph or bpy.context.evaluated_depsgraph_get()
+    for result in results:
+        surface = result.meander.surface
+        if surface is None or result.library or result.data.library or result.mode != "OBJECT":
+            continue
+        key = Key.of(result)
+        try:
+            if key not in _followers:
+                _followers[key] = follower_of(result, scene, depsgraph)
+            vertices, faces, matrix = surface_now(surface, depsgraph)
+            curve = _followers[key].moved(vertices, faces)
+            baked_frames.write(result, result.data, curve, matrix, _followers[key].factors)
+            _problems.pop(key, None)
+        except (DataError, core.MeanderError) as error:
+            # A handler has nobody to report to; the panel shows it.
+            _followers.pop(key, None)
+            _problems[key] = str(error)
+
+
+@persistent
+def _on_change(*_arguments: object) -> None:
+    forget()
+
+
+@persistent
+def _on_load(*_arguments: object) -> None:
+    """A file is opened in the frame in which its curves fit; the next one may be far away."""
+    context = bpy.context
+    for result in context.scene.objects:
+        if result.type == "CURVE" and result.meander.follow:
+            begin(result, context)
+
+
+@persistent
+def _on_render(*_arguments: object) -> None:
+    global _rendering
+    _rendering = True
+
+
+@persistent
+def _on_render_end(*_arguments: object) -> None:
+    global _rendering
+    _rendering = False
+
+
+_HANDLERS = (
+    ("frame_change_post", _on_frame),
+    ("undo_post", _on_change),
+    ("redo_post", _on_change),
+    ("load_pre", _on_change),
+    ("load_post", _on_load),
+    ("render_init", _on_render),
+    ("render_complete", _on_render_end),
+    ("render_cancel", _on_render_end),
+)
+
+
+def register() -> None:
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(handler)
+
+
+def unregister() -> None:
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(handler)
+    forget()

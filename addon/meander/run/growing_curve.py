@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A curve drawn over the 3D views while it grows, from arrays alone.
+
+No object of Blender's is made for it: to evaluate one at every picture took ten times as long as to
+hand its points to the graphics card. It is drawn where the surface is, and moves along with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import bpy
+import gpu
+import numpy as np
+from mathutils import Matrix
+
+from .. import core
+
+
+def segments_of(polylines: core.Polylines) -> np.ndarray:
+    """The two points of every segment, int32 (n, 2), closing ones included."""
+    begins = np.arange(len(polylines.positions), dtype=np.int32)
+    ends = begins + 1
+    offsets = np.asarray(polylines.offsets, dtype=np.int64)
+    closed = np.asarray(polylines.closed, dtype=bool)
+    lasts = offsets[1:] - 1
+    ends[lasts] = offsets[:-1]
+    segments = np.stack([begins, ends], axis=1)
+    return segments if closed.all() else np.delete(segments, lasts[~closed], axis=0)
+
+
+class GrowingCurve:
+    """Lines over the views of a scene, from show() to remove().
+
+    find     gives the surface, or None when it is gone
+    scene    name of the scene
+    matrix   world matrix of the surface when the curve was computed
+    """
+
+    def __init__(
+        self, find: Callable[[], bpy.types.Object | None], scene: str, matrix: np.ndarray
+    ) -> None:
+        self._find = find
+        self._scene = scene
+        self._inverse = Matrix(np.linalg.inv(matrix).tolist())
+        self._positions = np.empty((0, 3), dtype=np.float32)
+        self._segments = np.empty((0, 2), dtype=np.int32)
+        self._batch: gpu.types.GPUBatch | None = None  # made in a view, where there is a context
+        self._handler = bpy.types.SpaceView3D.draw_handler_add(
+            self._draw, (), "WINDOW", "POST_VIEW"
+        )
+
+    def show(self, polylines: core.Polylines, lift: float) -> None:
+        """Takes the curve to draw from now on, `lift` above the surface, in world units.
+
+        A line that lies in the surface flickers; seen a little above it, it is clear. The views
+        have to be redrawn by the caller.
+        """
+        self._positions = (polylines.positions + lift * polylines.normals).astype(np.float32)
+        self._segments = segments_of(polylines)
+        self._batch = None
+
+    @property
+    def point_count(self) -> int:
+        """How many points the curve has that is shown."""
+        return len(self._positions)
+
+    def remove(self) -> None:
+        """Draws no more. May be called more than once."""
+        if self._handler is not None:
+            bpy.types.SpaceView3D.draw_handler_remove(self._handler, "WINDOW")
+        self._handler = self._batch = None
+
+    def _draw(self) -> None:
+        context = bpy.context
+        surface = self._find()
+        if surface is None or context.scene.name != self._scene or not len(self._segments):
+            return
+        space = context.space_data
+        if space is None or (space.local_view is not None and not surface.local_view_get(space)):
+            return
+        shader = gpu.shader.from_builtin(
+            "UNIFORM_COLOR" if bpy.app.version >= (4, 0) else "3D_UNIFORM_COLOR"
+        )
+        if self._batch is None:
+            self._batch = self._new_batch(shader)
+        # As curves are drawn that are not selected.
+        color = context.preferences.themes[0].view_3d.wire
+        test, width = gpu.state.depth_test_get(), gpu.state.line_width_get()
+        gpu.state.depth_test_set("LESS_EQUAL")
+        gpu.state.line_width_set(1.0)
+        with gpu.matrix.push_pop():
+            gpu.matrix.multiply_matrix(surface.matrix_world @ self._inverse)
+            shader.bind()
+            shader.uniform_float("color", (*color[:3], 1.0))
+            self._batch.draw(shader)
+        gpu.state.line_width_set(width)
+        gpu.state.depth_test_set(test)
+
+    def _new_batch(self, shader: gpu.types.GPUShader) -> gpu.types.GPUBatch:
+        points = gpu.types.GPUVertBuf(shader.format_calc(), len(self._positions))
+        points.attr_fill("pos", self._positions)
+        segments = gpu.types.GPUIndexBuf(type="LINES", seq=self._segments)
+        return gpu.types.GPUBatch(type="LINES", buf=points, elem=segments)

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a run needs to know of the scene, read once when it begins.
+
+A plan keeps names and arrays, never references to Blender's data: those die with undo, with
+deletion and with a new file.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from .. import core
+from ..model import strands
+from ..model.problem import Problem
+from ..scene import point_attributes
+from ..scene import strands as scene_strands
+from ..scene.alignment import alignment_of, directions_of
+from ..scene.density import choice_of, density_of
+from ..scene.errors import DataError
+from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
+from ..scene.preparation import mask_of, repair_of, surface_options
+from ..scene.settings import surface_of
+from ..scene.terms import terms_of
+from ..scene.transforms import world_matrix
+
+
+@dataclass(frozen=True)
+class Key:
+    """How to find an object again: a name, and the library that a linked one comes from."""
+
+    name: str
+    library: str | None
+
+    @classmethod
+    def of(cls, object: bpy.types.Object) -> Key:
+        return cls(object.name, object.library.filepath if object.library else None)
+
+    def find(self) -> bpy.types.Object | None:
+        return bpy.data.objects.get((self.name, self.library))
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Everything that a run needs to know of the scene, read once when it begins."""
+
+    problem: Problem
+    surface: Key
+    settings: Key  # whose settings were used: the surface or the result
+    result: Key | None  # the result to continue or to fill anew; None makes a new one
+    matrix: np.ndarray  # of the surface
+    spacing: float
+    bevel_depth: float  # world units
+    parts: tuple[strands.Part, ...]  # what the seed was put together from
+    dress: scene_strands.Dress  # materials of the splines
+    name: str  # of a new result
+    loose_edges: int = 0  # of the surface, in no face
+    flat: bool = False  # tilt for profiles that lie on the surface
+    radius_follows: bool = False
+    points_as: str = "NONE"  # a second object of all points: one of point_attributes.KINDS
+
+
+def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
+    """Reads the scene for a run on the active object: a mesh, or a result to go on with.
+
+    restart   start a result from the seed again, not from its own splines
+
+    Raises DataError or core.MeanderError with a sentence for what cannot be used.
+    """
+    depsgraph = context.evaluated_depsgraph_get()
+    return plan_of(context.active_object, context.scene, depsgraph, restart)
+
+
+def plan_of(
+    active: bpy.types.Object | None,
+    scene: bpy.types.Scene,
+    depsgraph: bpy.types.Depsgraph,
+    restart: bool = False,
+) -> Plan:
+    """The plan of a run on any object, wherever the context is; see plan_run()."""
+    surface = surface_of(active)
+    if surface is None:
+        raise DataError("Choose a mesh to fill, or a curve that Meander has made")
+    if scene not in surface.users_scene[:]:
+        raise DataError(
+            f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
+        )
+    settings = active.meander
+    point_attributes.refuse(settings.points_as)
+    options = core.default_options(settings.preset.lower())
+    vertices, faces = triangles_of(surface, depsgraph)
+    # As stored, so that a run that proposes its spacing and one that is given it are the same.
+    spacing = settings.spacing or float(np.float32(proposed_spacing(vertices, faces)))
+    density = density_of(choice_of(settings), surface, depsgraph, spacing / 2.0)
+    alignment = alignment_of(settings)
+    directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
+    parts, dress = scene_strands.parts_of(active, depsgraph, restart)
+    seed = strands.assembled(parts, settings.seed_every_part)
+    prepared = surface_options(repair_of(settings), mask_of(settings), surface, depsgraph)
+    options.radius = spacing / 2.0
+    options.alignment_weight = alignment.weight if directions is not None else 0.0
+    _set_options(options, settings)
+    outline = _outline_distance(active, surface, options, restart)
+    return Plan(
+        problem=Problem(
+            vertices,
+            faces,
+            options,
+            seed,
+            density,
+            prepared,
+            directions,
+            alignment.kind,
+            outline,
+        ),
+        surface=Key.of(surface),
+        settings=Key.of(active),
+        result=Key.of(active) if active is not surface else None,
+        matrix=world_matrix(surface.evaluated_get(depsgraph)),
+        spacing=spacing,
+        bevel_depth=settings.bevel_share * spacing if settings.use_bevel else 0.0,
+        parts=tuple(parts),
+        dress=dress,
+        name=f"{(settings.seed or surface).name} Meander",
+        loose_edges=loose_edge_count(surface, depsgraph),
+        flat=settings.flat_profile,
+        radius_follows=settings.radius_follows,
+        points_as=settings.points_as,
+    )
+
+
+def _set_options(options: core.FlowOptions, settings: bpy.types.PropertyGroup) -> None:
+    """Puts what the settings say into options, whose radius is."""
+    terms_of(settings).apply(options)
+    options.border_distance = float(f"{settings.border_distance:.6g}")  # 0.5 exactly
+    options.threads = settings.threads
+    options.medial_axis = core.MedialAxis[settings.medial_axis]
+    if settings.iteration_limit:
+        options.iteration_limit = settings.iteration_limit
+
+
+def _outline_distance(
+    active: bpy.types.Object,
+    surface: bpy.types.Object,
+    options: core.FlowOptions,
+    restart: bool,
+) -> float:
+    """How far from the border a run lays outlines; 0: it lays none."""
+    if not active.meander.use_outline or not _wants_outline(active, surface, restart):
+        return 0.0
+    if options.border_distance < 0.1:
+        raise DataError("An outline needs a border distance of 0.1 or more; raise it")
+    return options.border_distance * 2.0 * options.radius
+
+
+def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart: bool) -> bool:
+    """Whether a run lays the outline anew: a result that has kept it goes on with its own."""
+    if active is surface or restart or not active.meander.figures.guides:
+        return True
+    if active.meander.guides is not None or active.meander.guide_collection is not None:
+        raise DataError(
+            f"'{active.name}' has drawn guides and an outline, which cannot be told apart; use "
+            "Start Over"
+        )
+    return False

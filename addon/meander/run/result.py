@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a run leaves in the scene: the curve, its points, the settings and figures that it keeps."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+
+from .. import core
+from ..model import strands, toolpath
+from ..model.preparation import described
+from ..model.profile import room_factors
+from ..model.thinning import kept_points, merge_distance, thinned
+from ..scene import point_attributes, refused_element
+from ..scene import strands as scene_strands
+from ..scene.curve_writer import write_curve
+from ..scene.profile import dress_points
+from ..scene.settings import copy_settings
+from ..scene.transforms import to_local
+from .plan import Plan
+from .stepper import Snapshot, Stepper
+
+# So many gaps are kept with a result, the largest: a run that was stopped early has thousands.
+MOST_GAPS = 200
+
+
+def preparation_text(plan: Plan, stepper: Stepper) -> str:
+    """What was done to the mesh, in words; empty if nothing was."""
+    if not stepper.surface_figures:
+        return ""
+    return described(stepper.surface_figures, plan.loose_edges)
+
+
+def write_result(
+    context: bpy.types.Context,
+    plan: Plan,
+    stepper: Stepper,
+    outcome: tuple[Snapshot, dict[str, Any], str],
+) -> bpy.types.Object:
+    """Makes the curve object of a run that has ended, or rewrites the one that it went on from.
+
+    outcome   of stepper.result()
+    """
+    snapshot, statistics, stop_reason = outcome
+    surface = plan.surface.find()
+    refused_element.forget_problem(surface)
+    radius = plan.problem.options.radius
+    distance = merge_distance(radius, stepper.density)
+    kept = kept_points(snapshot.polylines, distance)
+    curve = thinned(snapshot.polylines, distance)
+    result = write_curve(
+        curve,
+        surface,
+        plan.name,
+        curve_object=plan.result.find() if plan.result else None,
+        matrix=plan.matrix,
+        bevel_depth=plan.bevel_depth,
+    )
+    data = stepper.point_data
+    factors = room_factors(data.radii[kept], radius) if plan.radius_follows else None
+    dress_points(result.data, curve, plan.matrix, plan.flat, factors)
+    scene_strands.put_on(result.data, plan.dress)
+    _store(plan, stepper, result, statistics, stop_reason)
+    guides, keep_guides = stepper.guides, result.meander.keep_guides
+    scene_strands.note_guides(result, guides, keep_guides)
+    grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)
+    point_attributes.remember_room(result, data.radii[kept][grown], plan.matrix)
+    if plan.points_as != "NONE":
+        _make_points(plan, stepper, result, snapshot.polylines)
+    _select_only(context, result)
+    return result
+
+
+def _make_points(
+    plan: Plan, stepper: Stepper, result: bpy.types.Object, polylines: core.Polylines
+) -> None:
+    """Makes the object of all points beside the result, instead of the last run's."""
+    every = toolpath.strands_of(polylines, stepper.point_data)
+    if not result.meander.keep_guides:
+        every = [strand for strand, is_guide in zip(every, stepper.guides) if not is_guide]
+    earlier = result.meander.figures.points
+    if earlier is not None and earlier.library is None:
+        bpy.data.batch_remove([earlier, earlier.data])
+    result.meander.figures.points = point_attributes.make(
+        plan.points_as,
+        f"{result.name} Points",
+        every,
+        plan.surface.find(),
+        plan.matrix,
+        plan.bevel_depth,
+    )
+
+
+def _store(
+    plan: Plan,
+    stepper: Stepper,
+    result: bpy.types.Object,
+    statistics: dict[str, Any],
+    stop_reason: str,
+) -> None:
+    """Writes the settings and the figures of the run to the result, and to whoever asked."""
+    source = plan.settings.find()
+    if source is None:
+        source = result
+    targets = {source.name: source, result.name: result}.values()
+    if source != result:
+        copy_settings(source.meander, result.meander)
+    result.meander.surface = plan.surface.find()
+    for target in targets:
+        if target.library is not None:  # linked objects cannot be changed
+            continue
+        target.meander.spacing = plan.spacing
+        figures = target.meander.figures
+        figures.stop_reason = stop_reason
+        figures.nodes = int(statistics["nodes"])
+        figures.iterations = int(statistics["iterations"])
+        figures.length = float(statistics["length"])
+        figures.spacing_median = float(statistics["spacing_median"])
+        figures.seconds = float(statistics["seconds_total"])
+        figures.empty_parts = int(statistics["empty_components"])
+        figures.preparation = preparation_text(plan, stepper)
+        _store_gaps(figures, stepper.gaps, plan, target == result)
+
+
+def _store_gaps(
+    figures: bpy.types.PropertyGroup, gaps: core.Gaps | None, plan: Plan, on_result: bool
+) -> None:
+    """None: nobody has looked for them, which a count of -1 says."""
+    figures.gap_count = -1 if gaps is None else len(gaps)
+    figures.largest_gap = float(gaps.sizes[0]) if gaps else 0.0
+    figures.gaps.clear()
+    if gaps is None or not on_result:  # positions mean nothing beside another object's curve
+        return
+    positions = to_local(gaps.positions[:MOST_GAPS], plan.matrix)
+    for position, size in zip(positions.tolist(), gaps.sizes.tolist()):
+        gap = figures.gaps.add()
+        gap.position = position
+        gap.size = size
+
+
+def _select_only(context: bpy.types.Context, object: bpy.types.Object) -> None:
+    """Makes the object active and the only one selected, as Blender does with what it adds.
+
+    Not while painting weights: the user goes on painting on the surface.
+    """
+    view_layer = context.view_layer
+    if context.mode != "OBJECT" or view_layer.objects.get(object.name) != object:
+        return
+    for other in list(context.selected_objects):
+        other.select_set(False)
+    object.select_set(True)
+    view_layer.objects.active = object

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One run as Blender sees it: begun, shown while it grows, kept or taken back.
+
+A session keeps names and arrays, never references to Blender's data: those die with undo, with
+deletion and with a new file.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .. import core
+from ..model import strands
+from ..scene import refused_element
+from ..scene.errors import DataError
+from ..scene.meshes import in_polygons
+from .plan import Plan
+from .preview import Preview
+from .result import preparation_text, write_result
+from .stepper import Snapshot, Stepper
+from .window import Window
+
+# A copy of the curve that may have waited for longer than this, in seconds, since nobody looked, is
+# not worth showing: the next one is an iteration away.
+STALE = 0.25
+
+
+class Session:
+    """A run from its plan to its end.
+
+    In a window: start(), then tick() at every timer event while it returns True, then keep() or
+    not. Without: stepper.run(), then keep(). In any case, and last: end().
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        self.stepper = Stepper(plan.problem)
+        self.latest: Snapshot | None = None
+        self._shown = True  # whether the view has what is in `latest`
+        self._looked = 0.0  # when a copy of the curve was last asked for
+        self._looked_away = False  # whether a tick has passed since
+        self._stale = False  # whether `latest` was old when it was taken
+        self.stop_wanted = False
+        self.ended = False
+        self._window: Window | None = None
+        self._preview: Preview | None = None
+
+    def start(self, context: bpy.types.Context) -> None:
+        """Begins the run, which goes on by itself, with a timer for tick()."""
+        global _current
+        _current = self
+        self._preview = Preview(self.plan, context.scene.name)
+        self._window = Window(context)
+        self.stepper.start()
+        self._looked = time.perf_counter()
+
+    def tick(self, context: bpy.types.Context) -> bool:
+        """Shows how far the run is. False when it has come to its end.
+
+        Raises DataError when the surface or the result has been deleted meanwhile.
+        """
+        self._check_alive()
+        if self.stop_wanted:
+            self.stepper.cancel()
+        picture_due = self._window.picture_due()
+        text_due = self._window.text_due(picture_due)
+        # The run stands still while it makes a copy, so none is asked for in vain.
+        if picture_due or text_due:
+            self._look()
+        else:
+            self._looked_away = True
+        if picture_due and not (self._shown or self._stale or self.stepper.finished):
+            self._preview.show(self.latest.polylines)
+            self._shown = True
+            self._window.picture_given()
+        if text_due:
+            self._window.show(context, self.progress_text(), self.progress())
+        return not self.stepper.finished
+
+    def _look(self) -> None:
+        """Takes the newest copy of the curve if there is one, and has the run make another."""
+        snapshot = self.stepper.poll()
+        before, self._looked = self._looked, time.perf_counter()
+        if snapshot is not None:
+            self.latest = snapshot
+            self._shown = False
+            # It was made after the last look, perhaps right after.
+            self._stale = self._looked_away and self._looked - before > STALE
+        self._looked_away = False
+
+    def progress(self) -> float:
+        """How much of its expected length the curve has, in [0, 1]."""
+        return self.latest.progress if self.latest is not None else 0.0
+
+    def progress_text(self) -> str:
+        """How far the run is, in words."""
+        if self.latest is None:
+            return "Preparing the surface"
+        return f"{100.0 * self.progress():.0f} % grown, iteration {self.latest.iterations}"
+
+    @property
+    def shown_points(self) -> int:
+        """How many points the curve has that the views show."""
+        return self._preview.point_count if self._preview is not None else 0
+
+    def restore_result(self) -> None:
+        """Gives a result that is continued its curve back, until the next picture."""
+        if self._preview is not None:
+            self._preview.restore_result()
+
+    def remember_problem(self, context: bpy.types.Context, error: Exception) -> None:
+        """Keeps the element that an error names with the surface, for Select Problem."""
+        surface = self.plan.surface.find()
+        if surface is not None and isinstance(error, core.MeanderError):
+            depsgraph = context.evaluated_depsgraph_get()
+            refused_element.remember_problem(error, surface, depsgraph)
+
+    def preparation_text(self) -> str:
+        """What was done to the mesh, in words; empty if nothing was."""
+        return preparation_text(self.plan, self.stepper)
+
+    def keep(self, context: bpy.types.Context) -> tuple[bpy.types.Object, dict[str, Any]]:
+        """Waits for the end of the run and makes what has grown the result.
+
+        Returns the curve object and the figures of the run. Raises what went wrong in the run.
+        """
+        try:
+            outcome = self.stepper.result()
+        except core.MeanderError as error:
+            self._check_alive()
+            named = in_polygons(error, self.plan.surface.find(), context.evaluated_depsgraph_get())
+            raise strands.explained(named, self.plan.parts) from error
+        self._check_alive()
+        if self._preview is not None:
+            self._preview.end()
+        return write_result(context, self.plan, self.stepper, outcome), outcome[1]
+
+    def end(self) -> None:
+        """Ends the run, gives back what it borrowed, and takes away what keep() has not kept.
+
+        May be called at any time and more than once.
+        """
+        global _current
+        if self.ended:
+            return
+        self.ended = True
+        if _current is self:
+            _current = None
+        self.stepper.cancel()
+        self.stepper.join()
+        if self._window is not None:
+            self._window.give_back()
+        if self._preview is not None:
+            self._preview.end()
+
+    def _check_alive(self) -> None:
+        if self.plan.surface.find() is None:
+            raise DataError("The surface was deleted while the curve was growing; start again")
+        if self.plan.result is not None and self.plan.result.find() is None:
+            raise DataError("The curve was deleted while it was growing; start again")
+
+
+# The session that is going. There is one at most: it has the status bar and the Esc key.
+_current: Session | None = None
+
+
+def current() -> Session | None:
+    """The session that is going, or None."""
+    return _current
+
+
+def end_current() -> None:
+    """Ends the session that is going, if there is one, and restores what was there before it."""
+    if _current is not None:
+        _current.end()
+
+
+@persistent
+def _before_load(*_arguments: object) -> None:
+    end_current()
+
+
+@persistent
+def _before_save(*_arguments: object) -> None:
+    if _current is not None:
+        _current.restore_result()  # what is saved is the curve, not the gap that it has left
+
+
+def register() -> None:
+    bpy.app.handlers.load_pre.append(_before_load)
+    bpy.app.handlers.save_pre.append(_before_save)
+
+
+def unregister() -> None:
+    end_current()
+    bpy.app.handlers.load_pre.remove(_before_load)
+    bpy.app.handlers.save_pre.remove(_before_save)

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One run of the flow, in one go or watched while it grows. No bpy here, and no threads.
+
+A watched run goes on a thread of the native library's, which knows nothing of Python: a Python
+thread that computes while operators run makes Blender 3.4 crash now and then. Nobody but the run
+may touch the flow until it has ended; what it shows meanwhile are copies, made only when asked for.
+Both ways give the same curve to the last bit.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .. import core
+from ..model.preparation import outlined
+from ..model.problem import Problem, evaluated
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The curve at one moment, and what a user wants to know of it."""
+
+    polylines: core.Polylines
+    iterations: int
+    nodes: int
+    length: float
+    seconds: float
+    progress: float  # length over the expected length, in [0, 1]
+
+
+class Stepper:
+    """Runs one Problem.
+
+    Watched: start(), then poll() until `finished`, then result(). In one go: run(), then result().
+    cancel() may be called at any time; the curve of the last whole iteration stays available.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self._context = core.Context()
+        self._flow: core.Flow | None = None
+        # From start() until its end has been waited for, the flow belongs to the run.
+        self._started = False
+        self._error: Exception | None = None
+        self._stop_reason = "running"
+        self.density: np.ndarray | None = None  # per vertex, once the run has been prepared
+        # Of the result, once there is one: what it leaves empty, unless it was cancelled, and which
+        # strands are guides.
+        self.gaps: core.Gaps | None = None
+        self.guides: np.ndarray | None = None
+        self.point_data: core.PointData | None = None  # of every point
+        self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
+        self._expected_length = math.inf
+
+    def start(self) -> None:
+        """Prepares the surface and begins the run, which goes on by itself.
+
+        What goes wrong is for result() to raise: the run has then ended at once.
+        """
+        try:
+            self._prepare()
+            self._flow.start(self._context)
+            self._started = True
+        except Exception as error:
+            self._error = error
+
+    def run(self) -> None:
+        """The whole run; returns when it has ended."""
+        try:
+            self._prepare()
+            self._stop_reason = self._flow.run(self._context)
+        except Exception as error:
+            self._error = error
+
+    def _prepare(self) -> None:
+        problem = self.problem
+        with problem.surface() as surface:
+            self.surface_figures = surface.statistics()
+            self.density = evaluated(problem.density, surface)
+            seed = problem.seed
+            if problem.outline:
+                seed, skipped = outlined(
+                    seed, surface, problem.outline, 2.0 * problem.options.radius
+                )
+                self.surface_figures["skipped_outlines"] = skipped
+            self._flow = core.Flow(surface, problem.options, seed, self.density)
+            if problem.directions is not None:
+                directions = evaluated(problem.directions, surface)
+                self._flow.set_directions(directions, problem.alignment)
+        # A mask leaves less to fill.
+        share = self.surface_figures["area"] / problem.area()
+        self._expected_length = share * problem.expected_length(self.density)
+
+    @property
+    def finished(self) -> bool:
+        """Whether the run has ended, for whatever reason."""
+        if self._started:
+            return not self._flow.running
+        return self._error is not None or self._stop_reason != "running"
+
+    def poll(self) -> Snapshot | None:
+        """The newest copy of the curve, once; None while there is none. Never waits.
+
+        The run makes the next one only when this one has been taken.
+        """
+        preview = self._flow.preview() if self._started else None
+        return None if preview is None else self._snapshot(*preview)
+
+    def cancel(self) -> None:
+        """Asks the run to end after the present iteration at the latest; does not wait."""
+        self._context.cancel()
+
+    def join(self) -> None:
+        """Waits for the end of the run. Does nothing when none is going."""
+        if not self._started:
+            return
+        self._started = False
+        try:
+            self._stop_reason = self._flow.wait()
+        except Exception as error:
+            self._error = error
+
+    def result(self) -> tuple[Snapshot, dict[str, Any], str]:
+        """Waits for the end: the last curve, the full statistics, and the reason of the stop.
+
+        Raises what went wrong in the run. The statistics, and `gaps`, cost about an iteration each.
+        """
+        self.join()
+        if self._error is not None:
+            raise self._error
+        statistics = self._flow.statistics()
+        # One that was stopped by hand has them everywhere, and finding them all takes seconds.
+        self.gaps = None if self._stop_reason == "cancelled" else self._flow.gaps()
+        self.guides = self._flow.guides()
+        self.point_data = self._flow.point_data()
+        snapshot = self._snapshot(
+            self._flow.polylines(),
+            statistics["iterations"],
+            statistics["nodes"],
+            statistics["length"],
+            statistics["seconds_total"],
+        )
+        return snapshot, statistics, self._stop_reason
+
+    def _snapshot(
+        self,
+        polylines: core.Polylines,
+        iterations: int,
+        nodes: int,
+        length: float,
+        seconds: float,
+    ) -> Snapshot:
+        progress = min(1.0, length / self._expected_length)
+        return Snapshot(polylines, iterations, nodes, length, seconds, progress)

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which direction the strands run in: what the settings say, and the directions that they name.
+
+Directions are lines: their signs and lengths do not matter. What can be read is an array per vertex
+of the evaluated mesh, in world space; what has to be computed on the surface is a function of it.
+"""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from ..model.alignment import (
+    Alignment,
+    Directions,
+    axis_directions,
+    computed,
+    mean_lines,
+    uv_lines,
+)
+from .attributes import is_point_vector, named_attribute, uv_layer_of
+from .curve_reader import strands_of_curve
+from .errors import DataError
+from .evaluated import surface_mesh
+from .transforms import to_world
+
+
+def alignment_of(settings: bpy.types.PropertyGroup) -> Alignment:
+    """What the settings of an object say."""
+    source = settings.alignment_source
+    names = {
+        "ATTRIBUTE": settings.alignment_attribute,
+        "UV": settings.alignment_uv_map,
+        "STROKES": settings.alignment_strokes.name if settings.alignment_strokes else "",
+    }
+    choices = {
+        "AXIS": settings.alignment_axis,
+        "CURVATURE": settings.alignment_curvature,
+        "UV": settings.alignment_uv,
+    }
+    return Alignment(
+        source=source,
+        weight=float(f"{settings.alignment_weight:.6g}"),
+        across=settings.align_across,
+        name=names.get(source, ""),
+        choice=choices.get(source, ""),
+        local=settings.alignment_space == "LOCAL",
+        smoothing=float(f"{settings.alignment_smoothing:.6g}"),
+    )
+
+
+def store_alignment(alignment: Alignment, settings: bpy.types.PropertyGroup) -> None:
+    """Writes an alignment into the settings of an object; alignment_of() then gives it back."""
+    settings.alignment_source = alignment.source
+    settings.alignment_weight = alignment.weight
+    settings.align_across = alignment.across
+    settings.alignment_space = "LOCAL" if alignment.local else "WORLD"
+    settings.alignment_smoothing = alignment.smoothing
+    if alignment.source == "STROKES":
+        settings.alignment_strokes = bpy.data.objects.get(alignment.name)
+    elif alignment.source == "ATTRIBUTE":
+        settings.alignment_attribute = alignment.name
+    elif alignment.source == "UV":
+        settings.alignment_uv_map, settings.alignment_uv = alignment.name, alignment.choice
+    elif alignment.source == "AXIS":
+        settings.alignment_axis = alignment.choice
+    elif alignment.source == "CURVATURE":
+        settings.alignment_curvature = alignment.choice
+
+
+# ------------------------------------------------------------------------------------------------
+# Directions
+
+
+def directions_of(
+    alignment: Alignment,
+    surface: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    radius: float,
+) -> Directions | None:
+    """The directions (n, 3) at the vertices of meshes.triangles_of(), in world space, or what
+    computes them; None where none are followed.
+
+    radius   r, half the spacing
+
+    Raises DataError with one sentence for what is missing or of another kind.
+    """
+    if alignment.source == "NONE" or alignment.weight == 0.0:
+        return None
+    if alignment.source == "CURVATURE":
+        kind = f"curvature_{alignment.choice.lower()}"
+        return computed(kind, alignment.smoothing * radius)
+    if alignment.source == "SMOOTH":
+        return computed("smooth")
+    if alignment.source == "STROKES":
+        return _continued_strokes(alignment, depsgraph)
+    with surface_mesh(surface, depsgraph) as (mesh, matrix):
+        if alignment.source == "AXIS":
+            frame = matrix[:3, :3] if alignment.local else np.eye(3)
+            return axis_directions(frame, alignment.choice, len(mesh.vertices))
+        if alignment.source == "UV":
+            return _lines_of_uv_map(alignment, surface, mesh, matrix)
+        return _vectors(alignment, surface, mesh, matrix)
+
+
+def _continued_strokes(alignment: Alignment, depsgraph: bpy.types.Depsgraph) -> Directions:
+    strokes = bpy.data.objects.get(alignment.name) if alignment.name else None
+    if strokes is None:
+        raise DataError("The alignment has no curves to follow; choose a curve object")
+    seed = strands_of_curve(strokes, depsgraph)
+    pieces = []
+    for begin, end, closed in zip(seed.offsets[:-1], seed.offsets[1:], seed.closed):
+        points = seed.points[begin:end]
+        pieces.append(np.vstack([points, points[:1]]) if closed else points)
+    offsets = np.cumsum([0] + [len(piece) for piece in pieces]).astype(np.uint32)
+    points = np.vstack(pieces)
+    return lambda surface: surface.extended_directions(points, offsets)
+
+
+def _vectors(
+    alignment: Alignment, surface: bpy.types.Object, mesh: bpy.types.Mesh, matrix: np.ndarray
+) -> NDArray[np.float64]:
+    if not alignment.name:
+        raise DataError("The alignment has no attribute; choose a vector attribute of points")
+    attribute = named_attribute(
+        mesh, alignment.name, surface, is_point_vector, "vector attribute of points"
+    )
+    vectors = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    attribute.data.foreach_get("vector", vectors)
+    return vectors.reshape(-1, 3).astype(np.float64) @ matrix[:3, :3].T
+
+
+def _lines_of_uv_map(
+    alignment: Alignment, surface: bpy.types.Object, mesh: bpy.types.Mesh, matrix: np.ndarray
+) -> NDArray[np.float64]:
+    """At every vertex the mean line of its triangles along which the other coordinate stays."""
+    layer = uv_layer_of(mesh, alignment.name, surface)
+    mesh.calc_loop_triangles()
+    corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+    mesh.loop_triangles.foreach_get("loops", corners)
+    faces = np.empty_like(corners)
+    mesh.loop_triangles.foreach_get("vertices", faces)
+    faces = faces.reshape(-1, 3)
+    uv = np.empty(2 * len(layer.data), dtype=np.float32)
+    layer.data.foreach_get("uv", uv)
+    uv = uv.reshape(-1, 2).astype(np.float64)[corners.reshape(-1, 3)]
+    positions = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.vertices.foreach_get("co", positions)
+    places = to_world(positions.reshape(-1, 3), matrix)[faces]
+    lines = uv_lines(places, uv, "UV".index(alignment.choice))
+    return mean_lines(lines, faces, len(mesh.vertices))

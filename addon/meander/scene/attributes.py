@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Attributes and UV maps of a mesh: which there are, and the one that a setting names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import DataError
+
+_COLOR_TYPES = ("FLOAT_COLOR", "BYTE_COLOR")
+_FACE_TYPES = ("BOOLEAN", "INT", "INT8")
+
+
+def attributes_seen(
+    settings: bpy.types.PropertyGroup, context: bpy.types.Context
+) -> Iterable[bpy.types.Attribute]:
+    """Of the surface as it is seen, so that those of Geometry Nodes are among them."""
+    owner = settings.id_data
+    surface = owner if owner.type == "MESH" else settings.surface
+    if surface is None:
+        return ()
+    evaluated = surface.evaluated_get(context.evaluated_depsgraph_get())
+    return evaluated.data.attributes
+
+
+def attribute_names(
+    settings: bpy.types.PropertyGroup, context: bpy.types.Context, _text: str
+) -> list[str]:
+    return [item.name for item in attributes_seen(settings, context) if is_point_float(item)]
+
+
+def color_names(
+    settings: bpy.types.PropertyGroup, context: bpy.types.Context, _text: str
+) -> list[str]:
+    return [item.name for item in attributes_seen(settings, context) if is_color(item)]
+
+
+def vector_names(
+    settings: bpy.types.PropertyGroup, context: bpy.types.Context, _text: str
+) -> Iterable[str]:
+    return [item.name for item in attributes_seen(settings, context) if is_point_vector(item)]
+
+
+def mask_names(
+    settings: bpy.types.PropertyGroup, context: bpy.types.Context, _text: str
+) -> Iterable[str]:
+    owner = settings.id_data
+    surface = owner if owner.type == "MESH" else settings.surface
+    if surface is None:
+        return []
+    mesh = surface.evaluated_get(context.evaluated_depsgraph_get()).data
+    names = [item.name for item in mesh.attributes if is_face_mask(item)]
+    return [face_map.name for face_map in getattr(surface, "face_maps", ())] + [
+        name for name in names if not name.startswith(".")
+    ]
+
+
+def is_point_float(attribute: bpy.types.Attribute) -> bool:
+    return (attribute.domain, attribute.data_type) == ("POINT", "FLOAT")
+
+
+def is_point_vector(attribute: bpy.types.Attribute) -> bool:
+    return (attribute.domain, attribute.data_type) == ("POINT", "FLOAT_VECTOR")
+
+
+def is_color(attribute: bpy.types.Attribute) -> bool:
+    return attribute.data_type in _COLOR_TYPES and attribute.domain in {"POINT", "CORNER"}
+
+
+def is_face_mask(attribute: bpy.types.Attribute) -> bool:
+    return attribute.domain == "FACE" and attribute.data_type in _FACE_TYPES
+
+
+def named_attribute(
+    mesh: bpy.types.Mesh,
+    name: str,
+    surface: bpy.types.Object,
+    fits: Callable[[bpy.types.Attribute], bool],
+    kind: str,
+) -> bpy.types.Attribute:
+    """The attribute of that name, if it is of the kind that is wanted."""
+    attribute = mesh.attributes.get(name)
+    if attribute is not None and fits(attribute):
+        return attribute
+    if attribute is not None:
+        type_name = attribute.data_type.lower().replace("_", " ")
+        raise DataError(
+            f"'{name}' of '{surface.name}' is a {type_name} per {attribute.domain.lower()}; "
+            f"choose a {kind}"
+        )
+    known = ", ".join(f"'{other.name}'" for other in mesh.attributes if fits(other))
+    raise DataError(
+        f"'{surface.name}' has no {kind} '{name}'; "
+        + (f"it has {known}" if known else "add one, or choose another source")
+    )
+
+
+def uv_layer_of(
+    mesh: bpy.types.Mesh, name: str, surface: bpy.types.Object
+) -> bpy.types.MeshUVLoopLayer:
+    """The UV map of that name; the active one for an empty name."""
+    layer = mesh.uv_layers.get(name) if name else mesh.uv_layers.active
+    if layer is None:
+        raise DataError(
+            f"'{surface.name}' has no UV map '{name}'; choose one that it has"
+            if name
+            else f"'{surface.name}' has no UV map; unwrap it first"
+        )
+    return layer
+
+
+def vertices_of_corners(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
+    vertices = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("vertex_index", vertices)
+    return vertices

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Frames of a result as objects of their own, which need no add-on to be shown."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from .. import core
+from . import point_attributes
+from .curve_writer import write_splines
+from .profile import dress_points
+
+
+def write(
+    result: bpy.types.Object,
+    curve: bpy.types.Curve,
+    polylines: core.Polylines,
+    matrix: np.ndarray,
+    factors: np.ndarray | None,
+) -> None:
+    """Writes polylines into a curve that is the result's or a frame of it."""
+    materials = [spline.material_index for spline in result.data.splines]
+    write_splines(curve, polylines, matrix)
+    if curve == result.data and result.meander.figures.room:
+        point_attributes.forget_room(result)
+    dress_points(curve, polylines, matrix, result.meander.flat_profile, factors)
+    for spline, index in zip(curve.splines, materials):
+        spline.material_index = index
+
+
+class Frames:
+    """Frames of a result as objects of their own, each shown in its frame only.
+
+    They are plain curves with keys on their visibility, so the file renders wherever it is opened.
+    """
+
+    def __init__(self, result: bpy.types.Object, scene: bpy.types.Scene) -> None:
+        clear(result)
+        self._result, self._surface = result, result.meander.surface
+        self.collection = bpy.data.collections.new(f"{result.name} Frames")
+        scene.collection.children.link(self.collection)
+        result.meander.bake = self.collection
+        self._shown: bpy.types.Object | None = None
+
+    def add(
+        self,
+        frame: int,
+        polylines: core.Polylines,
+        matrix: np.ndarray,
+        factors: np.ndarray | None = None,
+    ) -> bpy.types.Object:
+        """Shows polylines from `frame` on, instead of those of the frame before."""
+        curve = self._result.data.copy()
+        write(self._result, curve, polylines, matrix, factors)
+        shown = bpy.data.objects.new(f"{self._result.name} {frame:04d}", curve)
+        self.collection.objects.link(shown)
+        shown.parent = self._surface
+        if self._shown is not None:
+            _key_hidden(self._shown, frame, True)
+            _key_hidden(shown, frame - 1, True)
+        _key_hidden(shown, frame, False)
+        self._shown = shown
+        return shown
+
+    def add_sticking(
+        self, frames: list[int], points: list[np.ndarray], offsets: np.ndarray
+    ) -> bpy.types.Object:
+        """One curve whose points go from place to place, as shape keys; points in its own space."""
+        curve = self._result.data.copy()
+        curve.animation_data_clear()
+        shown = bpy.data.objects.new(f"{self._result.name} Sticking", curve)
+        self.collection.objects.link(shown)
+        shown.parent = self._surface
+        for frame, places in zip(frames, points, strict=True):
+            key = shown.shape_key_add(name=f"{frame:04d}", from_mix=False)
+            key.interpolation = "KEY_LINEAR"
+            data = key.points if hasattr(key, "points") and len(key.points) else key.data
+            data.foreach_set("co", places.astype(np.float32).ravel())
+        keys = curve.shape_keys
+        keys.use_relative = False
+        for frame, key in zip(frames, keys.key_blocks, strict=True):
+            keys.eval_time = key.frame
+            keys.keyframe_insert("eval_time", frame=frame)
+        for fcurve in _fcurves(keys):
+            for keyframe in fcurve.keyframe_points:
+                keyframe.interpolation = "LINEAR"
+        return shown
+
+    def finish(self) -> None:
+        """Hides what the frames stand for."""
+        self._result.hide_render = True
+        self._result.hide_viewport = True
+
+
+def clear(result: bpy.types.Object) -> None:
+    """Takes the baked frames of a result away and shows it again."""
+    collection = result.meander.bake
+    if collection is None:
+        return
+    result.meander.bake = None
+    data = [item.data for item in collection.objects]
+    bpy.data.batch_remove([*collection.objects, *data, collection])
+    result.hide_render = result.hide_viewport = False
+
+
+def _key_hidden(thing: bpy.types.Object, frame: int, hidden: bool) -> None:
+    thing.hide_render = thing.hide_viewport = hidden
+    thing.keyframe_insert("hide_render", frame=frame)
+    thing.keyframe_insert("hide_viewport", frame=frame)
+
+
+def _fcurves(owner: bpy.types.ID) -> list[bpy.types.FCurve]:
+    """The animation curves of a data block; 5.0 keeps them in layers."""
+    animation = owner.animation_data
+    if hasattr(animation.action, "fcurves"):
+        return list(animation.action.fcurves)
+    strip = animation.action.layers[0].strips[0]
+    return list(strip.channelbag(animation.action_slot).fcurves)

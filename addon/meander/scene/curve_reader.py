@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curve objects as strands: seeds, strokes, guides and results on their way in."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from .. import core
+from .errors import DataError
+from .evaluated import linked_copy, mesh_of
+from .transforms import to_world, world_matrix
+
+
+def strands_of_curve(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph, fixed_ends: bool = False
+) -> core.Seed:
+    """The strands of a curve object as a seed, in world units, in the order of its splines.
+
+    Bezier, NURBS and poly splines, open and cyclic, with modifiers, shape keys, parents and
+    constraints; bevel, extrude and fill are left out. Works in Edit Mode and for hidden objects.
+
+    fixed_ends   the first and last point of every open strand never move
+
+    Raises DataError with one sentence for what is not a curve, has no segments, or branches.
+    """
+    if object.type != "CURVE":
+        raise DataError(f"'{object.name}' is not a curve; choose a curve object as the seed")
+    if object.mode == "EDIT":
+        object.update_from_editmode()
+    if _is_plain(object):
+        points, offsets, closed = _poly_splines(object.data)
+        matrix = world_matrix(object)
+    else:
+        points, edges, matrix = _evaluated_edges(object, depsgraph)
+        points, offsets, closed = _chains(points, edges, object.name)
+    if not len(closed):
+        raise DataError(
+            f"'{object.name}' has no spline with two or more points; draw a curve to start from"
+        )
+    fixed = _ends(offsets, closed) if fixed_ends else None
+    return core.Seed(
+        points=np.ascontiguousarray(to_world(points, matrix)),
+        offsets=offsets.astype(np.uint32),
+        closed=closed.astype(np.uint8),
+        fixed=fixed,
+    )
+
+
+def _is_plain(object: bpy.types.Object) -> bool:
+    """Whether the points of the splines are the curve: nothing to evaluate, so no copy needed."""
+    return (
+        not object.modifiers
+        and object.data.shape_keys is None
+        and all(spline.type == "POLY" for spline in object.data.splines)
+    )
+
+
+def _poly_splines(curve: bpy.types.Curve) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    strands = [spline for spline in curve.splines if len(spline.points) > 1]
+    offsets = np.cumsum([0] + [len(spline.points) for spline in strands])
+    points = np.empty((offsets[-1], 4), dtype=np.float32)
+    for spline, begin, end in zip(strands, offsets[:-1], offsets[1:], strict=True):
+        buffer = np.empty(4 * (end - begin), dtype=np.float32)
+        spline.points.foreach_get("co", buffer)
+        points[begin:end] = buffer.reshape(-1, 4)
+    closed = np.array([spline.use_cyclic_u for spline in strands], dtype=bool)
+    return points[:, :3], offsets, closed
+
+
+def _evaluated_edges(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Points and edges of the evaluated curve without thickness, and its world matrix."""
+    with linked_copy(object, depsgraph, with_data=True) as copy:
+        curve = copy.data
+        curve.bevel_depth = 0.0
+        curve.bevel_object = None
+        curve.extrude = 0.0
+        if curve.dimensions == "2D":
+            curve.fill_mode = "NONE"
+        depsgraph.update()
+        with mesh_of(copy, depsgraph) as (mesh, matrix):
+            if len(mesh.polygons):
+                raise DataError(
+                    f"The modifiers of '{object.name}' turn it into a surface; "
+                    "choose a curve without them as the seed"
+                )
+            points = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+            mesh.vertices.foreach_get("co", points)
+            edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
+            mesh.edges.foreach_get("vertices", edges)
+    return points.reshape(-1, 3), edges.reshape(-1, 2), matrix
+
+
+def _chains(
+    points: np.ndarray, edges: np.ndarray, name: str
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Orders the points along the chains that the edges form; lone points are left out."""
+    neighbours: dict[int, list[int]] = {}
+    for a, b in edges.tolist():
+        neighbours.setdefault(a, []).append(b)
+        neighbours.setdefault(b, []).append(a)
+    if any(len(others) > 2 for others in neighbours.values()):
+        raise DataError(f"'{name}' branches; choose a curve of simple strands as the seed")
+    chains: list[tuple[int, list[int], bool]] = []
+    visited: set[int] = set()
+    # Ends first: what is then left over is closed.
+    ends = [vertex for vertex, others in neighbours.items() if len(others) == 1]
+    for start in ends + list(neighbours):
+        if start in visited:
+            continue
+        visited.add(start)
+        chain = [start]
+        while True:
+            following = [n for n in neighbours[chain[-1]] if n not in visited]
+            if not following:
+                break
+            visited.add(following[0])
+            chain.append(following[0])
+        chains.append((min(chain), chain, len(neighbours[start]) == 2))
+    # Blender numbers the points spline after spline: the least index tells the order.
+    chains.sort(key=lambda entry: entry[0])
+    order = [vertex for _least, chain, _closed in chains for vertex in chain]
+    offsets = np.cumsum([0] + [len(chain) for _least, chain, _closed in chains])
+    closed = np.array([is_closed for _least, _chain, is_closed in chains], dtype=bool)
+    return points[order], offsets, closed
+
+
+def _ends(offsets: np.ndarray, closed: np.ndarray) -> np.ndarray:
+    fixed = np.zeros(int(offsets[-1]), dtype=np.uint8)
+    for begin, end, is_closed in zip(offsets[:-1], offsets[1:], closed, strict=True):
+        if not is_closed:
+            fixed[[begin, end - 1]] = 1
+    return fixed

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Polylines as curve objects.
+
+Curves are written into the surface's own space, so that they follow its transform.
+"""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from .. import core
+from .transforms import mean_scale, to_local, to_world, world_matrix
+
+
+def write_curve(
+    polylines: core.Polylines,
+    surface_object: bpy.types.Object,
+    name: str,
+    curve_object: bpy.types.Object | None = None,
+    matrix: np.ndarray | None = None,
+    bevel_depth: float = 0.0,
+) -> bpy.types.Object:
+    """Writes polylines (world units) as a curve object of poly splines on a surface object.
+
+    The curve becomes a child of the surface without a transform of its own, with its points in the
+    surface's space: it follows every transform, shear included, and its world positions are exact
+    to float32. Strands keep their order; closed ones are cyclic.
+
+    curve_object   the curve to rewrite; None makes a new one beside the surface, in its collection
+    matrix         the surface's world matrix when the polylines were made; None: as it is now
+    bevel_depth    radius of the round bevel in world units; 0: a bare curve
+    """
+    if matrix is None:
+        matrix = world_matrix(surface_object)
+    if curve_object is None:
+        curve_object = new_curve_object(name, surface_object)
+    curve = curve_object.data
+    write_splines(curve, polylines, matrix)
+    # The bevel lives in the surface's space, where it is scaled along with everything else.
+    curve.bevel_depth = bevel_depth / mean_scale(matrix)
+    return curve_object
+
+
+def new_curve_object(name: str, surface_object: bpy.types.Object) -> bpy.types.Object:
+    """An empty curve object beside the surface: its child, with no transform of its own."""
+    curve_object = bpy.data.objects.new(name, bpy.data.curves.new(name, "CURVE"))
+    collection_of(surface_object).objects.link(curve_object)
+    curve_object.parent = surface_object
+    return curve_object
+
+
+def write_splines(curve: bpy.types.Curve, polylines: core.Polylines, matrix: np.ndarray) -> None:
+    """Replaces the splines of a curve by polylines, in the space of `matrix`."""
+    curve.dimensions = "3D"
+    curve.fill_mode = "FULL"
+    curve.use_fill_caps = True
+    curve.use_path = False  # else each update measures the whole curve for an animation
+    curve.bevel_resolution = 2
+    curve.splines.clear()
+    positions = to_local(polylines.positions, matrix).astype(np.float32)
+    offsets = np.asarray(polylines.offsets, dtype=np.int64)
+    for begin, end, closed in zip(offsets[:-1], offsets[1:], polylines.closed, strict=True):
+        count = int(end - begin)
+        spline = curve.splines.new("POLY")
+        spline.points.add(count - 1)
+        points = np.ones((count, 4), dtype=np.float32)
+        points[:, :3] = positions[begin:end]
+        spline.points.foreach_set("co", points.ravel())
+        spline.use_cyclic_u = bool(closed)
+    curve.update_tag()
+
+
+def select_points_around(curve_object: bpy.types.Object, centres: np.ndarray, reach: float) -> int:
+    """Selects the points of poly splines around places, and deselects all others.
+
+    centres   (n, 3), in the object's own space
+    reach     how far a point may be from a centre, in distances of the point nearest to it: 1.2
+              takes what limits the place, on all its sides
+
+    Distances are those that are seen: in world space. Call it in Object Mode, or Edit Mode would
+    write its own selection back. Returns the number of points selected.
+    """
+    matrix = world_matrix(curve_object)
+    splines = [spline for spline in curve_object.data.splines if spline.type == "POLY"]
+    points = []
+    for spline in splines:
+        buffer = np.empty(4 * len(spline.points), dtype=np.float32)
+        spline.points.foreach_get("co", buffer)
+        points.append(to_world(buffer.reshape(-1, 4)[:, :3], matrix))
+    everything = np.vstack(points) if points else np.empty((0, 3))
+    chosen = np.zeros(len(everything), dtype=bool)
+    if len(everything):
+        for centre in to_world(centres, matrix):
+            squares = ((everything - centre) ** 2).sum(axis=1)
+            chosen |= squares <= reach * reach * squares.min()
+    begin = 0
+    for spline in splines:
+        end = begin + len(spline.points)
+        spline.points.foreach_set("select", chosen[begin:end])
+        begin = end
+    for spline in curve_object.data.splines:  # that somebody has added by hand
+        for point in spline.bezier_points:
+            point.select_control_point = False
+            point.select_left_handle = point.select_right_handle = False
+    return int(chosen.sum())
+
+
+def collection_of(object: bpy.types.Object) -> bpy.types.Collection:
+    """Where to put something beside an object: its first collection that can be changed."""
+    for collection in object.users_collection:
+        if collection.library is None:
+            return collection
+    return bpy.context.scene.collection

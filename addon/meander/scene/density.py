@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where the spacing varies: what the settings say, and the values that they name.
+
+Weights, attributes, colours and images give a value per vertex of the evaluated mesh; a Ramp turns
+it into the density.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import bpy
+import numpy as np
+
+from .. import core
+from ..model.density import (
+    FREE,
+    Choice,
+    Stops,
+    Values,
+    curvature_density,
+    luminance,
+    mean_at_vertices,
+    sample_repeated,
+)
+from . import ramp
+from .attributes import (
+    is_color,
+    is_point_float,
+    named_attribute,
+    uv_layer_of,
+    vertices_of_corners,
+)
+from .errors import DataError
+from .evaluated import surface_mesh
+from .images import pixels_of
+from .meshes import vertex_group_weights
+
+
+def choice_of(settings: bpy.types.PropertyGroup) -> Choice:
+    """What the settings of an object say."""
+    source = settings.density_source
+    name = ""
+    if source == "IMAGE":
+        name = settings.density_image.name if settings.density_image else ""
+    elif source == "CURVATURE":
+        name = settings.density_curvature.lower()
+    elif source != "NONE":
+        name = getattr(settings, f"density_{source.lower()}")
+    value_range = (settings.density_low, settings.density_high)
+    return Choice(
+        source=source,
+        name=name,
+        uv_map=settings.density_uv_map,
+        value_range=value_range if settings.use_density_range else None,
+        factors=(settings.factor_0, settings.factor_1),
+        interpolation=settings.density_interpolation.lower(),
+        smoothing=float(f"{settings.density_smoothing:.6g}"),
+        stops=_stops_of(settings),
+    )
+
+
+def _stops_of(settings: bpy.types.PropertyGroup) -> Stops:
+    if settings.density_interpolation != FREE.upper():
+        return ()
+    return ramp.stops_of(settings.density_ramp)
+
+
+def store_choice(choice: Choice, settings: bpy.types.PropertyGroup) -> None:
+    """Writes a choice into the settings of an object; choice_of() then gives it back."""
+    settings.density_source = choice.source
+    if choice.source == "IMAGE":
+        settings.density_image = bpy.data.images.get(choice.name)
+    elif choice.source == "CURVATURE":
+        settings.density_curvature = choice.name.upper()
+    elif choice.source != "NONE":
+        setattr(settings, f"density_{choice.source.lower()}", choice.name)
+    settings.density_uv_map = choice.uv_map
+    settings.use_density_range = choice.value_range is not None
+    if choice.value_range is not None:
+        settings.density_low, settings.density_high = choice.value_range
+    settings.factor_0, settings.factor_1 = choice.factors
+    if choice.stops and choice.stops != ramp.stops_of(settings.density_ramp):
+        settings.density_ramp = ramp.ramp_of(choice.stops)
+    settings.density_interpolation = choice.interpolation.upper()
+    settings.density_smoothing = choice.smoothing
+
+
+def density_of(
+    choice: Choice,
+    surface: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    radius: float = 0.0,
+) -> Values | Callable[[core.Surface], Values] | None:
+    """The density per vertex of meshes.triangles_of(), or what computes it; None for 1
+    everywhere.
+
+    radius   r, half the spacing; for the smoothing of curvature
+
+    Raises DataError with one sentence for what is missing or of another kind.
+    """
+    if not choice.varies:
+        return None
+    if choice.source == "CURVATURE":
+        return curvature_density(choice, radius)
+    values = _READERS[choice.source](choice, surface, depsgraph)
+    if not np.isfinite(values).all():
+        vertex = int(np.flatnonzero(~np.isfinite(values))[0])
+        raise DataError(
+            f"'{choice.name}' is not a finite number at vertex {vertex} of '{surface.name}'; "
+            "correct its values"
+        )
+    return choice.ramp(values).density(values)
+
+
+# ------------------------------------------------------------------------------------------------
+# Values per vertex of the evaluated mesh
+
+
+def _group_values(
+    choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Values:
+    return vertex_group_weights(surface, depsgraph, choice.name)
+
+
+def _attribute_values(
+    choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Values:
+    if not choice.name:
+        raise DataError("The density has no attribute; choose a float attribute of points")
+    with surface_mesh(surface, depsgraph) as (mesh, _matrix):
+        attribute = named_attribute(
+            mesh, choice.name, surface, is_point_float, "float attribute of points"
+        )
+        values = np.empty(len(mesh.vertices), dtype=np.float32)
+        attribute.data.foreach_get("value", values)
+    return values.astype(np.float64)
+
+
+def _color_values(
+    choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Values:
+    if not choice.name:
+        raise DataError("The density has no color attribute; choose one, or paint one")
+    with surface_mesh(surface, depsgraph) as (mesh, _matrix):
+        attribute = named_attribute(mesh, choice.name, surface, is_color, "color attribute")
+        colors = np.empty(4 * len(attribute.data), dtype=np.float32)
+        attribute.data.foreach_get("color", colors)  # scene-linear, also of bytes
+        values = luminance(colors.reshape(-1, 4))
+        if attribute.domain == "CORNER":
+            values = mean_at_vertices(values, vertices_of_corners(mesh), len(mesh.vertices))
+    return values
+
+
+def _image_values(
+    choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Values:
+    if not choice.name:
+        raise DataError("The density has no image; open one, or choose another source")
+    pixels, brightness = pixels_of(choice.name)
+    with surface_mesh(surface, depsgraph) as (mesh, _matrix):
+        layer = uv_layer_of(mesh, choice.uv_map, surface)
+        uv = np.empty(2 * len(layer.data), dtype=np.float32)
+        layer.data.foreach_get("uv", uv)
+        values = sample_repeated(pixels, uv.reshape(-1, 2), brightness)
+        return mean_at_vertices(values, vertices_of_corners(mesh), len(mesh.vertices))
+
+
+_READERS = {
+    "GROUP": _group_values,
+    "ATTRIBUTE": _attribute_values,
+    "COLOR": _color_values,
+    "IMAGE": _image_values,
+}

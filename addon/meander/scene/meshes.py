@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces: the triangles of mesh objects, and the values that their vertices have."""
+
+from __future__ import annotations
+
+import re
+
+import bpy
+import numpy as np
+
+from .. import core
+from .errors import DataError
+from .evaluated import surface_mesh
+from .transforms import check_invertible, to_world, world_matrix
+
+
+def triangles_of(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> tuple[np.ndarray, np.ndarray]:
+    """The triangles of a mesh object as the user sees it: modifiers applied, in world units.
+
+    Works in Edit Mode and for hidden objects. Where the transform mirrors, faces are turned round,
+    so that they look outward as Blender shows them.
+
+    Returns vertices float64 (n, 3) and faces uint32 (m, 3). Raises DataError (a ValueError) with
+    one sentence for what is not a mesh, has no faces, or is scaled to nothing.
+    """
+    with surface_mesh(object, depsgraph) as (mesh, matrix):
+        check_invertible(object, matrix)
+        mesh.calc_loop_triangles()
+        # float32 as stored: asking for float64 converts one value at a time.
+        coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+        mesh.vertices.foreach_get("co", coordinates)
+        indices = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+        mesh.loop_triangles.foreach_get("vertices", indices)
+    if not len(indices):
+        raise DataError(f"'{object.name}' has no faces; choose a mesh with faces as the surface")
+    faces = indices.reshape(-1, 3).astype(np.uint32)
+    if np.linalg.det(matrix[:3, :3]) < 0.0:
+        faces = np.ascontiguousarray(faces[:, ::-1])
+    return to_world(coordinates.reshape(-1, 3), matrix), faces
+
+
+def surface_now(
+    surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """World vertices, triangles and world matrix of a surface as `depsgraph` has evaluated it.
+
+    Unlike triangles_of it updates nothing, so that a frame handler may call it.
+    """
+    evaluated_surface = surface.evaluated_get(depsgraph)
+    mesh = evaluated_surface.to_mesh()
+    try:
+        matrix = world_matrix(evaluated_surface)
+        mesh.calc_loop_triangles()
+        coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+        mesh.vertices.foreach_get("co", coordinates)
+        indices = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+        mesh.loop_triangles.foreach_get("vertices", indices)
+    finally:
+        evaluated_surface.to_mesh_clear()
+    faces = indices.reshape(-1, 3).astype(np.uint32)
+    if np.linalg.det(matrix[:3, :3]) < 0.0:
+        faces = np.ascontiguousarray(faces[:, ::-1])
+    return to_world(coordinates.reshape(-1, 3), matrix), faces, matrix
+
+
+def in_polygons(
+    error: core.MeanderError, object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> core.MeanderError:
+    """An error about a mesh with its faces named as Blender counts them; others as they are.
+
+    The library knows triangles only; a user sees polygons, of the mesh with its modifiers.
+    """
+    if error.status != core.Status.INVALID_MESH:
+        return error
+    with surface_mesh(object, depsgraph) as (mesh, _matrix):
+        mesh.calc_loop_triangles()
+        polygons = np.empty(len(mesh.loop_triangles), dtype=np.int32)
+        mesh.loop_triangles.foreach_get("polygon_index", polygons)
+
+    def named(match: re.Match[str]) -> str:
+        return re.sub(r"\d+", lambda number: str(polygons[int(number[0])]), match[0])
+
+    # "face 3", and "3 faces (0, 1, 2)": numbers of faces, not of vertices, and not how many.
+    text = re.sub(r"(?<=[Ff]ace )\d+|(?<=faces \()[\d, ]+", named, str(error))
+    return core.MeanderError(text, error.status, error.element_kind, error.elements)
+
+
+def vertex_group_weights(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph, name: str
+) -> np.ndarray:
+    """The weights of a vertex group on the evaluated mesh, float64, 0 where a vertex is not in it.
+
+    The order is that of the vertices of triangles_of(). A group that a Geometry Nodes modifier has
+    turned into a named float attribute is found as well. Raises DataError for an unknown name.
+    """
+    with surface_mesh(object, depsgraph) as (mesh, _matrix):
+        count = len(mesh.vertices)
+        attribute = mesh.attributes.get(name)
+        if attribute is not None and (attribute.domain, attribute.data_type) == ("POINT", "FLOAT"):
+            values = np.empty(count, dtype=np.float32)
+            attribute.data.foreach_get("value", values)
+            return values.astype(np.float64)
+        group = object.vertex_groups.get(name)
+        if group is None:
+            known = ", ".join(f"'{other.name}'" for other in object.vertex_groups)
+            raise DataError(
+                f"'{object.name}' has no vertex group '{name}'; "
+                + (f"it has {known}" if known else "paint one, or leave the field empty")
+            )
+        index = group.index
+        weights = np.zeros(count, dtype=np.float64)
+        for position, vertex in enumerate(mesh.vertices):
+            for element in vertex.groups:
+                if element.group == index:
+                    weights[position] = element.weight
+        return weights
+
+
+def area_of(vertices: np.ndarray, faces: np.ndarray) -> float:
+    """The area of triangles, in square units of the vertices."""
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2.0)
+
+
+def proposed_spacing(vertices: np.ndarray, faces: np.ndarray) -> float:
+    """A spacing that shows the shape and takes seconds: 1/30 of the side of a square of the same
+    area, rounded to two digits."""
+    spacing = np.sqrt(area_of(vertices, faces)) / 30.0
+    return float(f"{spacing:.1e}")
+
+
+def loose_edge_count(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> int:
+    """Edges of the evaluated mesh that no face has."""
+    with surface_mesh(surface, depsgraph) as (mesh, _matrix):
+        edges = np.empty(len(mesh.loops), dtype=np.int32)
+        mesh.loops.foreach_get("edge_index", edges)
+        return len(mesh.edges) - len(np.unique(edges))

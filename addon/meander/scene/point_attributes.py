@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is known of every point of a curve as attributes: of a mesh of edges, or of a hair curve."""
+
+from __future__ import annotations
+
+import base64
+
+import bpy
+import numpy as np
+
+from .. import core
+from ..model import toolpath
+from .curve_writer import collection_of
+from .errors import DataError
+from .transforms import mean_scale, to_local
+
+KINDS = ("MESH", "CURVES")
+
+
+def refuse(kind: str) -> None:
+    """Raises DataError where this Blender cannot make an object of that kind."""
+    if kind == "CURVES" and "add_curves" not in bpy.types.Curves.bl_rna.functions:
+        raise DataError(
+            "Hair curves with attributes cannot be written by scripts before Blender 4.2; make "
+            "a mesh instead"
+        )
+
+
+def attributes_of(
+    strands: list[toolpath.Strand], matrix: np.ndarray
+) -> dict[str, tuple[str, np.ndarray]]:
+    """Name, Blender's type and values of every point's attributes.
+
+    Directions are in the space of `matrix`, as the points are; lengths are those of the world. What
+    is not known is left out.
+    """
+    counts = [len(strand.points) for strand in strands]
+    linear = matrix[:3, :3]
+    # Normals go the other way round: a plane is what a sheared transform keeps.
+    normals = np.vstack([strand.normals for strand in strands]) @ linear
+    tangents = np.linalg.solve(linear, np.vstack([strand.tangents for strand in strands]).T).T
+    values = {
+        "arc_length": ("FLOAT", np.concatenate([strand.arc_lengths for strand in strands])),
+        "surface_normal": ("FLOAT_VECTOR", _unit(normals)),
+        "tangent": ("FLOAT_VECTOR", _unit(tangents)),
+        "strand": ("INT", np.repeat(np.arange(len(strands)), counts)),
+    }
+    if all(strand.radii is not None for strand in strands):
+        radii = np.vstack([strand.radii for strand in strands])
+        values["r_plus"] = ("FLOAT", radii[:, 0])
+        values["r_minus"] = ("FLOAT", radii[:, 1])
+    if all(strand.faces is not None for strand in strands):
+        values["triangle"] = ("INT", np.concatenate([strand.faces for strand in strands]))
+        values["weights"] = ("FLOAT_VECTOR", np.vstack([strand.weights for strand in strands]))
+    return values
+
+
+def make(
+    kind: str,
+    name: str,
+    strands: list[toolpath.Strand],
+    surface: bpy.types.Object,
+    matrix: np.ndarray,
+    radius: float = 0.0,
+) -> bpy.types.Object:
+    """Makes an object of points in world units on a surface object, its child as a result is.
+
+    kind     one of KINDS
+    matrix   the surface's world matrix
+    radius   thickness of hair curves, in world units
+
+    Raises DataError where this Blender cannot.
+    """
+    refuse(kind)
+    data = _mesh(name, strands, matrix) if kind == "MESH" else _curves(name, strands, matrix)
+    for attribute_name, (value_type, values) in attributes_of(strands, matrix).items():
+        _set(data.attributes.new(attribute_name, value_type, "POINT"), values)
+    if kind == "CURVES" and radius > 0.0:
+        count = sum(len(strand.points) for strand in strands)
+        attribute = data.attributes.get("radius") or data.attributes.new("radius", "FLOAT", "POINT")
+        _set(attribute, np.full(count, radius / mean_scale(matrix)))
+    data.update_tag()
+    thing = bpy.data.objects.new(name, data)
+    collection_of(surface).objects.link(thing)
+    thing.parent = surface
+    return thing
+
+
+def _mesh(name: str, strands: list[toolpath.Strand], matrix: np.ndarray) -> bpy.types.Mesh:
+    edges, first = [], 0
+    for strand in strands:
+        here = first + np.arange(len(strand.points))
+        there = np.roll(here, -1)
+        pairs = np.column_stack([here, there])
+        edges.append(pairs if strand.closed else pairs[:-1])
+        first += len(here)
+    pairs = np.vstack(edges).astype(np.int32)
+    mesh = bpy.data.meshes.new(name)
+    mesh.vertices.add(first)
+    mesh.vertices.foreach_set("co", _local(strands, matrix).ravel())
+    mesh.edges.add(len(pairs))
+    mesh.edges.foreach_set("vertices", pairs.ravel())
+    mesh.update()
+    return mesh
+
+
+def _curves(name: str, strands: list[toolpath.Strand], matrix: np.ndarray) -> bpy.types.Curves:
+    curves = bpy.data.hair_curves.new(name)
+    curves.add_curves([len(strand.points) for strand in strands])
+    curves.position_data.foreach_set("vector", _local(strands, matrix).ravel())
+    if hasattr(curves, "set_types"):
+        curves.set_types(type="POLY")
+    else:
+        _set(curves.attributes.new("curve_type", "INT8", "CURVE"), np.ones(len(strands)))
+    cyclic = curves.attributes.new("cyclic", "BOOLEAN", "CURVE")
+    cyclic.data.foreach_set("value", [strand.closed for strand in strands])
+    return curves
+
+
+def _local(strands: list[toolpath.Strand], matrix: np.ndarray) -> np.ndarray:
+    points = np.vstack([strand.points for strand in strands])
+    return to_local(points, matrix).astype(np.float32)
+
+
+def _set(attribute: bpy.types.Attribute, values: np.ndarray) -> None:
+    whole = attribute.data_type in {"INT", "INT8"}
+    key = "vector" if attribute.data_type == "FLOAT_VECTOR" else "value"
+    attribute.data.foreach_set(
+        key, np.ascontiguousarray(values, dtype=np.int32 if whole else np.float32).ravel()
+    )
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)
+
+
+# ------------------------------------------------------------------------------------------------
+# The room on both sides, which only a run can tell, kept with its result
+
+
+def remember_room(result: bpy.types.Object, radii: np.ndarray, matrix: np.ndarray) -> None:
+    """Keeps r+ and r- (n, 2) of a result's points, in the units of `matrix`."""
+    scale = mean_scale(matrix)
+    packed = np.asarray(radii / scale, dtype="<f4").tobytes()
+    result.meander.figures.room = base64.b85encode(packed).decode("ascii")
+
+
+def forget_room(result: bpy.types.Object) -> None:
+    """For points that are not those of the run any more."""
+    result.meander.figures.room = ""
+
+
+def room_of(result: bpy.types.Object, count: int, matrix: np.ndarray) -> np.ndarray | None:
+    """r+ and r- in world units of a result's `count` points; None where they have been changed."""
+    try:
+        packed = base64.b85decode(result.meander.figures.room)
+    except ValueError:
+        return None
+    if not packed or len(packed) != 8 * count:
+        return None
+    radii = np.frombuffer(packed, dtype="<f4").reshape(count, 2).astype(np.float64)
+    return radii * mean_scale(matrix)
+
+
+def data_of(index: np.ndarray, weights: np.ndarray, radii: np.ndarray | None) -> core.PointData:
+    """What toolpath.strands_of needs of points that a run has not told."""
+    return core.PointData(None, None, None, radii, index, weights)

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tilt and radius of the points of a curve."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from .. import core
+from ..model.profile import tilts
+
+
+def dress_points(
+    curve: bpy.types.Curve,
+    polylines: core.Polylines,
+    matrix: np.ndarray,
+    flat: bool,
+    factors: np.ndarray | None = None,
+) -> None:
+    """Gives the points of poly splines their tilt and their radius.
+
+    polylines   what the splines were written from, with `matrix`
+    flat        tilt for a profile on the surface; else there is none
+    factors     (n,) radius of every point; None: 1
+    """
+    curve.twist_mode = "Z_UP" if flat else "MINIMUM"
+    offsets = np.asarray(polylines.offsets, dtype=np.int64)
+    # Normals go the other way round: a plane is what a sheared transform keeps.
+    normals = np.asarray(polylines.normals, dtype=np.float64) @ matrix[:3, :3]
+    for spline, begin, end in zip(curve.splines, offsets[:-1], offsets[1:]):
+        if flat:
+            buffer = np.empty(4 * len(spline.points), dtype=np.float32)
+            spline.points.foreach_get("co", buffer)
+            points = buffer.reshape(-1, 4)[:, :3].astype(np.float64)
+            tilt = tilts(points, normals[begin:end], spline.use_cyclic_u)
+            spline.points.foreach_set("tilt", tilt.astype(np.float32))
+        if factors is not None:
+            spline.points.foreach_set("radius", factors[begin:end].astype(np.float32))
+    curve.update_tag()

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The settings on an object: whose they are, and how a result takes them over.
+
+The property groups themselves are declared in `ui`; what is here reads plain attributes.
+"""
+
+from __future__ import annotations
+
+import bpy
+
+# What belongs to one object: what it lies on, what its last run came to, and what it does now.
+_OWN = frozenset({"rna_type", "name", "surface", "figures", "problem", "follow", "bake"})
+
+
+def copied(settings: bpy.types.PropertyGroup) -> list[str]:
+    """The names of the settings that a result takes over from those that it was made with."""
+    return [name for name in settings.bl_rna.properties.keys() if name not in _OWN]
+
+
+def copy_settings(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGroup) -> None:
+    """Copies what a user can choose, not the surface and not the figures."""
+    for name in copied(source):
+        setattr(target, name, getattr(source, name))
+    if target.density_ramp is not None:
+        # Each has its own, so that one may be changed and the other is what it was made with.
+        target.density_ramp = target.density_ramp.copy()
+
+
+def surface_of(object: bpy.types.Object | None) -> bpy.types.Object | None:
+    """The surface that an object stands for: a mesh itself, or the surface of a result."""
+    if object is None:
+        return None
+    if object.type == "MESH":
+        return object
+    return object.meander.surface if object.type == "CURVE" else None

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The strands of a run as Blender has them: seed, stroke and guides in, materials out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from ..model import strands
+from .curve_reader import strands_of_curve
+from .errors import DataError
+from .transforms import world_matrix
+
+
+@dataclass(frozen=True)
+class Dress:
+    """What the splines of a result take over from those that they grew from."""
+
+    slots: tuple[tuple[str, str | None] | None, ...] = ()  # materials by name and library
+    indices: tuple[int, ...] = ()  # per strand
+
+
+# ------------------------------------------------------------------------------------------------
+# Strands in
+
+
+def parts_of(
+    active: bpy.types.Object, depsgraph: bpy.types.Depsgraph, restart: bool
+) -> tuple[list[strands.Part], Dress]:
+    """The strands that a run on a surface or a result starts from, guides among them.
+
+    A result goes on from its own splines, unless it is to `restart`. Those of them that are guides
+    are read anew from the drawn ones, where these are still named.
+
+    Raises DataError with one sentence for what cannot be used.
+    """
+    settings: bpy.types.PropertyGroup = active.meander
+    fixed_ends = settings.fixed_ends or _has_stroke(settings)
+    guides, guide_objects = _drawn_guides(settings, depsgraph)
+    if active.type == "MESH" or restart:
+        if settings.seed is not None:
+            seed = strands_of_curve(settings.seed, depsgraph, settings.fixed_ends)
+            parts = [strands.Part(settings.seed.name, seed)]
+            return parts + guides, _dress([settings.seed, *guide_objects], parts + guides)
+        parts = _stroke(settings) + guides
+        return parts, _dress([None] * (len(parts) - len(guides)) + guide_objects, parts)
+    own = strands_of_curve(active, depsgraph, fixed_ends)
+    figures = active.meander.figures
+    count, begin = len(own.closed), figures.first_guide
+    end = begin + figures.guides
+    indices = tuple(_material_indices(active, count))
+    if not figures.guides:
+        parts = [strands.Part(active.name, own)] + guides
+        return parts, Dress((), indices)
+    if count != figures.strands:
+        raise DataError(
+            f"'{active.name}' has other splines than its run has left, so that its guides cannot "
+            "be told from them; use Start Over"
+        )
+    pieces = [(0, begin, False), (begin, end, True), (end, count, False)]
+    parts = []
+    for first, last, is_guide in pieces:
+        if is_guide and guides:
+            parts += guides
+        elif last > first:
+            parts.append(strands.Part(active.name, strands.span(own, first, last), is_guide, first))
+    if guides:
+        drawn = sum(len(part.seed.closed) for part in guides)
+        indices = (*indices[:begin], *([0] * drawn), *indices[end:])
+    return parts, Dress((), indices)
+
+
+def _has_stroke(settings: bpy.types.PropertyGroup) -> bool:
+    return settings.seed is None and bool(settings.stroke_from or settings.stroke_to)
+
+
+def _stroke(settings: bpy.types.PropertyGroup) -> list[strands.Part]:
+    if not _has_stroke(settings):
+        return []
+    ends = (settings.stroke_from, settings.stroke_to)
+    if None in ends:
+        raise DataError("One end of the stroke is missing; choose an object for From and for To")
+    places = [world_matrix(end)[:3, 3] for end in ends]
+    return [strands.Part(f"{ends[0].name} to {ends[1].name}", strands.stroke(*places))]
+
+
+def _drawn_guides(
+    settings: bpy.types.PropertyGroup, depsgraph: bpy.types.Depsgraph
+) -> tuple[list[strands.Part], list[bpy.types.Object]]:
+    objects = [] if settings.guides is None else [settings.guides]
+    if settings.guide_collection is not None:
+        # The name decides, so that the order does not depend on how they were linked.
+        curves = (
+            other
+            for other in settings.guide_collection.all_objects
+            if other.type == "CURVE" and other.meander.surface is None and other not in objects
+        )
+        found = sorted(curves, key=lambda other: other.name_full)
+        if not found and not objects:
+            raise DataError(
+                f"The collection '{settings.guide_collection.name}' has no curves; draw guides "
+                "in it, or leave the field empty"
+            )
+        objects += [other for other in found if other != settings.seed]
+    parts = [
+        strands.Part(other.name, strands_of_curve(other, depsgraph), guide=True)
+        for other in objects
+    ]
+    return parts, objects
+
+
+# ------------------------------------------------------------------------------------------------
+# Materials
+
+
+def _material_indices(curve_object: bpy.types.Object, count: int) -> list[int]:
+    """Of the splines that became strands, which are those with two points or more."""
+    splines = [
+        spline
+        for spline in curve_object.data.splines
+        if len(spline.points) + len(spline.bezier_points) > 1
+    ]
+    if len(splines) != count:  # modifiers have made others of them
+        return [0] * count
+    return [spline.material_index for spline in splines]
+
+
+def _dress(objects: list[bpy.types.Object | None], parts: list[strands.Part]) -> Dress:
+    slots: list[tuple[str, str | None] | None] = []
+    indices: list[int] = []
+    for curve_object, part in zip(objects, parts, strict=True):
+        count = len(part.seed.closed)
+        if curve_object is None or not curve_object.material_slots:
+            indices += [0] * count
+            continue
+        first = len(slots)
+        for slot in curve_object.material_slots:
+            material = slot.material
+            library = material.library.filepath if material and material.library else None
+            slots.append(None if material is None else (material.name, library))
+        most = len(slots) - 1
+        own = _material_indices(curve_object, count)
+        indices += [min(first + index, most) for index in own]
+    return Dress(tuple(slots), tuple(indices))
+
+
+def put_on(curve: bpy.types.Curve, dress: Dress) -> None:
+    """Gives the splines the materials of those that they grew from.
+
+    Slots that a result has already stay: they are the user's.
+    """
+    if not len(curve.materials):
+        for slot in dress.slots:
+            curve.materials.append(None if slot is None else bpy.data.materials.get(slot))
+    most = max(0, len(curve.materials) - 1)
+    for spline, index in zip(curve.splines, dress.indices):
+        spline.material_index = min(index, most)
+
+
+def note_guides(curve_object: bpy.types.Object, flags: np.ndarray, keep: bool) -> None:
+    """Remembers which splines of a new result are guides, or takes them out of it."""
+    curve = curve_object.data
+    if not keep:
+        for spline in [s for s, is_guide in zip(curve.splines, flags, strict=True) if is_guide]:
+            curve.splines.remove(spline)
+        flags = flags[~flags]
+    figures = curve_object.meander.figures
+    figures.strands = len(flags)
+    figures.guides = int(flags.sum())
+    figures.first_guide = int(np.argmax(flags)) if flags.any() else 0

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Points on a surface: the triangle that holds each, and the points of a result, with normals."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+from mathutils.bvhtree import BVHTree
+
+from .. import core
+from ..model import toolpath
+from . import point_attributes
+from .curve_reader import strands_of_curve
+from .meshes import triangles_of
+from .transforms import world_matrix
+
+
+def bind(
+    points: np.ndarray, vertices: np.ndarray, faces: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """For each point the nearest triangle and the weights of its corners there."""
+    tree = BVHTree.FromPolygons(vertices.tolist(), faces.tolist())
+    index = np.array([tree.find_nearest(point)[2] for point in points.tolist()], dtype=np.int64)
+    a, b, c = (vertices[faces[index, corner]] for corner in range(3))
+    u, v, w = b - a, c - a, points - a
+    uu, uv, vv = (u * u).sum(1), (u * v).sum(1), (v * v).sum(1)
+    wu, wv = (w * u).sum(1), (w * v).sum(1)
+    determinant = uu * vv - uv * uv
+    second = (vv * wu - uv * wv) / determinant
+    third = (uu * wv - uv * wu) / determinant
+    weights = np.clip(np.column_stack([1.0 - second - third, second, third]), 0.0, 1.0)
+    return index, weights / weights.sum(axis=1, keepdims=True)
+
+
+def polylines_of(
+    result: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> tuple[core.Polylines, np.ndarray, np.ndarray]:
+    """A result's strands in world units with the surface's smooth normals, and for every point the
+    triangle of the surface that holds it and the weights of its corners.
+
+    Raises DataError with one sentence for what cannot be used.
+    """
+    strands = strands_of_curve(result, depsgraph)
+    vertices, faces = triangles_of(result.meander.surface, depsgraph)
+    index, weights = bind(strands.points, vertices, faces)
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    weighted = np.cross(b - a, c - a)
+    smooth = np.zeros_like(vertices)
+    for corner in range(3):
+        np.add.at(smooth, faces[:, corner], weighted)
+    normals = np.einsum("nk,nkj->nj", weights, smooth[faces[index]])
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    flat = weighted[index] / np.linalg.norm(weighted[index], axis=1, keepdims=True)
+    normals = np.divide(normals, lengths, out=flat, where=lengths > 0.0)
+    curve = core.Polylines(strands.points, normals, strands.offsets, strands.closed)
+    return curve, index, weights
+
+
+def strands_of_result(
+    result: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    step: float | None = None,
+    tolerance: float | None = None,
+) -> list[toolpath.Strand]:
+    """A result's strands with all that is known of them. Raises DataError, FileError."""
+    curve, index, weights = polylines_of(result, depsgraph)
+    surface = result.meander.surface
+    matrix = world_matrix(surface.evaluated_get(depsgraph))
+    radii = point_attributes.room_of(result, len(curve.positions), matrix)
+    data = point_attributes.data_of(index, weights, radii)
+    mesh = toolpath.Mesh(*triangles_of(surface, depsgraph))
+    return toolpath.resampled(curve, step, tolerance, data, mesh)

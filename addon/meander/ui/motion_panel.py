@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sub-panel "Motion": Follow, Bake Motion, Bake Growth."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+from bpy.props import IntProperty
+
+from .. import core
+from ..run import baking, following, session
+from ..scene import baked_frames
+from ..scene.errors import DataError
+from .settings import MeanderSettings
+from .sidebar import ORDER, SubPanel, columns, notice
+
+
+class _OnResult:
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif active is None or active.type != "CURVE" or active.meander.surface is None:
+            cls.poll_message_set("Choose a curve that Meander has made")
+        elif active.library is not None or active.data.library is not None:
+            cls.poll_message_set("The curve is linked from another file")
+        elif context.mode != "OBJECT":
+            cls.poll_message_set("Works in Object Mode")
+        else:
+            return True
+        return False
+
+    def _bake(self, context: bpy.types.Context, bake: Any, *arguments: Any) -> set[str]:
+        result = context.active_object
+        try:
+            collection = bake(result, context, *arguments)
+        except (DataError, core.MeanderError) as error:
+            text = str(error)
+            self.report({"ERROR"}, text[:1].upper() + text[1:])
+            return {"CANCELLED"}
+        following.forget()
+        count = len(collection.objects)
+        self.report({"INFO"}, f"{collection.name}: {count} objects; {result.name} is hidden")
+        return {"FINISHED"}
+
+
+class MEANDER_OT_bake_motion(_OnResult, bpy.types.Operator):
+    """Write the curve of every frame into the file, so that it renders without this add-on"""
+
+    bl_idname = "meander.bake_motion"
+    bl_label = "Bake Motion"
+
+    frame_start: IntProperty(
+        name="Start", description="First frame; the scene's if it is after the end", default=1
+    )
+    frame_end: IntProperty(name="End", description="Last frame", default=0)
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        self.frame_start, self.frame_end = context.scene.frame_start, context.scene.frame_end
+        return context.window_manager.invoke_props_dialog(self)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        first, last = self.frame_start, self.frame_end
+        if first > last:
+            first, last = context.scene.frame_start, context.scene.frame_end
+        return self._bake(context, baking.bake_motion, first, last)
+
+
+class MEANDER_OT_bake_growth(_OnResult, bpy.types.Operator):
+    """Grow the curve anew from its seed, and write what it looks like on the way into the file"""
+
+    bl_idname = "meander.bake_growth"
+    bl_label = "Bake Growth"
+
+    every: IntProperty(
+        name="Iterations per Frame",
+        description="Fewer make the growth slower, and the file larger",
+        default=4,
+        min=1,
+        soft_max=50,
+    )
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        return context.window_manager.invoke_props_dialog(self)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        return self._bake(context, baking.bake_growth, context.scene.frame_start, self.every)
+
+
+class MEANDER_OT_clear_bake(_OnResult, bpy.types.Operator):
+    """Take the baked frames of this curve away and show the curve itself again"""
+
+    bl_idname = "meander.clear_bake"
+    bl_label = "Delete Bake"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if not super().poll(context):
+            return False
+        if context.active_object.meander.bake is None:
+            cls.poll_message_set("This curve has no baked frames")
+            return False
+        return True
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        baked_frames.clear(context.active_object)
+        return {"FINISHED"}
+
+
+class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_motion"
+    bl_label = "Motion"
+    bl_order = ORDER["motion"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        return active is not None and active.type == "CURVE" and super().poll(context)
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        result = context.active_object
+        settings: MeanderSettings = result.meander
+        layout.prop(settings, "motion")
+        row = layout.row()
+        row.active = settings.motion == "EVEN"
+        row.prop(settings, "motion_steps")
+        layout.prop(settings, "follow")
+        problem = following.problem_of(result) if settings.follow else None
+        if problem:
+            notice(layout, problem, "ERROR")
+        elif settings.follow and not context.scene.render.use_lock_interface:
+            notice(layout, "Bake before rendering")
+        layout.operator_context = "INVOKE_DEFAULT"
+        column = layout.column(align=True)
+        column.operator(MEANDER_OT_bake_motion.bl_idname, icon="RENDER_ANIMATION")
+        column.operator(MEANDER_OT_bake_growth.bl_idname, icon="FORCE_CURVE")
+        if settings.bake is not None:
+            column.operator(MEANDER_OT_clear_bake.bl_idname, icon="TRASH")
+
+
+_CLASSES = (
+    MEANDER_OT_bake_motion,
+    MEANDER_OT_bake_growth,
+    MEANDER_OT_clear_bake,
+    MEANDER_PT_motion,
+)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panel "Meander" in the sidebar of the 3D viewport."""
+
+from __future__ import annotations
+
+import bpy
+from bpy.props import FloatProperty
+
+from ..run import session
+from ..scene.settings import surface_of
+from .operators import (
+    MEANDER_OT_propose_spacing,
+    MEANDER_OT_run,
+    MEANDER_OT_show_gaps,
+    MEANDER_OT_stop,
+)
+from .settings import STOP_TEXTS, MeanderFigures, MeanderSettings
+from .sidebar import ORDER, Sidebar, SubPanel, columns
+
+
+def _is_result(object: bpy.types.Object) -> bool:
+    return object.type == "CURVE"
+
+
+class MEANDER_PT_main(Sidebar, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_main"
+    bl_label = "Meander"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        running = session.current()
+        surface = surface_of(context.active_object)
+        if surface is not None:
+            self._draw_settings(layout.column(), context.active_object, surface)
+        elif running is None:
+            column = layout.column(align=True)
+            column.label(text="Select a mesh to fill", icon="INFO")
+        if running is not None:
+            self._draw_progress(layout, context, running)
+        elif surface is not None:
+            self._draw_buttons(layout, context.active_object)
+
+    def _draw_settings(
+        self, layout: bpy.types.UILayout, active: bpy.types.Object, surface: bpy.types.Object
+    ) -> None:
+        settings: MeanderSettings = active.meander
+        columns(layout)
+        if _is_result(active):
+            # Which surface it lies on is a fact, not a choice.
+            row = layout.row()
+            row.enabled = False
+            row.prop(settings, "surface", icon="MESH_DATA")
+        else:
+            split = layout.split(factor=0.4)
+            label = split.row()
+            label.alignment = "RIGHT"
+            label.label(text="Surface")
+            split.label(text=surface.name, icon="MESH_DATA")
+        layout.prop(settings, "seed", icon="CURVE_DATA")
+        row = layout.row(align=True)
+        row.prop(settings, "spacing")
+        row.operator(MEANDER_OT_propose_spacing.bl_idname, text="", icon="SHADERFX")
+
+    def _draw_buttons(self, layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
+        layout.operator_context = "INVOKE_DEFAULT"
+        column = layout.column(align=True)
+        column.scale_y = 1.4
+        if _is_result(active):
+            column.operator(MEANDER_OT_run.bl_idname, text="Continue", icon="PLAY")
+            column.operator(
+                MEANDER_OT_run.bl_idname, text="Start Over", icon="FILE_REFRESH"
+            ).restart = True
+        else:
+            column.operator(MEANDER_OT_run.bl_idname, icon="PLAY")
+        if active.meander.spacing == 0.0:
+            layout.label(text="Spacing 0: automatic", icon="INFO")
+
+    def _draw_progress(
+        self, layout: bpy.types.UILayout, context: bpy.types.Context, running: session.Session
+    ) -> None:
+        column = layout.column(align=True)
+        if hasattr(column, "progress"):  # Blender 4.0 and later
+            column.progress(factor=running.progress(), text=running.progress_text())
+        else:
+            bar = column.column()
+            bar.enabled = False
+            bar.prop(context.window_manager, "meander_progress", text="Grown", slider=True)
+        row = column.row()
+        row.scale_y = 1.4
+        row.operator(MEANDER_OT_stop.bl_idname, icon="SNAP_FACE")
+        # The same rows from the first moment on, so that the panel does not jump.
+        latest = running.latest
+        _figures(
+            layout,
+            (
+                ("Iteration", f"{latest.iterations:,}" if latest else ""),
+                ("Nodes", f"{latest.nodes:,}" if latest else ""),
+                ("Length", _length(context, latest.length) if latest else ""),
+            ),
+        )
+
+
+class MEANDER_PT_options(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_options"
+    bl_label = "Options"
+    bl_order = ORDER["options"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        settings: MeanderSettings = context.active_object.meander
+        layout.prop(settings, "preset")
+        layout.prop(settings, "medial_axis")
+        layout.prop(settings, "iteration_limit")
+        layout.prop(settings, "threads")
+        layout.prop(settings, "use_bevel")
+        row = layout.row()
+        row.active = settings.use_bevel
+        row.prop(settings, "bevel_share")
+        layout.prop(settings, "flat_profile")
+        layout.prop(settings, "radius_follows")
+        layout.prop(settings, "points_as")
+
+
+class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_figures"
+    bl_label = "Last Run"
+    bl_order = ORDER["figures"]
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None or surface_of(active) is None:
+            return False
+        return bool(active.meander.figures.stop_reason)
+
+    def draw(self, context: bpy.types.Context) -> None:
+        active = context.active_object
+        figures = active.meander.figures
+        _figures(
+            self.layout,
+            (
+                ("Ended", STOP_TEXTS.get(figures.stop_reason, figures.stop_reason)),
+                ("Spacing", _length(context, figures.spacing_median)),
+                ("Length", _length(context, figures.length)),
+                ("Nodes", f"{figures.nodes:,}"),
+                ("Iterations", f"{figures.iterations:,}"),
+                ("Time", f"{figures.seconds:.1f} s"),
+                *_gaps(figures),
+            ),
+        )
+        if _is_result(active) and figures.gap_count > 0:
+            self.layout.operator(MEANDER_OT_show_gaps.bl_idname, icon="RESTRICT_SELECT_OFF")
+
+
+def _gaps(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
+    """How many, and the largest in units of half the spacing there: a row each, to fit."""
+    if figures.gap_count < 0:
+        return (("Gaps", "Not sought"),)
+    if not figures.gap_count:
+        return (("Gaps", "None"),)
+    return (("Gaps", f"{figures.gap_count:,}"), ("Largest", f"{figures.largest_gap:.2f}"))
+
+
+def _length(context: bpy.types.Context, value: float) -> str:
+    """A length in the units that the scene shows."""
+    unit = context.scene.unit_settings
+    if unit.system == "NONE":
+        return f"{value:.4g}"
+    return bpy.utils.units.to_string(unit.system, "LENGTH", value * unit.scale_length, precision=4)
+
+
+def _figures(layout: bpy.types.UILayout, rows: tuple[tuple[str, str], ...]) -> None:
+    column = layout.column(align=True)
+    for name, value in rows:
+        split = column.split(factor=0.5)
+        left = split.row()
+        left.alignment = "RIGHT"
+        left.active = False
+        left.label(text=name)
+        split.label(text=value)
+
+
+def _percent(_manager: bpy.types.WindowManager) -> float:
+    running = session.current()
+    # Rounded, since Blender shows the decimals of small values whatever the precision.
+    return round(100.0 * running.progress()) if running is not None else 0.0
+
+
+_CLASSES = (MEANDER_PT_main, MEANDER_PT_options, MEANDER_PT_figures)
+
+
+def register() -> None:
+    # Not a setting, only something that a slider of Blender before 4.0 can show.
+    bpy.types.WindowManager.meander_progress = FloatProperty(
+        name="Progress", subtype="PERCENTAGE", min=0.0, max=100.0, precision=0, get=_percent
+    )
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)
+    del bpy.types.WindowManager.meander_progress

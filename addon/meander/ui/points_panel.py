@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is known of every point of a result: as a file for machines, as attributes of an object."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+from bpy.props import EnumProperty, FloatProperty, StringProperty
+
+from .. import core
+from ..model import mesh_files, toolpath
+from ..run import session
+from ..scene import point_attributes
+from ..scene.errors import DataError
+from ..scene.surface_points import strands_of_result
+from ..scene.transforms import mean_scale, world_matrix
+from .sidebar import ORDER, SubPanel, columns
+
+_SUFFIXES = {"CSV": ".csv", "JSON": ".json"}
+
+
+class _OnResult:
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif active is None or active.type != "CURVE" or active.meander.surface is None:
+            cls.poll_message_set("Choose a curve that Meander has made")
+        elif context.mode != "OBJECT":
+            cls.poll_message_set("Works in Object Mode")
+        else:
+            return True
+        return False
+
+
+class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
+    """Write the points of the curve in order, with surface normals, for machines"""
+
+    bl_idname = "meander.export_toolpath"
+    bl_label = "Export Toolpath"
+
+    filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
+    file_format: EnumProperty(
+        name="Format",
+        description="Of the file",
+        items=(
+            ("CSV", "CSV", "A row for every point"),
+            ("JSON", "JSON", "A list of strands"),
+        ),
+    )
+    resample: EnumProperty(
+        name="Points",
+        description="Which points are written",
+        items=(
+            ("ALL", "All", "Every point of the curve"),
+            ("STEP", "By Step", "At equal ways along each strand"),
+            ("TOLERANCE", "By Tolerance", "As few as keep the straight way between them near"),
+        ),
+    )
+    step: FloatProperty(
+        name="Step",
+        description="The most that two points are apart along the strand",
+        unit="LENGTH",
+        default=0.01,
+        min=1e-6,
+    )
+    tolerance: FloatProperty(
+        name="Tolerance",
+        description="The most that the straight way between two points is away from the curve",
+        unit="LENGTH",
+        default=0.001,
+        min=1e-9,
+        precision=4,
+    )
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(self, "file_format")
+        layout.prop(self, "resample")
+        if self.resample == "STEP":
+            layout.prop(self, "step")
+        elif self.resample == "TOLERANCE":
+            layout.prop(self, "tolerance")
+
+    def check(self, _context: bpy.types.Context) -> bool:
+        changed = self._with_suffix()
+        if str(changed) == self.filepath:
+            return False
+        self.filepath = str(changed)
+        return True
+
+    def _with_suffix(self) -> Path:
+        path = Path(self.filepath)
+        known = path.suffix.lower() in toolpath.SUFFIXES
+        suffix = _SUFFIXES[self.file_format]
+        return path.with_suffix(suffix) if known else path.with_name(path.name + suffix)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if not self.filepath:
+            self.filepath = bpy.path.clean_name(context.active_object.name)
+        self.filepath = str(self._with_suffix())
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        result = context.active_object
+        try:
+            strands = strands_of_result(
+                result,
+                context.evaluated_depsgraph_get(),
+                self.step if self.resample == "STEP" else None,
+                self.tolerance if self.resample == "TOLERANCE" else None,
+            )
+            path = self._with_suffix()
+            toolpath.write(path, strands, core.VERSION)
+        except (DataError, core.MeanderError, mesh_files.FileError) as error:
+            text = str(error)
+            self.report({"ERROR"}, text[:1].upper() + text[1:])
+            return {"CANCELLED"}
+        count = sum(len(strand.points) for strand in strands)
+        self.report({"INFO"}, f"{path.name}: {count:,} points in {len(strands):,} strands")
+        return {"FINISHED"}
+
+
+class _PointsToObject(_OnResult):
+    bl_options = {"REGISTER", "UNDO"}
+    kind = ""
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        result = context.active_object
+        surface = result.meander.surface
+        depsgraph = context.evaluated_depsgraph_get()
+        try:
+            point_attributes.refuse(self.kind)
+            strands = strands_of_result(result, depsgraph)
+        except DataError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        matrix = world_matrix(surface.evaluated_get(depsgraph))
+        thickness = result.data.bevel_depth * mean_scale(matrix)
+        thing = point_attributes.make(
+            self.kind, f"{result.name} Points", strands, surface, matrix, thickness
+        )
+        count = sum(len(strand.points) for strand in strands)
+        self.report({"INFO"}, f"{thing.name}: {count:,} points with attributes")
+        if any(strand.radii is None for strand in strands):
+            self.report(
+                {"WARNING"},
+                f"{result.name} has been changed since its run, so r+ and r- are not known; "
+                "Continue finds them",
+            )
+        return {"FINISHED"}
+
+
+class MEANDER_OT_points_to_mesh(_PointsToObject, bpy.types.Operator):
+    bl_idname = "meander.points_to_mesh"
+    bl_label = "Points to Mesh"
+    bl_description = (
+        "Make a mesh of the points and edges of the curve, with arc length, normal, tangent, r+, "
+        "r-, strand, triangle and weights as attributes for Geometry Nodes and materials"
+    )
+    kind = "MESH"
+
+
+class MEANDER_OT_points_to_curves(_PointsToObject, bpy.types.Operator):
+    bl_idname = "meander.points_to_curves"
+    bl_label = "Points to Hair Curves"
+    bl_description = (
+        "Make hair curves of the points of the curve, with arc length, normal, tangent, r+, r-, "
+        "strand, triangle and weights as attributes; Blender 4.2 or later"
+    )
+    kind = "CURVES"
+
+
+class MEANDER_PT_points(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_points"
+    bl_label = "Points"
+    bl_order = ORDER["motion"] + 1
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        return active is not None and active.type == "CURVE" and super().poll(context)
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        layout.operator_context = "INVOKE_DEFAULT"
+        column = layout.column(align=True)
+        column.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
+        column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
+        column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")
+
+
+_CLASSES = (
+    MEANDER_OT_export_toolpath,
+    MEANDER_OT_points_to_mesh,
+    MEANDER_OT_points_to_curves,
+    MEANDER_PT_points,
+)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

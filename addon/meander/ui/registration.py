@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is added to Blender when the add-on is enabled, in the order in which it is needed."""
+
+from __future__ import annotations
+
+from ..run import following, session
+from . import (
+    motion_panel,
+    operators,
+    panels,
+    points_panel,
+    preparation_panels,
+    settings,
+    strand_panel,
+    term_panels,
+)
+
+# Panels name their parent, so the main one comes before its sub-panels.
+_MODULES = (
+    settings,
+    session,
+    following,
+    operators,
+    panels,
+    term_panels,
+    motion_panel,
+    points_panel,
+    preparation_panels,
+    strand_panel,
+)
+
+
+def register() -> None:
+    """Adds the settings, handlers, operators, panels and menu entries to Blender."""
+    for module in _MODULES:
+        module.register()
+
+
+def unregister() -> None:
+    """Takes everything out again; a run that is still going is cancelled first."""
+    for module in reversed(_MODULES):
+        module.unregister()

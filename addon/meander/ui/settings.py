@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The settings on an object: on a surface for the next run, on a result those it was made with.
+
+They are saved with the file. A result is a curve object whose settings name its surface.
+"""
+
+import bpy
+from bpy.props import (
+    BoolProperty,
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    FloatVectorProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
+
+from .alignment_settings import AlignmentSettings
+from .density_settings import DensitySettings
+from .motion_settings import MotionSettings
+from .preparation_settings import MeanderProblem, PreparationSettings
+from .result_settings import PointSettings, ProfileSettings
+from .strand_settings import StrandSettings
+from .term_settings import TermSettings
+
+# What run() returns, as a user reads it.
+STOP_TEXTS = {
+    "converged": "Converged",
+    "iteration_limit": "Iteration limit",
+    "stalled": "Stalled",
+    "cancelled": "Stopped",
+}
+
+
+def _is_mesh(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return object.type == "MESH"
+
+
+def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return object.type == "CURVE" and object != settings.id_data
+
+
+class MeanderGap(bpy.types.PropertyGroup):
+    """A place that the curve leaves empty."""
+
+    position: FloatVectorProperty(
+        name="Position",
+        description="In the space of the surface, which is that of the curve",
+        subtype="TRANSLATION",
+        options=set(),
+    )
+    size: FloatProperty(
+        name="Size",
+        description="Distance to the curve over half the spacing there; 1 is as wanted",
+        options=set(),
+    )
+
+
+class MeanderFigures(bpy.types.PropertyGroup):
+    """What the last run came to; shown in the panel, set by the operator."""
+
+    stop_reason: StringProperty(name="Stop Reason", options=set())
+    nodes: IntProperty(name="Nodes", options=set())
+    iterations: IntProperty(name="Iterations", options=set())
+    length: FloatProperty(name="Length", unit="LENGTH", options=set())
+    spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH", options=set())
+    seconds: FloatProperty(name="Seconds", options=set())
+    empty_parts: IntProperty(name="Empty Parts", options=set())
+    # On results only: which of their splines are guides.
+    strands: IntProperty(name="Strands", options=set())
+    first_guide: IntProperty(name="First Guide", options=set())
+    guides: IntProperty(name="Guides", options=set())
+    gap_count: IntProperty(name="Gaps", options=set())
+    largest_gap: FloatProperty(name="Largest Gap", options=set())
+    preparation: StringProperty(name="Preparation", options=set())
+    # On results only, and of many gaps only the largest.
+    gaps: CollectionProperty(type=MeanderGap, options=set())
+    room: StringProperty(name="Room", options=set())  # r+ and r- of every point, packed
+    points: PointerProperty(type=bpy.types.Object, name="Points", options=set())
+
+
+class MeanderSettings(
+    DensitySettings,
+    AlignmentSettings,
+    PreparationSettings,
+    StrandSettings,
+    TermSettings,
+    MotionSettings,
+    ProfileSettings,
+    PointSettings,
+    bpy.types.PropertyGroup,
+):
+    """How to fill a surface; the parts that a feature of its own needs come from its module."""
+
+    surface: PointerProperty(
+        type=bpy.types.Object,
+        name="Surface",
+        description="The mesh that this curve fills; set on curves that Meander has made",
+        poll=_is_mesh,
+        options=set(),
+    )
+    seed: PointerProperty(
+        type=bpy.types.Object,
+        name="Seed",
+        description=(
+            "Curve to start from, on or close to the surface; each spline becomes a strand and "
+            "stays open or cyclic. Empty: a small loop on every part of the mesh"
+        ),
+        poll=_is_curve,
+        options=set(),
+    )
+    spacing: FloatProperty(
+        name="Spacing",
+        description=(
+            "Distance between neighbouring strands, in world units. "
+            "Half of it takes four times as long; 0 proposes one from the size of the surface"
+        ),
+        unit="LENGTH",
+        default=0.0,
+        min=0.0,
+        soft_max=10.0,
+        precision=3,
+        step=1,
+        options=set(),
+    )
+    fixed_ends: BoolProperty(
+        name="Fixed Ends",
+        description="Keep the end points of open seed splines where they are",
+        default=False,
+        options=set(),
+    )
+    preset: EnumProperty(
+        name="Preset",
+        description="Weights, step and stopping rule of the flow",
+        items=(
+            ("EVEN", "Even", "Evenly spaced, few hairpins, no gaps"),
+            ("FINEST", "Finest", "A third fewer hairpins than Even, in up to three times the time"),
+            ("PAPER", "Paper", "As published: faster, more winding, less even"),
+        ),
+        default="EVEN",
+        options=set(),
+    )
+    medial_axis: EnumProperty(
+        name="Distances",
+        description="How distances between strands are measured",
+        items=(
+            (
+                "EUCLIDEAN",
+                "Through Space",
+                "Fast. Strands on sheets that lie close together keep clear of each other",
+            ),
+            (
+                "GEODESIC",
+                "Along Surface",
+                "Fills both sides of thin parts and sheets that pass through each other; slower",
+            ),
+        ),
+        default="EUCLIDEAN",
+        options=set(),
+    )
+    iteration_limit: IntProperty(
+        name="Iteration Limit",
+        description="Stop after this many iterations at the latest; 0 leaves it to the preset",
+        default=0,
+        min=0,
+        soft_max=2000,
+        options=set(),
+    )
+    threads: IntProperty(
+        name="Threads",
+        description="Threads to compute with; 0 uses them all. The result is the same",
+        default=0,
+        min=0,
+        max=256,
+        soft_max=16,
+        options=set(),
+    )
+    use_bevel: BoolProperty(
+        name="Round Bevel",
+        description="Give the finished curve a round thickness",
+        default=True,
+        options=set(),
+    )
+    bevel_share: FloatProperty(
+        name="Radius",
+        description=(
+            "Radius of the round bevel as a share of the spacing; at 0.5 neighbours touch"
+        ),
+        default=0.2,
+        min=0.001,
+        max=1.0,
+        soft_min=0.02,
+        soft_max=0.5,
+        subtype="FACTOR",
+        options=set(),
+    )
+    figures: PointerProperty(type=MeanderFigures, options=set())
+    problem: PointerProperty(
+        type=MeanderProblem,
+        name="Problem",
+        description="The element of the mesh because of which it was refused last",
+        options=set(),
+    )
+
+
+_CLASSES = (MeanderGap, MeanderFigures, MeanderProblem, MeanderSettings)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.Object.meander = PointerProperty(type=MeanderSettings)
+
+
+def unregister() -> None:
+    del bpy.types.Object.meander
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

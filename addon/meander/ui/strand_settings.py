@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What else there is beside the seed, as settings on an object."""
+
+import bpy
+from bpy.props import BoolProperty, PointerProperty
+
+
+def _is_another(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return object != settings.id_data
+
+
+def _is_another_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return object.type == "CURVE" and object != settings.id_data
+
+
+class StrandSettings:
+    """The part of MeanderSettings that says what else there is beside the seed."""
+
+    stroke_from: PointerProperty(
+        type=bpy.types.Object,
+        name="From",
+        description=(
+            "Without a seed: begin one open strand at the origin of this object, on or close to "
+            "the surface. Its ends stay there, so that one stroke fills the surface"
+        ),
+        poll=_is_another,
+        options=set(),
+    )
+    stroke_to: PointerProperty(
+        type=bpy.types.Object,
+        name="To",
+        description="End that strand at the origin of this object",
+        poll=_is_another,
+        options=set(),
+    )
+    seed_every_part: BoolProperty(
+        name="Fill Every Part",
+        description=(
+            "Give a small loop to each part of the mesh, and to each region between guides, that "
+            "the seed leaves out. Without a seed they all have one"
+        ),
+        default=False,
+        options=set(),
+    )
+    guides: PointerProperty(
+        type=bpy.types.Object,
+        name="Guides",
+        description=(
+            "Curve that stays as drawn, moved to the surface, while the others keep the spacing "
+            "from it. Its splines may cross and touch each other"
+        ),
+        poll=_is_another_curve,
+        options=set(),
+    )
+    guide_collection: PointerProperty(
+        type=bpy.types.Collection,
+        name="Collection",
+        description="All curves in this collection are guides as well",
+        options=set(),
+    )
+    keep_guides: BoolProperty(
+        name="Keep Guides",
+        description="Write the guides into the result, as splines of their own",
+        default=True,
+        options=set(),
+    )

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panels of what the curve follows and how it behaves: density, alignment, weights."""
+
+from __future__ import annotations
+
+import textwrap
+
+import bpy
+
+from ..scene import ramp
+from ..scene.density import choice_of
+from ..scene.settings import surface_of
+from ..scene.terms import warnings_of
+from .settings import MeanderSettings
+from .sidebar import ORDER, SubPanel, columns, notice
+
+# How many letters of a sentence fit beside an icon in a sidebar of the usual width.
+_LINE = 23
+
+
+class MEANDER_PT_density(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_density"
+    bl_label = "Density"
+    bl_order = ORDER["density"]
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        active = context.active_object
+        settings: MeanderSettings = active.meander
+        layout.prop(settings, "density_source")
+        source = settings.density_source
+        if source == "NONE":
+            return
+        surface = surface_of(active)
+        if source == "GROUP":
+            layout.prop_search(settings, "density_group", surface, "vertex_groups", text="Group")
+        elif source == "ATTRIBUTE":
+            layout.prop(settings, "density_attribute", icon="SPREADSHEET")
+        elif source == "COLOR":
+            layout.prop(settings, "density_color", text="Color", icon="GROUP_VCOL")
+        elif source == "IMAGE":
+            layout.template_ID(settings, "density_image", open="image.open", text="Image")
+            layout.prop_search(settings, "density_uv_map", surface.data, "uv_layers")
+        else:
+            layout.prop(settings, "density_curvature")
+            layout.prop(settings, "density_smoothing")
+        self._draw_ramp(layout.column(), settings)
+
+    def _draw_ramp(self, layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
+        layout.active = choice_of(settings).varies
+        column = layout.column(align=True)
+        column.prop(settings, "factor_0")
+        column.prop(settings, "factor_1")
+        layout.prop(settings, "density_interpolation", text="Ramp")
+        if settings.density_interpolation == "FREE":
+            node = ramp.node_of(settings.density_ramp)
+            if node is not None:
+                layout.template_curve_mapping(node, "mapping")
+        layout.column(heading="Range").prop(settings, "use_density_range", text="Custom")
+        column = layout.column(align=True)
+        column.active = settings.use_density_range
+        column.prop(settings, "density_low", text="From")
+        column.prop(settings, "density_high", text="To")
+
+
+class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_alignment"
+    bl_label = "Alignment"
+    bl_order = ORDER["alignment"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        active = context.active_object
+        settings: MeanderSettings = active.meander
+        layout.prop(settings, "alignment_source")
+        source = settings.alignment_source
+        if source == "NONE":
+            return
+        if source == "AXIS":
+            layout.row().prop(settings, "alignment_axis", expand=True)
+            layout.row().prop(settings, "alignment_space", expand=True)
+        elif source == "CURVATURE":
+            layout.row().prop(settings, "alignment_curvature", expand=True)
+            layout.prop(settings, "alignment_smoothing")
+        elif source == "STROKES":
+            layout.prop(settings, "alignment_strokes", icon="CURVE_DATA")
+        elif source == "UV":
+            layout.row().prop(settings, "alignment_uv", expand=True)
+            data = surface_of(active).data
+            layout.prop_search(settings, "alignment_uv_map", data, "uv_layers")
+        elif source == "ATTRIBUTE":
+            layout.prop(settings, "alignment_attribute", icon="SPREADSHEET")
+        layout.prop(settings, "alignment_weight")
+        layout.prop(settings, "align_across")
+
+
+class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_weights"
+    bl_label = "Weights and Lengths"
+    bl_order = ORDER["weights"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        settings: MeanderSettings = context.active_object.meander
+        layout.column(heading="Weights").prop(settings, "use_weights", text="Custom")
+        column = layout.column(align=True)
+        column.active = settings.use_weights
+        column.prop(settings, "length_weight")
+        column.prop(settings, "bending_weight")
+        column.prop(settings, "length_power", text="Power p")
+        column.prop(settings, "medial_power", text="Power q")
+        column = layout.column(align=True)
+        column.prop(settings, "segment_share", text="Segments")
+        column.prop(settings, "reach")
+        column.prop(settings, "start_spacing_factor", text="Start At")
+        for warning in warnings_of(settings):
+            first, *others = textwrap.wrap(warning, _LINE)
+            lines = layout.column(align=True)
+            lines.scale_y = 0.8
+            notice(lines, first, "ERROR")
+            for line in others:
+                notice(lines, line, "BLANK1")
+
+
+_CLASSES = (MEANDER_PT_density, MEANDER_PT_alignment, MEANDER_PT_weights)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which module of the add-on may import which: the rule of .importlinter, and that it bites."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def lint(bpy_python: Path, parent: Path) -> subprocess.CompletedProcess:
+    """Judges the package `meander` in the folder `parent`."""
+    command = [bpy_python.parent / "lint-imports", "--no-cache", "--config", ROOT / ".importlinter"]
+    return subprocess.run(
+        command, cwd=parent, env={**os.environ, "PYTHONPATH": str(parent)},
+        capture_output=True, text=True, timeout=60,
+    )  # fmt: skip
+
+
+def test_the_rooms_are_in_order(bpy_python: Path) -> None:
+    done = lint(bpy_python, ROOT / "addon")
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize(
+    ("module", "line", "broken"),
+    [
+        # The rooms, one step the wrong way each.
+        ("binding/seed.py", "from .. import core", "A room uses only the rooms below it"),
+        ("core.py", "from .model import terms", "A room uses only the rooms below it"),
+        ("model/terms.py", "from ..scene import ramp", "A room uses only the rooms below it"),
+        ("scene/ramp.py", "from ..run import pace", "A room uses only the rooms below it"),
+        ("run/plan.py", "from ..ui import settings", "A room uses only the rooms below it"),
+        ("run/plan.py", "from ..cli import values", "A room uses only the rooms below it"),
+        ("ui/panels.py", "from ..cli import values", "A room uses only the rooms below it"),
+        ("cli/reading.py", "from ..ui import panels", "A room uses only the rooms below it"),
+        # A deferred import is one as well.
+        (
+            "run/session.py",
+            "def _late():\n    from ..ui import panels",
+            "A room uses only the rooms below it",
+        ),
+        ("model/terms.py", "import bpy", "Core, binding and model know nothing of Blender"),
+        (
+            "binding/abi.py",
+            "def _late():\n    import mathutils",
+            "Core, binding and model know nothing of Blender",
+        ),
+        ("model/terms.py", "import ctypes", "Only the binding knows ctypes"),
+        ("core.py", "import ctypes", "Only the binding knows ctypes"),
+        ("ui/panels.py", "from ctypes import c_int", "Only the binding knows ctypes"),
+        ("run/plan.py", "from ..binding import flow", "Only core knows the binding"),
+    ],
+)
+def test_an_import_against_the_rule_is_found(
+    module: str, line: str, broken: str, bpy_python: Path, tmp_path: Path
+) -> None:
+    package = tmp_path / "meander"
+    shutil.copytree(ROOT / "addon/meander", package, ignore=shutil.ignore_patterns("native"))
+    with (package / module).open("a") as file:
+        file.write(f"\n{line}\n")
+    done = lint(bpy_python, tmp_path)
+    assert done.returncode == 1, done.stdout + done.stderr
+    verdicts = re.sub(r"\x1b\[\d+m", "", done.stdout).splitlines()
+    assert f"{broken} BROKEN" in verdicts, done.stdout
+
+
+def test_a_room_that_the_rule_does_not_know_is_found(bpy_python: Path, tmp_path: Path) -> None:
+    package = tmp_path / "meander"
+    shutil.copytree(ROOT / "addon/meander", package, ignore=shutil.ignore_patterns("native"))
+    (package / "attic").mkdir()
+    (package / "attic/__init__.py").touch()
+    done = lint(bpy_python, tmp_path)
+    assert done.returncode == 1, done.stdout + done.stderr
+    assert "attic" in done.stdout
