@@ -47,9 +47,10 @@ inline Rigid lay_flat(const Surface& s, const SurfacePoint& node, Vec2 along, co
 
 class LiteralModel {
  public:
-  LiteralModel(const Surface& s, const Curve& c, const std::vector<Radii>& radii,
-               const Frames& frames, const std::vector<double>& r, const Weights& weights)
+  LiteralModel(const Surface& s, const Curve& c, const NodeData<Radii>& radii,
+               const Frames& frames, const LocalMetric& metric, const Weights& weights)
       : n_(c.size()) {
+    const NodeData<double>& r = metric.radius;
     for (uint32_t i = 0; i < n_; ++i) {
       const uint32_t before = c.previous(i), after = c.next(i);
       const Vec3 x = position(s, c.nodes[i]);
@@ -107,7 +108,7 @@ class LiteralModel {
   }
 
   /// The factor of a segment in eq. 13: (l / r)^(p - 2) over its mean along the strand.
-  static double stretch(const Curve& c, uint32_t i, const std::vector<double>& r, double p) {
+  static double stretch(const Curve& c, uint32_t i, const NodeData<double>& r, double p) {
     double length = 0, sum = 0;
     for (const Strand& strand : c.strands) {
       if (i < strand.first || i >= strand.end()) continue;

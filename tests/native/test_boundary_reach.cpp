@@ -19,16 +19,15 @@ struct Scene {
       add_walk(surface, curve, random_point(surface, rng), 0.02, 10, 0.4, rng);
     }
     ThreadPool pool(1);
-    compute_frames(surface, curve, std::vector<double>(curve.size(), kRadius),
-                   std::vector<double>(surface.vertex_count(), kRadius), pool, frames);
+    compute_frames(surface, curve, even_metric(curve, kRadius), RadiusField(kRadius), pool, frames);
   }
 
-  std::vector<Reach> reach(BoundaryRule rule, MedialAxis axis, double most, double overhang, double rest,
+  NodeData<Reach> reach(BoundaryRule rule, MedialAxis axis, double most, double overhang, double rest,
                            unsigned threads = 1) const {
     ThreadPool pool(threads);
-    const auto all = [&](double value) { return std::vector<double>(curve.size(), value); };
-    std::vector<Reach> result;
-    compute_reach(surface, curve, frames, boundary, rule, axis, all(most), all(overhang), all(rest), pool, result);
+    NodeData<Reach> result;
+    compute_reach(surface, curve, frames, boundary, rule, axis, even_metric(curve, kRadius, most, overhang, rest), pool,
+                  result);
     return result;
   }
 
@@ -78,7 +77,7 @@ TEST(Reach, IsTheWayToTheBoundary) {
        {std::pair{grid_with_hole(9), 0.01}, {grid_with_hole(9), 1.0}, {flat_grid(1, 0), 1.0}}) {
     const Scene scene(mesh, 40, step);
     for (const double overhang : {-0.05, 0.0, 0.05}) {
-      const std::vector<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kGeodesic, kMost, overhang, 0);
+      const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kGeodesic, kMost, overhang, 0);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         for (size_t side = 0; side < 2; ++side) {
           const double way = scene.way(i, side, 1);
@@ -92,8 +91,8 @@ TEST(Reach, IsTheWayToTheBoundary) {
 
 TEST(Reach, OfAnObstacleIsTheWayAlone) {
   const Scene scene(grid_with_hole(9));
-  const std::vector<Reach> plain = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, 0);
-  const std::vector<Reach> walls =
+  const NodeData<Reach> plain = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, 0);
+  const NodeData<Reach> walls =
       scene.reach(BoundaryRule::kObstacle, MedialAxis::kEuclidean, kMost, 0.05, Scene::kRadius);
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) EXPECT_EQ(plain[i][side].radius, walls[i][side].radius);
@@ -120,7 +119,7 @@ TEST(Reach, SamplesKnowTheWayIntoTheSurface) {
 /// A strand that runs into the boundary has room to both sides: what it runs into does not face them.
 TEST(Reach, OfAStrandThatRunsIntoTheBoundaryIsTheWayAlone) {
   const Scene scene(flat_grid(9));
-  const std::vector<Reach> reach =
+  const NodeData<Reach> reach =
       scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, Scene::kRadius);
   int nodes = 0;
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
@@ -151,7 +150,7 @@ TEST(Reach, IsTheSameForAnyNumberOfThreads) {
 TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
   const Scene scene(grid_with_hole(9));
   const double rest = Scene::kRadius;
-  const std::vector<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest);
+  const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest);
   int corners = 0;
   std::vector<std::array<double, 2>> felt;  // the way, and what drives
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {

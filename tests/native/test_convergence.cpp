@@ -16,7 +16,7 @@ class PhasesOf : public testing::TestWithParam<int> {
   PhasesOf() {
     Rng rng(3);
     EXPECT_TRUE(add_ring(surface_, curve_, random_point(surface_, rng), 0.02, 12, 0.1, rng));
-    radius_.assign(curve_.size(), 0.01);
+    metric_ = even_metric(curve_, 0.01);
   }
 
   /// One more iteration in which nothing changes. Every so often the surface moves.
@@ -27,7 +27,7 @@ class PhasesOf : public testing::TestWithParam<int> {
     IterationFigures figures;
     figures.length = 1;
     figures.moved = 1;
-    convergence_.note(surface_, curve_, radius_, figures, pool_);
+    convergence_.note(surface_, curve_, metric_, figures, pool_);
   }
   /// Iterations until the phase ends, at most `most`.
   uint32_t iterations_of(Phase phase, uint32_t most) {
@@ -38,7 +38,7 @@ class PhasesOf : public testing::TestWithParam<int> {
 
   Surface surface_ = make_surface(sphere(3));
   Curve curve_;
-  std::vector<double> radius_;
+  LocalMetric metric_;
   ThreadPool pool_{1};
   Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval};
   int notes_ = 0;

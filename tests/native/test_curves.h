@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "curve/curve.h"
+#include "curve/local_metric.h"
 #include "geodesic/geodesic_path.h"
 #include "geodesic/geodesic_trace.h"
 #include "test_meshes.h"
@@ -186,6 +187,13 @@ inline std::set<std::pair<uint32_t, uint32_t>> exact_crossings(const Surface& s,
     }
   }
   return found;
+}
+
+/// The same lengths at every node.
+inline LocalMetric even_metric(const Curve& curve, double radius, double max_radius = 0, double overhang = 0,
+                               double least_rest = 0) {
+  const auto all = [&](double value) { return NodeData<double>(curve.size(), value); };
+  return {all(radius), all(max_radius), all(overhang), all(least_rest)};
 }
 
 inline void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed = 0) {

@@ -15,20 +15,24 @@ struct Scene {
   Scene(const Mesh& mesh, uint64_t seed) : surface(make_surface(mesh)), rng(seed) {
     add_walk(surface, curve, random_point(surface, rng), 0.03, 25, 0.8, rng);
     add_ring(surface, curve, random_point(surface, rng), 0.06, 15, 0.2, rng);
+    radii.resize(curve.size());
+    for (NodeData<double>* values : {&metric.radius, &weights.length, &weights.bending}) values->resize(curve.size());
     for (uint32_t i = 0; i < curve.size(); ++i) {
-      radius.push_back(rng.in(0.05, 0.1));
-      radii.push_back({radius[i] * rng.in(0.2, 3), radius[i] * rng.in(0.2, 3)});
-      weights.length.push_back(rng.in(-1, 2));
-      weights.bending.push_back(rng());
+      const double r = metric.radius[i] = rng.in(0.05, 0.1);
+      radii[i] = {r * rng.in(0.2, 3), r * rng.in(0.2, 3)};
+      weights.length[i] = rng.in(-1, 2);
+      weights.bending[i] = rng();
     }
     weights.medial = 0.7;
-    compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), pool, frames);
+    compute_frames(surface, curve, metric, RadiusField(metric.radius[0]), pool, frames);
   }
 
   void align() {
+    weights.alignment.resize(curve.size());
+    weights.field.resize(curve.size());
     for (uint32_t i = 0; i < curve.size(); ++i) {
-      weights.alignment.push_back(rng.in(0, 2));
-      weights.field.push_back(rng() * rng.direction());
+      weights.alignment[i] = rng.in(0, 2);
+      weights.field[i] = rng() * rng.direction();
     }
   }
 
@@ -37,8 +41,8 @@ struct Scene {
   mutable ThreadPool pool{1};
   Curve curve;
   Frames frames;
-  std::vector<Radii> radii;
-  std::vector<double> radius;
+  NodeData<Radii> radii;
+  LocalMetric metric;
   Weights weights;
 };
 
@@ -47,9 +51,9 @@ std::vector<Mesh> meshes() { return {sphere(2), torus(20, 10), with_noise(sphere
 TEST(Energy, IsTheModelWhereNothingMoves) {
   for (const Mesh& mesh : meshes()) {
     const Scene s(mesh, 51);
-    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.radius, s.weights);
+    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.metric, s.weights);
     const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
-    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.pool), expected,
+    EXPECT_NEAR(energy(s.curve, s.radii, s.metric, s.weights, s.pool), expected,
                 kRounding * std::abs(expected));
   }
 }
@@ -58,9 +62,9 @@ TEST(Energy, OfTheFieldIsTheModelsWhereNothingMoves) {
   for (const Mesh& mesh : meshes()) {
     Scene s(mesh, 54);
     s.align();
-    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.radius, s.weights);
+    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.metric, s.weights);
     const double expected = model.energy(Eigen::VectorXd::Zero(3 * s.curve.size()));
-    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.pool), expected,
+    EXPECT_NEAR(energy(s.curve, s.radii, s.metric, s.weights, s.pool), expected,
                 kRounding * std::abs(expected));
   }
 }
@@ -82,16 +86,16 @@ TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
         double at_rest = 0;
         for (const Strand& strand : s.curve.strands) {
           StrandSystem system;
-          assemble(s.curve, strand, s.frames, s.radii, s.radius, s.weights, s.pool, system);
+          assemble(s.curve, strand, s.frames, s.radii, s.metric, s.weights, s.pool, system);
           // The literal energy of all terms that node k takes part in, moved by z in its frame.
           const auto literal = [&](uint32_t k, Vec2 z) {
             const uint32_t i = strand.first + k, before = s.curve.previous(i);
-            const double r = s.radius[i];
+            const double r = s.metric.radius[i];
             double sum = 0, w = 0;
             const auto length = [&](uint32_t segment, Vec2 moved) {
               const double l = s.curve.shapes[segment].length;
               w += 0.5 * l;
-              const double c = LiteralModel::stretch(s.curve, segment, s.radius, p);
+              const double c = LiteralModel::stretch(s.curve, segment, s.metric.radius, p);
               sum += 0.7 * 2 / p * c * l * std::pow(norm(moved) / l, p);
             };
             const Vec2 flat = system.frame[k] * z;
@@ -108,7 +112,7 @@ TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
           };
           for (uint32_t k = 0; k < strand.count; ++k) {
             const Vec2 way = s.rng.direction();
-            const double step = kStep * s.radius[strand.first + k] * 0.1;
+            const double step = kStep * s.metric.radius[strand.first + k] * 0.1;
             const double ahead = literal(k, step * way), behind = literal(k, -step * way);
             const double here = literal(k, {});
             const double slope = (ahead - behind) / (2 * step);
@@ -124,13 +128,13 @@ TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
             const double l = s.curve.has_segment(i) ? s.curve.shapes[i].length : 0;
             const double w = 0.5 * (l + (before != kNone ? s.curve.shapes[before].length : 0));
             if (l > 0)
-              at_rest += 0.7 * 2 / p * LiteralModel::stretch(s.curve, i, s.radius, p) * l;
+              at_rest += 0.7 * 2 / p * LiteralModel::stretch(s.curve, i, s.metric.radius, p) * l;
             for (const double radius : s.radii[i])
               at_rest += s.weights.medial * 2 * std::sqrt(2.0) * w * 2 / q *
-                         std::pow(radius / s.radius[i], q);
+                         std::pow(radius / s.metric.radius[i], q);
           }
         }
-        EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.pool), at_rest,
+        EXPECT_NEAR(energy(s.curve, s.radii, s.metric, s.weights, s.pool), at_rest,
                     kRounding * std::abs(at_rest));
       }
     }
@@ -143,7 +147,7 @@ TEST(Energy, OfLengthAloneIsTheLength) {
     s.weights.length.assign(s.curve.size(), 1);
     s.weights.bending.assign(s.curve.size(), 0);
     s.radii.assign(s.curve.size(), Radii{0, 0});
-    EXPECT_NEAR(energy(s.curve, s.radii, s.radius, s.weights, s.pool), s.curve.length(),
+    EXPECT_NEAR(energy(s.curve, s.radii, s.metric, s.weights, s.pool), s.curve.length(),
                 kRounding * s.curve.length());
   }
 }
@@ -155,10 +159,10 @@ TEST(Energy, DerivativeIsTheSystemsRightHandSide) {
   constexpr double kStep = 1e-3, kDifference = 1e-8;
   for (const Mesh& mesh : meshes()) {
     Scene s(mesh, 53);
-    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.radius, s.weights);
+    const LiteralModel model(s.surface, s.curve, s.radii, s.frames, s.metric, s.weights);
     for (const Strand& strand : s.curve.strands) {
       StrandSystem system;
-      assemble(s.curve, strand, s.frames, s.radii, s.radius, s.weights, s.pool, system);
+      assemble(s.curve, strand, s.frames, s.radii, s.metric, s.weights, s.pool, system);
       for (uint32_t k = 0; k < strand.count; ++k) {
         const uint32_t i = strand.first + k;
         const Vec2 way = s.rng.direction();

@@ -16,26 +16,24 @@ constexpr double kRadius = 0.05;
 constexpr double kSinglePrecision = 1e-6;  // in which directions are kept
 
 struct Scene {
-  explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)), vertex_radius(surface.vertex_count(), kRadius) {}
+  explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)) {}
 
-  void find(const std::vector<CachedDirections>* looks, Frames& frames) {
-    local_radius.resize(curve.size());
-    for (uint32_t i = 0; i < curve.size(); ++i) {
-      local_radius[i] = radius_at(surface, vertex_radius, curve.nodes[i]);
-    }
-    compute_frames(surface, curve, local_radius, vertex_radius, pool, frames, looks);
+  void find(const NodeData<CachedDirections>* looks, Frames& frames) {
+    metric = even_metric(curve, radius);
+    compute_frames(surface, curve, metric, RadiusField(radius), pool, frames, looks);
   }
 
   /// Moves every node by up to `most`.
   void stir(double most, Rng& rng) {
-    std::vector<Vec2> displacement(curve.size());
+    NodeData<Vec2> displacement(curve.size());
     for (Vec2& d : displacement) d = rng.in(0, most) * rng.direction();
     MoveSeconds seconds;
     Retraction().move(surface, curve, displacement, pool, seconds);
   }
 
   Surface surface;
-  std::vector<double> vertex_radius, local_radius;
+  double radius = kRadius;
+  LocalMetric metric;
   ThreadPool pool{2};
   Curve curve;
 };
@@ -58,9 +56,9 @@ TEST(Looks, OfNodesThatHaveNotMovedStay) {
     Rng rng(41);
     add_rings(scene, rng);
     Frames first, again;
-    std::vector<CachedDirections> looks;
+    NodeData<CachedDirections> looks;
     scene.find(nullptr, first);
-    remember_directions(first, scene.local_radius, scene.pool, looks);
+    remember_directions(first, scene.metric, scene.pool, looks);
     scene.find(&looks, again);
     for (uint32_t i = 0; i < scene.curve.size(); ++i) {
       EXPECT_TRUE(first.walked[i]);
@@ -84,9 +82,9 @@ TEST(Looks, EndWhereNodesMoveOrTurn) {
     Rng rng(42);
     add_rings(scene, rng);
     Frames frames, exact;
-    std::vector<CachedDirections> looks;
+    NodeData<CachedDirections> looks;
     scene.find(nullptr, frames);
-    remember_directions(frames, scene.local_radius, scene.pool, looks);
+    remember_directions(frames, scene.metric, scene.pool, looks);
     size_t kept = 0, walked = 0;
     for (int step = 0; step < 12; ++step) {
       scene.stir((step % 3 == 2 ? 0.1 : 0.002) * kRadius, rng);
@@ -107,7 +105,7 @@ TEST(Looks, EndWhereNodesMoveOrTurn) {
           EXPECT_LT((outward - exact.outward[i][side]).norm(), rests ? kMostOff : 1e-300);
         }
       }
-      remember_directions(frames, scene.local_radius, scene.pool, looks);
+      remember_directions(frames, scene.metric, scene.pool, looks);
     }
     EXPECT_GT(kept, 500u);
     EXPECT_GT(walked, 500u);
@@ -119,11 +117,11 @@ TEST(Looks, EndWhereTheSpacingChanges) {
   Rng rng(43);
   add_rings(scene, rng);
   Frames frames;
-  std::vector<CachedDirections> looks;
+  NodeData<CachedDirections> looks;
   scene.find(nullptr, frames);
-  remember_directions(frames, scene.local_radius, scene.pool, looks);
+  remember_directions(frames, scene.metric, scene.pool, looks);
   for (const double factor : {0.9, 0.96, 1.04, 1.1}) {
-    scene.vertex_radius.assign(scene.vertex_radius.size(), factor * kRadius);
+    scene.radius = factor * kRadius;
     scene.find(&looks, frames);
     const bool near = std::abs(1 / factor - 1) <= kRest;
     for (const uint8_t walked : frames.walked) EXPECT_EQ(walked == 0, near) << factor;
@@ -138,9 +136,9 @@ TEST(Looks, AreNotKeptAtTheBoundary) {
     if (!add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.03, 20, 0, rng)) scene.curve = before;
   }
   Frames first, again;
-  std::vector<CachedDirections> looks;
+  NodeData<CachedDirections> looks;
   scene.find(nullptr, first);
-  remember_directions(first, scene.local_radius, scene.pool, looks);
+  remember_directions(first, scene.metric, scene.pool, looks);
   scene.find(&looks, again);
   size_t at_boundary = 0;
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {

@@ -58,11 +58,10 @@ TEST(Ends, TheBallAheadIsTheLargestThatIsEmpty) {
   ThreadPool pool(1);
   const Curve& c = flow.curve();
   const double unit = 1 / surface->scale();
-  const std::vector<double> r(c.size(), 0.05 * unit), most(c.size(), 1 * unit), overhang(c.size(), 0);
-  compute_frames(*surface, c, r, std::vector<double>(surface->vertex_count(), 0.05 * unit), pool, frames);
+  const LocalMetric metric = even_metric(c, 0.05 * unit, unit);
+  compute_frames(*surface, c, metric, RadiusField(0.05 * unit), pool, frames);
   const BoundaryObstacle boundary(*surface, 0.01 * unit);
-  const auto ends =
-      find_free_ends(*surface, c, frames, boundary, BoundaryRule::kCentre, most, overhang, r, pool);
+  const auto ends = find_free_ends(*surface, c, frames, boundary, BoundaryRule::kCentre, metric, pool);
   ASSERT_EQ(ends.size(), 2u);  // those of the guide are none
   EXPECT_EQ(ends[0].node, 0u);
   EXPECT_NEAR(ends[0].radius / unit, 0.3, 1e-6);

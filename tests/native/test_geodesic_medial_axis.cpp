@@ -19,21 +19,18 @@ struct Setting {
 
 struct Result {
   Frames frames;
-  std::vector<Radii> geodesic, euclidean;
+  NodeData<Radii> geodesic, euclidean;
 };
 
 Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
   ThreadPool pool(setting.threads);
   Result result;
-  const std::vector<double> local(curve.size(), setting.local), most(curve.size(), setting.most);
-  const std::vector<double> overhang(curve.size(), setting.overhang), least_rest(curve.size(), 0.0);
-  const std::vector<double> vertex(s.vertex_count(), setting.local);
+  const LocalMetric metric = even_metric(curve, setting.local, setting.most, setting.overhang);
   const BoundaryObstacle boundary(s, 0.01);
-  compute_frames(s, curve, local, vertex, pool, result.frames);
-  std::vector<Reach> reach;
-  compute_reach(s, curve, result.frames, boundary, setting.rule, MedialAxis::kGeodesic, most, overhang, least_rest,
-                pool, reach);
-  compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, local, reach, pool, result.geodesic);
+  compute_frames(s, curve, metric, RadiusField(setting.local), pool, result.frames);
+  NodeData<Reach> reach;
+  compute_reach(s, curve, result.frames, boundary, setting.rule, MedialAxis::kGeodesic, metric, pool, reach);
+  compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, metric, reach, pool, result.geodesic);
   CurveBvh tree;
   compute_medial_axis(result.frames, boundary, setting.rule, reach, pool, tree, result.euclidean);
   return result;

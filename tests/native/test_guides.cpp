@@ -175,7 +175,7 @@ TEST(Guides, RegionsOfADrawnNetworkAreCounted) {
   };
   for (const Mesh& mesh : {flat_grid(1), flat_grid(5), flat_grid(40)}) {
     const Surface s = make_surface(mesh);
-    const std::vector<double> radius(s.vertex_count(), 0.03 / s.scale());
+    const RadiusField radius(0.03 / s.scale());
     ThreadPool pool(1);
     for (const Drawing& d : drawings) {
       SCOPED_TRACE(d.name + std::string(" on ") + std::to_string(s.face_count()));

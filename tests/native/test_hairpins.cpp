@@ -68,12 +68,12 @@ std::vector<Vec2> serpentine(const std::vector<double>& rows) {
 
 std::vector<Hairpin> hairpins_of(const Curve& curve, double radius = kRadius, unsigned threads = 2) {
   ThreadPool pool(threads);
-  return find_hairpins(curve, curve.strands[0], std::vector<double>(curve.size(), radius), pool);
+  return find_hairpins(curve, curve.strands[0], even_metric(curve, radius), pool);
 }
 
-std::vector<uint8_t> marked_of(const Curve& curve, double share, double radius = kRadius) {
+NodeData<uint8_t> marked_of(const Curve& curve, double share, double radius = kRadius) {
   ThreadPool pool(2);
-  return mark_short_runs(curve, std::vector<double>(curve.size(), radius), share, pool);
+  return mark_short_runs(curve, even_metric(curve, radius), share, pool);
 }
 
 Surface one_face() { return make_surface(Mesh{{-1, -1, 0, 1, -1, 0, 0, 1, 0}, {0, 1, 2}}); }

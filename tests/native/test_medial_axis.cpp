@@ -35,15 +35,12 @@ Smallest brute_force(const std::vector<Vec3>& points, const Vec3& x, const Vec3&
 struct Scene {
   explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)), boundary(surface, 0.01) {}
 
-  void compute(BoundaryRule rule, double most, std::vector<Radii>& radii, unsigned threads = 2) {
+  void compute(BoundaryRule rule, double most, NodeData<Radii>& radii, unsigned threads = 2) {
     ThreadPool pool(threads);
-    local_radius.assign(curve.size(), 0.05);
-    max_radius.assign(curve.size(), most);
-    const std::vector<double> vertex_radius(surface.vertex_count(), 0.05);
-    compute_frames(surface, curve, local_radius, vertex_radius, pool, frames);
-    const std::vector<double> none(curve.size(), 0);
-    std::vector<Reach> reach;
-    compute_reach(surface, curve, frames, boundary, rule, MedialAxis::kEuclidean, max_radius, none, none, pool, reach);
+    metric = even_metric(curve, 0.05, most);
+    compute_frames(surface, curve, metric, RadiusField(0.05), pool, frames);
+    NodeData<Reach> reach;
+    compute_reach(surface, curve, frames, boundary, rule, MedialAxis::kEuclidean, metric, pool, reach);
     CurveBvh tree;
     compute_medial_axis(frames, boundary, rule, reach, pool, tree, radii);
   }
@@ -52,7 +49,7 @@ struct Scene {
   BoundaryObstacle boundary;
   Curve curve;
   Frames frames;
-  std::vector<double> local_radius, max_radius;
+  LocalMetric metric;
 };
 
 TEST(MedialAxis, EqualsBruteForceFromAnyStart) {
@@ -66,22 +63,22 @@ TEST(MedialAxis, EqualsBruteForceFromAnyStart) {
     }
     const uint32_t n = scene.curve.size();
     for (const double most : {0.03, 0.15, 2.0}) {
-      std::vector<Radii> cold;
+      NodeData<Radii> cold;
       scene.compute(BoundaryRule::kCentre, most, cold);
-      std::vector<std::vector<Radii>> warm(4, cold);
+      std::vector<NodeData<Radii>> warm(4, cold);
       for (Radii& r : warm[0]) r = {rng.in(0, 2 * most), rng.in(0, 2 * most)};
       for (Radii& r : warm[1]) r = {1e-6 * most, 1e-3 * most};
       for (Radii& r : warm[2]) r = {0.999 * r[0], 1.001 * r[1]};
       for (Radii& r : warm[3]) r = {10 * most, most};
-      for (std::vector<Radii>& r : warm) scene.compute(BoundaryRule::kCentre, most, r);
-      std::vector<Radii> one;
+      for (NodeData<Radii>& r : warm) scene.compute(BoundaryRule::kCentre, most, r);
+      NodeData<Radii> one;
       scene.compute(BoundaryRule::kCentre, most, one, 1);
       EXPECT_EQ(one, cold);
       for (uint32_t i = 0; i < n; ++i) {
         for (int side = 0; side < 2; ++side) {
           const Vec3& b = scene.frames.outward[i][side];
           const Smallest best =
-              brute_force(scene.frames.position, scene.frames.position[i], b, most);
+              brute_force(scene.frames.position.values(), scene.frames.position[i], b, most);
           const auto check = [&](const Radii& r) {
             EXPECT_LE(r[side], most);
             EXPECT_GE(r[side], best.radius * (1 - kEmpty));
@@ -89,7 +86,7 @@ TEST(MedialAxis, EqualsBruteForceFromAnyStart) {
                 << "node " << i << " most " << most;
           };
           check(cold[i]);
-          for (const std::vector<Radii>& r : warm) check(r[i]);
+          for (const NodeData<Radii>& r : warm) check(r[i]);
         }
       }
     }
@@ -102,7 +99,7 @@ TEST(MedialAxis, FramesAreOrthogonalAndBisect) {
   Rng rng(32);
   add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.1, 30, 0.2, rng);
   add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.02, 40, 0.5, rng);
-  std::vector<Radii> radii;
+  NodeData<Radii> radii;
   scene.compute(BoundaryRule::kCentre, 0.15, radii);
   const Frames& f = scene.frames;
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
@@ -165,7 +162,7 @@ TEST(Boundary, ABallsCentreStopsThere) {
     for (const double below : {0.05, 0.21, 0.4}) {
       Scene scene(flat_grid(cells, 0));
       lay_strand(scene, below);
-      std::vector<Radii> radii;
+      NodeData<Radii> radii;
       const double most = 0.5;
       scene.compute(BoundaryRule::kCentre, most, radii);
       for (uint32_t i = 0; i < 2; ++i) {
@@ -184,7 +181,7 @@ TEST(Boundary, ABallTouchesItAsAnObstacleAndDoesNotLeakThroughLongEdges) {
     for (const double below : {0.05, 0.21, 0.4}) {
       Scene scene(flat_grid(cells, 0));
       lay_strand(scene, below);
-      std::vector<Radii> radii;
+      NodeData<Radii> radii;
       scene.compute(BoundaryRule::kObstacle, 0.5, radii);
       constexpr double kStep = 0.01;  // of the samples, as Scene asks for
       for (uint32_t i = 0; i < 2; ++i) {

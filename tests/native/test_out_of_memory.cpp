@@ -108,10 +108,10 @@ TEST(OutOfMemory, RefinementLeavesTheCurve) {
   Rng rng(92);
   Curve old;
   while (!add_ring(s, old, random_point(s, rng), 0.15, 60, 0.2, rng) || !exact_crossings(s, old).empty()) old = {};
-  const std::vector<double> target(old.size(), 0.7 * old.length() / old.size());
+  const NodeData<double> target(old.size(), 0.7 * old.length() / old.size());
   ThreadPool pool(2);
   Curve expected = old;
-  std::vector<uint32_t> origin;
+  NodeData<uint32_t> origin;
   ASSERT_TRUE(Refinement().refine(s, expected, target, pool, origin));
   long failures = 0;
   for (long n = 0;; ++n) {

@@ -16,14 +16,14 @@ constexpr double kCut = 8 * kClearance;
 
 struct Refined {
   Curve curve;
-  std::vector<uint32_t> origin;
+  NodeData<uint32_t> origin;
 };
 
 Refined refine(const Surface& s, const Curve& curve, double h, unsigned threads = 2) {
   Refined r{curve, {}};
   ThreadPool pool(threads);
   Refinement refinement;
-  if (!refinement.refine(s, r.curve, std::vector<double>(curve.size(), h), pool, r.origin)) {
+  if (!refinement.refine(s, r.curve, NodeData<double>(curve.size(), h), pool, r.origin)) {
     r.origin.resize(curve.size());
     std::iota(r.origin.begin(), r.origin.end(), 0u);
   }
@@ -246,7 +246,7 @@ TEST(Refine, ManyNodesAreRefinedAsOneAfterAnother) {
     const std::vector<uint32_t> expected = one_after_another(old, h);
     const Refined r = refine(s, old, h, 1);
     ASSERT_TRUE(whole(s, r.curve));
-    EXPECT_EQ(r.origin, expected);
+    EXPECT_EQ(r.origin.values(), expected);
     EXPECT_NE(r.origin.size(), old.size());
     for (const unsigned threads : {2u, 16u}) {
       const Refined other = refine(s, old, h, threads);

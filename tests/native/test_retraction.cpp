@@ -55,7 +55,7 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
       for (uint8_t& f : curve.fixed) f = rng() < 0.1;
       for (int round = 0; round < 4; ++round) {
         const Curve old = curve;
-        std::vector<Vec2> d(curve.size());
+        NodeData<Vec2> d(curve.size());
         for (Vec2& v : d) v = size * rng() * rng.direction();
         const double held = retraction.move(s, curve, d, pool, seconds);
         EXPECT_GE(held, 0);
@@ -89,7 +89,7 @@ TEST(Move, OneKnotDoesNotHoldTheOthers) {
   ASSERT_TRUE(exact_crossings(s, curve).empty());
   const Curve old = curve;
   // The first ring shrinks a little, the second is thrown about.
-  std::vector<Vec2> d(curve.size());
+  NodeData<Vec2> d(curve.size());
   for (uint32_t i = 0; i < curve.size(); ++i) {
     const uint32_t before = curve.previous(i);
     const Vec2 inwards = Vec2{0, 1} * unit(curve.shapes[before].arriving + curve.shapes[i].leaving);
@@ -114,7 +114,7 @@ TEST(Move, OfNothingChangesNothing) {
   ThreadPool pool(1);
   Retraction retraction;
   MoveSeconds seconds;
-  retraction.move(s, curve, std::vector<Vec2>(curve.size()), pool, seconds);
+  retraction.move(s, curve, NodeData<Vec2>(curve.size()), pool, seconds);
   for (uint32_t i = 0; i < curve.size(); ++i) {
     EXPECT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
     EXPECT_EQ(curve.paths[i].size(), old.paths[i].size());
@@ -146,7 +146,7 @@ TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
       }
       const Curve old = curve;
       const Vec2 slant = rng.direction();
-      std::vector<Vec2> d(curve.size());
+      NodeData<Vec2> d(curve.size());
       std::vector<Path> traces(curve.size());
       std::vector<SurfacePoint> ends;
       bool near_boundary = false;
@@ -179,7 +179,7 @@ TEST(Move, IsTheSameForAnyTeam) {
   const Surface s = make_surface(sphere(2));
   Rng rng(74);
   const Curve old = random_curve(s, 8, rng);
-  std::vector<Vec2> d(old.size());
+  NodeData<Vec2> d(old.size());
   for (Vec2& v : d) v = 0.1 * rng.direction();
   std::vector<Curve> results;
   for (const unsigned threads : {1u, 2u, 5u}) {

@@ -42,26 +42,26 @@ struct Scene {
     weights.length_power = p;
     weights.medial_power = q;
     weights.medial_blocks = blocks;
-    weights.alignment.clear();
-    weights.field.clear();
+    weights.alignment.resize(alignment > 0 ? n : 0);
+    weights.field.resize(alignment > 0 ? n : 0);
     for (uint32_t i = 0; i < n && alignment > 0; ++i) {
-      weights.alignment.push_back(alignment * rng.in(0.1, 1));
-      weights.field.push_back(rng() * rng.direction());
+      weights.alignment[i] = alignment * rng.in(0.1, 1);
+      weights.field[i] = rng() * rng.direction();
     }
-    radius.resize(n);
+    metric.radius.resize(n);
     radii.resize(n);
     weights.length.resize(n);
     weights.bending.resize(n);
     weights.medial = rng.in(0.3, 2);
     for (uint32_t i = 0; i < n; ++i) {
-      radius[i] = rng.in(0.05, 0.1);
-      radii[i] = {radius[i] * rng.in(0.2, 3), radius[i] * rng.in(0.2, 3)};
+      const double r = metric.radius[i] = rng.in(0.05, 0.1);
+      radii[i] = {r * rng.in(0.2, 3), r * rng.in(0.2, 3)};
       weights.length[i] = rng.in(low, high);
       weights.bending[i] = bending * rng.in(0.1, 1);
       curve.fixed[i] = rng() < fixed_share;
     }
     ThreadPool pool(1);
-    compute_frames(surface, curve, radius, std::vector<double>(surface.vertex_count(), radius[0]), pool, frames);
+    compute_frames(surface, curve, metric, RadiusField(metric.radius[0]), pool, frames);
   }
 
   /// Steps of all nodes in space, by the library.
@@ -70,7 +70,7 @@ struct Scene {
     ThreadPool pool(threads);
     for (const Strand& strand : curve.strands) {
       StrandSystem system;
-      assemble(curve, strand, frames, radii, radius, weights, pool, system);
+      assemble(curve, strand, frames, radii, metric, weights, pool, system);
       const std::vector<Vec2> z = solve(system, pool, least_chunk);
       for (uint32_t k = 0; k < strand.count; ++k) {
         const uint32_t i = strand.first + k;
@@ -81,14 +81,14 @@ struct Scene {
   }
 
   LiteralModel literal() const {
-    return LiteralModel(surface, curve, radii, frames, radius, weights);
+    return LiteralModel(surface, curve, radii, frames, metric, weights);
   }
 
   Surface surface;
   Curve curve;
   Frames frames;
-  std::vector<Radii> radii;
-  std::vector<double> radius;
+  NodeData<Radii> radii;
+  LocalMetric metric;
   Weights weights;
 };
 
@@ -181,7 +181,7 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
       scene.fill(rng, {0.2, 1, 0.5}, 0);
       StrandSystem system;
       ThreadPool pool(1);
-      assemble(scene.curve, scene.curve.strands[0], scene.frames, scene.radii, scene.radius,
+      assemble(scene.curve, scene.curve.strands[0], scene.frames, scene.radii, scene.metric,
                scene.weights, pool, system);
       const double angle = std::atan2(system.holonomy.y, system.holonomy.x);
       const double missing = 2 * kPi - scene.surface.total_angle(0);

@@ -106,14 +106,14 @@ void add_loop(const Surface& surface, Curve& curve, const Region& region, double
 
 }  // namespace
 
-Curve first_curve(const Surface& surface, const SeedStrands* seed, const std::vector<double>& radius, bool widen,
+Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusField& radius, bool widen,
                   const PointTree& boundary, double border, ThreadPool& pool) {
   Curve curve;
   if (seed) curve = lay_seed(surface, *seed, radius, pool);
   if (!seed || seed->loops) {
     for (const Region& region : find_regions(surface, curve, radius, &boundary, border)) {
       if (!region.growing) {
-        add_loop(surface, curve, region, radius_at(surface, radius, region.middle), widen, pool);
+        add_loop(surface, curve, region, radius.at(surface, region.middle), widen, pool);
       }
     }
   }

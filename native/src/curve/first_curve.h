@@ -9,6 +9,7 @@
 #include "base/thread_pool.h"
 #include "curve/curve.h"
 #include "curve/seed.h"
+#include "mesh/radius_field.h"
 
 namespace meander {
 
@@ -23,8 +24,8 @@ namespace meander {
 ///
 /// `boundary`, `border`: see find_regions.
 ///
-/// Throws Failure(FailureKind::kInvalidSeed); `radius` is r at every vertex.
-Curve first_curve(const Surface& surface, const SeedStrands* seed, const std::vector<double>& radius, bool widen,
+/// Throws Failure(FailureKind::kInvalidSeed); `radius` is r.
+Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusField& radius, bool widen,
                   const PointTree& boundary, double border, ThreadPool& pool);
 
 }  // namespace meander

@@ -20,13 +20,13 @@ constexpr size_t kBlock = 2048;
 /// for ever, so nodes are numbered before the first and after the last as well.
 class Course {
  public:
-  Course(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius, ThreadPool& pool)
+  Course(const Curve& curve, const Strand& strand, const LocalMetric& metric, ThreadPool& pool)
       : closed_(strand.closed), count_(strand.count), way_(strand.count + 1, 0), turn_(strand.count + 1, 0) {
     pool.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k) {
         const uint32_t i = strand.first + static_cast<uint32_t>(k), before = curve.previous(i);
         if (!curve.has_segment(i)) continue;
-        way_[k + 1] = curve.shapes[i].length / local_radius[i];
+        way_[k + 1] = curve.shapes[i].length / metric.radius[i];
         if (before == kNone) continue;
         const Vec2 t = curve.shapes[i].leaving * conj(curve.shapes[before].arriving);
         turn_[k + 1] = std::atan2(t.y, t.x);
@@ -98,11 +98,11 @@ std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool
 }  // namespace
 
 std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand,
-                                   const std::vector<double>& local_radius, ThreadPool& pool) {
-  return find(Course(curve, strand, local_radius, pool), strand, pool);
+                                   const LocalMetric& metric, ThreadPool& pool) {
+  return find(Course(curve, strand, metric, pool), strand, pool);
 }
 
-std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<double>& local_radius, double share,
+NodeData<uint8_t> mark_short_runs(const Curve& curve, const LocalMetric& metric, double share,
                                      ThreadPool& pool) {
   struct Run {
     size_t strand;
@@ -112,7 +112,7 @@ std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<doubl
   std::vector<Course> courses;
   for (size_t s = 0; s < curve.strands.size(); ++s) {
     const Strand& strand = curve.strands[s];
-    courses.emplace_back(curve, strand, local_radius, pool);
+    courses.emplace_back(curve, strand, metric, pool);
     const std::vector<Hairpin> hairpins = find(courses.back(), strand, pool);
     for (size_t h = 0; h < hairpins.size(); ++h) {
       const bool wraps = h + 1 == hairpins.size();
@@ -126,7 +126,7 @@ std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<doubl
   std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.to - a.from < b.to - b.from; });
   runs.resize(chosen);
 
-  std::vector<uint8_t> marked(curve.size(), 0);
+  NodeData<uint8_t> marked(curve.size(), 0);
   for (const Run& run : runs) {
     const Strand& strand = curve.strands[run.strand];
     const Course& course = courses[run.strand];

@@ -13,6 +13,7 @@
 
 #include "base/thread_pool.h"
 #include "curve/curve.h"
+#include "curve/local_metric.h"
 
 namespace meander {
 
@@ -22,12 +23,12 @@ struct Hairpin {
 };
 
 /// The hairpins of a strand in order: turns of more than 120 degrees within 4 r.
-std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius,
+std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand, const LocalMetric& metric,
                                    ThreadPool& pool);
 
 /// Marks (1, others 0) the nodes of the shortest runs, the `share` of all, between two hairpins that
-/// turn opposite ways, with 2 r beyond them. One entry a node.
-std::vector<uint8_t> mark_short_runs(const Curve& curve, const std::vector<double>& local_radius, double share,
+/// turn opposite ways, with 2 r beyond them.
+NodeData<uint8_t> mark_short_runs(const Curve& curve, const LocalMetric& metric, double share,
                                      ThreadPool& pool);
 
 }  // namespace meander

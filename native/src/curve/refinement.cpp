@@ -43,8 +43,8 @@ uint32_t cut(const Surface& surface, const SurfacePoint& start, const SurfacePoi
 
 }  // namespace
 
-bool Refinement::refine(const Surface& surface, Curve& curve, const std::vector<double>& target, ThreadPool& pool,
-                        std::vector<uint32_t>& origin) {
+bool Refinement::refine(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool,
+                        NodeData<uint32_t>& origin) {
   may_split_.assign(curve.size(), 1);
   may_remove_.assign(curve.size(), 1);
   try {
@@ -79,7 +79,7 @@ bool Refinement::refine(const Surface& surface, Curve& curve, const std::vector<
 }
 
 /// May the node after i go? Not the strand's first one, which holds the list's place. There is a segment i.
-bool Refinement::removes_next(const Curve& curve, const std::vector<double>& target, uint32_t i) const {
+bool Refinement::removes_next(const Curve& curve, const NodeData<double>& target, uint32_t i) const {
   const uint32_t j = curve.next(i);
   if (j <= i || !curve.has_segment(j) || curve.fixed[j] || !may_remove_[j]) return false;
   const double h = target[i], l = curve.shapes[i].length, l2 = curve.shapes[j].length;
@@ -87,14 +87,14 @@ bool Refinement::removes_next(const Curve& curve, const std::vector<double>& tar
 }
 
 /// Into how many parts segment i is to be split; 1 where it stays whole.
-uint32_t Refinement::parts_of(const Curve& curve, const std::vector<double>& target, uint32_t i) const {
+uint32_t Refinement::parts_of(const Curve& curve, const NodeData<double>& target, uint32_t i) const {
   const double h = target[i], l = curve.shapes[i].length;
   return l > 2 * h && may_split_[i] ? static_cast<uint32_t>(std::clamp(std::round(l / (1.5 * h)), 2.0, 1e6)) : 1;
 }
 
 /// Fills changes_ with what is to change, along the curve. All threads look for what could; of two nodes
 /// in a row only the first may go, and that is found out in order. Most late iterations change little.
-void Refinement::choose(const Curve& curve, const std::vector<double>& target, ThreadPool& pool) {
+void Refinement::choose(const Curve& curve, const NodeData<double>& target, ThreadPool& pool) {
   candidates_.resize(ThreadPool::block_count(curve.size(), kBlock));
   pool.for_blocks(curve.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
     candidates_[block].clear();
@@ -226,7 +226,7 @@ void Refinement::give_back(Curve& curve) {
 }
 
 /// Fills next_ with the refined curve; false if there is nothing to do.
-bool Refinement::propose(const Surface& surface, Curve& curve, const std::vector<double>& target, ThreadPool& pool) {
+bool Refinement::propose(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool) {
   choose(curve, target, pool);
   if (changes_.empty()) return false;
   constexpr size_t kChangesPerBlock = 16;

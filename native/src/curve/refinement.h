@@ -7,6 +7,7 @@
 
 #include "curve/crossings.h"
 #include "curve/curve.h"
+#include "curve/node_data.h"
 
 namespace meander {
 
@@ -21,8 +22,8 @@ class Refinement {
   /// `target`  h at every node
   /// `origin`  where something changed, receives for every node of the new curve the old node it was,
   ///           or, if new, the old node before it
-  bool refine(const Surface& surface, Curve& curve, const std::vector<double>& target, ThreadPool& pool,
-              std::vector<uint32_t>& origin);
+  bool refine(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool,
+              NodeData<uint32_t>& origin);
 
  private:
   /// What replaces segment `from`; where the node after it goes, that one and the next.
@@ -35,12 +36,12 @@ class Refinement {
     uint32_t removed() const { return parts == 1; }
     uint32_t added() const { return segments - 1; }
   };
-  bool removes_next(const Curve& curve, const std::vector<double>& target, uint32_t i) const;
-  uint32_t parts_of(const Curve& curve, const std::vector<double>& target, uint32_t i) const;
-  void choose(const Curve& curve, const std::vector<double>& target, ThreadPool& pool);
+  bool removes_next(const Curve& curve, const NodeData<double>& target, uint32_t i) const;
+  uint32_t parts_of(const Curve& curve, const NodeData<double>& target, uint32_t i) const;
+  void choose(const Curve& curve, const NodeData<double>& target, ThreadPool& pool);
   void make(const Surface& surface, const Curve& curve, Change& change, PathShortener& shortener);
   void lay_out(Curve& curve, ThreadPool& pool);
-  bool propose(const Surface& surface, Curve& curve, const std::vector<double>& target, ThreadPool& pool);
+  bool propose(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool);
   void give_back(Curve& curve);
 
   CrossingTest test_;
@@ -52,7 +53,7 @@ class Refinement {
   std::vector<Path> new_paths_;            // kept from call to call, for their memory
   std::vector<PathShape> new_shapes_;
   std::vector<std::vector<uint32_t>> candidates_;  // by blocks of nodes
-  std::vector<uint32_t> origin_;           // per new node
+  NodeData<uint32_t> origin_;              // of the new curve
   std::vector<uint8_t> changed_;           // per new segment
   std::vector<uint8_t> may_split_, may_remove_;  // per old segment, per old node
 };

@@ -25,13 +25,13 @@ constexpr uint32_t kMostOnEdge = 64;   // samples on one edge, and rows of them 
 
 /// Points along all guides, `step` apart at most.
 std::vector<Vec3> points_along(const Surface& surface, const Curve& curve, const std::vector<Piece>& pieces,
-                               const std::vector<double>& radius) {
+                               const RadiusField& radius) {
   std::vector<Vec3> points;
   for (const Piece& p : pieces) {
     if (!curve.on_guide(p.segment)) continue;
     const SurfacePoint from{p.face, p.from}, to{p.face, p.to};
     const Vec3 a = position(surface, from), b = position(surface, to);
-    const double step = kSampling * radius_at(surface, radius, from);
+    const double step = kSampling * radius.at(surface, from);
     const double parts = std::max(1.0, std::min(1e6, std::ceil((b - a).norm() / step)));
     for (double k = 0; k <= parts; ++k) points.push_back(a + (b - a) * (k / parts));
   }
@@ -41,7 +41,7 @@ std::vector<Vec3> points_along(const Surface& surface, const Curve& curve, const
 /// The samples of all components with guides, joined where no guide is between them.
 class Samples {
  public:
-  Samples(const Surface& surface, const Curve& curve, const std::vector<double>& radius,
+  Samples(const Surface& surface, const Curve& curve, const RadiusField& radius,
           const std::vector<Piece>& pieces, const PointTree& guides, const std::vector<uint8_t>& guided)
       : surface_(surface), radius_(radius), first_on_edge_(3 * surface.face_count(), kNone),
         on_edge_(3 * surface.face_count(), 0), first_inside_(surface.face_count(), kNone) {
@@ -53,7 +53,7 @@ class Samples {
     }
     for (const SurfacePoint& p : points_) {
       room_.push_back(std::sqrt(guides.nearest(position(surface, p))->squared_distance));
-      relative_room_.push_back(room_.back() / radius_at(surface, radius, p));
+      relative_room_.push_back(room_.back() / radius.at(surface, p));
     }
     joined_ = DisjointSets(points_.size());
     for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -136,7 +136,7 @@ class Samples {
 
   void place(uint32_t f) {
     const SurfacePoint middle = make_point(f, 1.0 / 3, 1.0 / 3, 1.0 / 3);
-    const double r = radius_at(surface_, radius_, middle);
+    const double r = radius_.at(surface_, middle);
     for (uint32_t k = 0; k < 3; ++k) {
       const HalfEdge e = 3 * f + k, twin = surface_.twin(e);
       if (twin == kNone || first_on_edge_[twin] != kNone) continue;  // or seen from the other side
@@ -226,7 +226,7 @@ class Samples {
   }
 
   const Surface& surface_;
-  const std::vector<double>& radius_;
+  const RadiusField& radius_;
   std::unordered_map<uint32_t, std::vector<Piece>> guides_;  // per face that holds any
   std::vector<uint32_t> first_on_edge_, on_edge_;            // per half-edge; those of its twin: kNone, 0
   std::vector<uint32_t> first_inside_, inside_count_;        // per face
@@ -254,12 +254,12 @@ SurfacePoint farthest_from(const Surface& surface, const PointTree& boundary, ui
 
 }  // namespace
 
-std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius,
+std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const RadiusField& radius,
                                  const PointTree* boundary, double border) {
   constexpr double kInsideBorder = 0.15;  // of r: clear of an outline that runs at the border's distance
   const auto in_border = [&](const SurfacePoint& p) {
     if (!boundary) return false;
-    const double near = (border + kInsideBorder) * radius_at(surface, radius, p);
+    const double near = (border + kInsideBorder) * radius.at(surface, p);
     return boundary->nearest(position(surface, p), near * near).has_value();
   };
   std::vector<uint8_t> guided(surface.component_count(), 0), growing(surface.component_count(), 0);
@@ -320,7 +320,7 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
 }
 
 std::optional<std::vector<SurfacePoint>> way_round_guides(const Surface& surface, const Curve& curve,
-                                                          const std::vector<double>& radius,
+                                                          const RadiusField& radius,
                                                           const SurfacePoint& from, const SurfacePoint& to) {
   std::vector<uint8_t> guided(surface.component_count(), 0);
   guided[surface.component(from.face)] = 1;

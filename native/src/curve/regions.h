@@ -8,6 +8,7 @@
 
 #include "base/point_tree.h"
 #include "curve/curve.h"
+#include "mesh/radius_field.h"
 
 namespace meander {
 
@@ -26,18 +27,18 @@ struct Region {
 /// the straight way between them meets none: what hangs together is a region, so that gaps which no
 /// strand would go through are closed. Its place is the first sample that lies 2.5 r away from all
 /// guides, or else the farthest. What is narrower than the samples is left out: the guides cover it.
-/// `radius` is r at every vertex.
+/// `radius` is r.
 ///
 /// `boundary`, `border`   points of the boundary, or null, and the distance from it, in local radii, that
 ///                        strands keep: no place lies nearer, so that strips along it stay empty
-std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const std::vector<double>& radius,
+std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const RadiusField& radius,
                                  const PointTree* boundary = nullptr, double border = 0);
 
 /// Places to pass on a short way between two points that meets no guide, without the two; nothing where
 /// guides part them, or leave less than a spacing between them. The way leads over the same samples, so
 /// it keeps r / 2 from guides but at its ends.
 std::optional<std::vector<SurfacePoint>> way_round_guides(const Surface& surface, const Curve& curve,
-                                                          const std::vector<double>& radius,
+                                                          const RadiusField& radius,
                                                           const SurfacePoint& from, const SurfacePoint& to);
 
 }  // namespace meander

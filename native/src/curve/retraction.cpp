@@ -33,7 +33,7 @@ constexpr int kHalvings = 4;
 
 }  // namespace
 
-double Retraction::move(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement,
+double Retraction::move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement,
                         ThreadPool& pool, MoveSeconds& seconds) {
   const uint32_t n = curve.size();
   share_.assign(n, 1);
@@ -52,11 +52,11 @@ void Retraction::straighten(const Surface& surface, Curve& curve, ThreadPool& po
   for (uint32_t i = 0; i < curve.size(); ++i) {
     if (curve.on_guide(i)) share_[i] = 0;
   }
-  resolve(surface, curve, std::vector<Vec2>(curve.size()), pool, seconds);
+  resolve(surface, curve, NodeData<Vec2>(curve.size()), pool, seconds);
 }
 
 /// Moves the nodes by their shares, which fall until nothing crosses.
-void Retraction::resolve(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, ThreadPool& pool,
+void Retraction::resolve(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement, ThreadPool& pool,
                          MoveSeconds& seconds) {
   Stopwatch watch;
   const uint32_t n = curve.size();
@@ -86,7 +86,7 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const std::vector
   std::swap(curve, next_);
 }
 
-void Retraction::trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
+void Retraction::trace(const Surface& surface, const Curve& curve, const NodeData<Vec2>& displacement,
                        const std::vector<uint8_t>* only, ThreadPool& pool) {
   pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     std::vector<GeodesicWalk> walks;
@@ -113,7 +113,7 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const std::ve
 /// straight walk costs the faces that it crosses, while a path that follows its ends is led over all the
 /// vertices that they have passed by. A guess might come to the same place by another way round a handle
 /// or a hole, so there must be none.
-void Retraction::reconnect(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
                            const std::vector<uint8_t>* only, ThreadPool& pool) {
   const bool may_guess = surface.simply_connected();
   pool.for_blocks(old.size(), kBlock, [&](size_t, size_t first, size_t last) {
@@ -144,7 +144,7 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const std::
 }
 
 /// Joins the nodes of some segments again by walks that are led in turns.
-void Retraction::guess(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+void Retraction::guess(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
                        std::span<const uint32_t> segments, PathShortener& shortener) {
   std::vector<GeodesicWalk> walks;
   walks.reserve(kTogether);
@@ -202,7 +202,7 @@ std::optional<PathShape> Retraction::aim(const Surface& surface, const SurfacePo
 
 /// The way from a moved node to the next one, in the plane of its new face, as it is where the surface is
 /// flat between the old segment and the new one.
-Vec2 Retraction::chord(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+Vec2 Retraction::chord(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
                        uint32_t i) const {
   const uint32_t j = old.next(i);
   const PathShape& shape = old.shapes[i];

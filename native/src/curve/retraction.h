@@ -10,6 +10,7 @@
 
 #include "curve/crossings.h"
 #include "curve/curve.h"
+#include "curve/node_data.h"
 #include "geodesic/geodesic_trace.h"
 
 namespace meander {
@@ -29,7 +30,7 @@ class Retraction {
   /// Nodes that do not move, and the segments between them, are kept to the last bit; that the old
   /// curve has no crossings therefore guarantees an end.
   /// Returns the share of nodes that were backed off to no step at all.
-  double move(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, ThreadPool& pool,
+  double move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement, ThreadPool& pool,
               MoveSeconds& seconds);
 
   /// Makes every segment, but those of guides, a shortest geodesic again between nodes that stay, after the
@@ -38,17 +39,17 @@ class Retraction {
   void straighten(const Surface& surface, Curve& curve, ThreadPool& pool, MoveSeconds& seconds);
 
  private:
-  void resolve(const Surface& surface, Curve& curve, const std::vector<Vec2>& displacement, ThreadPool& pool,
+  void resolve(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement, ThreadPool& pool,
                MoveSeconds& seconds);
-  void trace(const Surface& surface, const Curve& curve, const std::vector<Vec2>& displacement,
+  void trace(const Surface& surface, const Curve& curve, const NodeData<Vec2>& displacement,
              const std::vector<uint8_t>* only, ThreadPool& pool);
-  void reconnect(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+  void reconnect(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
                  const std::vector<uint8_t>* only, ThreadPool& pool);
-  void guess(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement,
+  void guess(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
              std::span<const uint32_t> segments, PathShortener& shortener);
   static std::optional<PathShape> aim(const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal,
                                       Vec2 way, const GeodesicWalk& first, Path& path, PathShortener& shortener);
-  Vec2 chord(const Surface& surface, const Curve& old, const std::vector<Vec2>& displacement, uint32_t i) const;
+  Vec2 chord(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement, uint32_t i) const;
   void spread(const Strand& strand, uint32_t reach);
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
 

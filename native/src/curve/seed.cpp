@@ -95,7 +95,7 @@ bool is_stroke(const Curve& curve, const Strand& strand) {
 
 /// Leads strokes round the guides that the shortest way between their ends meets. `point_of_node` gives
 /// every node of the curve the seed's point.
-void lead_round_guides(const Surface& surface, const SeedStrands& seed, const std::vector<double>& radius, ThreadPool& pool,
+void lead_round_guides(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool,
                        Curve& curve, std::vector<size_t>& point_of_node) {
   if (!curve.has_guides()) return;
   CrossingTest test;
@@ -156,7 +156,7 @@ void lead_round_guides(const Surface& surface, const SeedStrands& seed, const st
 
 }  // namespace
 
-Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vector<double>& radius, ThreadPool& pool) {
+Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool) {
   const ClosestPoint closest(surface);
   Curve curve;
   std::vector<size_t> point_of_node;
@@ -165,7 +165,7 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vecto
     Strand strand{curve.size(), 0, closed, guide};
     for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
       const auto hit = closest(surface.to_inside(seed.points[i]));
-      const double r = radius_at(surface, radius, hit.point);
+      const double r = radius.at(surface, hit.point);
       if (!(hit.distance <= r)) {
         refuse("Seed point " + std::to_string(i) + " is " + number(hit.distance / r) +
                    " radii away from the surface (at most 1 is allowed); move the seed onto the surface.",

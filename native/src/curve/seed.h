@@ -7,6 +7,7 @@
 
 #include "base/thread_pool.h"
 #include "curve/curve.h"
+#include "mesh/radius_field.h"
 
 namespace meander {
 
@@ -20,7 +21,7 @@ struct SeedStrands {
 };
 
 /// Projects the points and joins them by geodesics. Throws Failure(FailureKind::kInvalidSeed) naming the
-/// point. `radius` (per vertex, inside units): how far from the surface a point may be.
-Curve lay_seed(const Surface& surface, const SeedStrands& seed, const std::vector<double>& radius, ThreadPool& pool);
+/// point. `radius`: how far from the surface a point may be.
+Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool);
 
 }  // namespace meander

@@ -46,7 +46,7 @@ bool Convergence::has_grown(double change, double clamped_share) const {
 }
 
 /// Compares the curve with the one of a window before; the first time it only takes that one down.
-bool Convergence::has_settled(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+bool Convergence::has_settled(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                               double change, ThreadPool& pool) {
   const size_t now = lengths_.size();
   if (picture_ && now - picture_->iteration < kWindow) return false;
@@ -71,7 +71,7 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
         for (const uint32_t other : {picture_->next[near], picture_->previous[near]}) {
           if (other != kNone) d = std::min(d, distance_to_segment(p, picture_->nodes[near], picture_->nodes[other]));
         }
-        distance[i] = d / local_radius[i];
+        distance[i] = d / metric.radius[i];
       }
     });
     double sum = 0;
@@ -82,7 +82,7 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
   return settled;
 }
 
-void Convergence::note(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+void Convergence::note(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                        const IterationFigures& figures, ThreadPool& pool) {
   lengths_.push_back(figures.length);
   const size_t now = lengths_.size(), age = now - phase_start_;
@@ -97,7 +97,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const std::ve
   switch (phase_) {
     case Phase::kGrowing:
       if (!polish_wanted_) {
-        if (has_settled(surface, curve, local_radius, change, pool)) begin(Phase::kCooling);
+        if (has_settled(surface, curve, metric, change, pool)) begin(Phase::kCooling);
       } else if (has_grown(change, figures.clamped_share)) {
         begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
       }
@@ -109,7 +109,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const std::ve
       if (++polished_ >= kPolishIterations) begin(Phase::kFinishing);
       break;
     case Phase::kFinishing:
-      if (has_settled(surface, curve, local_radius, change, pool)) begin(Phase::kCooling);
+      if (has_settled(surface, curve, metric, change, pool)) begin(Phase::kCooling);
       break;
     case Phase::kCooling:
       converged_ = age >= kCoolingIterations;

@@ -8,6 +8,7 @@
 
 #include "base/thread_pool.h"
 #include "curve/curve.h"
+#include "curve/local_metric.h"
 
 namespace meander {
 
@@ -36,7 +37,7 @@ class Convergence {
       : rule_(rule), polish_wanted_(polish), hairpin_removal_iterations_(hairpin_removal_iterations) {}
 
   /// Takes note of an iteration and of the curve after it.
-  void note(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+  void note(const Surface& surface, const Curve& curve, const LocalMetric& metric,
             const IterationFigures& figures, ThreadPool& pool);
 
   /// The surface has moved: what was seen before counts no more. A curve that fills it already, with no
@@ -57,7 +58,7 @@ class Convergence {
 
   void begin(Phase phase);
   bool has_grown(double change, double clamped_share) const;
-  bool has_settled(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
+  bool has_settled(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                    double change, ThreadPool& pool);
 
   StopRule rule_;

@@ -49,7 +49,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
   cancelled_ = false;
   cut_guides();
   refine();
-  find_local_radii();
+  find_metric();
 }
 
 /// Refuses what checked_settings would refuse for a new flow.
@@ -65,7 +65,7 @@ void Flow::check_size(const Surface& surface) const {
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     double density = 0;
     for (const uint32_t v : surface.face(f)) {
-      const double share = settings_.radius / radius_at(wanted_radius_, v);
+      const double share = settings_.radius / wanted_radius_.at(v);
       density += share * share / 3;
     }
     nodes += surface.face_area(f) * density / (2 * r * kMeanSegment * settings_.segment_length * to_new);
@@ -84,9 +84,7 @@ void Flow::rescale(double factor) {
   for (double* length : {&settings_.radius, &settings_.segment_length, &settings_.max_radius}) {
     *length = settle(*length * factor);
   }
-  for (std::vector<double>* radii : {&wanted_radius_, &vertex_radius_}) {
-    for (double& r : *radii) r = r / old_radius * settings_.radius;
-  }
+  for (RadiusField* field : {&wanted_radius_, &present_radius_}) field->rescale(old_radius, settings_.radius);
   approach_.rescale(factor);
   for (Radii& sides : radii_) {
     for (double& r : sides) r *= factor;

@@ -73,8 +73,7 @@ constexpr double kSmoothing = 2;
 
 /// Gives nodes after a refinement what those had that they come from.
 template <class Value>
-void follow(const std::vector<uint32_t>& origin, ThreadPool& pool, std::vector<Value>& of_nodes,
-            std::vector<Value>& scratch) {
+void follow(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeData<Value>& of_nodes, NodeData<Value>& scratch) {
   if (of_nodes.empty()) return;
   scratch.resize(origin.size());
   pool.for_blocks(origin.size(), kBlock, [&](size_t, size_t begin, size_t end) {
@@ -83,25 +82,17 @@ void follow(const std::vector<uint32_t>& origin, ThreadPool& pool, std::vector<V
   of_nodes.swap(scratch);
 }
 
-/// See radius_at.
-std::vector<double> radii_of_vertices(double radius, const std::vector<double>& density) {
-  if (density.empty()) return {radius};
-  std::vector<double> r(density.size());
-  for (size_t v = 0; v < density.size(); ++v) r[v] = radius / std::sqrt(density[v]);
-  return r;
-}
-
 }  // namespace
 
-Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const std::vector<double>& density,
+Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, std::span<const double> density,
            const FlowSettings& settings)
     : surface_(std::move(surface)),
       settings_(settings),
-      wanted_radius_(radii_of_vertices(settings.radius, density)),
-      vertex_radius_(wanted_radius_),
+      wanted_radius_(settings.radius, density),
+      present_radius_(wanted_radius_),
       boundary_(std::in_place, *surface_, 0.5 * settings.segment_length),
       pool_(settings.threads),
-      curve_(first_curve(*surface_, seed, vertex_radius_, settings.widen_loops, boundary_->tree(),
+      curve_(first_curve(*surface_, seed, present_radius_, settings.widen_loops, boundary_->tree(),
                          2 * settings.border_distance, pool_)),
       convergence_(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations),
       approach_(settings.start_spacing_factor, settings.radius, surface_->area()) {
@@ -133,7 +124,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   if (cancelled()) return false;
 
   choose_weights();
-  const std::vector<Vec2> displacement = displacements();
+  const NodeData<Vec2> displacement = displacements();
   seconds_.solve += watch.lap();
   if (cancelled()) return false;
 
@@ -146,8 +137,8 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
 
   IterationRecord record;
   record.mean_step = sum_over_free([&](uint32_t i) { return norm(displacement[i]); }) / n;
-  record.energy = energy(curve_, felt_radii_, local_radius_, weights_, pool_);
-  if (may_reuse_directions()) remember_directions(frames_, local_radius_, pool_, direction_cache_);
+  record.energy = energy(curve_, felt_radii_, metric_, weights_, pool_);
+  if (may_reuse_directions()) remember_directions(frames_, metric_, pool_, direction_cache_);
   const double held = retraction_.move(*surface_, curve_, displacement, pool_, seconds_.move);
   remember_steps(displacement);
   figures.moved = held < 1 ? record.mean_step / settings_.radius : 0;
@@ -155,12 +146,12 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   refine();
   seconds_.refine += watch.lap();
 
-  find_local_radii();
+  find_metric();
   record.length = curve_.length();
   figures.length = curve_.has_guides() ? curve_.growing_length() : record.length;
   record.nodes = curve_.size();
   if (approach_.arrived()) {
-    convergence_.note(*surface_, curve_, local_radius_, figures, pool_);
+    convergence_.note(*surface_, curve_, metric_, figures, pool_);
   } else {
     scale_radii(approach_.next(figures));
   }
@@ -172,7 +163,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
 
 /// Of the nodes that may move, those that see nothing on a side.
 double Flow::clamped_share() {
-  return sum_over_free([&](uint32_t i) { return std::max(radii_[i][0], radii_[i][1]) >= kClamped * max_radius_[i]; }) /
+  return sum_over_free([&](uint32_t i) { return std::max(radii_[i][0], radii_[i][1]) >= kClamped * metric_.max_radius[i]; }) /
          free_nodes();
 }
 
@@ -195,12 +186,12 @@ Flow::Measure Flow::measure() {
   choose_weights();
   Measure m;
   m.length = curve_.length();
-  m.energy = energy(curve_, felt_radii_, local_radius_, weights_, pool_);
+  m.energy = energy(curve_, felt_radii_, metric_, weights_, pool_);
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     if (curve_.on_guide(i)) continue;
     const double nominal = 2 * settings_.radius * approach_.factor();
     for (size_t side = 0; side < 2; ++side) {
-      m.spacing.push_back(nominal * in_metric(i, side, radii_[i][side]) / local_radius_[i]);
+      m.spacing.push_back(nominal * in_metric(i, side, radii_[i][side]) / metric_.radius[i]);
     }
   }
   std::sort(m.spacing.begin(), m.spacing.end());
@@ -211,7 +202,7 @@ Flow::Measure Flow::measure() {
 
 std::vector<Gap> Flow::gaps(double least_size) {
   find_radii();
-  std::vector<Gap> gaps = find_gaps(*surface_, curve_, frames_, radii_, vertex_radius_, least_size,
+  std::vector<Gap> gaps = find_gaps(*surface_, curve_, frames_, radii_, present_radius_, least_size,
                                     settings_.medial_axis == MedialAxis::kGeodesic, pool_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
@@ -228,29 +219,12 @@ std::vector<Gap> Flow::gaps(double least_size) {
 }
 
 /// Makes the spacing everywhere this much of the one asked for.
-void Flow::scale_radii(double factor) {
-  for (size_t v = 0; v < vertex_radius_.size(); ++v) vertex_radius_[v] = factor * wanted_radius_[v];
-}
+void Flow::scale_radii(double factor) { present_radius_.set_multiple(wanted_radius_, factor); }
 
-/// r and r_max at every node.
-void Flow::find_local_radii() {
-  local_radius_.resize(curve_.size());
-  max_radius_.resize(curve_.size());
-  overhang_.resize(curve_.size());
-  // In front of a strip wider than a spacing strands have room to give way; pushed harder there, those
-  // that are between two such strips never come to rest.
-  constexpr double kWideStrip = 1;
-  const bool narrow = settings_.border_distance <= kWideStrip;
-  least_rest_.resize(curve_.size());
-  const double clamp = settings_.max_radius / settings_.radius;
-  pool_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      local_radius_[i] = radius_at(*surface_, vertex_radius_, curve_.nodes[i]);
-      max_radius_[i] = std::min(clamp * local_radius_[i], CurveBvh::kMostRadius);
-      overhang_[i] = (1 - 2 * settings_.border_distance) * local_radius_[i];
-      least_rest_[i] = narrow ? local_radius_[i] : 0;
-    }
-  });
+/// r, r_max and the boundary at every node.
+void Flow::find_metric() {
+  const MetricRules rules{settings_.max_radius / settings_.radius, CurveBvh::kMostRadius, settings_.border_distance};
+  find_local_metric(*surface_, curve_, present_radius_, rules, pool_, metric_);
 }
 
 /// Frames and medial radii of the present curve, and what the energy makes of them.
@@ -261,13 +235,13 @@ void Flow::find_local_radii() {
 /// follow a density would be pulled back to equal distances, and would never come to rest.
 ///
 /// `looks`  what nodes that are at rest need not look for again, or null
-void Flow::find_radii(const std::vector<CachedDirections>* looks) {
-  find_local_radii();
-  compute_frames(*surface_, curve_, local_radius_, vertex_radius_, pool_, frames_, looks);
-  compute_reach(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, settings_.medial_axis, max_radius_,
-                overhang_, least_rest_, pool_, reach_);
+void Flow::find_radii(const NodeData<CachedDirections>* looks) {
+  find_metric();
+  compute_frames(*surface_, curve_, metric_, present_radius_, pool_, frames_, looks);
+  compute_reach(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, settings_.medial_axis, metric_,
+                pool_, reach_);
   if (settings_.medial_axis == MedialAxis::kGeodesic) {
-    compute_geodesic_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, local_radius_, reach_,
+    compute_geodesic_medial_axis(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, metric_, reach_,
                                  pool_, radii_);
   } else {
     compute_medial_axis(frames_, *boundary_, settings_.boundary_rule, reach_, pool_, tree_, radii_);
@@ -294,13 +268,13 @@ bool Flow::may_reuse_directions() const {
 double Flow::in_metric(size_t node, size_t side, double radius) const {
   constexpr double kLeastGrowth = -0.75, kMostGrowth = 3;  // of r along a diameter, where it jumps
   const double growth =
-      std::clamp(2 * frames_.radius_slope[node][side] * radius / local_radius_[node], kLeastGrowth, kMostGrowth);
+      std::clamp(2 * frames_.radius_slope[node][side] * radius / metric_.radius[node], kLeastGrowth, kMostGrowth);
   return growth == 0 ? radius : radius * (std::log1p(growth) / growth);
 }
 
 /// The radii that drive the nodes: where the boundary is to push harder than a ball of no size does, the
 /// other side has the rest.
-const std::vector<Radii>& Flow::driving_radii() {
+const NodeData<Radii>& Flow::driving_radii() {
   if (boundary_->empty()) return felt_radii_;
   driving_radii_.resize(felt_radii_.size());
   pool_.for_blocks(felt_radii_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
@@ -330,14 +304,14 @@ void Flow::perturb_empty_stretches() {
         felt_radii_[i][1] *= 1 - favour;
       }
       if (curve_.has_segment(i)) {
-        phase += 2 * std::numbers::pi / kWavelength * curve_.shapes[i].length / local_radius_[i];
+        phase += 2 * std::numbers::pi / kWavelength * curve_.shapes[i].length / metric_.radius[i];
       }
     }
   }
 }
 
 bool Flow::sees_nothing(uint32_t node) const {
-  return std::min(radii_[node][0], radii_[node][1]) >= kClamped * max_radius_[node];
+  return std::min(radii_[node][0], radii_[node][1]) >= kClamped * metric_.max_radius[node];
 }
 
 void Flow::choose_weights() {
@@ -354,7 +328,7 @@ void Flow::choose_weights() {
     weights_.medial_power = std::max(q, std::min(weights_.medial_power, kMostPowerAtStrips));
   }
   const bool aligned = !field_.empty() && settings_.alignment_weight > 0;
-  std::vector<double> spacing;
+  NodeData<double> spacing;
   if (convergence_.polishing() || (aligned && settings_.polish)) spacing = smoothed_spacing();
   if (convergence_.polishing()) follow_spacing(spacing);
   if (convergence_.polishing() && q != 2) {
@@ -393,7 +367,7 @@ void Flow::choose_weights() {
 /// zigzags, since nothing can turn any more and tilted strands are all that still fills. With beta = 4
 /// and a push of 2 the share of the length within 15 degrees of the field is the same wherever the seed
 /// lies, which with beta = 2 it is not, see docs/terms.md.
-void Flow::find_directions(const std::vector<double>& spacing) {
+void Flow::find_directions(const NodeData<double>& spacing) {
   weights_.alignment.assign(curve_.size(), settings_.alignment_weight);
   weights_.field.resize(curve_.size());
   const double beta = settings_.alignment_weight;
@@ -416,7 +390,7 @@ void Flow::soften_young_strands() {
     double length = 0, r = 0;
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       length += curve_.shapes[i].length;
-      r += local_radius_[i];
+      r += metric_.radius[i];
     }
     r /= strand.count;
     if (length >= 2 * std::numbers::pi * kYoung * r) continue;
@@ -444,21 +418,21 @@ void Flow::for_strands(const std::function<void(const Strand&, ThreadPool&, Stra
 }
 
 /// The mean medial radius of both sides in units of r, smoothed along the curve over kSmoothing r.
-std::vector<double> Flow::smoothed_spacing() {
-  std::vector<double> spacing(curve_.size());
+NodeData<double> Flow::smoothed_spacing() {
+  NodeData<double> spacing(curve_.size());
   for_strands([&](const Strand& strand, ThreadPool& pool, StrandSystem& system) {
     const uint32_t n = strand.count;
     system.reset(n, pool);
     system.closed = strand.closed;
     // Implicit smoothing of u along the strand: (1 - (2 r)^2 d^2 / ds^2) u = raw u.
     const auto stiffness_after = [&](uint32_t i) {
-      const double r = local_radius_[i];
+      const double r = metric_.radius[i];
       return kSmoothing * kSmoothing * r * r / std::max(curve_.shapes[i].length, 1e-6 * r);
     };
     pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k) {
         const uint32_t i = strand.first + static_cast<uint32_t>(k), before = curve_.previous(i);
-        const double r = local_radius_[i];
+        const double r = metric_.radius[i];
         const double raw = 0.5 * (std::min(felt_radii_[i][0], 2 * r) + std::min(felt_radii_[i][1], 2 * r)) / r;
         double w = 0;
         if (before != kNone) {
@@ -483,7 +457,7 @@ std::vector<double> Flow::smoothed_spacing() {
 
 /// Length weights of the polish: where strands are too far apart they may grow, where they are too
 /// near they are drawn together.
-void Flow::follow_spacing(const std::vector<double>& spacing) {
+void Flow::follow_spacing(const NodeData<double>& spacing) {
   pool_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       weights_.length[i] =
@@ -495,7 +469,7 @@ void Flow::follow_spacing(const std::vector<double>& spacing) {
 /// Draws in the fingers that lie on short runs; longer ones grow into the room that they leave. So
 /// hairpins become fewer, which no force of the model does (see hairpins.h).
 void Flow::unfold_short_runs() {
-  const std::vector<uint8_t> marked = mark_short_runs(curve_, local_radius_, kHairpinRemovalShare, pool_);
+  const NodeData<uint8_t> marked = mark_short_runs(curve_, metric_, kHairpinRemovalShare, pool_);
   for (uint32_t i = 0; i < curve_.size(); ++i) {
     if (marked[i]) weights_.length[i] = kHairpinRemovalPull;
   }
@@ -512,7 +486,7 @@ double Flow::momentum() const {
 
 /// Keeps the displacements for the next iteration if they will count there. Nodes then lie in other faces,
 /// but their tangents say the same.
-void Flow::remember_steps(const std::vector<Vec2>& displacement) {
+void Flow::remember_steps(const NodeData<Vec2>& displacement) {
   if (momentum() == 0) {
     steps_.clear();
     return;
@@ -527,20 +501,19 @@ void Flow::remember_steps(const std::vector<Vec2>& displacement) {
 
 /// The steps of all nodes (eq. 10) in the planes of their faces, with what is left of the last ones, capped by
 /// their medial radii.
-std::vector<Vec2> Flow::displacements() {
-  std::vector<Vec2> d(curve_.size());
-  const std::vector<Radii>& radii = driving_radii();
+NodeData<Vec2> Flow::displacements() {
+  NodeData<Vec2> d(curve_.size());
+  const NodeData<Radii>& radii = driving_radii();
   std::vector<FreeEnd> ends;
   if (settings_.hold_ends) {
-    ends = find_free_ends(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, max_radius_, overhang_,
-                          local_radius_, pool_);
+    ends = find_free_ends(*surface_, curve_, frames_, *boundary_, settings_.boundary_rule, metric_, pool_);
   }
   for_strands([&](const Strand& strand, ThreadPool& pool, StrandSystem& system) {
     if (strand.guide) return;
-    assemble(curve_, strand, frames_, radii, local_radius_, weights_, pool, system);
+    assemble(curve_, strand, frames_, radii, metric_, weights_, pool, system);
     auto end_here = std::ranges::lower_bound(ends, strand.first, {}, &FreeEnd::node);
     for (; end_here != ends.end() && end_here->node < strand.end(); ++end_here) {
-      add_end_term(*end_here, end_here->node - strand.first, local_radius_[end_here->node], weights_.medial, system);
+      add_end_term(*end_here, end_here->node - strand.first, metric_.radius[end_here->node], weights_.medial, system);
     }
     const std::vector<Vec2> z = solve(system, pool);
     for (uint32_t k = 0; k < strand.count; ++k) d[strand.first + k] = settings_.step * (system.frame[k] * z[k]);
@@ -555,8 +528,8 @@ std::vector<Vec2> Flow::displacements() {
       const double length = norm(d[i]);
       const size_t side = dot(d[i], frames_.bitangent2[i]) > 0 ? 0 : 1;
       double most = kMostOfRadius * radii_[i][side];
-      if (reach_[i][side].radius <= radii_[i][side]) most = std::max(most, kMostAtBoundary * local_radius_[i]);
-      if (cooling) most = std::min(most, kMostWhileCooling * local_radius_[i]);
+      if (reach_[i][side].radius <= radii_[i][side]) most = std::max(most, kMostAtBoundary * metric_.radius[i]);
+      if (cooling) most = std::min(most, kMostWhileCooling * metric_.radius[i]);
       if (length > most) d[i] = (most / length) * d[i];
       if (!std::isfinite(d[i].x) || !std::isfinite(d[i].y)) d[i] = {};
     }
@@ -581,15 +554,15 @@ void Flow::cut_guides() {
 }
 
 void Flow::refine() {
-  find_local_radii();
+  find_metric();
   const double h = settings_.segment_length * (convergence_.coarse() ? settings_.growth_coarsening : 1);
   segment_targets_.resize(curve_.size());
   pool_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
-      segment_targets_[i] = h * local_radius_[i] / settings_.radius;
+      segment_targets_[i] = h * metric_.radius[i] / settings_.radius;
       if (!curve_.on_guide(i)) continue;
       // Guides are cut up at first and when the surface moves, and else stay as they are to the last bit.
-      segment_targets_[i] = guides_cut_ ? kNever : settings_.segment_length * local_radius_[i] / settings_.radius;
+      segment_targets_[i] = guides_cut_ ? kNever : settings_.segment_length * metric_.radius[i] / settings_.radius;
     }
   });
   if (!refinement_.refine(*surface_, curve_, segment_targets_, pool_, origin_)) return;

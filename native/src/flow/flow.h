@@ -68,7 +68,7 @@ enum class StopReason { kRunning, kConverged, kIterationLimit, kStalled, kCancel
 class Flow {
  public:
   /// `seed` null: face loops. `density` per vertex, or empty. Throws Failure.
-  Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const std::vector<double>& density,
+  Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, std::span<const double> density,
        const FlowSettings& settings);
 
   /// The lines that alignment_weight refers to; before the first iteration.
@@ -92,7 +92,7 @@ class Flow {
   const FlowSettings& settings() const { return settings_; }
   /// Made when they are asked for first: a flow that is not looked at needs none.
   const NormalField& normals() const;
-  const std::vector<Radii>& radii() const { return radii_; }  ///< of the last medial axis, per node
+  const NodeData<Radii>& radii() const { return radii_; }  ///< of the last medial axis, per node
   const std::vector<IterationRecord>& history() const { return history_; }
   const FlowSeconds& seconds() const { return seconds_; }
   /// Why a run would end now; kCancelled after a cancelled step or run, until the next one.
@@ -130,52 +130,52 @@ class Flow {
   double free_nodes() {
     return sum_over_free([](uint32_t) { return 1; });
   }
-  void find_local_radii();
-  void find_radii(const std::vector<CachedDirections>* looks = nullptr);
+  void find_metric();
+  void find_radii(const NodeData<CachedDirections>* looks = nullptr);
   bool may_reuse_directions() const;
   double in_metric(size_t node, size_t side, double radius) const;
-  const std::vector<Radii>& driving_radii();
+  const NodeData<Radii>& driving_radii();
   void perturb_empty_stretches();
   bool sees_nothing(uint32_t node) const;
   void choose_weights();
-  void find_directions(const std::vector<double>& spacing);
+  void find_directions(const NodeData<double>& spacing);
   void soften_young_strands();
   void for_strands(const std::function<void(const Strand&, ThreadPool&, StrandSystem&)>& body);
-  std::vector<double> smoothed_spacing();
-  void follow_spacing(const std::vector<double>& spacing);
+  NodeData<double> smoothed_spacing();
+  void follow_spacing(const NodeData<double>& spacing);
   void unfold_short_runs();
   double momentum() const;
-  std::vector<Vec2> displacements();
-  void remember_steps(const std::vector<Vec2>& displacement);
+  NodeData<Vec2> displacements();
+  void remember_steps(const NodeData<Vec2>& displacement);
   void cut_guides();
   void refine();
 
   std::shared_ptr<const Surface> surface_;
   FlowSettings settings_;
-  std::vector<double> wanted_radius_;  // local r at the vertices (see radius_at),
-  std::vector<double> vertex_radius_;  // and as it is while the curve approaches its spacing
+  RadiusField wanted_radius_;   // r as it is to be in the end,
+  RadiusField present_radius_;  // and as it is while the curve approaches its spacing
   mutable std::optional<NormalField> normals_;
   LineField field_;
   std::optional<BoundaryObstacle> boundary_;  // always there; made anew when the surface moves
   ThreadPool pool_;
   Curve curve_;
   bool guides_cut_ = false;        // as finely as they need to be
-  std::vector<Radii> radii_;       // as they are
-  std::vector<Radii> felt_radii_;  // as the energy sees them: under a density, and near a boundary
-  std::vector<double> local_radius_, max_radius_, overhang_, least_rest_;
+  NodeData<Radii> radii_;       // as they are
+  NodeData<Radii> felt_radii_;  // as the energy sees them: under a density, and near a boundary
+  LocalMetric metric_;
   Frames frames_;
-  std::vector<CachedDirections> direction_cache_;  // empty where every node is to look anew
-  std::vector<Vec2> steps_;  // last displacements along tangent and bitangent; empty where none count
-  std::vector<Reach> reach_;
+  NodeData<CachedDirections> direction_cache_;  // empty where every node is to look anew
+  NodeData<Vec2> steps_;  // last displacements along tangent and bitangent; empty where none count
+  NodeData<Reach> reach_;
   Weights weights_;
   // Kept for their memory, which is costly to find anew in every iteration.
   CurveBvh tree_;
   StrandSystem system_;
-  std::vector<Radii> driving_radii_, radii_before_;
-  std::vector<CachedDirections> direction_cache_before_;
-  std::vector<Vec2> steps_before_;
-  std::vector<double> segment_targets_;
-  std::vector<uint32_t> origin_;
+  NodeData<Radii> driving_radii_, radii_before_;
+  NodeData<CachedDirections> direction_cache_before_;
+  NodeData<Vec2> steps_before_;
+  NodeData<double> segment_targets_;
+  NodeData<uint32_t> origin_;
   Retraction retraction_;
   Refinement refinement_;
   Convergence convergence_;

@@ -74,12 +74,11 @@ BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
 
 void compute_reach(const Surface& surface, const Curve& curve, const Frames& frames,
                    const BoundaryObstacle& boundary, BoundaryRule rule, MedialAxis axis,
-                   const std::vector<double>& max_radius, const std::vector<double>& overhang,
-                   const std::vector<double>& least_rest, ThreadPool& pool, std::vector<Reach>& reach) {
+                   const LocalMetric& metric, ThreadPool& pool, NodeData<Reach>& reach) {
   const uint32_t n = curve.size();
-  const auto beyond_of = [&](uint32_t i) { return rule == BoundaryRule::kCentre ? overhang[i] : 0; };
-  const auto rest_of = [&](uint32_t i) { return rule == BoundaryRule::kCentre ? least_rest[i] : 0; };
-  const auto look_of = [&](uint32_t i) { return max_radius[i] + std::max(0.0, -beyond_of(i)); };
+  const auto beyond_of = [&](uint32_t i) { return rule == BoundaryRule::kCentre ? metric.overhang[i] : 0; };
+  const auto rest_of = [&](uint32_t i) { return rule == BoundaryRule::kCentre ? metric.least_rest[i] : 0; };
+  const auto look_of = [&](uint32_t i) { return metric.max_radius[i] + std::max(0.0, -beyond_of(i)); };
   reach.resize(n);
   constexpr size_t kBlock = 512;
   pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
@@ -90,7 +89,7 @@ void compute_reach(const Surface& surface, const Curve& curve, const Frames& fra
     std::vector<Way> ways;
     std::vector<uint32_t> near;
     for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      const double most = max_radius[i];
+      const double most = metric.max_radius[i];
       reach[i].fill({most, most, most});
       // A way that ends at the boundary is no shorter than the straight line to there, and leaves a sample
       // beside it.
@@ -117,7 +116,7 @@ void compute_reach(const Surface& surface, const Curve& curve, const Frames& fra
     }
 
     for (const auto& [i, side, length] : ways) {
-      const double beyond = beyond_of(i), rest = rest_of(i), most = max_radius[i];
+      const double beyond = beyond_of(i), rest = rest_of(i), most = metric.max_radius[i];
       double way = length;
       if (axis == MedialAxis::kEuclidean && rest > 0) {
         const double corner = way_to_corner(boundary, frames.position[i], frames.outward[i][side], rest, near);

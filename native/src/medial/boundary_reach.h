@@ -59,16 +59,11 @@ using Reach = std::array<ReachOfSide, 2>;
 /// bitangent; where balls are straight, and the boundary nearer than `least_rest`, corners of it that jut
 /// out beside that way count as well.
 ///
-/// `max_radius`  clamp of every node, at most CurveBvh::kMostRadius
-/// `overhang`    how far the centre of a ball may pass the boundary, or, where negative, must stay away
-///               from it
-/// `least_rest`  in `driving`, what a ball that ends so falls short of this counts twice, and more
-///               where it is far short; 0: nowhere
-///
-/// Under BoundaryRule::kObstacle the last two are taken to be 0.
+/// `metric`  clamps of at most CurveBvh::kMostRadius. In `driving`, what a ball that ends at the boundary falls
+///           short of its least_rest counts twice, and more where it is far short. Under
+///           BoundaryRule::kObstacle overhang and least_rest are taken to be 0.
 void compute_reach(const Surface& surface, const Curve& curve, const Frames& frames,
                    const BoundaryObstacle& boundary, BoundaryRule rule, MedialAxis axis,
-                   const std::vector<double>& max_radius, const std::vector<double>& overhang,
-                   const std::vector<double>& least_rest, ThreadPool& pool, std::vector<Reach>& reach);
+                   const LocalMetric& metric, ThreadPool& pool, NodeData<Reach>& reach);
 
 }  // namespace meander

@@ -74,8 +74,8 @@ struct Ball {
 
 }  // namespace
 
-void CurveBvh::build(const std::vector<Eigen::Vector3d>& points, ThreadPool& pool) {
-  points_ = &points;
+void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool) {
+  points_ = points;
   const uint32_t count = static_cast<uint32_t>((points.size() + kRun - 1) / kRun);
   boxes_.resize(count);
   lanes_.resize(count);
@@ -202,7 +202,7 @@ double CurveBvh::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b
     const Place place = stack[--top];
     if (place.distance >= ball.squared) continue;
     if (place.id & kLeaf) {
-      const size_t first = size_t{place.id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_->size());
+      const size_t first = size_t{place.id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_.size());
       bool smaller = false;
       for (size_t i = first; i < end; ++i) {
         const double ux = point(i).x() - x.x(), uy = point(i).y() - x.y(), uz = point(i).z() - x.z();
@@ -321,8 +321,8 @@ double CurveBvh::largest_ball_among(const Candidates& near, const Eigen::Vector3
   return radius;
 }
 
-void CurveBvh::largest_balls(size_t first, size_t last, const std::vector<std::array<Eigen::Vector3d, 2>>& b,
-                            std::vector<std::array<double, 2>>& radii) const {
+void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
+                            std::span<std::array<double, 2>> radii) const {
   Candidates near;
   for (size_t begin = first; begin < last; begin += kRun) {
     const size_t end = std::min<size_t>(begin + kRun, last);
@@ -365,7 +365,7 @@ void CurveBvh::inside(const Eigen::Vector3d& centre, double radius, std::vector<
   while (top > 0) {
     const uint32_t id = stack[--top];
     if (id & kLeaf) {
-      const size_t first = size_t{id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_->size());
+      const size_t first = size_t{id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_.size());
       for (size_t i = first; i < end; ++i) {
         if ((point(i) - centre).squaredNorm() < radius * radius) found.push_back(static_cast<uint32_t>(i));
       }

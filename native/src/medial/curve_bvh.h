@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,10 +27,10 @@ namespace meander {
 class CurveBvh {
  public:
   CurveBvh() = default;
-  CurveBvh(const std::vector<Eigen::Vector3d>& points, ThreadPool& pool) { build(points, pool); }
+  CurveBvh(std::span<const Eigen::Vector3d> points, ThreadPool& pool) { build(points, pool); }
 
   /// Becomes the tree of other points, in the memory that it has.
-  void build(const std::vector<Eigen::Vector3d>& points, ThreadPool& pool);
+  void build(std::span<const Eigen::Vector3d> points, ThreadPool& pool);
 
   /// The radius of the largest ball that passes through x, has its centre in direction b (unit) from
   /// it, and holds none of the points; at most `most`. It is exactly
@@ -47,8 +48,8 @@ class CurveBvh {
   ///
   /// `b`      per point, directions of its two balls
   /// `radii`  per point, in: most, 0 where no ball is sought; out: the radii
-  void largest_balls(size_t first, size_t last, const std::vector<std::array<Eigen::Vector3d, 2>>& b,
-                     std::vector<std::array<double, 2>>& radii) const;
+  void largest_balls(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
+                     std::span<std::array<double, 2>> radii) const;
 
   /// The indices of all points nearer to `centre` than `radius`, in rising order.
   void inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const;
@@ -84,9 +85,9 @@ class CurveBvh {
   uint32_t add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool);
   void halve(uint32_t first, uint32_t middle, uint32_t last);
 
-  const Eigen::Vector3d& point(size_t i) const { return (*points_)[i]; }
+  const Eigen::Vector3d& point(size_t i) const { return points_[i]; }
 
-  const std::vector<Eigen::Vector3d>* points_ = nullptr;
+  std::span<const Eigen::Vector3d> points_;
   std::vector<Box> boxes_;     // of the runs
   std::vector<Points> lanes_;  // of the runs
   std::vector<uint32_t> runs_; // in the order of the tree's leaves

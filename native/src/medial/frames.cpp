@@ -82,9 +82,9 @@ bool reuse_directions(const CachedDirections& look, uint32_t i, const Vec3& tang
 
 }  // namespace
 
-void compute_frames(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
-                    const std::vector<double>& vertex_radius, ThreadPool& pool, Frames& frames,
-                    const std::vector<CachedDirections>* looks) {
+void compute_frames(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
+                    ThreadPool& pool, Frames& frames,
+                    const NodeData<CachedDirections>* looks) {
   const uint32_t n = curve.size();
   frames.position.resize(n);
   frames.tangent.resize(n);
@@ -106,7 +106,7 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
     std::array<SurfacePoint, 2 * kTogether> ends;
     std::array<Triangle, 2 * kTogether> corners;
     std::array<Vec3, 2 * kTogether> arrived;
-    std::array<double, 2 * kTogether> radius;
+    std::array<double, 2 * kTogether> arrived_radius;
     for (uint32_t i = static_cast<uint32_t>(begin); i < end;) {
       walks.clear();
       uint32_t count = 0;
@@ -116,11 +116,11 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
         frames.tangent[i] = t;
         frames.bitangent2[i] = Vec2{0, -1} * t;
         const Vec3 tangent = tangent_in_space(i);
-        if (looks && reuse_directions((*looks)[i], i, tangent, local_radius[i], frames)) {
+        if (looks && reuse_directions((*looks)[i], i, tangent, metric.radius[i], frames)) {
           frames.walked[i] = 0;
           continue;
         }
-        const double look = kLook * local_radius[i];
+        const double look = kLook * metric.radius[i];
         walks.emplace_back(surface, curve.nodes[i], look * frames.bitangent2[i]);
         walks.emplace_back(surface, curve.nodes[i], -look * frames.bitangent2[i]);
         walking[count] = i;
@@ -134,7 +134,7 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
       }
       for (size_t w = 0; w < walks.size(); ++w) {
         arrived[w] = position(surface, corners[w], ends[w]);
-        radius[w] = radius_at(vertex_radius, corners[w], ends[w]);
+        arrived_radius[w] = radius.at(corners[w], ends[w]);
       }
       for (uint32_t k = 0; k < count; ++k) {
         const uint32_t at = walking[k], face = curve.nodes[at].face;
@@ -150,22 +150,22 @@ void compute_frames(const Surface& surface, const Curve& curve, const std::vecto
           chord -= chord.dot(tangent) * tangent;
           frames.outward[at][side] = unit_or_else(chord, face_direction);
           frames.to_boundary[at][side] = walk.hit_boundary() ? length : -1;
-          frames.radius_slope[at][side] = length > 0 ? (radius[2 * k + side] - local_radius[at]) / length : 0;
+          frames.radius_slope[at][side] = length > 0 ? (arrived_radius[2 * k + side] - metric.radius[at]) / length : 0;
         }
       }
     }
   });
 }
 
-void remember_directions(const Frames& frames, const std::vector<double>& local_radius, ThreadPool& pool,
-                    std::vector<CachedDirections>& looks) {
+void remember_directions(const Frames& frames, const LocalMetric& metric, ThreadPool& pool,
+                         NodeData<CachedDirections>& looks) {
   looks.resize(frames.position.size());
   pool.for_blocks(looks.size(), 2048, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (!frames.walked[i]) continue;
       CachedDirections& look = looks[i];
       look.from = frames.position[i];
-      look.radius = static_cast<float>(local_radius[i]);
+      look.radius = static_cast<float>(metric.radius[i]);
       for (size_t side = 0; side < 2; ++side) {
         look.outward[side] = frames.outward[i][side].cast<float>();
         look.radius_slope[side] = static_cast<float>(frames.radius_slope[i][side]);

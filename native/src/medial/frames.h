@@ -8,15 +8,14 @@
 
 #include "base/thread_pool.h"
 #include "curve/curve.h"
-#include "mesh/radius_field.h"
+#include "curve/local_metric.h"
 
 namespace meander {
 
-/// Per node.
 struct Frames {
-  std::vector<Vec3> position;
-  std::vector<Vec2> tangent;     ///< unit, in the plane of the node's face: bisects its two segments
-  std::vector<Vec2> bitangent2;  ///< unit, B = T x N in the plane of the face, on the right of the way
+  NodeData<Vec3> position;
+  NodeData<Vec2> tangent;     ///< unit, in the plane of the node's face: bisects its two segments
+  NodeData<Vec2> bitangent2;  ///< unit, B = T x N in the plane of the face, on the right of the way
   /// Unit directions in space to which the medial balls of both sides grow, normal to the curve: +B
   /// and -B on a plane.
   ///
@@ -25,14 +24,14 @@ struct Frames {
   /// Here each side looks along the chord to the point that a geodesic along +-B reaches after r,
   /// which is where the centre of a ball of the wanted size lies. It needs no normals, so noise in
   /// them does not matter.
-  std::vector<std::array<Vec3, 2>> outward;
+  NodeData<std::array<Vec3, 2>> outward;
   /// How far the geodesic along +-B came before the boundary stopped it, at most r; negative where
   /// it was not stopped.
-  std::vector<std::array<double, 2>> to_boundary;
+  NodeData<std::array<double, 2>> to_boundary;
   /// How fast the local r grows along that geodesic: its change per length. 0 without density.
-  std::vector<std::array<double, 2>> radius_slope;
+  NodeData<std::array<double, 2>> radius_slope;
   /// 1 where geodesics were led, 0 where an earlier look was good enough.
-  std::vector<uint8_t> walked;
+  NodeData<uint8_t> walked;
 };
 
 /// Where a node has looked, for as long as it hardly moves: see compute_frames.
@@ -43,19 +42,19 @@ struct CachedDirections {
   std::array<Eigen::Vector3f, 2> outward;
 };
 
-/// Fills `frames`; `local_radius` is r at every node, `vertex_radius` at every vertex, see radius_at.
+/// Fills `frames`; `metric` is that of the nodes, `radius` is r.
 ///
 /// `looks`  per node, if not null: a node that is within kRest of where it looked then, and whose strand
 ///          has not turned more than kTurn since, leads no geodesics but turns its old directions with
 ///          its strand. What it finds then is off by an angle of the order of kRest, less where the
 ///          surface is smooth. Nodes that saw the boundary always look again.
-void compute_frames(const Surface& surface, const Curve& curve, const std::vector<double>& local_radius,
-                    const std::vector<double>& vertex_radius, ThreadPool& pool, Frames& frames,
-                    const std::vector<CachedDirections>* looks = nullptr);
+void compute_frames(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
+                    ThreadPool& pool, Frames& frames,
+                    const NodeData<CachedDirections>* looks = nullptr);
 
 /// Takes note of where the nodes that have `walked` looked.
-void remember_directions(const Frames& frames, const std::vector<double>& local_radius, ThreadPool& pool,
-                    std::vector<CachedDirections>& looks);
+void remember_directions(const Frames& frames, const LocalMetric& metric, ThreadPool& pool,
+                         NodeData<CachedDirections>& looks);
 
 /// How far, in local r, a node may have moved, and how far (as a sine) its strand may have turned.
 inline constexpr double kRest = 0.05, kTurn = 0.1;

@@ -22,8 +22,7 @@ double largest_ball(const Vec3& x, const Vec3& outward, double most, const std::
 
 std::vector<FreeEnd> find_free_ends(const Surface& surface, const Curve& curve, const Frames& frames,
                                     const BoundaryObstacle& boundary, BoundaryRule rule,
-                                    const std::vector<double>& max_radius, const std::vector<double>& overhang,
-                                    const std::vector<double>& local_radius, ThreadPool& pool) {
+                                    const LocalMetric& metric, ThreadPool& pool) {
   std::vector<FreeEnd> ends;
   for (const Strand& s : curve.strands) {
     if (s.closed || s.guide || s.count < 2) continue;
@@ -37,18 +36,18 @@ std::vector<FreeEnd> find_free_ends(const Surface& surface, const Curve& curve, 
       FreeEnd& end = ends[k];
       const uint32_t i = end.node;
       const SurfacePoint& node = curve.nodes[i];
-      const Trace trace = trace_geodesic(surface, node, local_radius[i] * end.ahead, scratch);
+      const Trace trace = trace_geodesic(surface, node, metric.radius[i] * end.ahead, scratch);
       const Vec3 chord = position(surface, trace.end) - frames.position[i];
       const Vec3 outward = trace.length > 0 && chord.norm() > 0 ? Vec3(chord.normalized())
                                                                 : surface.to_space(node.face, end.ahead);
-      double most = max_radius[i];
+      double most = metric.max_radius[i];
       if (rule == BoundaryRule::kCentre && !boundary.empty()) {
         scratch.clear();
-        const Trace way = trace_geodesic(surface, node, (most - overhang[i]) * end.ahead, scratch);
-        if (way.hit_boundary) most = std::clamp(way.length + overhang[i], 0.0, most);
+        const Trace way = trace_geodesic(surface, node, (most - metric.overhang[i]) * end.ahead, scratch);
+        if (way.hit_boundary) most = std::clamp(way.length + metric.overhang[i], 0.0, most);
       }
       scratch.clear();
-      end.radius = largest_ball(frames.position[i], outward, most, frames.position);
+      end.radius = largest_ball(frames.position[i], outward, most, frames.position.values());
       if (rule == BoundaryRule::kObstacle) {
         end.radius = largest_ball(frames.position[i], outward, end.radius, boundary.samples());
       }

@@ -20,10 +20,9 @@ struct FreeEnd {
   double radius = 0;  ///< of the largest empty ball that touches the strand there, from ahead
 };
 
-/// The free ends, in the order of the nodes. `max_radius` and `overhang` as in compute_medial_axis.
+/// The free ends, in the order of the nodes.
 std::vector<FreeEnd> find_free_ends(const Surface& surface, const Curve& curve, const Frames& frames,
                                     const BoundaryObstacle& boundary, BoundaryRule rule,
-                                    const std::vector<double>& max_radius, const std::vector<double>& overhang,
-                                    const std::vector<double>& local_radius, ThreadPool& pool);
+                                    const LocalMetric& metric, ThreadPool& pool);
 
 }  // namespace meander

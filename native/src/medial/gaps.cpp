@@ -66,13 +66,13 @@ class SegmentsOfFaces {
 class Emptiness {
  public:
   Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
-            const std::vector<double>& vertex_radius, bool along_surface)
-      : surface_(surface), curve_(curve), vertex_radius_(vertex_radius), tree_(nodes) {
+            const RadiusField& radius, bool along_surface)
+      : surface_(surface), curve_(curve), radius_(radius), tree_(nodes) {
     for (const PathShape& shape : curve.shapes) longest_half_ = std::max(longest_half_, 0.5 * shape.length);
     if (along_surface) segments_.emplace(surface, curve);
   }
 
-  double local_radius(const SurfacePoint& p) const { return radius_at(surface_, vertex_radius_, p); }
+  double local_radius(const SurfacePoint& p) const { return radius_.at(surface_, p); }
 
   /// Whether a node is nearer than `size` local r, which is cheaper to know than the distance.
   bool closer_than(const SurfacePoint& p, double size) const {
@@ -239,7 +239,7 @@ class Emptiness {
 
   const Surface& surface_;
   const Curve& curve_;
-  const std::vector<double>& vertex_radius_;
+  const RadiusField& radius_;
   std::optional<SegmentsOfFaces> segments_;
   PointTree tree_;
   double longest_half_ = 0;
@@ -277,9 +277,9 @@ std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, dou
 }  // namespace
 
 std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
-                           const std::vector<Radii>& radii, const std::vector<double>& vertex_radius,
+                           const NodeData<Radii>& radii, const RadiusField& radius,
                            double least_size, bool along_surface, ThreadPool& pool) {
-  const Emptiness emptiness(surface, curve, frames.position, vertex_radius, along_surface);
+  const Emptiness emptiness(surface, curve, frames.position.values(), radius, along_surface);
   const double promising = kPromising * least_size;
   const size_t balls = 2 * size_t{curve.size()};
   const size_t count = balls + surface.face_count();

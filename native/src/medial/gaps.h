@@ -39,9 +39,9 @@ inline constexpr double kGapSize = 1.2;
 /// most 3 r from the curve.
 ///
 /// `frames`, `radii`  of the present curve, see compute_frames and compute_medial_axis
-/// `vertex_radius`    local r at the vertices, see radius_at
+/// `radius`           the local r
 std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
-                           const std::vector<Radii>& radii, const std::vector<double>& vertex_radius,
+                           const NodeData<Radii>& radii, const RadiusField& radius,
                            double least_size, bool along_surface, ThreadPool& pool);
 
 }  // namespace meander

@@ -295,11 +295,11 @@ void add_boundary(const Surface& surface, const BoundaryObstacle& boundary, Obst
 
 void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                                   const BoundaryObstacle& boundary, BoundaryRule rule,
-                                  const std::vector<double>& local_radius, const std::vector<Reach>& reach,
-                                  ThreadPool& pool, std::vector<Radii>& radii) {
+                                  const LocalMetric& metric, const NodeData<Reach>& reach,
+                                  ThreadPool& pool, NodeData<Radii>& radii) {
   const uint32_t n = curve.size();
   radii.resize(n, Radii{0, 0});
-  Obstacles obstacles{{}, frames.position};
+  Obstacles obstacles{{}, frames.position.values()};
   for (const SurfacePoint& p : curve.nodes) obstacles.points.push_back({p.face, flat(surface, p)});
   const bool walls = rule == BoundaryRule::kObstacle;
   if (walls) add_boundary(surface, boundary, obstacles);
@@ -313,7 +313,7 @@ void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, co
         const Vec2 way = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
         double& radius = radii[i][side];
         radius = reach[i][side].radius > 0
-                     ? balls.largest(i, way, frames.outward[i][side], reach[i][side], local_radius[i], radius)
+                     ? balls.largest(i, way, frames.outward[i][side], reach[i][side], metric.radius[i], radius)
                      : 0;
       }
     }

@@ -22,11 +22,10 @@ namespace meander {
 ///
 /// A centre that may pass the boundary is taken to be in the plane that continues the surface there.
 ///
-/// `local_radius`  r at every node
-/// `radii`         in: radii of an earlier state (0: unknown), which only save time; out: the result
+/// `radii`  in: radii of an earlier state (0: unknown), which only save time; out: the result
 void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
                                   const BoundaryObstacle& boundary, BoundaryRule rule,
-                                  const std::vector<double>& local_radius, const std::vector<Reach>& reach,
-                                  ThreadPool& pool, std::vector<Radii>& radii);
+                                  const LocalMetric& metric, const NodeData<Reach>& reach,
+                                  ThreadPool& pool, NodeData<Radii>& radii);
 
 }  // namespace meander

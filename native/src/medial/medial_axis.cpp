@@ -12,16 +12,16 @@ constexpr double kWarmth = 1.2;
 }  // namespace
 
 void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
-                         const std::vector<Reach>& reach, ThreadPool& pool, CurveBvh& tree,
-                         std::vector<Radii>& radii) {
+                         const NodeData<Reach>& reach, ThreadPool& pool, CurveBvh& tree,
+                         NodeData<Radii>& radii) {
   const size_t n = frames.position.size();
   radii.resize(n, Radii{0, 0});
   std::vector<Vec3> with_walls;
   if (rule == BoundaryRule::kObstacle && !boundary.empty()) {
-    with_walls = frames.position;
+    with_walls = frames.position.values();
     with_walls.insert(with_walls.end(), boundary.samples().begin(), boundary.samples().end());
   }
-  tree.build(with_walls.empty() ? frames.position : with_walls, pool);
+  tree.build(with_walls.empty() ? frames.position.values() : with_walls, pool);
 
   constexpr size_t kBlock = 256;
   pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {

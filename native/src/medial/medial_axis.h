@@ -25,7 +25,7 @@ using Radii = std::array<double, 2>;
 ///          found again
 /// `radii`  in: radii of an earlier state (0: unknown), which only save time; out: the result
 void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
-                         const std::vector<Reach>& reach, ThreadPool& pool, CurveBvh& tree,
-                         std::vector<Radii>& radii);
+                         const NodeData<Reach>& reach, ThreadPool& pool, CurveBvh& tree,
+                         NodeData<Radii>& radii);
 
 }  // namespace meander

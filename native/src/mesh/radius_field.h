@@ -3,25 +3,55 @@
 // The radius r wanted at every point of the surface.
 #pragma once
 
-#include <vector>
+#include <cmath>
+#include <span>
 
 #include "mesh/surface_point.h"
+#include "mesh/vertex_data.h"
 
 namespace meander {
 
-/// r at a vertex, from its values at the vertices; a single value says that it is the same everywhere, which
-/// costs nothing to fetch.
-inline double radius_at(const std::vector<double>& vertex_radius, uint32_t v) {
-  return vertex_radius.size() == 1 ? vertex_radius[0] : vertex_radius[v];
-}
-/// r at a point.
-inline double radius_at(const std::vector<double>& vertex_radius, const Triangle& corners, const SurfacePoint& p) {
-  if (vertex_radius.size() == 1) return vertex_radius[0];
-  return p.weight(0) * vertex_radius[corners[0]] + p.b.x * vertex_radius[corners[1]] +
-         p.b.y * vertex_radius[corners[2]];
-}
-inline double radius_at(const Surface& surface, const std::vector<double>& vertex_radius, const SurfacePoint& p) {
-  return vertex_radius.size() == 1 ? vertex_radius[0] : radius_at(vertex_radius, surface.face(p.face), p);
-}
+/// Half the wanted spacing as a function on the surface, in its own unit: the same everywhere, or one value for
+/// every vertex, linear in between. Any thread may read it.
+class RadiusField {
+ public:
+  /// The same everywhere, positive.
+  explicit RadiusField(double radius) : everywhere_(radius) {}
+
+  /// radius / sqrt(density), with a positive density for every vertex (section 4, "density"); the same everywhere
+  /// where there is none.
+  RadiusField(double radius, std::span<const double> density) : everywhere_(radius), at_vertex_(density.size()) {
+    for (size_t v = 0; v < density.size(); ++v) at_vertex_[v] = radius / std::sqrt(density[v]);
+  }
+
+  bool varies() const { return !at_vertex_.empty(); }
+
+  double at(uint32_t vertex) const { return varies() ? at_vertex_[vertex] : everywhere_; }
+  /// At a point of the face with these corners. Where r is the same everywhere nothing is fetched.
+  double at(const Triangle& corners, const SurfacePoint& p) const {
+    if (!varies()) return everywhere_;
+    return p.weight(0) * at_vertex_[corners[0]] + p.b.x * at_vertex_[corners[1]] + p.b.y * at_vertex_[corners[2]];
+  }
+  double at(const Surface& surface, const SurfacePoint& p) const {
+    return varies() ? at(surface.face(p.face), p) : everywhere_;
+  }
+
+  /// Becomes `factor` times `field`, which is of the same surface, in the memory that it has.
+  void set_multiple(const RadiusField& field, double factor) {
+    everywhere_ = factor * field.everywhere_;
+    at_vertex_.resize(field.at_vertex_.size());
+    for (size_t v = 0; v < at_vertex_.size(); ++v) at_vertex_[v] = factor * field.at_vertex_[v];
+  }
+
+  /// Takes what was `before` to `after`, and all else in proportion.
+  void rescale(double before, double after) {
+    everywhere_ = everywhere_ / before * after;
+    for (double& r : at_vertex_) r = r / before * after;
+  }
+
+ private:
+  double everywhere_;             // where it does not vary
+  VertexData<double> at_vertex_;  // empty where it does not
+};
 
 }  // namespace meander

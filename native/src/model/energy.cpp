@@ -87,14 +87,14 @@ MedialStiffness medial_stiffness(const Radii& radii, double r, double q) {
 }
 
 /// Factors c of the strand's segments, see energy.h; their mean, weighted with the lengths, is 1.
-std::vector<double> power_factors(const Curve& curve, const Strand& strand, const std::vector<double>& local_radius,
+std::vector<double> power_factors(const Curve& curve, const Strand& strand, const LocalMetric& metric,
                                   double p) {
   std::vector<double> factor(strand.segment_count());
   double length = 0, sum = 0;
   for (uint32_t k = 0; k < factor.size(); ++k) {
     const uint32_t i = strand.first + k;
-    const double l = segment_length(curve, i, local_radius[i]);
-    factor[k] = std::pow(l / local_radius[i], p - 2);
+    const double l = segment_length(curve, i, metric.radius[i]);
+    factor[k] = std::pow(l / metric.radius[i], p - 2);
     length += l;
     sum += l * factor[k];
   }
@@ -144,8 +144,8 @@ void StrandSystem::reset(size_t n, ThreadPool& pool) {
   holonomy = {1, 0};
 }
 
-void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
-              const std::vector<double>& local_radius, const Weights& weights, ThreadPool& pool, StrandSystem& system) {
+void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const NodeData<Radii>& radii,
+              const LocalMetric& metric, const Weights& weights, ThreadPool& pool, StrandSystem& system) {
   const uint32_t n = strand.count, s = strand.first;
   system.closed = strand.closed;
   system.reset(n, pool);
@@ -194,10 +194,10 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
 
   const uint32_t segments = strand.segment_count();
   const double p = weights.length_power;
-  const std::vector<double> factor = p != 2 ? power_factors(curve, strand, local_radius, p) : std::vector<double>{};
+  const std::vector<double> factor = p != 2 ? power_factors(curve, strand, metric, p) : std::vector<double>{};
   for_terms(segments, [&](uint32_t k) {
     const uint32_t i = s + k, j = s + wrapped(k + 1);
-    const double l = segment_length(curve, i, local_radius[i]);
+    const double l = segment_length(curve, i, metric.radius[i]);
     const double scale = p != 2 ? factor[k] : 1;
     const double t = 0.5 * (weights.length[i] + weights.length[j]);
     const double stiffness = 2 * std::max(t, kLeastLengthStiffness) / l * scale;
@@ -220,7 +220,7 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
 
   for_terms(n, [&](uint32_t k) {
     const uint32_t i = s + k, before = curve.previous(i);
-    const double r = local_radius[i];
+    const double r = metric.radius[i];
     const double w = 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
                             (before != kNone ? segment_length(curve, before, r) : 0));
     const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
@@ -240,7 +240,7 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
   for_terms(strand.closed || segments == 0 ? segments : segments - 1, [&](uint32_t k) {
     const uint32_t middle = wrapped(k + 1);
     const uint32_t i = s + middle;
-    const double r = local_radius[i];
+    const double r = metric.radius[i];
     const double l0 = segment_length(curve, s + k, r), l1 = segment_length(curve, i, r);
     const double stiffness = 2 * weights.bending[i] * r * r / (0.5 * (l0 + l1));
     if (stiffness == 0) return;
@@ -279,12 +279,12 @@ void add_end_term(const FreeEnd& end, uint32_t node, double local_radius, double
   system.right[node] = system.right[node] + stiffness * (pull * conj(system.frame[node]));
 }
 
-double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
+double energy(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
               const Weights& weights, ThreadPool& pool) {
   double sum = pool.sum(curve.size(), [&](size_t k) {
     const auto i = static_cast<uint32_t>(k);
     const uint32_t before = curve.previous(i);
-    const double r = local_radius[i];
+    const double r = metric.radius[i];
     const double l0 = before != kNone ? curve.shapes[before].length : 0;
     const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
     const double w = 0.5 * (l0 + l1);
@@ -299,7 +299,7 @@ double energy(const Curve& curve, const std::vector<Radii>& radii, const std::ve
   if (weights.length_power != 2) {
     const double p = weights.length_power;
     for (const Strand& strand : curve.strands) {
-      const std::vector<double> factor = power_factors(curve, strand, local_radius, p);
+      const std::vector<double> factor = power_factors(curve, strand, metric, p);
       for (uint32_t k = 0; k < factor.size(); ++k) {
         const uint32_t i = strand.first + k;
         const double t = 0.5 * (weights.length[i] + weights.length[curve.next(i)]);

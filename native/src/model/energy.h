@@ -49,18 +49,18 @@ double power_balance(double q);
 /// What has to be added to the length weights of a polish to the same end.
 double polish_balance(double q);
 
-/// Weights of the model; the arrays have one entry a node.
+/// Weights of the model.
 struct Weights {
-  std::vector<double> length;   ///< t; may be negative in the gradient
-  std::vector<double> bending;  ///< b
+  NodeData<double> length;   ///< t; may be negative in the gradient
+  NodeData<double> bending;  ///< b
   double medial = 1;            ///< factor on alpha
   double medial_power = 2;      ///< q
   /// The Hessian of the power q as it is, in 2 x 2 blocks; else the larger of its two eigenvalues
   /// serves both along and across the strand.
   bool medial_blocks = false;
   double length_power = 2;        ///< p
-  std::vector<double> alignment;  ///< beta; empty: no field
-  std::vector<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
+  NodeData<double> alignment;  ///< beta; empty: no field
+  NodeData<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
 
   bool coupled() const { return medial_blocks || length_power != 2 || !alignment.empty(); }
 };
@@ -92,8 +92,8 @@ struct StrandSystem {
 };
 
 /// Builds the system of one strand. Fixed nodes are eliminated: z = 0.
-void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const std::vector<Radii>& radii,
-              const std::vector<double>& local_radius, const Weights& weights, ThreadPool& pool, StrandSystem& system);
+void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const NodeData<Radii>& radii,
+              const LocalMetric& metric, const Weights& weights, ThreadPool& pool, StrandSystem& system);
 
 /// Adds to the system of a strand, for its end `node` (counted within the strand),
 ///   alpha r |z - (radius - r) ahead|^2
@@ -102,7 +102,7 @@ void add_end_term(const FreeEnd& end, uint32_t node, double local_radius, double
 
 /// The energy of the curve as it is: t L + alpha E_M + b r^2 sum |u_i - u_(i-1)|^2 / w_i (eqs. 1, 2), and
 /// the field term.
-double energy(const Curve& curve, const std::vector<Radii>& radii, const std::vector<double>& local_radius,
+double energy(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
               const Weights& weights, ThreadPool& pool);
 
 }  // namespace meander

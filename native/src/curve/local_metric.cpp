@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/local_metric.h"
+
+#include <algorithm>
+
+namespace meander {
+namespace {
+
+/// In front of a strip wider than this, in spacings, strands have room to give way; pushed harder there, those
+/// between two such strips never come to rest.
+constexpr double kWideStrip = 1;
+
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 2048;
+
+}  // namespace
+
+void find_local_metric(const Surface& surface, const Curve& curve, const RadiusField& radius, const MetricRules& rules,
+                       ThreadPool& pool, LocalMetric& metric) {
+  for (NodeData<double>* values : {&metric.radius, &metric.max_radius, &metric.overhang, &metric.least_rest}) {
+    values->resize(curve.size());
+  }
+  const bool narrow = rules.border_distance <= kWideStrip;
+  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const double r = radius.at(surface, curve.nodes[i]);
+      metric.radius[i] = r;
+      metric.max_radius[i] = std::min(rules.clamp * r, rules.largest);
+      metric.overhang[i] = (1 - 2 * rules.border_distance) * r;
+      metric.least_rest[i] = narrow ? r : 0;
+    }
+  });
+}
+
+}  // namespace meander
