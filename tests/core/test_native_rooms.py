@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The rooms of native/src: data goes one way, and every room includes only what stands before it."""
+"""The rooms of native/src: every room includes only what stands before it."""
 
 from __future__ import annotations
 
@@ -77,6 +77,7 @@ def test_a_wrong_include_is_found(tmp_path, file, include, complaint):
 def test_a_circle_is_found(tmp_path):
     (tmp_path / "mesh").mkdir()
     for name, other in (("a", "b"), ("b", "c"), ("c", "a"), ("d", "a")):
-        (tmp_path / "mesh" / f"{name}.h").write_text(f'#include "mesh/{other}.h"\n', encoding="utf-8")
+        header = tmp_path / "mesh" / f"{name}.h"
+        header.write_text(f'#include "mesh/{other}.h"\n', encoding="utf-8")
     # d leads into the circle.
     assert headers_in_a_circle(tmp_path) == [f"mesh/{name}.h" for name in "abcd"]
