@@ -44,6 +44,24 @@ TEST(Curvature, OfATorusIsThatOfTheSmoothOne) {
   }
 }
 
+/// The square of the first underflows to a denormal number, that of the second to zero.
+TEST(Curvature, TinySmoothingLeavesAMeshWithAnUnusedVertexAsItIs) {
+  Mesh mesh = torus(kAround, kAcross, kBig, kSmall);
+  const uint32_t unused = mesh.add(0.1, 0.2, 0.3);
+  const Surface s = make_surface(mesh);
+  for (const double radius : {1e-160, 1e-170}) {
+    for (const auto kind : {CurvatureKind::kGaussian, CurvatureKind::kMean, CurvatureKind::kCurvedness}) {
+      const auto sharp = curvature(s, kind, 0), smoothed = curvature(s, kind, radius);
+      for (uint32_t v = 0; v < s.vertex_count(); ++v) EXPECT_NEAR(smoothed[v], sharp[v], 1e-12 * std::abs(sharp[v]));
+      EXPECT_EQ(smoothed[unused], 0);
+    }
+    for (const bool most : {false, true}) {
+      const auto sharp = principal_directions(s, most, 0), smoothed = principal_directions(s, most, radius);
+      for (uint32_t v = 0; v < s.vertex_count(); ++v) EXPECT_LT((smoothed[v] - sharp[v]).norm(), 1e-9);
+    }
+  }
+}
+
 TEST(Curvature, SmoothedKeepsItsIntegralAndFlattens) {
   constexpr double kRounding = 1e-9;
   const Surface s = make_surface(with_noise(torus(kAround, kAcross, kBig, kSmall), 0.2, 3));

@@ -34,7 +34,11 @@ void add_edge(std::vector<Eigen::Triplet<Number>>& entries, uint32_t from, uint3
 template <class Number, class Vector>
 Vector diffused(Eigen::SparseMatrix<Number> matrix, const Functions& area, const Vector& x, double length) {
   matrix *= length * length;
-  for (Eigen::Index v = 0; v < area.size(); ++v) matrix.coeffRef(v, v) += area[v];
+  for (Eigen::Index v = 0; v < area.size(); ++v) {
+    Number& diagonal = matrix.coeffRef(v, v);
+    // The row of an unused vertex holds nothing else, and the square of a short length may underflow.
+    diagonal = area[v] > 0 ? diagonal + area[v] : Number(1);
+  }
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>> solver(matrix);
   if (solver.info() != Eigen::Success) {
     throw Failure(FailureKind::kInternal, "A field could not be smoothed; please report this mesh.");
