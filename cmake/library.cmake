@@ -8,7 +8,7 @@ configure_file(cmake/version.h.in "${generated_dir}/version.h" @ONLY)
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/native/src/*.cpp" "${PROJECT_SOURCE_DIR}/native/src/*.h")
 
-add_library(meander_core STATIC ${sources})
+add_library(meander_core STATIC ${sources} $<TARGET_OBJECTS:meander_openmesh>)
 set_target_properties(meander_core PROPERTIES
   POSITION_INDEPENDENT_CODE ON
   CXX_VISIBILITY_PRESET hidden
@@ -18,13 +18,14 @@ target_include_directories(meander_core
          "${PROJECT_SOURCE_DIR}/native/src"
          "${generated_dir}")
 # EIGEN_MPL2_ONLY makes the few LGPL parts of Eigen an error instead of an accident.
+target_include_directories(meander_core SYSTEM PUBLIC "${OPENMESH_INCLUDE_DIR}")
 target_compile_definitions(meander_core PUBLIC EIGEN_MPL2_ONLY)
 target_link_libraries(meander_core
   PUBLIC Eigen3::Eigen nanoflann::nanoflann Threads::Threads meander_compile_options)
 
 # The version is part of the file name: a process that has loaded a library keeps it when another
 # takes its path, so the library of an add-on updated in a running Blender needs a name of its own.
-add_library(meander SHARED $<TARGET_OBJECTS:meander_core>)
+add_library(meander SHARED $<TARGET_OBJECTS:meander_core> $<TARGET_OBJECTS:meander_openmesh>)
 set_target_properties(meander PROPERTIES
   OUTPUT_NAME "meander-${PROJECT_VERSION}"
   LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib"
@@ -34,7 +35,8 @@ target_include_directories(meander INTERFACE "${PROJECT_SOURCE_DIR}/native/inclu
 target_link_libraries(meander PRIVATE Threads::Threads meander_compile_options)
 target_link_options(meander PRIVATE
   "LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map"
-  "LINKER:--as-needed")
+  "LINKER:--as-needed"
+  "LINKER:--gc-sections")
 # A sanitized library finds its run-time symbols only in the program that loads it.
 if(NOT MEANDER_SANITIZE)
   target_link_options(meander PRIVATE "LINKER:--no-undefined")

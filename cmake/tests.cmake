@@ -4,8 +4,6 @@
 # meander_core, so that it may test the inside as well as the C API.
 
 find_package(GTest REQUIRED)
-# The reference for who is whose neighbour.
-find_package(OpenMesh REQUIRED)
 include(GoogleTest)
 
 file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/native/test_*.cpp")
@@ -19,7 +17,7 @@ foreach(test_source IN LISTS test_sources)
   get_filename_component(test_name "${test_source}" NAME_WE)
   add_executable(${test_name} "${test_source}" ${test_support})
   target_include_directories(${test_name} PRIVATE "${PROJECT_SOURCE_DIR}/tests/native")
-  target_link_libraries(${test_name} PRIVATE meander_core OpenMeshCore GTest::gtest GTest::gtest_main)
+  target_link_libraries(${test_name} PRIVATE meander_core GTest::gtest GTest::gtest_main)
   gtest_discover_tests(${test_name}
     TEST_PREFIX "${test_name}."
     DISCOVERY_TIMEOUT 60

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A surface as a half-edge mesh that can be changed: edges are split, and what was made is walked round by
+// OpenMesh's circulators.
+#pragma once
+
+#include <vector>
+
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+
+#include "mesh/surface.h"
+
+namespace meander {
+
+/// A copy of a surface's faces in the half-edge structure of OpenMesh (Botsch et al., "OpenMesh: a generic and
+/// efficient polygon mesh data structure", 2002), for work off the hot path that a Surface, which never changes,
+/// does not allow. Vertices and faces keep their numbers; vertices that no face uses are isolated ones.
+///
+/// Only connectivity is OpenMesh's: places stand here, so that neither its vectors nor its attributes are
+/// needed. It is set up from the surface's own neighbours, in linear time: add_face() would search for each of
+/// them among all edges of a vertex.
+class HalfedgeMesh {
+ public:
+  using Connectivity = OpenMesh::TriConnectivity;
+  using Vertex = OpenMesh::VertexHandle;
+  using Edge = OpenMesh::EdgeHandle;
+  using Halfedge = OpenMesh::HalfedgeHandle;
+  using Face = OpenMesh::FaceHandle;
+
+  explicit HalfedgeMesh(const Surface& surface);
+
+  /// Who is whose neighbour, for circulators and walks. Boundary half-edges, which have no face, are joined to
+  /// loops. The outgoing half-edge of a vertex on the boundary is a boundary one.
+  const Connectivity& connectivity() const { return connectivity_; }
+
+  /// In the surface's own unit, and in the caller's space.
+  const Vec3& position(Vertex v) const { return position_[index(v)]; }
+  const Vec3& caller_position(Vertex v) const { return caller_[index(v)]; }
+  double length(Edge e) const;
+  Vec3 middle(Edge e) const;
+
+  /// Halves an edge and the faces beside it. Edge and faces keep their numbers for one half each; the new
+  /// vertex, edges and faces have the next ones. Linear interpolation, so the surface stays where it is.
+  /// Throws Failure(kOutOfMemory) where OpenMesh's numbers, which have 31 bits, run out.
+  Vertex split(Edge e);
+
+ private:
+  static size_t index(Vertex v) { return static_cast<size_t>(v.idx()); }
+  void connect_boundary(const Surface& surface, const std::vector<Halfedge>& halfedge);
+
+  Connectivity connectivity_;
+  std::vector<Vec3> position_, caller_;  // per vertex
+};
+
+}  // namespace meander
