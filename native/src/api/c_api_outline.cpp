@@ -19,7 +19,8 @@ extern "C" meander_status meander_surface_get_outlines(const meander_surface* su
              ".");
     }
     require_range(distance / spacing, 0.1, 2, "distance of an outline (in spacings)");
-    const Outlines outlines = find_outlines(s, distance / s.scale(), 0.5 * spacing / s.scale());
+    const Outlines outlines =
+        find_outlines(s, distance / s.scale(), 0.5 * spacing / s.scale(), [] { return false; });
     const size_t points = outlines.points.size(), strands = outlines.closed.size();
     const bool fits = points <= point_capacity && strands <= strand_capacity;
     if (fits) require(positions && offsets && closed, "An array for the outlines is NULL.");

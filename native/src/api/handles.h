@@ -54,6 +54,7 @@ constexpr meander_status status_of(FailureKind kind) {
     case FailureKind::kInvalidMesh: return MEANDER_INVALID_MESH;
     case FailureKind::kInvalidSeed: return MEANDER_INVALID_SEED;
     case FailureKind::kOutOfMemory: return MEANDER_OUT_OF_MEMORY;
+    case FailureKind::kCancelled: return MEANDER_CANCELLED;
     case FailureKind::kInternal: return MEANDER_INTERNAL;
   }
   return MEANDER_INTERNAL;

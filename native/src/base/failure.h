@@ -12,7 +12,7 @@
 namespace meander {
 
 /// Why a call fails; each has a status of the header.
-enum class FailureKind { kInvalidArgument, kInvalidMesh, kInvalidSeed, kOutOfMemory, kInternal };
+enum class FailureKind { kInvalidArgument, kInvalidMesh, kInvalidSeed, kOutOfMemory, kCancelled, kInternal };
 
 /// What the indices of a failure count; an edge is named by its two vertices, and where two seed points
 /// meet both are named.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "mesh/surface.h"
@@ -22,9 +23,13 @@ struct Outlines {
 /// nothing fits between the two; so are strands shorter than six radii. Lengths are in the surface's
 /// own unit.
 ///
-/// The distance comes from fast marching (Kimmel, Sethian, "Computing geodesic paths on manifolds",
-/// 1998) on faces that are cut up near the boundary until their edges are a sixth of the distance; it
-/// is exact along straight boundaries, and the lines, being level sets, never cross.
-Outlines find_outlines(const Surface& surface, double distance, double radius);
+/// The distance is that of boundary_distance.h, on faces that are cut up near the boundary until their edges
+/// are a quarter of the distance; the lines, being level sets, never cross. Time and memory grow with the
+/// length of the boundary over `distance`.
+///
+/// `cancelled` is asked at least every few milliseconds, on the caller's thread; throws
+/// Failure(FailureKind::kCancelled) if it says so.
+Outlines find_outlines(const Surface& surface, double distance, double radius,
+                       const std::function<bool()>& cancelled);
 
 }  // namespace meander

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geodesic/boundary_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "base/cancel_poll.h"
+#include "base/point_tree.h"
+
+namespace meander {
+namespace {
+
+using Vertex = HalfedgeMesh::Vertex;
+using Edge = HalfedgeMesh::Edge;
+using Halfedge = HalfedgeMesh::Halfedge;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// Splits, and vertices that the front passes, between two questions whether to stop: a few hundred microseconds.
+constexpr uint32_t kPieces = 256;
+
+/// An edge that is cut into more pieces than this is sampled more coarsely: memory would not suffice for its
+/// faces anyway.
+constexpr double kMostSamples = 1e7;
+
+/// Points along the boundary, no more than `step` apart.
+std::vector<Vec3> boundary_samples(const Surface& surface, double step, CancelPoll poll) {
+  std::vector<Vec3> samples;
+  for (const HalfEdge e : surface.boundary()) {
+    const Triangle& t = surface.face(face_of(e));
+    const Vec3 from = surface.position(t[corner_of(e)]);
+    const Vec3 along = surface.position(t[next_corner(corner_of(e))]) - from;
+    const int pieces = static_cast<int>(std::min(kMostSamples, 1 + std::ceil(along.norm() / step)));
+    for (int k = 0; k < pieces; ++k) {
+      poll();
+      samples.push_back(from + along * (double(k) / pieces));
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+BoundaryDistance::BoundaryDistance(const Surface& surface, double reach, double edge,
+                                   const std::function<bool()>& cancelled)
+    : mesh_(surface) {
+  const PointTree boundary(boundary_samples(surface, edge, CancelPoll(cancelled, 64 * kPieces)));
+  refine(boundary, reach, edge, cancelled);
+  march(reach + 2 * edge, cancelled);
+}
+
+/// Longest edges first, so that an edge is the longest of its faces when it is split, and no angle becomes small
+/// (Rivara, "Algorithms for refining triangular grids suitable for adaptive and multigrid techniques", 1984).
+void BoundaryDistance::refine(const PointTree& boundary, double reach, double edge,
+                              const std::function<bool()>& cancelled) {
+  struct Long {
+    double length;
+    int edge;
+    bool operator<(const Long& other) const {
+      return length != other.length ? length < other.length : edge > other.edge;
+    }
+  };
+  const HalfedgeMesh::Connectivity& mesh = mesh_.connectivity();
+  CancelPoll poll(cancelled, kPieces);
+  std::priority_queue<Long> queue;
+  const auto consider = [&](Edge e) {
+    const double length = mesh_.length(e);
+    if (!(length > edge)) return;
+    // A point of the edge is at most half its length from its middle; a sample, half a step from the boundary's.
+    const double near = reach + 0.5 * (length + edge);
+    if (boundary.any_within(mesh_.middle(e), near * near)) queue.push({length, e.idx()});
+  };
+  for (const Edge e : mesh.edges()) {
+    poll();
+    consider(e);
+  }
+  while (!queue.empty()) {
+    poll();
+    const Edge e(queue.top().edge);
+    queue.pop();
+    for (const Edge beside : mesh.ve_range(mesh_.split(e))) consider(beside);
+  }
+}
+
+void BoundaryDistance::march(double last, const std::function<bool()>& cancelled) {
+  const HalfedgeMesh::Connectivity& mesh = mesh_.connectivity();
+  CancelPoll poll(cancelled, kPieces);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  distance_.assign(mesh.n_vertices(), kFar);
+  std::vector<uint8_t> done(mesh.n_vertices(), 0);
+  const auto bring_nearer = [&](Vertex v, double distance) {
+    double& known = distance_[static_cast<size_t>(v.idx())];
+    if (!(distance < known)) return;
+    known = distance;
+    queue.push({distance, v.idx()});
+  };
+  for (const Vertex v : mesh.vertices()) {
+    if (!mesh.is_isolated(v) && mesh.is_boundary(v)) bring_nearer(v, 0);
+  }
+  const auto is_done = [&](Vertex v) { return done[static_cast<size_t>(v.idx())] != 0; };
+  while (!queue.empty() && queue.top().first <= last) {
+    poll();
+    const Vertex v(queue.top().second);
+    queue.pop();
+    if (is_done(v)) continue;
+    done[static_cast<size_t>(v.idx())] = 1;
+    const auto reach = [&](Vertex c, Vertex other) {
+      if (is_done(c)) return;
+      bring_nearer(c, is_done(other) ? across(v, other, c) : at(v) + (mesh_.position(c) - mesh_.position(v)).norm());
+    };
+    for (const Halfedge h : mesh.voh_range(v)) {
+      if (mesh.is_boundary(h)) continue;
+      const Vertex a = mesh.to_vertex_handle(h), b = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
+      reach(a, b);
+      reach(b, a);
+    }
+  }
+}
+
+/// The distance at c of a straight front that reaches a and b when it does.
+double BoundaryDistance::across(Vertex a, Vertex b, Vertex c) const {
+  const Vec3 u = mesh_.position(b) - mesh_.position(a), w = mesh_.position(c) - mesh_.position(a);
+  const double by_edges = std::min(at(a) + w.norm(), at(b) + (w - u).norm());
+  const double length = u.norm(), slope = (at(b) - at(a)) / length;
+  if (!(std::abs(slope) < 1)) return by_edges;
+  // In coordinates along ab and across: the front's normal is (slope, rise).
+  const double x = w.dot(u) / length, y = std::sqrt(std::max(0.0, w.squaredNorm() - x * x));
+  const double rise = std::sqrt(1 - slope * slope);
+  const double foot = x - y * slope / rise;  // where the ray to c crosses ab
+  if (!(foot >= 0 && foot <= length)) return by_edges;
+  return std::min(by_edges, at(a) + slope * x + rise * y);
+}
+
+}  // namespace meander

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The distance from the boundary along the surface, close to the boundary.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mesh/halfedge_mesh.h"
+
+namespace meander {
+
+class PointTree;
+
+/// The surface cut up near its boundary, with the distance from the boundary at every vertex.
+///
+/// Fast marching on triangles (Kimmel and Sethian, "Computing geodesic paths on manifolds", 1998): exact where
+/// the boundary is straight. Lengths are in the surface's own unit.
+class BoundaryDistance {
+ public:
+  /// Every edge that comes nearer to the boundary than `reach` is split until it is no longer than `edge`, and
+  /// distances are known up to `reach` and a few edges more. Time and memory grow with (reach / edge^2) times
+  /// the length of the boundary. `cancelled` is asked every few hundred microseconds, on the caller's thread;
+  /// throws Failure(FailureKind::kCancelled) if it says so.
+  BoundaryDistance(const Surface& surface, double reach, double edge, const std::function<bool()>& cancelled);
+
+  const HalfedgeMesh& mesh() const { return mesh_; }
+  /// Infinite where nobody has come.
+  double at(HalfedgeMesh::Vertex v) const { return distance_[static_cast<size_t>(v.idx())]; }
+
+ private:
+  void refine(const PointTree& boundary, double reach, double edge, const std::function<bool()>& cancelled);
+  void march(double last, const std::function<bool()>& cancelled);
+  double across(HalfedgeMesh::Vertex a, HalfedgeMesh::Vertex b, HalfedgeMesh::Vertex c) const;
+
+  HalfedgeMesh mesh_;
+  std::vector<double> distance_;  // per vertex
+};
+
+}  // namespace meander

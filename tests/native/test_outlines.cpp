@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The half-edge copy of a surface, the distance from the boundary on it, and the outlines along its level lines.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/failure.h"
+#include "geodesic/boundary_distance.h"
+#include "geodesic/outline.h"
+#include "mesh/halfedge_mesh.h"
+#include "test_meshes.h"
+
+namespace meander::test {
+namespace {
+
+bool never() { return false; }
+
+/// Two faces.
+Mesh square() {
+  Mesh m;
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) m.add(x, y, 0);
+  m.face(0, 1, 2);
+  m.face(0, 2, 3);
+  return m;
+}
+
+/// The square of side 2 without its upper right quarter: four faces, and a corner that points inwards.
+Mesh angle() {
+  Mesh m;
+  for (const auto& [x, y] : {std::pair{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}) m.add(x, y, 0);
+  for (const uint32_t k : {1u, 2u, 3u, 4u}) m.face(0, k, k + 1);
+  return m;
+}
+
+/// Every face has three half-edges in a ring, every boundary one belongs to a loop, and so does every vertex.
+void expect_whole(const HalfedgeMesh& mesh) {
+  const auto& c = mesh.connectivity();
+  for (const auto h : c.halfedges()) {
+    EXPECT_EQ(c.prev_halfedge_handle(c.next_halfedge_handle(h)), h);
+    EXPECT_EQ(c.to_vertex_handle(h), c.from_vertex_handle(c.next_halfedge_handle(h)));
+    EXPECT_EQ(c.face_handle(h), c.face_handle(c.next_halfedge_handle(h)));
+    if (!c.is_boundary(h)) {
+      EXPECT_EQ(c.next_halfedge_handle(c.next_halfedge_handle(c.next_halfedge_handle(h))), h);
+    } else {
+      EXPECT_TRUE(c.is_boundary(c.from_vertex_handle(h)));
+    }
+  }
+  size_t spokes = 0;
+  for (const auto v : c.vertices()) {
+    for ([[maybe_unused]] const auto h : c.voh_range(v)) ++spokes;
+  }
+  EXPECT_EQ(spokes, c.n_halfedges());
+}
+
+double area(const HalfedgeMesh& mesh) {
+  double sum = 0;
+  for (const auto f : mesh.connectivity().faces()) {
+    std::vector<Vec3> p;
+    for (const auto v : mesh.connectivity().fv_range(f)) p.push_back(mesh.position(v));
+    sum += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+  }
+  return sum;
+}
+
+TEST(HalfedgeMesh, IsTheSurface) {
+  Mesh with_unused = grid(5, 0.2, [](double x, double y) { return Vec3(x, y, x * y); }, no_hole);
+  with_unused.add(0.3, 0.4, 0.5);
+  for (const Mesh& m : {sphere(1), with_unused, joined(square(), angle(), 3)}) {
+    const Surface s = make_surface(m);
+    const HalfedgeMesh mesh(s);
+    const auto& c = mesh.connectivity();
+    EXPECT_EQ(c.n_vertices(), s.vertex_count());
+    EXPECT_EQ(c.n_edges(), (3 * s.face_count() + s.boundary().size()) / 2);
+    expect_whole(mesh);
+    for (uint32_t f = 0; f < s.face_count(); ++f) {
+      uint32_t k = 0;
+      for (const auto h : c.fh_range(HalfedgeMesh::Face(static_cast<int>(f)))) {
+        EXPECT_EQ(static_cast<uint32_t>(c.from_vertex_handle(h).idx()), s.face(f)[k]);
+        const HalfEdge twin = s.twin(3 * f + k++);
+        const int beside = c.face_handle(c.opposite_halfedge_handle(h)).idx();
+        EXPECT_EQ(beside, twin == kNone ? -1 : static_cast<int>(face_of(twin)));
+      }
+    }
+  }
+}
+
+TEST(HalfedgeMesh, KeepsItsShapeWhenEdgesAreSplit) {
+  constexpr double kRounding = 1e-12;
+  for (const Mesh& m : {square(), angle(), sphere(1)}) {
+    const Surface s = make_surface(m);
+    HalfedgeMesh mesh(s);
+    const auto& c = mesh.connectivity();
+    const auto euler = [&] { return int(c.n_vertices()) - int(c.n_edges()) + int(c.n_faces()); };
+    const int euler_before = euler();
+    Rng rng(5);
+    for (int k = 0; k < 300; ++k) {
+      const auto e = HalfedgeMesh::Edge(static_cast<int>(rng.below(c.n_edges())));
+      const Vec3 middle = mesh.middle(e);
+      const auto v = mesh.split(e);
+      EXPECT_EQ(mesh.position(v), middle);
+      EXPECT_LT((s.to_inside(mesh.caller_position(v)) - middle).norm(), 4 * 0x1p-30);
+    }
+    expect_whole(mesh);
+    EXPECT_EQ(euler(), euler_before);
+    EXPECT_NEAR(area(mesh), s.area(), kRounding);
+  }
+}
+
+TEST(BoundaryDistance, IsExactAlongStraightBoundaries) {
+  constexpr double kRounding = 1e-9;
+  const Surface s = make_surface(square());
+  const double side = 1 / s.scale();
+  const double reach = 0.1 * side;
+  const BoundaryDistance d(s, reach, reach / 4, never);
+  for (const auto v : d.mesh().connectivity().vertices()) {
+    const Vec3& p = d.mesh().position(v);
+    const double exact = std::min({p.x(), p.y(), side - p.x(), side - p.y()});
+    if (exact < reach) {
+      EXPECT_NEAR(d.at(v), exact, kRounding * side);
+    }
+  }
+  for (const auto e : d.mesh().connectivity().edges()) {
+    const Vec3 m = d.mesh().middle(e);
+    if (std::min({m.x(), m.y(), side - m.x(), side - m.y()}) < reach) {
+      EXPECT_LE(d.mesh().length(e), reach / 4);
+    }
+  }
+}
+
+TEST(BoundaryDistance, CutsUpAStripWhoseFacesGrowWithItsLength) {
+  const Surface s = make_surface(square());
+  constexpr double kMostFaces = 200;  // on a stretch of the boundary as long as the distance
+  for (const double reach : {0.01, 0.005, 0.0025, 0.001}) {
+    const BoundaryDistance d(s, reach, reach / 4, never);
+    EXPECT_LT(static_cast<double>(d.mesh().connectivity().n_faces()), kMostFaces * 4 / s.scale() / reach);
+  }
+}
+
+TEST(Outlines, KeepTheirDistanceRoundACornerThatPointsInwards) {
+  const Surface s = make_surface(angle());
+  for (const double distance : {0.05, 0.1, 0.2}) {
+    const Outlines o = find_outlines(s, distance / s.scale(), 0.5 * distance / s.scale(), never);
+    ASSERT_EQ(o.closed, std::vector<uint8_t>{1});
+    double sum = 0;
+    for (const Vec3& p : o.points) {
+      // The upper right quarter is not part of the surface: its corner is the nearest place beyond the walls.
+      const double walls = std::min({p.x(), p.y(), 2 - p.x(), 2 - p.y()});
+      const double quarter = std::hypot(std::max(0.0, 1 - p.x()), std::max(0.0, 1 - p.y()));
+      const double away = std::min(walls, quarter) / distance;
+      EXPECT_NEAR(away, 1, 0.05);
+      sum += std::abs(away - 1);
+    }
+    EXPECT_LT(sum / static_cast<double>(o.points.size()), 0.003);
+  }
+}
+
+/// Where a line of points crosses itself or another one in the plane.
+bool cross_each_other(const Outlines& o) {
+  std::vector<std::pair<Vec2, Vec2>> pieces;
+  for (size_t s = 0; s < o.closed.size(); ++s) {
+    const uint32_t first = o.offsets[s], n = o.offsets[s + 1] - first;
+    for (uint32_t k = 0; k + (o.closed[s] ? 0 : 1) < n; ++k) {
+      const Vec3 &a = o.points[first + k], &b = o.points[first + (k + 1) % n];
+      pieces.emplace_back(Vec2{a.x(), a.y()}, Vec2{b.x(), b.y()});
+    }
+  }
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const auto& [a, b] = pieces[i];
+      const auto& [c, d] = pieces[j];
+      const auto side = [](Vec2 p, Vec2 q, Vec2 x) { return cross(q - p, x - p); };
+      if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
+    }
+  }
+  return false;
+}
+
+TEST(Outlines, DoNotCrossAndLieTheSameInEveryScale) {
+  const Mesh holed = grid_with_hole(13);
+  for (const double distance : {0.02, 0.05, 0.11}) {
+    const Surface s = make_surface(holed), large = make_surface(scaled(holed, 1024));
+    const Outlines o = find_outlines(s, distance / s.scale(), 0.02 / s.scale(), never);
+    EXPECT_EQ(o.closed.size(), 2u);
+    EXPECT_FALSE(cross_each_other(o));
+    const Outlines other = find_outlines(large, 1024 * distance / large.scale(), 1024 * 0.02 / large.scale(), never);
+    ASSERT_EQ(other.points.size(), o.points.size());
+    for (size_t k = 0; k < o.points.size(); ++k) EXPECT_EQ(other.points[k], Vec3(1024 * o.points[k]));
+  }
+}
+
+TEST(Outlines, StopSoonWhenTheyAreCancelled) {
+  const Surface s = make_surface(square());
+  const double distance = 0.002;
+  size_t questions = 0;
+  find_outlines(s, distance, 0.5 * distance, [&] { return ++questions, false; });
+  // A third of a second on a slow machine; the questions are about evenly spaced.
+  EXPECT_GT(questions, 500u);
+  for (const double share : {0.0, 0.3, 0.6, 0.9}) {
+    const auto last = static_cast<size_t>(share * static_cast<double>(questions));
+    size_t asked = 0;
+    try {
+      find_outlines(s, distance, 0.5 * distance, [&] { return asked++ == last; });
+      FAIL() << "not cancelled";
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.kind, FailureKind::kCancelled);
+    }
+    EXPECT_EQ(asked, last + 1);
+  }
+}
+
+}  // namespace
+}  // namespace meander::test
