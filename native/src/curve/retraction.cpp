@@ -208,7 +208,7 @@ Vec2 Retraction::chord(const Surface& surface, const Curve& old, const NodeData<
   const PathShape& shape = old.shapes[i];
   const Vec2 step_here = share_[i] * displacement[i];
   const Vec2 step_there = share_[j] * displacement[j] * conj(shape.arriving) * shape.leaving;
-  Unfolding trace(surface, old.nodes[i].face);
+  UnfoldedStrip trace(surface, old.nodes[i].face);
   for (const Crossing& c : traces_[i]) trace.cross(c);
   return trace.carried(shape.length * shape.leaving + step_there - step_here);
 }

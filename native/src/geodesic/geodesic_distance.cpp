@@ -139,7 +139,7 @@ void GeodesicDistance::open(HalfEdge exit, const Window& window) {
   if (least == kInfinity) return;
   windows_.push_back(window);
   windows_.back().entry = entry;
-  windows_.back().turn = window.turn * conj(surface_.transition(exit));
+  windows_.back().turn = turn_across(surface_, window.turn, exit);
   put(least, windows_.size() - 1, false);
 }
 
@@ -151,10 +151,10 @@ void GeodesicDistance::put(double least, size_t index, bool is_bend) {
 /// Carries a window through the face behind it.
 void GeodesicDistance::enter(const Window& window) {
   const uint32_t f = face_of(window.entry), k = corner_of(window.entry), opposite = prev_corner(k);
-  const Vec2 origin = window.left - window.turn * surface_.corner(f, k);
-  see_targets(f, origin, window);
+  const FaceFrame frame = frame_beside(surface_, window.entry, window.left, window.turn);
+  see_targets(f, frame, window);
 
-  const Vec2 tip = origin + window.turn * surface_.corner(f, opposite);
+  const Vec2 tip = frame.place(surface_.corner(f, opposite));
   const bool beyond_left = !left_of(tip, window.high), beyond_right = !left_of(window.low, tip);
   Window right = window, left = window;
   right.left = tip;
@@ -167,11 +167,11 @@ void GeodesicDistance::enter(const Window& window) {
   if (!beyond_left) open(3 * f + opposite, left);
 }
 
-/// Measures the targets of a face whose plane's origin is unfolded to `origin`.
-void GeodesicDistance::see_targets(uint32_t face, Vec2 origin, const Window& window) {
+/// Measures the targets of a face.
+void GeodesicDistance::see_targets(uint32_t face, const FaceFrame& frame, const Window& window) {
   for (Target& t : targets_) {
     if (t.point.face != face) continue;
-    const Vec2 d = origin + window.turn * t.point.place;
+    const Vec2 d = frame.place(t.point.place);
     if (left_of(window.low, d) && left_of(d, window.high)) see(t, d, window);
   }
 }
@@ -255,7 +255,7 @@ void GeodesicDistance::shine(const Bend& b, uint32_t f, uint32_t k, double wide,
   light.left = light.high = surface_.corner(f, prev_corner(k)) + origin;
   if (from > kShadow) light.low = ray(light.right, std::min(from - kShadow, wide));
   if (to < wide - kShadow) light.high = ray(light.right, std::max(to + kShadow, 0.0));
-  see_targets(f, origin, light);
+  see_targets(f, {origin, light.turn}, light);
   open(3 * f + next_corner(k), light);
   if (!(from > kShadow)) reach_vertex(f, next_corner(k), light.right, light);
   if (!(to < wide - kShadow)) reach_vertex(f, prev_corner(k), light.left, light);

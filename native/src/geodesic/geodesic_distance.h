@@ -67,7 +67,7 @@ class GeodesicDistance {
   static bool later(const Entry& a, const Entry& b);
   void open(HalfEdge exit, const Window& window);
   void enter(const Window& window);
-  void see_targets(uint32_t face, Vec2 origin, const Window& window);
+  void see_targets(uint32_t face, const FaceFrame& frame, const Window& window);
   void see(Target& target, Vec2 place, const Window& window);
   void reach_vertex(uint32_t face, uint32_t corner, Vec2 place, const Window& window);
   void bend(const Bend& b);

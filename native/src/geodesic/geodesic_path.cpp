@@ -38,7 +38,7 @@ void cancel_backtracks(std::vector<Crossing>& crossings) {
 PathShape measure_path(const Surface& surface, const SurfacePoint& start, const SurfacePoint& end,
                        std::span<const Crossing> crossings) {
   PathShape shape;
-  Unfolding strip(surface, start.face);
+  UnfoldedStrip strip(surface, start.face);
   Vec2 at = strip.place(start), last;
   const auto piece = [&](Vec2 to) {
     const Vec2 d = to - at;
@@ -63,7 +63,7 @@ PathShape measure_path(const Surface& surface, const SurfacePoint& start, const 
 void PathShortener::unfold(const SurfacePoint& start, const SurfacePoint& end,
                            const std::vector<Crossing>& crossings) {
   portals_.clear();
-  Unfolding strip(surface_, start.face);
+  UnfoldedStrip strip(surface_, start.face);
   start_ = strip.place(start);
   for (const Crossing& c : crossings) {
     strip.cross(c);
@@ -174,7 +174,7 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
   Vec2 spoke = spoke_of(portals_[first]);  // from the vertex along the edge by which the face was entered
   while (f != face_of(entry)) {
     const Surface::Hinges& hinges = surface_.hinges(f);
-    spoke = bend.left ? spoke - spoke * hinges.apex[prev_corner(k)] : spoke * hinges.apex[k];
+    spoke = bend.left ? third_corner(hinges, prev_corner(k), spoke, {}) : third_corner(hinges, k, {}, spoke);
     const uint32_t exit = bend.left ? k : prev_corner(k);
     const HalfEdge twin = hinges.twin[exit];
     if (twin == kNone || !before_half_turn(spoke)) return false;

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "geodesic/unfolding.h"
 #include "mesh/surface_point.h"
 
 namespace meander {
@@ -27,35 +28,38 @@ struct PathShape {
   Vec2 arriving;  ///< unit direction at the end, in the plane of the end's face
 };
 
-/// Lays face after face of a strip in the plane of the first one.
-class Unfolding {
+/// The faces along a path, laid in the plane of the first one.
+class UnfoldedStrip {
  public:
-  Unfolding(const Surface& surface, uint32_t face)
+  UnfoldedStrip(const Surface& surface, uint32_t face)
       : surface_(surface), first_{surface.corner(face, 0), surface.corner(face, 1), surface.corner(face, 2)} {}
 
   /// Lays the next face beside the present one, which is left by a half-edge of it.
   void cross(const Crossing& c) {
+    constexpr uint32_t kRight = Strip::kRight, kLeft = Strip::kLeft;
     if (entry_ == kNone) {
-      right_ = first_[corner_of(c.e)];
-      left_ = first_[next_corner(corner_of(c.e))];
+      strip_.exit = c.e;
+      strip_.ends[kRight] = first_[corner_of(c.e)];
+      strip_.ends[kLeft] = first_[next_corner(corner_of(c.e))];
     } else if (corner_of(c.e) == next_corner(corner_of(entry_))) {
-      left_ = apex_;  // and on the right the edge ends where the one before it does
+      strip_.enter(entry_, apex_, kLeft);  // and on the right the edge ends where the one before it does
       ++left_id_;
     } else if (corner_of(c.e) == prev_corner(corner_of(entry_))) {
-      right_ = apex_;
+      strip_.enter(entry_, apex_, kRight);
       ++right_id_;
     } else {
-      std::swap(left_, right_);  // back
+      strip_.exit = c.e;  // back
+      std::swap(strip_.ends[kLeft], strip_.ends[kRight]);
       ++left_id_;
       ++right_id_;
     }
     entry_ = c.twin;
-    apex_ = left_ + (right_ - left_) * surface_.hinges(face_of(entry_)).apex[corner_of(entry_)];
+    apex_ = strip_.lay_next(surface_, entry_);
   }
 
-  /// The ends of the edge crossed last, as seen by who crosses it.
-  Vec2 left() const { return left_; }
-  Vec2 right() const { return right_; }
+  /// The ends of the edge crossed last, as seen by someone who crosses it.
+  Vec2 left() const { return strip_.left(); }
+  Vec2 right() const { return strip_.right(); }
   /// Numbers of these ends: alike for edges in a row that share one.
   uint32_t left_id() const { return left_id_; }
   uint32_t right_id() const { return right_id_; }
@@ -65,22 +69,25 @@ class Unfolding {
     std::array<Vec2, 3> corner = first_;
     if (entry_ != kNone) {
       const uint32_t k = corner_of(entry_);
-      corner[k] = left_;
-      corner[next_corner(k)] = right_;
+      corner[k] = left();
+      corner[next_corner(k)] = right();
       corner[prev_corner(k)] = apex_;
     }
     return p.weight(0) * corner[0] + p.b.x * corner[1] + p.b.y * corner[2];
   }
   /// A direction of the first face's plane in that of the present face.
   Vec2 carried(Vec2 direction) const {
-    return entry_ == kNone ? direction : direction * unit(conj(right_ - left_) * surface_.along(entry_));
+    return entry_ == kNone ? direction : direction * unit(conj(right() - left()) * surface_.along(entry_));
   }
 
  private:
+  using Strip = Unfolding<LayBySimilarity>;
+
   const Surface& surface_;
   std::array<Vec2, 3> first_;  // corners of the first face
+  Strip strip_;                // at the edge crossed last, once there is one
   HalfEdge entry_ = kNone;     // by which the present face was entered, once another one has been left
-  Vec2 left_, right_, apex_;   // its corners
+  Vec2 apex_;                  // the present face's corner that is no end of that edge
   uint32_t left_id_ = 0, right_id_ = 0;
 };
 

@@ -14,51 +14,46 @@ constexpr int kMostFaces = 100000;
 }  // namespace
 
 GeodesicWalk::GeodesicWalk(const Surface& surface, const SurfacePoint& start, Vec2 displacement)
-    : surface_(surface), start_(start), way_(unit(displacement)), wanted_(norm(displacement)) {
+    : surface_(surface), start_(start), direction_(unit(displacement)), wanted_(norm(displacement)) {
   if (!(wanted_ > 0)) {
     wanted_ = 0;
     ended_ = true;
     return;
   }
-  // The corners seen from the start. Heights over the way are sums of terms of one sign for the
-  // highest and for the lowest corner, so that even a needle has one edge which the way crosses upwards.
+  // The corners seen from the start. Heights over the axis are sums of terms of one sign for the highest and
+  // for the lowest corner, so that even a needle has one edge that runs upwards across the axis.
   const uint32_t f = start.face;
   std::array<Vec2, 3> corner;
   std::array<double, 3> height;
-  for (uint32_t k = 0; k < 3; ++k) height[k] = cross(way_, surface.corner(f, k));
+  for (uint32_t k = 0; k < 3; ++k) height[k] = cross(direction_, surface.corner(f, k));
   for (uint32_t k = 0; k < 3; ++k) {
     const uint32_t i = next_corner(k), j = prev_corner(k);
     corner[k] = start.weight(i) * (surface.corner(f, k) - surface.corner(f, i)) +
                 start.weight(j) * (surface.corner(f, k) - surface.corner(f, j));
-    corner[k] = {dot(way_, corner[k]),
+    corner[k] = {dot(direction_, corner[k]),
                  start.weight(i) * (height[k] - height[i]) + start.weight(j) * (height[k] - height[j])};
   }
   for (uint32_t k = 0; k < 3; ++k) {
     if (!(corner[k].y < 0 && corner[next_corner(k)].y >= 0)) continue;
-    exit_ = 3 * f + k;
-    ends_[0] = corner[k];
-    ends_[1] = corner[next_corner(k)];
-    behind_ = corner[prev_corner(k)];
+    face_.exit = 3 * f + k;
+    face_.ends[0] = corner[k];
+    face_.ends[1] = corner[next_corner(k)];
+    face_.behind = corner[prev_corner(k)];
   }
-  ended_ = exit_ == kNone;
+  ended_ = face_.exit == kNone;
 }
 
 bool GeodesicWalk::step() {
   if (ended_) return false;
   if (crossings_ > 0) {
-    // The face across: its half-edge runs from the upper end to the lower one.
-    const uint32_t f = face_of(entry_), k = corner_of(entry_);
-    const Vec2 apex = ends_[1] + (ends_[0] - ends_[1]) * surface_.hinges(f).apex[k];
-    const uint32_t above = apex.y >= 0 ? 1 : 0;  // the way leaves between the lower end and the apex
-    behind_ = ends_[above];
-    ends_[above] = apex;
-    const uint32_t exit = k + 2 - above;
-    exit_ = 3 * f + (exit >= 3 ? exit - 3 : exit);
+    const Vec2 apex = face_.lay_next(surface_, entry_);
+    face_.enter(entry_, apex, apex.y >= 0 ? 1 : 0);
   }
-  // Does the way meet the edge only beyond its end?
-  ended_ = cross(ends_[0], ends_[1]) >= wanted_ * (ends_[1].y - ends_[0].y) || crossings_ >= kMostFaces;
+  // Does the axis meet the edge only beyond the end of the walk?
+  const auto& [right, left] = face_.ends;
+  ended_ = cross(right, left) >= wanted_ * (left.y - right.y) || crossings_ >= kMostFaces;
   if (ended_) return false;
-  entry_ = surface_.twin(exit_);
+  entry_ = surface_.twin(face_.exit);
   ended_ = hit_boundary_ = entry_ == kNone;
   if (ended_) return false;
   ++crossings_;
@@ -66,35 +61,38 @@ bool GeodesicWalk::step() {
   return true;
 }
 
-/// Where the way meets the edge by which it leaves, as a share of the edge.
-double GeodesicWalk::exit_at() const { return ends_[0].y / (ends_[0].y - ends_[1].y); }
+/// Where the axis meets the edge by which the walk leaves the face, as a share of the edge.
+double GeodesicWalk::exit_at() const { return face_.right().y / (face_.right().y - face_.left().y); }
 
-Crossing GeodesicWalk::crossing() const { return {exit_, entry_, clear_of_ends(exit_at())}; }
+Crossing GeodesicWalk::crossing() const { return {face_.exit, entry_, clear_of_ends(exit_at())}; }
 
 double GeodesicWalk::length() const {
-  if (exit_ == kNone) return 0;
-  return hit_boundary_ ? cross(ends_[0], ends_[1]) / (ends_[1].y - ends_[0].y) : wanted_;
+  if (face_.exit == kNone) return 0;
+  const auto& [right, left] = face_.ends;
+  return hit_boundary_ ? cross(right, left) / (left.y - right.y) : wanted_;
 }
 
 SurfacePoint GeodesicWalk::end() const {
-  if (exit_ == kNone) return start_;
-  const uint32_t k = corner_of(exit_);
+  if (face_.exit == kNone) return start_;
+  const uint32_t k = corner_of(face_.exit);
   std::array<double, 3> w;
   if (hit_boundary_) {
     w[next_corner(k)] = exit_at();
     w[prev_corner(k)] = 0;
   } else {
-    const Vec2 side = behind_ - ends_[0], p = Vec2{wanted_, 0} - ends_[0], edge = ends_[1] - ends_[0];
+    const auto& [right, left] = face_.ends;
+    const Vec2 side = face_.behind - right, p = Vec2{wanted_, 0} - right, edge = left - right;
     const double area = cross(edge, side);
     w[next_corner(k)] = cross(p, side) / area;
     w[prev_corner(k)] = cross(edge, p) / area;
   }
   w[k] = 1 - w[next_corner(k)] - w[prev_corner(k)];
-  return make_point(face_of(exit_), w[0], w[1], w[2]);
+  return make_point(face_of(face_.exit), w[0], w[1], w[2]);
 }
 
 Vec2 GeodesicWalk::direction() const {
-  return exit_ == kNone ? way_ : unit(conj(ends_[1] - ends_[0]) * surface_.along(exit_));
+  if (face_.exit == kNone) return direction_;
+  return unit(conj(face_.left() - face_.right()) * surface_.along(face_.exit));
 }
 
 Trace trace_geodesic(const Surface& surface, const SurfacePoint& start, Vec2 displacement,

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geodesic/unfolding.h"
 #include "mesh/surface_point.h"
 
 namespace meander {
@@ -19,12 +20,12 @@ struct Trace {
 };
 
 /// A walk from `start` along `displacement` (in the plane of the start's face), one face after another.
-/// Straight within the unfolded faces: the straightest geodesic of Polthier and Schmies (1998); it
-/// passes vertices on the side where it meets them, and stops just inside the boundary.
+/// Straight within the unfolded faces: the straightest geodesic of Polthier and Schmies (1998). It passes a
+/// vertex on the side where it meets it, and stops just inside the boundary.
 ///
-/// The faces are unfolded into the plane in which the way is the positive x axis from the origin, so
-/// that a face costs one complex product and the sign of one number. Every step ends with a hint to
-/// fetch the next face: several walks in turn do not wait for memory, where a single one would.
+/// The faces are unfolded into the plane in which the walk is the positive x axis from the origin, so that a
+/// face costs one complex product and the sign of one number. Every step ends with a hint to fetch the next
+/// face: several walks in turn do not wait for memory, where a single one would.
 class GeodesicWalk {
  public:
   GeodesicWalk(const Surface& surface, const SurfacePoint& start, Vec2 displacement);
@@ -47,12 +48,10 @@ class GeodesicWalk {
 
   const Surface& surface_;
   SurfacePoint start_;
-  Vec2 way_;
-  double wanted_;
-  HalfEdge exit_ = kNone;   // across which the way leaves the face, from ends_[0] to ends_[1]
-  HalfEdge entry_ = kNone;  // its twin, once there is one
-  Vec2 ends_[2];            // below the axis; on or above it
-  Vec2 behind_;             // the third corner
+  Vec2 direction_;  // unit
+  double wanted_;   // length
+  Unfolding<LayBySimilarity> face_;  // the right end of its exit is below the axis, the left one on or above it
+  HalfEdge entry_ = kNone;           // the exit's twin, once there is one
   int crossings_ = 0;
   bool ended_ = false, hit_boundary_ = false;
 };
