@@ -8,9 +8,10 @@ import traceback
 from collections.abc import Sequence
 
 from .. import core
-from ..model import mesh_files, report, strands
+from ..model import report, strands
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
+from ..model.whole_files import FileError
 from . import preparation
 from .arguments import arguments_of_process, check_arguments, flow_options, parser
 from .grown import grown_of
@@ -80,7 +81,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     try:
         _process(arguments_of_process() if argv is None else argv)
-    except (BadInput, core.MeanderError, mesh_files.FileError) as problem:
+    except (BadInput, core.MeanderError, FileError) as problem:
         if getattr(problem, "status", None) == core.Status.INTERNAL:
             traceback.print_exc()
             return 1

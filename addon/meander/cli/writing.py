@@ -10,6 +10,7 @@ from typing import Any
 
 from .. import core
 from ..model import mesh_files, report, toolpath
+from ..model.whole_files import whole_file
 from . import density, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown
@@ -53,8 +54,8 @@ def write_outputs(
     with ExitStack() as stack:  # leaves in reverse order
         report_path = None
         if arguments.report is not None:
-            report_path = stack.enter_context(mesh_files.atomic_output(arguments.report))
-        curve_path = stack.enter_context(mesh_files.atomic_output(arguments.output))
+            report_path = stack.enter_context(whole_file(arguments.report))
+        curve_path = stack.enter_context(whole_file(arguments.output))
         if arguments.output.suffix.lower() == ".obj":
             mesh_files.write_obj_curve(curve_path, grown.curve)
         elif toolpath_options.is_wanted(arguments.output):
