@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import stat
 import subprocess
 import sys
 from pathlib import Path
@@ -176,3 +177,34 @@ def test_points_come_beside_the_curve(scene: Path, tmp_path: Path, kind: str) ->
     assert 0.16 < np.median(values) < 0.24
     splines = bpy.data.objects["Ball Meander"].data.splines
     assert len(values) >= sum(len(spline.points) for spline in splines)
+
+
+def test_a_scene_is_written_through_a_link_with_the_mode_that_is_there(scene, tmp_path):
+    folder = tmp_path / "elsewhere"
+    folder.mkdir()
+    real, output = folder / "real.blend", tmp_path / "out.blend"
+    real.write_bytes(b"earlier")
+    real.chmod(0o600)
+    output.symlink_to(real)
+    done = run_batch(
+        *("--input", scene, "--object", "Ball", "--seed-object", "Ring", "--spacing", 0.5),
+        *("--iterations", 3, "--output", output, "--quiet"),
+    )
+    assert done.returncode == 0, done.stderr
+    assert output.is_symlink()
+    assert stat.S_IMODE(real.stat().st_mode) == 0o600
+    assert [item.name for item in folder.iterdir()] == ["real.blend"]
+    bpy.ops.wm.open_mainfile(filepath=str(output))
+    assert bpy.data.objects["Ball Meander"].meander.surface == bpy.data.objects["Ball"]
+
+
+@pytest.mark.parametrize("option", ["--output", "--report"])
+def test_a_name_that_is_too_long_is_a_sentence(scene, tmp_path, option):
+    before = sorted(tmp_path.iterdir())
+    done = run_batch(
+        *("--input", scene, "--object", "Ball", "--spacing", 0.5, "--iterations", 3),
+        *("--output", tmp_path / "out.blend", option, tmp_path / ("n" * 300 + ".blend")),
+    )
+    assert done.returncode == 2, done.stderr
+    assert "choose another name" in done.stderr
+    assert sorted(tmp_path.iterdir()) == before

@@ -223,6 +223,58 @@ def test_growth_can_be_baked(tube: bpy.types.Object, result: bpy.types.Object) -
     assert lengths[-1] == pytest.approx(scenes.length_of(result), rel=0.02)
 
 
+def _spacings_from_the_ends(tube: bpy.types.Object, curve: bpy.types.Object) -> float:
+    """How far the strands nearest to the ends of the tube are from them, in the middle."""
+    vertices, _faces = scenes.world_triangles(tube)
+    ends = np.vstack([vertices[:24], vertices[-24:]])
+    points = _points(curve)
+    nearest = [np.linalg.norm(points - end, axis=1).min() for end in ends]
+    return float(np.median(nearest)) / curve.meander.spacing
+
+
+def test_growth_has_the_outline_of_the_run(tube: bpy.types.Object) -> None:
+    result = scenes.fill(tube, 0.6, use_bevel=False, use_outline=True)
+    assert len(result.data.splines) == 3  # the curve, and one strand along each end
+    assert bpy.ops.meander.bake_growth(every=20) == {"FINISHED"}
+    frames = list(result.meander.bake.objects)
+    assert {len(frame.data.splines) for frame in frames} == {3}
+    # The same iterations, so the last frame is the curve that the run came to.
+    assert np.allclose(_points(frames[-1]), _points(result), rtol=0.0, atol=1e-5)
+
+
+def test_growth_leaves_guides_out_as_the_result_does(tube: bpy.types.Object) -> None:
+    result = scenes.fill(tube, 0.6, use_bevel=False, use_outline=True, keep_guides=False)
+    assert len(result.data.splines) == 1
+    assert _spacings_from_the_ends(tube, result) > 1.1
+    assert bpy.ops.meander.bake_growth(every=20) == {"FINISHED"}
+    last = list(result.meander.bake.objects)[-1]
+    assert np.allclose(_points(last), _points(result), rtol=0.0, atol=1e-5)
+
+
+@pytest.mark.parametrize("radius_follows", [False, True])
+def test_a_follower_keeps_clear_of_an_outline_that_is_not_shown(
+    tube: bpy.types.Object, radius_follows: bool
+) -> None:
+    result = scenes.fill(
+        tube,
+        0.6,
+        use_bevel=False,
+        use_outline=True,
+        keep_guides=False,
+        radius_follows=radius_follows,
+    )
+    before = _spacings_from_the_ends(tube, result)
+    assert before > 1.1
+    result.meander.motion_steps = 8
+    result.meander.follow = True
+    for frame in range(2, 9):
+        bpy.context.scene.frame_set(frame)
+    assert len(result.data.splines) == 1
+    # Without the outline the flow would fill up to half a spacing from the ends.
+    assert _spacings_from_the_ends(tube, result) > 1.1
+    result.meander.follow = False
+
+
 def test_the_file_shows_the_frames_without_the_add_on(
     tube: bpy.types.Object, result: bpy.types.Object, tmp_path
 ) -> None:

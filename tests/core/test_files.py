@@ -10,7 +10,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model import mesh_files
+from meander.model import mesh_files, whole_files
 from sentences import assert_sentence
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
@@ -27,7 +27,7 @@ def file_of(tmp_path: Path):
 
 
 def complaint(call, *arguments) -> str:
-    with pytest.raises(mesh_files.FileError) as caught:
+    with pytest.raises(whole_files.FileError) as caught:
         call(*arguments)
     assert_sentence(str(caught.value))
     return str(caught.value)
@@ -210,7 +210,7 @@ def test_curve_survives_a_file(tmp_path: Path) -> None:
 def test_failed_writing_leaves_all_as_it_was(tmp_path: Path) -> None:
     path = tmp_path / "kept.obj"
     path.write_text("before")
-    with pytest.raises(RuntimeError), mesh_files.atomic_output(path) as temporary:
+    with pytest.raises(RuntimeError), whole_files.whole_file(path) as temporary:
         temporary.write_text("half")
         raise RuntimeError
     assert path.read_text() == "before"

@@ -10,7 +10,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model import mesh_files, toolpath
+from meander.model import toolpath, whole_files
 
 
 def _polylines():
@@ -119,7 +119,7 @@ def test_files_hold_the_strands(tmp_path):
 
 
 def test_a_step_beyond_all_counting_is_refused():
-    with pytest.raises(mesh_files.FileError, match="longer"):
+    with pytest.raises(whole_files.FileError, match="longer"):
         toolpath.resampled(_polylines(), step=1e-12)
 
 

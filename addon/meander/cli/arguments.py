@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 from .. import core
@@ -89,7 +90,7 @@ def check_arguments(arguments: argparse.Namespace) -> None:
     kind = arguments.input.suffix.lower()
     if kind not in (".obj", ".ply", ".stl", ".blend"):
         raise BadInput(f"--input {arguments.input} is no .obj, .ply, .stl or .blend file")
-    if not arguments.input.is_file():
+    if not _is(Path.is_file, "--input", arguments.input):
         raise BadInput(f"--input {arguments.input} does not exist; check the path")
     if kind != ".blend":
         for option in ("object", "seed_object", "guides_object"):
@@ -118,18 +119,34 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
     for option, path in (("--output", arguments.output), ("--report", arguments.report)):
         if path is None:
             continue
-        if path.is_dir() or not path.name:
+        if _is(Path.is_dir, option, path) or not path.name:
             raise BadInput(f"{option} {path} is a folder; give a file name")
-        if not path.absolute().parent.is_dir():
+        # Through a symbolic link, what it points to is written.
+        target = Path(os.path.realpath(path))
+        if not target.parent.is_dir():
             raise BadInput(f"the folder of {option} {path} does not exist; make it first")
-        if not os.access(path.absolute().parent, os.W_OK):
+        if not (path.exists() and not path.is_file()) and not os.access(target.parent, os.W_OK):
             raise BadInput(f"the folder of {option} {path} cannot be written to; choose another")
         for other, other_path in taken.items():
             # A scene may be saved over itself: it still holds all that was in it.
             scene = option == "--output" and other == "--input" and path.suffix == ".blend"
-            if other_path is not None and path.resolve() == other_path.resolve() and not scene:
+            if (
+                other_path is not None
+                and target == Path(os.path.realpath(other_path))
+                and not scene
+            ):
                 raise BadInput(f"{option} would overwrite {other} {path}; choose another name")
         taken[option] = path
+
+
+def _is(question: Callable[[Path], bool], option: str, path: Path) -> bool:
+    """Asks about a path; a name that no file can have is refused."""
+    try:
+        return question(path)
+    except OSError as problem:
+        raise BadInput(
+            f"{option} {path} cannot be used ({problem.strerror}); choose another name"
+        ) from problem
 
 
 def flow_options(arguments: argparse.Namespace) -> core.FlowOptions:

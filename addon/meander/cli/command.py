@@ -8,27 +8,18 @@ import traceback
 from collections.abc import Sequence
 
 from .. import core
-from ..model import mesh_files, report, strands
-from ..model.preparation import described, outlined
-from ..model.problem import evaluated
+from ..model import report, strands
+from ..model.preparation import described
+from ..model.problem import Opened, open_flow
+from ..model.whole_files import FileError
 from . import preparation
 from .arguments import arguments_of_process, check_arguments, flow_options, parser
+from .grown import grown_of
 from .input import Input
 from .reading import need_bpy, read_input
 from .values import BadInput
 from .watching import run, summary
 from .writing import echo, write_outputs
-
-
-def _surface(given: Input, threads: int) -> core.Surface:
-    try:
-        return core.Surface(given.vertices, given.faces, given.surface_options, threads)
-    except core.MeanderError as error:
-        if given.surface_object is None:
-            raise
-        from . import scene_input  # which needs bpy, as the object does
-
-        raise scene_input.in_polygons(error, given.surface_object) from error
 
 
 def _process(argv: Sequence[str]) -> None:
@@ -40,61 +31,47 @@ def _process(argv: Sequence[str]) -> None:
 
         scene_output.refuse_points(arguments.points)
     options = flow_options(arguments)
-    given = read_input(arguments)
-    options.alignment_weight = given.alignment.weight
+    given = read_input(arguments, options)
     warnings = core.option_warnings(options)
     for warning in warnings:
         print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
-    with _surface(given, arguments.threads) as surface:
-        given.density = evaluated(given.density, surface)
-        surface_figures = surface.statistics()
-        if arguments.outline:
-            given.seed, surface_figures["skipped_outlines"] = outlined(
-                given.seed,
-                surface,
-                options.border_distance * arguments.spacing,
-                arguments.spacing,
-            )
-        try:
-            flow = core.Flow(surface, options, given.seed, given.density)
-            directions = evaluated(given.directions, surface)
-            if directions is not None:
-                flow.set_directions(directions, given.alignment.kind)
-        except core.MeanderError as refusal:
-            raise strands.explained(refusal, given.parts) from refusal
-    with flow:
+    opened = _open(given)
+    with opened.flow as flow:
         reason = run(flow, options.iteration_limit, arguments.quiet)
-        figures = flow.statistics()
-        figures["stop_reason"] = reason
-        history = flow.history()
-        gaps = flow.gaps()
-        curve = flow.polylines()
-        data = flow.point_data()
-        guides = flow.guides()
-        if arguments.leave_out_guides:
-            kept = strands.points_without_guides(curve, guides)
-            data = core.PointData(*(values[kept] for values in data))
-            curve = strands.without_guides(curve, guides)
-            guides = guides[~guides]
-    record = report.build_report(
-        core.library_version(),
-        surface_figures,
-        figures,
-        history,
-        gaps,
-        echo(arguments, options, given),
-    )
+        figures = flow.statistics() | {"stop_reason": reason}
+        record = report.build_report(
+            core.library_version(),
+            opened.figures,
+            figures,
+            flow.history(),
+            flow.gaps(),
+            echo(arguments, options, given),
+        )
+        grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
     record["warnings"] = warnings
-    record["preparation"] = preparation.counts(surface_figures, given.loose_edges)
-    write_outputs(arguments, given, curve, data, guides, record)
+    record["preparation"] = preparation.counts(opened.figures, given.loose_edges)
+    write_outputs(arguments, given, grown, record)
     if not arguments.quiet:
         if figures["empty_components"]:
             print(f"meander: {strands.empty_parts(figures['empty_components'])}")
-        done = described(surface_figures, given.loose_edges)
+        done = described(opened.figures, given.loose_edges)
         if done:
             print(f"meander: {done}")
         print(summary(reason, figures))
         print(f"meander: wrote {arguments.output}", flush=True)
+
+
+def _open(given: Input) -> Opened:
+    """The flow; what is refused is named as the user knows it."""
+    try:
+        return open_flow(given.problem)
+    except core.MeanderError as refusal:
+        named = refusal
+        if given.surface_object is not None:
+            from . import scene_input  # which needs bpy, as the object does
+
+            named = scene_input.in_polygons(refusal, given.surface_object)
+        raise strands.explained(named, given.parts) from refusal
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -104,7 +81,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     try:
         _process(arguments_of_process() if argv is None else argv)
-    except (BadInput, core.MeanderError, mesh_files.FileError) as problem:
+    except (BadInput, core.MeanderError, FileError) as problem:
         if getattr(problem, "status", None) == core.Status.INTERNAL:
             traceback.print_exc()
             return 1

@@ -11,30 +11,48 @@ from pathlib import Path
 from .. import core
 from ..model import mesh_files, strands
 from ..model.density import Choice, curvature_density
+from ..model.problem import Problem
 from . import density, preparation, terms
 from . import strands as strand_options
 from .input import Input
 from .values import BadInput
 
 
-def read_input(arguments: argparse.Namespace) -> Input:
-    kind = arguments.input.suffix.lower()
-    if kind == ".obj":
-        given = Input(*mesh_files.read_obj_mesh(arguments.input))
+def read_input(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
+    """Everything that the options name, read and put together.
+
+    options   of the flow, into which the weight of the alignment is put
+
+    Raises BadInput, mesh_files.FileError, core.MeanderError.
+    """
+    if arguments.input.suffix.lower() == ".obj":
+        given = Input(Problem(*mesh_files.read_obj_mesh(arguments.input), options))
     else:
         need_bpy(arguments.input)
         from . import scene_input  # which needs bpy, and reading an OBJ file does not
 
-        given = scene_input.read(arguments)
-    if kind != ".blend":
-        _set_fields(given, arguments)
+        given = scene_input.read(arguments, options)
+    given.alignment = terms.alignment_of(arguments)
     given.repair = preparation.repair_of(arguments)
+    problem = given.problem
+    if arguments.input.suffix.lower() != ".blend":
+        _set_fields(given, arguments)
     if given.mask.source == "NONE":
-        given.surface_options = core.SurfaceOptions(**asdict(given.repair))
+        problem.surface_options = core.SurfaceOptions(**asdict(given.repair))
+    _put_seed_together(given, arguments)
+    problem.alignment = given.alignment.kind
+    options.alignment_weight = given.alignment.weight
+    if arguments.outline:
+        problem.outline = options.border_distance * arguments.spacing
+    return given
+
+
+def _put_seed_together(given: Input, arguments: argparse.Namespace) -> None:
+    """Seed, stroke and guides: those of the scene, which are there already, and those of files."""
     if arguments.seed is not None:
         seed = mesh_files.read_obj_curve(arguments.seed)
         given.parts.insert(0, strands.Part(str(arguments.seed), seed))
-    given.stroke = strand_options.stroke_of(arguments, given.vertices)
+    given.stroke = strand_options.stroke_of(arguments, given.problem.vertices)
     if isinstance(given.stroke, str):
         raise BadInput(given.stroke)
     if given.stroke is not None:
@@ -42,22 +60,21 @@ def read_input(arguments: argparse.Namespace) -> Input:
     if arguments.guides is not None:
         guides = mesh_files.read_obj_curve(arguments.guides)
         given.parts.append(strands.Part(str(arguments.guides), guides, guide=True))
-    given.seed = strands.assembled(given.parts, arguments.fill_every_part)
-    return given
+    given.problem.seed = strands.assembled(given.parts, arguments.fill_every_part)
 
 
 def _set_fields(given: Input, arguments: argparse.Namespace) -> None:
     """Density and directions of a mesh from a file of its own: what can be computed on it."""
-    radius = arguments.spacing / 2
+    problem, radius = given.problem, arguments.spacing / 2
     given.density_choice = density.choice_of(arguments, Choice())
     if given.density_choice.source == "CURVATURE":
-        given.density = curvature_density(given.density_choice, radius)
-    given.alignment = terms.alignment_of(arguments)
-    given.directions = terms.directions_without_a_scene(
-        given.alignment, len(given.vertices), radius
+        problem.density = curvature_density(given.density_choice, radius)
+    problem.directions = terms.directions_without_a_scene(
+        given.alignment, len(problem.vertices), radius
     )
 
 
 def need_bpy(path: Path) -> None:
+    """Refuses a file that only Blender can read or write where there is none."""
     if importlib.util.find_spec("bpy") is None:
         raise BadInput(f"{path} needs Blender; run this command with blender --background --python")

@@ -14,6 +14,7 @@ import bpy
 
 from .. import core
 from ..model import strands
+from ..model.problem import Problem
 from ..scene.alignment import directions_of
 from ..scene.curve_reader import strands_of_curve
 from ..scene.density import choice_of, density_of
@@ -27,12 +28,12 @@ from .saved_settings import saved_settings
 from .values import BadInput
 
 
-def read(arguments: argparse.Namespace) -> Input:
+def read(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
     """What --input holds, with the objects that other options name. Raises BadInput."""
     try:
         if arguments.input.suffix.lower() == ".blend":
-            return _read_scene(arguments)
-        return _import_mesh(arguments.input)
+            return _read_scene(arguments, options)
+        return _import_mesh(arguments.input, options)
     except DataError as refusal:
         raise BadInput(str(refusal)) from refusal
 
@@ -42,7 +43,7 @@ def empty_scene() -> None:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
 
 
-def _import_mesh(path: Path) -> Input:
+def _import_mesh(path: Path, options: core.FlowOptions) -> Input:
     """Reads a PLY or STL file with Blender's importer, axes and scale left alone."""
     empty_scene()
     kind = path.suffix.lower()[1:]
@@ -70,8 +71,8 @@ def _import_mesh(path: Path) -> Input:
             f"{path} cannot be read as {kind.upper()}; export it again or give an .obj file"
         )
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    vertices, faces = triangles_of(meshes[0], depsgraph)
-    return Input(vertices, faces, surface_object=meshes[0])
+    problem = Problem(*triangles_of(meshes[0], depsgraph), options)
+    return Input(problem, surface_object=meshes[0])
 
 
 @contextmanager
@@ -87,7 +88,7 @@ def _stderr_to_stdout() -> Iterator[None]:
         os.close(kept)
 
 
-def _read_scene(arguments: argparse.Namespace) -> Input:
+def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
     """Opens a .blend and takes surface, seed and density from its objects, in world units."""
     try:
         bpy.ops.wm.open_mainfile(filepath=str(arguments.input.absolute()), load_ui=False)
@@ -102,39 +103,39 @@ def _read_scene(arguments: argparse.Namespace) -> Input:
         choice = density.choice_of(arguments, choice_of(settings))
         fixed_ends = settings.fixed_ends
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    vertices, faces = triangles_of(surface_object, depsgraph)
-    given = Input(vertices, faces, surface_object=surface_object)
+    problem = Problem(*triangles_of(surface_object, depsgraph), options)
+    given = Input(problem, choice, surface_object=surface_object)
     given.mask = preparation.mask_of(arguments)
     if given.mask.source != "NONE":
-        given.surface_options = surface_options(
-            preparation.repair_of(arguments), given.mask, surface_object, depsgraph
-        )
+        repair = preparation.repair_of(arguments)
+        problem.surface_options = surface_options(repair, given.mask, surface_object, depsgraph)
     given.loose_edges = loose_edge_count(surface_object, depsgraph)
-    given.density_choice = choice
     radius = arguments.spacing / 2
-    given.density = density_of(choice, surface_object, depsgraph, radius)
-    given.alignment = terms.alignment_of(arguments)
-    given.directions = directions_of(given.alignment, surface_object, depsgraph, radius)
+    alignment = terms.alignment_of(arguments)
+    problem.density = density_of(choice, surface_object, depsgraph, radius)
+    problem.directions = directions_of(alignment, surface_object, depsgraph, radius)
     if arguments.seed_object is not None:
-        seed_object = bpy.context.scene.objects.get(arguments.seed_object)
-        if seed_object is None:
-            raise BadInput(
-                f"{arguments.input} has no object {arguments.seed_object!r} in its scene; give "
-                "the name of a curve object to --seed-object"
-            )
+        seed_object = _curve_object(arguments, "seed_object")
         given.fixed_ends = fixed_ends
         seed = strands_of_curve(seed_object, depsgraph, fixed_ends)
         given.parts.append(strands.Part(seed_object.name, seed))
     if arguments.guides_object is not None:
-        guides_object = bpy.context.scene.objects.get(arguments.guides_object)
-        if guides_object is None:
-            raise BadInput(
-                f"{arguments.input} has no object {arguments.guides_object!r} in its scene; give "
-                "the name of a curve object to --guides-object"
-            )
+        guides_object = _curve_object(arguments, "guides_object")
         guides = strands_of_curve(guides_object, depsgraph)
         given.parts.append(strands.Part(guides_object.name, guides, guide=True))
     return given
+
+
+def _curve_object(arguments: argparse.Namespace, option: str) -> bpy.types.Object:
+    """The object that --seed-object or --guides-object names."""
+    name = getattr(arguments, option)
+    named = bpy.context.scene.objects.get(name)
+    if named is None:
+        raise BadInput(
+            f"{arguments.input} has no object {name!r} in its scene; give the name of a curve "
+            f"object to --{option.replace('_', '-')}"
+        )
+    return named
 
 
 def _mesh_object(arguments: argparse.Namespace) -> bpy.types.Object:

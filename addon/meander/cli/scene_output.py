@@ -7,11 +7,9 @@ import argparse
 from pathlib import Path
 
 import bpy
-import numpy as np
-from numpy.typing import NDArray
 
-from .. import core
 from ..model import thinning, toolpath
+from ..model.problem import Problem
 from ..run import baking
 from ..scene import point_attributes
 from ..scene import strands as scene_strands
@@ -24,6 +22,7 @@ from ..scene.settings import copy_settings
 from ..scene.terms import store_terms
 from ..scene.transforms import world_matrix
 from . import terms
+from .grown import Grown
 from .input import Input
 from .saved_settings import saved_settings
 from .scene_input import empty_scene
@@ -42,29 +41,27 @@ def write_scene(
     path: Path,
     arguments: argparse.Namespace,
     given: Input,
-    curve: core.Polylines,
-    data: core.PointData,
-    guides: NDArray[np.bool_],
+    grown: Grown,
 ) -> None:
     """Adds the curve beside its surface and saves a copy of the scene at `path`.
 
     The curve keeps what it was made with, so that Continue works on it in a window.
     """
-    surface_object = given.surface_object or _new_surface(arguments.input.stem, given)
-    distance = thinning.merge_distance(arguments.spacing / 2, given.density)
-    kept = thinning.kept_points(curve, distance)
-    thinned = thinning.thinned(curve, distance)
+    surface_object = given.surface_object or _new_surface(arguments.input.stem, given.problem)
+    distance = thinning.merge_distance(arguments.spacing / 2, grown.density)
+    kept = thinning.kept_points(grown.curve, distance)
+    thinned = thinning.thinned(grown.curve, distance)
     curve_object = write_curve(thinned, surface_object, f"{surface_object.name} Meander")
     with saved_settings():
         _store(arguments, given, surface_object, curve_object)
-        scene_strands.note_guides(curve_object, guides, keep=True)
+        scene_strands.note_guides(curve_object, grown.guides, keep=True)
         matrix = world_matrix(surface_object)
-        point_attributes.remember_room(curve_object, data.radii[kept], matrix)
+        point_attributes.remember_room(curve_object, grown.data.radii[kept], matrix)
         if arguments.points is not None:
             curve_object.meander.figures.points = point_attributes.make(
                 arguments.points.upper(),
                 f"{curve_object.name} Points",
-                toolpath.strands_of(curve, data),
+                toolpath.strands_of(grown.curve, grown.data),
                 surface_object,
                 matrix,
             )
@@ -72,11 +69,11 @@ def write_scene(
         _save(path, arguments)
 
 
-def _new_surface(name: str, given: Input) -> bpy.types.Object:
+def _new_surface(name: str, problem: Problem) -> bpy.types.Object:
     """The mesh of an OBJ file, as the only object of an empty scene."""
     empty_scene()
     mesh = bpy.data.meshes.new(name)
-    mesh.from_pydata(given.vertices.tolist(), [], given.faces.tolist())
+    mesh.from_pydata(problem.vertices.tolist(), [], problem.faces.tolist())
     mesh.update()
     surface_object = bpy.data.objects.new(name, mesh)
     bpy.context.scene.collection.objects.link(surface_object)

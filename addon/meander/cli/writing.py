@@ -8,13 +8,12 @@ from contextlib import ExitStack
 from dataclasses import asdict
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from .. import core
 from ..model import mesh_files, report, toolpath
+from ..model.whole_files import whole_file
 from . import density, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
+from .grown import Grown
 from .input import Input
 
 
@@ -48,25 +47,23 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
 def write_outputs(
     arguments: argparse.Namespace,
     given: Input,
-    curve: core.Polylines,
-    data: core.PointData,
-    guides: NDArray[np.bool_],
+    grown: Grown,
     record: dict[str, Any],
 ) -> None:
     """Writes both files beside their places first, then moves the curve in and then the report."""
     with ExitStack() as stack:  # leaves in reverse order
         report_path = None
         if arguments.report is not None:
-            report_path = stack.enter_context(mesh_files.atomic_output(arguments.report))
-        curve_path = stack.enter_context(mesh_files.atomic_output(arguments.output))
+            report_path = stack.enter_context(whole_file(arguments.report))
+        curve_path = stack.enter_context(whole_file(arguments.output))
         if arguments.output.suffix.lower() == ".obj":
-            mesh_files.write_obj_curve(curve_path, curve)
+            mesh_files.write_obj_curve(curve_path, grown.curve)
         elif toolpath_options.is_wanted(arguments.output):
-            mesh = toolpath.Mesh(given.vertices, given.faces)
-            toolpath_options.write(curve_path, arguments, curve, data, mesh)
+            mesh = toolpath.Mesh(given.problem.vertices, given.problem.faces)
+            toolpath_options.write(curve_path, arguments, grown.curve, grown.data, mesh)
         else:
             from . import scene_output  # which needs bpy
 
-            scene_output.write_scene(curve_path, arguments, given, curve, data, guides)
+            scene_output.write_scene(curve_path, arguments, given, grown)
         if report_path is not None:
             report.write_report(report_path, record)

@@ -11,9 +11,6 @@ names the element.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn
 
@@ -21,32 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core import Polylines, Seed
+from .whole_files import FileError, whole_file
 
 # Face indices travel as uint32; what is larger cannot even be handed on to be refused.
 _LARGEST_INDEX = 0xFFFFFFFF
-
-
-class FileError(Exception):
-    """A file that cannot be read or written; ``str(error)`` is one sentence for people."""
-
-
-@contextmanager
-def atomic_output(path: Path) -> Iterator[Path]:
-    """A temporary path beside `path` that replaces it when the block ends well.
-
-    After an exception `path` is as it was and the temporary file is gone. The temporary name keeps
-    the suffix, since some writers go by it. Raises FileError when the file cannot be replaced.
-    """
-    temporary = path.with_name(f".{path.stem}.{os.getpid()}.tmp{path.suffix}")
-    try:
-        yield temporary
-        os.replace(temporary, path)
-    except OSError as problem:
-        raise FileError(
-            f"{path} cannot be written ({problem.strerror or problem}); choose another place"
-        ) from problem
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def _read_lines(path: Path) -> list[bytes]:
@@ -249,5 +224,5 @@ def write_obj_curve(path: str | Path, polylines: Polylines) -> None:
         if closed:
             indices.append(start + 1)
         text.append("l " + " ".join(map(str, indices)) + "\n")
-    with atomic_output(Path(path)) as temporary:
+    with whole_file(Path(path)) as temporary:
         temporary.write_text("".join(text), encoding="ascii", newline="\n")

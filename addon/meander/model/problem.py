@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run solves, as arrays and options; no bpy."""
+"""What a run solves, as arrays and options, and the flow made of it; no bpy."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from .. import core
+from .preparation import outlined
 
 
-@dataclass(frozen=True)
+@dataclass
 class Problem:
     """What to solve: arrays and options, nothing of a host.
 
@@ -30,11 +31,6 @@ class Problem:
     alignment: str = "along"
     outline: float = 0.0  # distance of outlines from the border; 0: none
 
-    def surface(self) -> core.Surface:
-        """The surface, which the caller closes. Raises core.MeanderError."""
-        threads = self.options.threads
-        return core.Surface(self.vertices, self.faces, self.surface_options, threads)
-
     def expected_length(self, density: np.ndarray | None) -> float:
         """The length of a curve that fills the surface: area over spacing, face by face."""
         areas = self._areas()
@@ -51,6 +47,47 @@ class Problem:
         return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0
 
 
-def evaluated(field: Any, surface: core.Surface) -> Any:
+@dataclass(frozen=True)
+class Opened:
+    """A flow before its first iteration, and what was found while it was made.
+
+    flow      the caller closes it
+    density   per vertex; None: 1 everywhere
+    figures   of core.Surface.statistics(), and "skipped_outlines" where outlines were wanted
+    """
+
+    flow: core.Flow
+    density: np.ndarray | None
+    figures: dict[str, Any]
+
+
+def open_flow(problem: Problem) -> Opened:
+    """Makes surface, density, outlines, flow and directions of a problem, in this order.
+
+    The one place where a run begins: the operator, the batch command and the followers of surfaces
+    in motion all come through here. Raises core.MeanderError.
+    """
+    options = problem.options
+    with core.Surface(
+        problem.vertices, problem.faces, problem.surface_options, options.threads
+    ) as surface:
+        figures = surface.statistics()
+        density = _evaluated(problem.density, surface)
+        seed = problem.seed
+        if problem.outline:
+            seed, skipped = outlined(seed, surface, problem.outline, 2.0 * options.radius)
+            figures["skipped_outlines"] = skipped
+        flow = core.Flow(surface, options, seed, density)
+        try:
+            directions = _evaluated(problem.directions, surface)
+            if directions is not None:
+                flow.set_directions(directions, problem.alignment)
+        except BaseException:
+            flow.close()
+            raise
+    return Opened(flow, density, figures)
+
+
+def _evaluated(field: Any, surface: core.Surface) -> Any:
     """A field on the surface: itself, or what it computes."""
     return field(surface) if callable(field) else field

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core import Gaps
-from .mesh_files import atomic_output
+from .whole_files import whole_file
 
 _SURFACE_KEYS = ("vertices", "faces", "components", "boundary_loops", "area")
 _HISTORY_KEYS = ("iteration", "nodes", "length", "mean_step", "energy", "seconds")
@@ -98,5 +98,5 @@ def write_report(path: str | Path, report: Mapping[str, Any]) -> None:
     Raises FileError when the file cannot be written; it is then as it was.
     """
     text = json.dumps(report, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-    with atomic_output(Path(path)) as temporary:
+    with whole_file(Path(path)) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")

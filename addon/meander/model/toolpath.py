@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core import PointData, Polylines
-from .mesh_files import FileError, atomic_output
+from .whole_files import FileError, whole_file
 
 SUFFIXES = (".csv", ".json")
 
@@ -275,7 +275,7 @@ def write_csv(path: str | Path, strands: list[Strand]) -> None:
     first. What is not known of a strand is left empty. Raises FileError when the file cannot be
     written; it is then as it was.
     """
-    with atomic_output(Path(path)) as temporary, temporary.open("w", newline="\n") as file:
+    with whole_file(Path(path)) as temporary, temporary.open("w", newline="\n") as file:
         file.write(_COLUMNS + "\n")
         for number, strand in enumerate(strands):
             count = len(strand.points)
@@ -317,7 +317,7 @@ def write_json(path: str | Path, strands: list[Strand], version: str) -> None:
             for strand in strands
         ],
     }
-    with atomic_output(Path(path)) as temporary:
+    with whole_file(Path(path)) as temporary:
         temporary.write_text(json.dumps(record, allow_nan=False) + "\n", encoding="ascii")
 
 

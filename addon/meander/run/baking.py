@@ -5,12 +5,11 @@ from __future__ import annotations
 
 import bpy
 
-from ..model.thinning import thinned
 from ..scene import baked_frames
 from ..scene.baked_frames import Frames
 from ..scene.meshes import surface_now
 from ..scene.transforms import to_local
-from .followers import flow_of, follower_of
+from .followers import GrownCurve, follower_of
 from .plan import plan_of
 
 
@@ -64,7 +63,7 @@ def bake_motion(
 def bake_growth(
     result: bpy.types.Object, context: bpy.types.Context, first: int, every: int
 ) -> bpy.types.Collection:
-    """Grows the curve anew from its seed and writes every so manieth iteration as a frame.
+    """Grows the curve anew from its seed and writes a frame after every so many iterations.
 
     Raises DataError or core.MeanderError, with nothing baked.
     """
@@ -73,11 +72,11 @@ def bake_growth(
     manager = context.window_manager
     manager.progress_begin(0.0, 1.0)
     try:
-        flow, distance = flow_of(plan)
-        with flow:
+        grown = GrownCurve(plan)
+        with grown.flow as flow:
             reason, iteration, frame = "running", 0, first
             while True:
-                frames.add(frame, thinned(flow.polylines(), distance), plan.matrix)
+                frames.add(frame, grown.polylines()[0], plan.matrix)
                 if reason != "running":
                     break
                 frame += 1

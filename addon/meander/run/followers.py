@@ -14,7 +14,8 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model.problem import evaluated
+from ..model import strands
+from ..model.problem import open_flow
 from ..model.profile import room_factors
 from ..model.thinning import kept_points, merge_distance, thinned
 from ..scene.curve_reader import strands_of_curve
@@ -60,6 +61,27 @@ def _sides(faces: np.ndarray) -> np.ndarray:
     return (pairs[:, 0].astype(np.uint64) << np.uint64(32)) | pairs[:, 1].astype(np.uint64)
 
 
+class GrownCurve:
+    """The flow of a plan, step by step, and the curve that its result shows of it."""
+
+    def __init__(self, plan: Plan) -> None:
+        opened = open_flow(plan.problem)
+        self.flow = opened.flow
+        self._distance = merge_distance(plan.problem.options.radius, opened.density)
+        self._keeps_guides = plan.keeps_guides
+
+    def polylines(self) -> tuple[core.Polylines, np.ndarray]:
+        """The curve as it is written, and which points of the flow's it has kept."""
+        curve = self.flow.polylines()
+        kept = kept_points(curve, self._distance)
+        shown = thinned(curve, self._distance)
+        if not self._keeps_guides:
+            guides = self.flow.guides()
+            kept = kept[strands.points_without_guides(shown, guides)]
+            shown = strands.without_guides(shown, guides)
+        return shown, kept
+
+
 class EvenFollower:
     """The flow goes on for some iterations in every frame."""
 
@@ -70,7 +92,7 @@ class EvenFollower:
         problem.options.growth_coarsening = 1.0  # the curve has grown already
         self._faces, self._steps = problem.faces, steps
         try:
-            self._flow, self.distance = flow_of(plan)
+            self._grown = GrownCurve(plan)
         except core.MeanderError as error:
             if error.status != core.Status.INVALID_SEED:
                 raise
@@ -78,18 +100,18 @@ class EvenFollower:
                 "The curve does not lie on its surface in this frame; go to the frame in which it "
                 "was made, or fill the surface anew"
             ) from error
-        self._flow.set_vertices(problem.vertices)
+        self._grown.flow.set_vertices(problem.vertices)
 
     def moved(self, vertices: np.ndarray, faces: np.ndarray) -> core.Polylines:
         _same_faces(faces, self._faces)
-        self._flow.set_vertices(vertices)
+        flow = self._grown.flow
+        flow.set_vertices(vertices)
         for _ in range(self._steps):
-            self._flow.step()
-        curve = self._flow.polylines()
+            flow.step()
+        curve, kept = self._grown.polylines()
         if self._radius:
-            radii = self._flow.point_data().radii[kept_points(curve, self.distance)]
-            self.factors = room_factors(radii, self._radius)
-        return thinned(curve, self.distance)
+            self.factors = room_factors(flow.point_data().radii[kept], self._radius)
+        return curve
 
 
 class StickingFollower:
@@ -115,17 +137,6 @@ class StickingFollower:
         positions = np.einsum("nk,nkj->nj", self._weights, corners)
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         return core.Polylines(positions, normals, self._offsets, self._closed)
-
-
-def flow_of(plan: Plan) -> tuple[core.Flow, float]:
-    """The flow of a plan before its first iteration, and which points of its curve are one."""
-    problem = plan.problem
-    with problem.surface() as surface:
-        density = evaluated(problem.density, surface)
-        flow = core.Flow(surface, problem.options, problem.seed, density)
-        if problem.directions is not None:
-            flow.set_directions(evaluated(problem.directions, surface), problem.alignment)
-    return flow, merge_distance(problem.options.radius, density)
 
 
 def follower_of(

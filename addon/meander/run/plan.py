@@ -57,6 +57,7 @@ class Plan:
     dress: scene_strands.Dress  # materials of the splines
     name: str  # of a new result
     loose_edges: int = 0  # of the surface, in no face
+    keeps_guides: bool = True  # the result has the guides as splines of its own
     flat: bool = False  # tilt for profiles that lie on the surface
     radius_follows: bool = False
     points_as: str = "NONE"  # a second object of all points: one of point_attributes.KINDS
@@ -125,6 +126,7 @@ def plan_of(
         dress=dress,
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=loose_edge_count(surface, depsgraph),
+        keeps_guides=settings.keep_guides,
         flat=settings.flat_profile,
         radius_follows=settings.radius_follows,
         points_as=settings.points_as,

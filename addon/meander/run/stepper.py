@@ -16,8 +16,7 @@ from typing import Any
 import numpy as np
 
 from .. import core
-from ..model.preparation import outlined
-from ..model.problem import Problem, evaluated
+from ..model.problem import Problem, open_flow
 
 
 @dataclass(frozen=True)
@@ -78,19 +77,12 @@ class Stepper:
 
     def _prepare(self) -> None:
         problem = self.problem
-        with problem.surface() as surface:
-            self.surface_figures = surface.statistics()
-            self.density = evaluated(problem.density, surface)
-            seed = problem.seed
-            if problem.outline:
-                seed, skipped = outlined(
-                    seed, surface, problem.outline, 2.0 * problem.options.radius
-                )
-                self.surface_figures["skipped_outlines"] = skipped
-            self._flow = core.Flow(surface, problem.options, seed, self.density)
-            if problem.directions is not None:
-                directions = evaluated(problem.directions, surface)
-                self._flow.set_directions(directions, problem.alignment)
+        opened = open_flow(problem)
+        self._flow, self.density, self.surface_figures = (
+            opened.flow,
+            opened.density,
+            opened.figures,
+        )
         # A mask leaves less to fill.
         share = self.surface_figures["area"] / problem.area()
         self._expected_length = share * problem.expected_length(self.density)

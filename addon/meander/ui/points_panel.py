@@ -9,7 +9,8 @@ import bpy
 from bpy.props import EnumProperty, FloatProperty, StringProperty
 
 from .. import core
-from ..model import mesh_files, toolpath
+from ..model import toolpath
+from ..model.whole_files import FileError
 from ..run import session
 from ..scene import point_attributes
 from ..scene.errors import DataError
@@ -116,7 +117,7 @@ class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
             )
             path = self._with_suffix()
             toolpath.write(path, strands, core.VERSION)
-        except (DataError, core.MeanderError, mesh_files.FileError) as error:
+        except (DataError, core.MeanderError, FileError) as error:
             text = str(error)
             self.report({"ERROR"}, text[:1].upper() + text[1:])
             return {"CANCELLED"}
