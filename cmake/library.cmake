@@ -19,7 +19,9 @@ target_include_directories(meander_core
          "${generated_dir}")
 # EIGEN_MPL2_ONLY makes the few LGPL parts of Eigen an error instead of an accident.
 target_include_directories(meander_core SYSTEM PUBLIC "${OPENMESH_INCLUDE_DIR}")
-target_compile_definitions(meander_core PUBLIC EIGEN_MPL2_ONLY)
+# Objects go into the shared library, which exports the C API; programs linked with the static one do not
+# import it.
+target_compile_definitions(meander_core PUBLIC EIGEN_MPL2_ONLY PRIVATE MEANDER_BUILDING INTERFACE MEANDER_STATIC)
 target_link_libraries(meander_core
   PUBLIC Eigen3::Eigen nanoflann::nanoflann Threads::Threads meander_compile_options)
 

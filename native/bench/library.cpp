@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <stdexcept>
-#include <vector>
 
 #include "version.h"
 
@@ -18,16 +17,6 @@ void Library::find(Function& function, const char* name) {
   function = reinterpret_cast<Function>(symbol);
 }
 
-template <class Struct>
-void Library::require_size(const char* name) const {
-  std::vector<size_t> layout(struct_layout(name, nullptr, 0));  // the size, then offsets
-  struct_layout(name, layout.data(), layout.size());
-  if (layout.empty() || layout[0] != sizeof(Struct)) {
-    throw std::runtime_error(std::string("the library has another ") + name +
-                             ": measure it with the benchmark of its own build");
-  }
-}
-
 Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (!handle_) throw std::runtime_error(std::string("cannot load the library: ") + dlerror());
   find(abi_version, "meander_abi_version");
@@ -36,13 +25,7 @@ Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NO
                              " has another ABI: measure it with the benchmark of its own build");
   }
   find(version, "meander_version");
-  // Between releases a struct may have grown without a new ABI number: fields would be written to
-  // the wrong offsets, and the figures would be those of other options.
-  find(struct_layout, "meander_struct_layout");
-  require_size<meander_error>("meander_error");
-  require_size<meander_flow_options>("meander_flow_options");
-  require_size<meander_flow_statistics>("meander_flow_statistics");
-  require_size<meander_iteration>("meander_iteration");
+  find(error_init, "meander_error_init");
   find(surface_create, "meander_surface_create");
   find(surface_destroy, "meander_surface_destroy");
   find(flow_options_init, "meander_flow_options_init");
@@ -50,7 +33,8 @@ Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NO
   find(flow_destroy, "meander_flow_destroy");
   find(flow_step, "meander_flow_step");
   find(flow_run, "meander_flow_run");
-  find(flow_get_statistics, "meander_flow_get_statistics");
+  find(flow_statistics_init, "meander_flow_statistics_init");
+  find(flow_compute_statistics, "meander_flow_compute_statistics");
   find(flow_get_history, "meander_flow_get_history");
   find(flow_get_polylines, "meander_flow_get_polylines");
   find(flow_get_nodes, "meander_flow_get_nodes");
@@ -59,7 +43,7 @@ Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NO
 
 std::string library_of_this_build() {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  return (program.parent_path() / "lib" / ("libmeander-" MEANDER_VERSION ".so")).string();
+  return (program.parent_path() / "lib" / ("libmeander-" MEANDER_PROJECT_VERSION ".so")).string();
 }
 
 }  // namespace meander::bench

@@ -13,13 +13,13 @@ namespace meander::bench {
 class Library {
  public:
   /// Loads the shared library, for the rest of the process. Throws std::runtime_error, also if
-  /// its ABI, by number or by the size of a struct, is not the one that this program knows.
+  /// its ABI is not the one that this program knows.
   explicit Library(const std::string& path);
 
 #define MEANDER_BENCH_CALL(name) decltype(&meander_##name) name = nullptr
   MEANDER_BENCH_CALL(version);
   MEANDER_BENCH_CALL(abi_version);
-  MEANDER_BENCH_CALL(struct_layout);
+  MEANDER_BENCH_CALL(error_init);
   MEANDER_BENCH_CALL(surface_create);
   MEANDER_BENCH_CALL(surface_destroy);
   MEANDER_BENCH_CALL(flow_options_init);
@@ -27,7 +27,8 @@ class Library {
   MEANDER_BENCH_CALL(flow_destroy);
   MEANDER_BENCH_CALL(flow_step);
   MEANDER_BENCH_CALL(flow_run);
-  MEANDER_BENCH_CALL(flow_get_statistics);
+  MEANDER_BENCH_CALL(flow_statistics_init);
+  MEANDER_BENCH_CALL(flow_compute_statistics);
   MEANDER_BENCH_CALL(flow_get_history);
   MEANDER_BENCH_CALL(flow_get_polylines);
   MEANDER_BENCH_CALL(flow_get_nodes);
@@ -35,8 +36,6 @@ class Library {
 #undef MEANDER_BENCH_CALL
 
  private:
-  template <class Struct>
-  void require_size(const char* name) const;
   template <class Function>
   void find(Function& function, const char* name);
   void* handle_ = nullptr;

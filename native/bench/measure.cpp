@@ -50,7 +50,8 @@ uint64_t fingerprint(const Polylines& curve) {
     for (size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3;
   };
   take(curve.points);
-  take(curve.offsets);
+  // As 32 bits, as they were before ABI 2, so that builds on both sides of it can be compared.
+  take(std::vector<uint32_t>(curve.offsets.begin(), curve.offsets.end()));
   take(curve.closed);
   return hash;
 }
@@ -58,7 +59,7 @@ uint64_t fingerprint(const Polylines& curve) {
 class Session {
  public:
   explicit Session(const Library& library) : library_(library) {
-    error_.struct_size = sizeof error_;
+    library.error_init(&error_, sizeof error_);
   }
   ~Session() {
     library_.flow_destroy(flow_);
@@ -69,8 +70,9 @@ class Session {
 
   void create(const Mesh& mesh, const meander_flow_options& options) {
     check(library_.surface_create(mesh.vertices[0].data(), mesh.vertices.size(),
-                                  mesh.faces[0].data(), mesh.faces.size(), &surface_, &error_));
-    check(library_.flow_create(surface_, nullptr, nullptr, &options, &flow_, &error_));
+                                  mesh.faces[0].data(), mesh.faces.size(), nullptr, &surface_,
+                                  &error_));
+    check(library_.flow_create(surface_, nullptr, nullptr, 0, &options, &flow_, &error_));
   }
   void run() { check(library_.flow_run(flow_, nullptr, &error_)); }
   void step() { check(library_.flow_step(flow_, nullptr, &error_)); }
@@ -81,15 +83,16 @@ class Session {
 
   meander_flow_statistics statistics() {
     meander_flow_statistics s{};
-    s.struct_size = sizeof s;
-    check(library_.flow_get_statistics(flow_, &s, &error_));
+    library_.flow_statistics_init(&s, sizeof s);
+    check(library_.flow_compute_statistics(flow_, &s, nullptr, &error_));
     return s;
   }
   std::vector<meander_iteration> history() {
     size_t count = 0;
-    check(library_.flow_get_history(flow_, nullptr, 0, &count, &error_));
+    check(library_.flow_get_history(flow_, nullptr, sizeof(meander_iteration), 0, &count, &error_));
     std::vector<meander_iteration> records(count);
-    check(library_.flow_get_history(flow_, records.data(), count, &count, &error_));
+    check(library_.flow_get_history(flow_, records.data(), sizeof(meander_iteration), count, &count,
+                                    &error_));
     return records;
   }
   Polylines polylines() {
@@ -119,7 +122,7 @@ class Session {
 
  private:
   void check(meander_status status) const {
-    if (status != MEANDER_OK) throw std::runtime_error(error_.text);
+    if (status != MEANDER_STATUS_OK) throw std::runtime_error(error_.text);
   }
 
   const Library& library_;
@@ -184,11 +187,11 @@ void measure(const std::string& path, const Case& which, uint32_t iteration_limi
 
   meander_flow_options options;
   const uint32_t preset = which.preset == "paper" ? MEANDER_PRESET_PAPER : MEANDER_PRESET_EVEN;
-  if (library.flow_options_init(&options, preset) != MEANDER_OK)
+  if (library.flow_options_init(&options, sizeof options, preset) != MEANDER_STATUS_OK)
     throw std::runtime_error("no such preset");
   options.radius = m.radius;
   options.threads = which.threads;
-  if (which.settle) options.stop_rule = MEANDER_STOP_SETTLED;
+  if (which.settle) options.stop_rule = MEANDER_STOP_RULE_SETTLED;
   if (iteration_limit > 0) options.iteration_limit = iteration_limit;
 
   Session session(library);

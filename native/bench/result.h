@@ -13,7 +13,7 @@ namespace meander::bench {
 /// The curve as full polylines: strand s has the points offsets[s] .. offsets[s + 1] - 1.
 struct Polylines {
   std::vector<Point> points;
-  std::vector<uint32_t> offsets;
+  std::vector<uint64_t> offsets;
   std::vector<uint8_t> closed;
 };
 

@@ -21,7 +21,7 @@ static void expect(int condition, const char* what) {
 }
 
 static void expect_ok(meander_status status, const meander_error* error, const char* call) {
-  if (status != MEANDER_OK) {
+  if (status != MEANDER_STATUS_OK) {
     fprintf(stderr, "failed: %s: %s: %s\n", call, meander_status_name(status), error->text);
     exit(EXIT_FAILURE);
   }
@@ -53,50 +53,62 @@ int main(int argc, char** argv) {
   enum { VERTICES = (CELLS + 1) * (CELLS + 1), FACES = 2 * CELLS * CELLS };
   static double vertices[3 * VERTICES];
   static uint32_t faces[3 * FACES];
-  meander_error error = {sizeof error, 0, 0, 0, 0, ""};
+  meander_error error;
+  meander_error_init(&error, sizeof error);
 
+  char version[32];
+  snprintf(version, sizeof version, "%d.%d.%d", MEANDER_VERSION_MAJOR, MEANDER_VERSION_MINOR,
+           MEANDER_VERSION_PATCH);
   expect(meander_abi_version() == MEANDER_ABI_VERSION, "the library and the header agree");
+  expect(strcmp(meander_version(), version) == 0, "the library has the header's version");
   if (argc > 1) {
-    expect(strcmp(meander_version(), argv[1]) == 0, "the library has the project's version");
+    expect(strcmp(version, argv[1]) == 0, "the header has the project's version");
   }
   fill_square(vertices, faces);
 
   /* A square in the middle as the seed. */
   const double points[] = {0.35, 0.35, 0.0, 0.65, 0.35, 0.0, 0.65, 0.65, 0.0, 0.35, 0.65, 0.0};
-  const uint32_t seed_offsets[] = {0, 4};
+  const uint64_t seed_offsets[] = {0, 4};
   const uint8_t seed_closed[] = {1};
-  meander_seed seed = {sizeof seed, 1, points, seed_offsets, seed_closed, NULL, NULL, 0, 0};
+  meander_seed seed;
+  expect_ok(meander_seed_init(&seed, sizeof seed), &error, "meander_seed_init");
+  seed.point_count = 4;
+  seed.strand_count = 1;
+  seed.points = points;
+  seed.offsets = seed_offsets;
+  seed.closed = seed_closed;
 
   meander_surface* surface = NULL;
-  expect_ok(meander_surface_create(vertices, VERTICES, faces, FACES, &surface, &error), &error,
+  expect_ok(meander_surface_create(vertices, VERTICES, faces, FACES, NULL, &surface, &error), &error,
             "meander_surface_create");
   meander_flow_options options;
-  expect_ok(meander_flow_options_init(&options, MEANDER_PRESET_EVEN), &error,
+  expect_ok(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), &error,
             "meander_flow_options_init");
   options.radius = 0.05;
   options.iteration_limit = 20;
 
   meander_flow* flow = NULL;
-  expect_ok(meander_flow_create(surface, &seed, NULL, &options, &flow, &error), &error,
+  expect_ok(meander_flow_create(surface, &seed, NULL, 0, &options, &flow, &error), &error,
             "meander_flow_create");
   meander_surface_destroy(surface); /* the flow keeps what it needs */
   expect_ok(meander_flow_step(flow, NULL, &error), &error, "meander_flow_step");
 
   meander_flow_statistics statistics;
-  memset(&statistics, 0, sizeof statistics);
-  statistics.struct_size = sizeof statistics;
-  expect_ok(meander_flow_get_statistics(flow, &statistics, &error), &error,
-            "meander_flow_get_statistics");
+  expect_ok(meander_flow_statistics_init(&statistics, sizeof statistics), &error,
+            "meander_flow_statistics_init");
+  expect_ok(meander_flow_compute_statistics(flow, &statistics, NULL, &error), &error,
+            "meander_flow_compute_statistics");
   expect(statistics.iterations == 1, "one step is one iteration");
   expect(statistics.crossings == 0, "no crossings after a step");
   expect(statistics.strands == 1 && statistics.closed_strands == 1, "the strand stays closed");
   const double length_after_a_step = statistics.length;
 
-  meander_context* context = meander_context_create();
+  meander_context* context = NULL;
+  expect_ok(meander_context_create(&context, &error), &error, "meander_context_create");
   expect_ok(meander_flow_run(flow, context, &error), &error, "meander_flow_run");
   expect(meander_context_progress(context) == 1.0, "progress ends at 1");
-  expect_ok(meander_flow_get_statistics(flow, &statistics, &error), &error,
-            "meander_flow_get_statistics");
+  expect_ok(meander_flow_compute_statistics(flow, &statistics, NULL, &error), &error,
+            "meander_flow_compute_statistics");
   expect(statistics.crossings == 0, "no crossings after a run");
   expect(statistics.length > length_after_a_step, "the curve grows");
   meander_context_destroy(context);
@@ -109,7 +121,7 @@ int main(int argc, char** argv) {
             &error, "meander_flow_get_polylines");
   expect(point_count > 4 && strand_count == 1, "the first call tells the sizes");
   double* positions = malloc(3 * point_count * sizeof *positions);
-  uint32_t* offsets = malloc((strand_count + 1) * sizeof *offsets);
+  uint64_t* offsets = malloc((strand_count + 1) * sizeof *offsets);
   uint8_t* closed = malloc(strand_count);
   if (positions == NULL || offsets == NULL || closed == NULL) {
     return EXIT_FAILURE;
@@ -132,8 +144,8 @@ int main(int argc, char** argv) {
   faces[5] = VERTICES;
   surface = NULL;
   const meander_status status =
-      meander_surface_create(vertices, VERTICES, faces, FACES, &surface, &error);
-  expect(status == MEANDER_INVALID_MESH && surface == NULL, "a wrong index is refused");
+      meander_surface_create(vertices, VERTICES, faces, FACES, NULL, &surface, &error);
+  expect(status == MEANDER_STATUS_INVALID_MESH && surface == NULL, "a wrong index is refused");
   expect(error.element_kind == MEANDER_ELEMENT_FACE && error.element_index == 1,
          "the face with the wrong index is named");
   expect(error.text[0] != '\0', "the error has a sentence");

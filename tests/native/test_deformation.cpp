@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "api/handles.h"
+#include "api_structs.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -23,33 +24,31 @@ using FlowHandle = std::unique_ptr<meander_flow, Closer>;
 
 FlowHandle make_flow(const Mesh& mesh, double spacing, uint32_t threads = 1, uint32_t preset = MEANDER_PRESET_EVEN,
                      const meander_seed* seed = nullptr) {
-  meander_error error{};
-  error.struct_size = sizeof error;
+  auto error = prepared<meander_error>();
   meander_flow_options options;
-  EXPECT_EQ(meander_flow_options_init(&options, preset), MEANDER_OK);
+  EXPECT_EQ(meander_flow_options_init(&options, sizeof options, preset), MEANDER_STATUS_OK);
   options.radius = 0.5 * spacing;
   options.threads = threads;
   meander_surface* surface = nullptr;
   meander_flow* flow = nullptr;
   EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   &surface, &error),
-            MEANDER_OK)
+                                   nullptr, &surface, &error),
+            MEANDER_STATUS_OK)
       << error.text;
-  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, &options, &flow, &error), MEANDER_OK) << error.text;
+  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, &error), MEANDER_STATUS_OK) << error.text;
   meander_surface_destroy(surface);
   return FlowHandle(flow);
 }
 
 void step(const FlowHandle& flow, int times) {
-  for (int k = 0; k < times; ++k) ASSERT_EQ(meander_flow_step(flow.get(), nullptr, nullptr), MEANDER_OK);
+  for (int k = 0; k < times; ++k) ASSERT_EQ(meander_flow_step(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
 }
 
 std::string set_vertices(const FlowHandle& flow, const std::vector<double>& vertices) {
-  meander_error error{};
-  error.struct_size = sizeof error;
+  auto error = prepared<meander_error>();
   const meander_status status =
       meander_flow_set_vertices(flow.get(), vertices.data(), vertices.size() / 3, &error);
-  return status == MEANDER_OK ? "" : error.text;
+  return status == MEANDER_STATUS_OK ? "" : error.text;
 }
 
 void expect_valid(const FlowHandle& flow) {
@@ -137,7 +136,7 @@ TEST(Deformation, SurfaceIsThatOfTheMovedMesh) {
 TEST(Deformation, SpacingStaysEvenThroughBendAndStretch) {
   const Mesh mesh = tube();
   const FlowHandle flow = make_flow(mesh, 0.5);
-  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_OK);
+  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
   ASSERT_TRUE(flow->flow->polishing());
   const size_t strands = flow->flow->curve().strands.size();
   const double rest = flow->flow->curve().length() * flow->flow->surface().scale();
@@ -170,7 +169,7 @@ TEST(Deformation, SpacingStaysEvenThroughBendAndStretch) {
 TEST(Deformation, PlateRollsUp) {
   const Mesh mesh = mapped(flat_grid(20), [](const Vec3& p) { return Vec3(10 * p.x(), p.z(), 10 * p.y()); });
   const FlowHandle flow = make_flow(mesh, 1);
-  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_OK);
+  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
   for (int k = 1; k <= 10; ++k) {
     ASSERT_EQ(set_vertices(flow, bent(mesh, 10, 0.05 * kPi * k, 1 + 0.1 * k).vertices), "");
     step(flow, 3);
@@ -275,9 +274,15 @@ TEST(Deformation, WildMotionMakesNoCrossings) {
 TEST(Deformation, FixedNodesStayWhereTheyAreOnTheirFaces) {
   const Mesh mesh = mapped(flat_grid(12), [](const Vec3& p) { return Vec3(10 * p.x(), 10 * p.y(), p.z()); });
   const double points[] = {2, 2, 0, 5, 2.5, 0, 8, 2, 0};
-  const uint32_t offsets[] = {0, 3};
+  const uint64_t offsets[] = {0, 3};
   const uint8_t closed[] = {0}, fixed[] = {1, 0, 1};
-  meander_seed seed{sizeof(meander_seed), 1, points, offsets, closed, fixed, nullptr, 0, 0};
+  auto seed = prepared<meander_seed>();
+  seed.point_count = 3;
+  seed.strand_count = 1;
+  seed.points = points;
+  seed.offsets = offsets;
+  seed.closed = closed;
+  seed.fixed = fixed;
   const FlowHandle flow = make_flow(mesh, 1, 1, MEANDER_PRESET_EVEN, &seed);
   step(flow, 40);
   const SurfacePoint first = flow->flow->curve().nodes.front(), last = flow->flow->curve().nodes.back();
@@ -310,16 +315,16 @@ std::vector<double> line_of_guide(const Curve& curve) {
 TEST(Deformation, GuidesRideAsDrawn) {
   const Mesh mesh = flat_grid(14);
   const std::vector<double> points{0.1, 0.33, 0, 0.87, 0.71, 0};
-  const std::vector<uint32_t> offsets{0, 2};
+  const std::vector<uint64_t> offsets{0, 2};
   const uint8_t closed = 0, guides = 1;
-  meander_seed seed{};
-  seed.struct_size = sizeof seed;
+  auto seed = prepared<meander_seed>();
+  seed.point_count = 2;
   seed.strand_count = 1;
   seed.points = points.data();
   seed.offsets = offsets.data();
   seed.closed = &closed;
   seed.guides = &guides;
-  seed.loops = 1;
+  seed.fill_regions = 1;
   const FlowHandle flow = make_flow(mesh, 0.1, 1, MEANDER_PRESET_EVEN, &seed);
   step(flow, 30);
   const std::vector<double> line = line_of_guide(flow->flow->curve());
@@ -364,15 +369,15 @@ TEST(Deformation, CurveThatStillGrowsGoesOnGrowing) {
   step(flow, 10);
   ASSERT_EQ(set_vertices(flow, scaled(mesh, 1.1).vertices), "");
   EXPECT_FALSE(flow->flow->polishing());
-  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_OK);
-  EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_CONVERGED);
+  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
+  EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_STOP_REASON_CONVERGED);
   EXPECT_GT(packing(flow), 0.95);
   // Converged, moved, and a run of its own again.
   ASSERT_EQ(set_vertices(flow, scaled(mesh, 1.2).vertices), "");
   EXPECT_TRUE(flow->flow->polishing());
-  EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_RUNNING);
-  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_OK);
-  EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_CONVERGED);
+  EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_STOP_REASON_RUNNING);
+  ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
+  EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_STOP_REASON_CONVERGED);
   expect_valid(flow);
 }
 
@@ -392,11 +397,11 @@ TEST(Deformation, RefusesWithOneSentenceAndStaysAsItWas) {
   EXPECT_NE(set_vertices(flow, v).find("has no area"), std::string::npos);
   EXPECT_NE(set_vertices(flow, scaled(mesh, 0.1).vertices).find("below the spacing"), std::string::npos);
   EXPECT_NE(set_vertices(flow, scaled(mesh, 1e6).vertices).find("500 million"), std::string::npos);
-  EXPECT_EQ(meander_flow_set_vertices(nullptr, mesh.vertices.data(), 162, nullptr), MEANDER_INVALID_ARGUMENT);
-  EXPECT_EQ(meander_flow_set_vertices(flow.get(), nullptr, 162, nullptr), MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_set_vertices(nullptr, mesh.vertices.data(), 162, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_set_vertices(flow.get(), nullptr, 162, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_TRUE(same_nodes(before, flow->flow->curve()));
   expect_valid(flow);
-  ASSERT_EQ(meander_flow_start(flow.get(), nullptr, nullptr), MEANDER_OK);
+  ASSERT_EQ(meander_flow_start(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
   EXPECT_NE(set_vertices(flow, mesh.vertices), "");
 }
 

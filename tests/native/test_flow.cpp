@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "flow/flow.h"
-#include "meander/meander.h"
+#include "api_structs.h"
 #include "test_curves.h"
 
 namespace meander::test {
 namespace {
 
-/// What c_api.cpp makes of a preset's options; `spacing` is in the mesh's own units.
+/// What the C API makes of a preset's options; `spacing` is in the mesh's own units.
 FlowSettings settings_of(uint32_t preset, const Surface& surface, double spacing) {
   meander_flow_options o;
-  EXPECT_EQ(meander_flow_options_init(&o, preset), MEANDER_OK);
+  EXPECT_EQ(meander_flow_options_init(&o, sizeof o, preset), MEANDER_STATUS_OK);
   FlowSettings s;
   s.radius = 0.5 * spacing / surface.scale();
   s.segment_length = 0.2 * s.radius;
@@ -33,9 +33,9 @@ FlowSettings settings_of(uint32_t preset, const Surface& surface, double spacing
   s.polish_length_offset = o.polish_length_offset;
   s.polish_length_gain = o.polish_length_gain;
   s.polish_medial_power = o.polish_medial_power;
-  s.hairpin_removal_iterations = o.ripening_iterations;
+  s.hairpin_removal_iterations = o.hairpin_removal_iterations;
   s.grow_into_empty = s.widen_loops = preset != MEANDER_PRESET_PAPER;
-  s.stop_rule = o.stop_rule == MEANDER_STOP_PAPER ? StopRule::kPaper : StopRule::kSettled;
+  s.stop_rule = o.stop_rule == MEANDER_STOP_RULE_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = BoundaryRule::kCentre;
   s.iteration_limit = o.iteration_limit;
   s.threads = 1;
@@ -226,7 +226,7 @@ TEST_P(EveryIteration, ACancelledStepChangesNothing) {
 struct Output {
   std::vector<uint32_t> faces;
   std::vector<double> barycentrics, positions;
-  std::vector<uint32_t> offsets;
+  std::vector<uint64_t> offsets;
   bool operator==(const Output&) const = default;
 };
 
@@ -235,20 +235,19 @@ Output run(const Mesh& mesh, double spacing, uint32_t preset, uint32_t threads, 
   meander_surface* surface = nullptr;
   meander_flow* flow = nullptr;
   meander_flow_options options;
-  meander_error error{};
-  error.struct_size = sizeof(error);
-  meander_flow_options_init(&options, preset);
+  auto error = prepared<meander_error>();
+  meander_flow_options_init(&options, sizeof options, preset);
   options.radius = spacing / 2;
   options.threads = threads;
   EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
-                                   mesh.face_count(), &surface, &error),
-            MEANDER_OK)
+                                   mesh.face_count(), nullptr, &surface, &error),
+            MEANDER_STATUS_OK)
       << error.text;
-  EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, &options, &flow, &error), MEANDER_OK)
+  EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, &error), MEANDER_STATUS_OK)
       << error.text;
   meander_surface_destroy(surface);
   for (int k = 0; k < steps; ++k) {
-    EXPECT_EQ(meander_flow_step(flow, nullptr, &error), MEANDER_OK) << error.text;
+    EXPECT_EQ(meander_flow_step(flow, nullptr, &error), MEANDER_STATUS_OK) << error.text;
   }
   size_t nodes = 0, points = 0, strands = 0;
   meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, nullptr);
@@ -261,11 +260,11 @@ Output run(const Mesh& mesh, double spacing, uint32_t preset, uint32_t threads, 
   std::vector<uint8_t> closed(strands);
   EXPECT_EQ(meander_flow_get_nodes(flow, out.faces.data(), out.barycentrics.data(), nullptr,
                                    nullptr, nodes, &nodes, &error),
-            MEANDER_OK);
+            MEANDER_STATUS_OK);
   EXPECT_EQ(
       meander_flow_get_polylines(flow, out.positions.data(), nullptr, points, &points,
                                  out.offsets.data(), closed.data(), strands, &strands, &error),
-      MEANDER_OK);
+      MEANDER_STATUS_OK);
   meander_flow_destroy(flow);
   return out;
 }
@@ -318,7 +317,7 @@ TEST_P(EveryIteration, PolylinesAreOnTheCallersMesh) {
     const Output out = run(c.mesh, spacing_for(s, 40), GetParam(), 2, 20);
     double farthest = 0;
     for (size_t strand = 0; strand + 1 < out.offsets.size(); ++strand) {
-      const uint32_t first = out.offsets[strand], count = out.offsets[strand + 1] - first;
+      const uint64_t first = out.offsets[strand], count = out.offsets[strand + 1] - first;
       for (uint32_t k = 0; k < count; ++k) {
         const auto point = [&](uint32_t i) {
           return Vec3(out.positions.data() + 3 * (first + i % count));

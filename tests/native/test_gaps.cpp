@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "meander/meander.h"
+#include "api_structs.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -28,12 +28,12 @@ constexpr double kOtherSegment = 1e-6;  // r
 
 struct Strands {
   std::vector<double> points;
-  std::vector<uint32_t> offsets{0};
+  std::vector<uint64_t> offsets{0};
   std::vector<uint8_t> closed;
 
   void add(std::initializer_list<Vec3> strand, bool is_closed = false) {
     for (const Vec3& p : strand) points.insert(points.end(), p.data(), p.data() + 3);
-    offsets.push_back(static_cast<uint32_t>(points.size() / 3));
+    offsets.push_back(points.size() / 3);
     closed.push_back(is_closed);
   }
 };
@@ -53,30 +53,29 @@ class FlowRun {
   FlowRun(const Mesh& mesh, double radius, const Strands* strands = nullptr, uint32_t threads = 2,
           const std::vector<double>& density = {}) {
     EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
-                                     mesh.face_count(), &surface_, nullptr),
-              MEANDER_OK);
+                                     mesh.face_count(), nullptr, &surface_, nullptr),
+              MEANDER_STATUS_OK);
     meander_flow_options options;
-    EXPECT_EQ(meander_flow_options_init(&options, MEANDER_PRESET_EVEN), MEANDER_OK);
+    EXPECT_EQ(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), MEANDER_STATUS_OK);
     options.radius = radius;
     options.growth_coarsening = 1;
     options.threads = threads;
-    meander_seed seed{};
+    auto seed = prepared<meander_seed>();
     std::vector<uint8_t> fixed;
     if (strands) {
       fixed.assign(strands->points.size() / 3, 1);
-      seed.struct_size = sizeof(seed);
-      seed.strand_count = static_cast<uint32_t>(strands->closed.size());
+      seed.point_count = fixed.size();
+      seed.strand_count = strands->closed.size();
       seed.points = strands->points.data();
       seed.offsets = strands->offsets.data();
       seed.closed = strands->closed.data();
       seed.fixed = fixed.data();
     }
-    meander_error error{};
-    error.struct_size = sizeof(error);
+    auto error = prepared<meander_error>();
     EXPECT_EQ(
         meander_flow_create(surface_, strands ? &seed : nullptr,
-                            density.empty() ? nullptr : density.data(), &options, &flow_, &error),
-        MEANDER_OK)
+                            density.empty() ? nullptr : density.data(), density.size(), &options, &flow_, &error),
+        MEANDER_STATUS_OK)
         << error.text;
   }
   ~FlowRun() {
@@ -88,23 +87,23 @@ class FlowRun {
 
   void steps(int count) {
     for (int k = 0; k < count; ++k)
-      ASSERT_EQ(meander_flow_step(flow_, nullptr, nullptr), MEANDER_OK);
+      ASSERT_EQ(meander_flow_step(flow_, nullptr, nullptr), MEANDER_STATUS_OK);
   }
 
   Gaps gaps(double least_size = 0) {
     size_t count = 0;
-    EXPECT_EQ(meander_flow_get_gaps(flow_, least_size, nullptr, nullptr, nullptr, nullptr, 0,
-                                    &count, nullptr),
-              MEANDER_OK);
+    EXPECT_EQ(meander_flow_find_gaps(flow_, least_size, nullptr, nullptr, nullptr, nullptr, 0,
+                                    &count, nullptr, nullptr),
+              MEANDER_STATUS_OK);
     Gaps g;
     g.positions.resize(3 * count);
     g.radii.resize(count);
     g.sizes.resize(count);
     g.faces.resize(count);
     size_t again = 0;
-    EXPECT_EQ(meander_flow_get_gaps(flow_, least_size, g.positions.data(), g.radii.data(),
-                                    g.sizes.data(), g.faces.data(), count, &again, nullptr),
-              MEANDER_OK);
+    EXPECT_EQ(meander_flow_find_gaps(flow_, least_size, g.positions.data(), g.radii.data(),
+                                    g.sizes.data(), g.faces.data(), count, &again, nullptr, nullptr),
+              MEANDER_STATUS_OK);
     EXPECT_EQ(again, count);
     return g;
   }
@@ -114,17 +113,17 @@ class FlowRun {
     size_t points = 0, strands = 0;
     EXPECT_EQ(meander_flow_get_polylines(flow_, nullptr, nullptr, 0, &points, nullptr, nullptr, 0,
                                          &strands, nullptr),
-              MEANDER_OK);
+              MEANDER_STATUS_OK);
     std::vector<double> positions(3 * points);
-    std::vector<uint32_t> offsets(strands + 1);
+    std::vector<uint64_t> offsets(strands + 1);
     std::vector<uint8_t> closed(strands);
     EXPECT_EQ(meander_flow_get_polylines(flow_, positions.data(), nullptr, points, &points,
                                          offsets.data(), closed.data(), strands, &strands, nullptr),
-              MEANDER_OK);
+              MEANDER_STATUS_OK);
     std::vector<Vec3> ends;
     for (size_t s = 0; s < strands; ++s) {
-      const uint32_t first = offsets[s], count = offsets[s + 1] - first;
-      for (uint32_t k = 0; k + 1 < count + closed[s]; ++k) {
+      const uint64_t first = offsets[s], count = offsets[s + 1] - first;
+      for (uint64_t k = 0; k + 1 < count + closed[s]; ++k) {
         ends.push_back(Vec3(positions.data() + 3 * (first + k)));
         ends.push_back(Vec3(positions.data() + 3 * (first + (k + 1) % count)));
       }
@@ -367,32 +366,32 @@ TEST(Gaps, BadArgumentsAreRefused) {
   FlowRun run(sphere(2), 0.3);
   size_t count = 99;
   EXPECT_EQ(
-      meander_flow_get_gaps(nullptr, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr),
-      MEANDER_INVALID_ARGUMENT);
+      meander_flow_find_gaps(nullptr, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr),
+      MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_EQ(
-      meander_flow_get_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 0, nullptr, nullptr),
-      MEANDER_INVALID_ARGUMENT);
+      meander_flow_find_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 0, nullptr, nullptr, nullptr),
+      MEANDER_STATUS_INVALID_ARGUMENT);
   for (const double size : {0.5, -1.0, std::nan(""), HUGE_VAL}) {
-    EXPECT_EQ(meander_flow_get_gaps(run.flow(), size, nullptr, nullptr, nullptr, nullptr, 0, &count,
-                                    nullptr),
-              MEANDER_INVALID_ARGUMENT);
+    EXPECT_EQ(meander_flow_find_gaps(run.flow(), size, nullptr, nullptr, nullptr, nullptr, 0, &count,
+                                    nullptr, nullptr),
+              MEANDER_STATUS_INVALID_ARGUMENT);
   }
-  EXPECT_EQ(meander_flow_get_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 1000, &count,
-                                  nullptr),
-            MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_find_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 1000, &count,
+                                  nullptr, nullptr),
+            MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_EQ(count, 99u) << "outputs are untouched on failure";
   // All but the positions may be left out.
   std::vector<double> positions(3000);
-  EXPECT_EQ(meander_flow_get_gaps(run.flow(), 0, positions.data(), nullptr, nullptr, nullptr, 1000,
-                                  &count, nullptr),
-            MEANDER_OK);
+  EXPECT_EQ(meander_flow_find_gaps(run.flow(), 0, positions.data(), nullptr, nullptr, nullptr, 1000,
+                                  &count, nullptr, nullptr),
+            MEANDER_STATUS_OK);
   EXPECT_GE(count, 1u);
   // A started flow belongs to its run.
-  ASSERT_EQ(meander_flow_start(run.flow(), nullptr, nullptr), MEANDER_OK);
+  ASSERT_EQ(meander_flow_start(run.flow(), nullptr, nullptr), MEANDER_STATUS_OK);
   EXPECT_EQ(
-      meander_flow_get_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr),
-      MEANDER_INVALID_ARGUMENT);
-  EXPECT_EQ(meander_flow_wait(run.flow(), nullptr), MEANDER_OK);
+      meander_flow_find_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr),
+      MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_wait(run.flow(), nullptr), MEANDER_STATUS_OK);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "meander/meander.h"
+#include "api_structs.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -26,7 +26,7 @@ constexpr auto kPatience = std::chrono::seconds(60);
 
 struct Curve3 {
   std::vector<double> positions, normals;
-  std::vector<uint32_t> offsets;
+  std::vector<uint64_t> offsets;
   std::vector<uint8_t> closed;
   bool operator==(const Curve3&) const = default;
 };
@@ -38,14 +38,14 @@ class Host {
     const Mesh mesh = sphere(3);
     meander_surface* surface = nullptr;
     EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
-                                     mesh.face_count(), &surface, nullptr),
-              MEANDER_OK);
+                                     mesh.face_count(), nullptr, &surface, nullptr),
+              MEANDER_STATUS_OK);
     meander_flow_options options;
-    EXPECT_EQ(meander_flow_options_init(&options, MEANDER_PRESET_EVEN), MEANDER_OK);
+    EXPECT_EQ(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), MEANDER_STATUS_OK);
     options.radius = 0.5 * kSpacing;
     options.threads = 2;
     if (iteration_limit) options.iteration_limit = iteration_limit;
-    EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, &options, &flow, nullptr), MEANDER_OK);
+    EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr), MEANDER_STATUS_OK);
     meander_surface_destroy(surface);
   }
   ~Host() {
@@ -55,17 +55,16 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  void start() { ASSERT_EQ(meander_flow_start(flow, context, &error), MEANDER_OK) << error.text; }
+  void start() { ASSERT_EQ(meander_flow_start(flow, context, &error), MEANDER_STATUS_OK) << error.text; }
 
   /// The newest copy in two calls; its curve is empty when the copy has been seen before.
   std::pair<meander_preview, Curve3> preview() {
-    meander_preview figures{};
-    figures.struct_size = sizeof figures;
+    auto figures = prepared<meander_preview>();
     size_t points = 0, strands = 0;
     Curve3 curve;
     EXPECT_EQ(meander_flow_get_preview(flow, &figures, nullptr, nullptr, 0, &points, nullptr, nullptr, 0,
                                        &strands, &error),
-              MEANDER_OK)
+              MEANDER_STATUS_OK)
         << error.text;
     if (figures.serial == seen) return {figures, curve};
     const uint32_t serial = figures.serial;
@@ -74,7 +73,7 @@ class Host {
     EXPECT_EQ(meander_flow_get_preview(flow, &figures, curve.positions.data(), curve.normals.data(), points,
                                        &points, curve.offsets.data(), curve.closed.data(), strands, &strands,
                                        &error),
-              MEANDER_OK)
+              MEANDER_STATUS_OK)
         << error.text;
     EXPECT_EQ(figures.serial, serial) << "a copy that was not taken must stay";
     EXPECT_EQ(points, curve.normals.size() / 3);
@@ -86,19 +85,19 @@ class Host {
     Curve3 curve;
     EXPECT_EQ(meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands,
                                          &error),
-              MEANDER_OK)
+              MEANDER_STATUS_OK)
         << error.text;
     resize(curve, points, strands);
     EXPECT_EQ(meander_flow_get_polylines(flow, curve.positions.data(), curve.normals.data(), points, &points,
                                          curve.offsets.data(), curve.closed.data(), strands, &strands, &error),
-              MEANDER_OK)
+              MEANDER_STATUS_OK)
         << error.text;
     return curve;
   }
 
   size_t iterations() {
     size_t count = 0;
-    EXPECT_EQ(meander_flow_get_history(flow, nullptr, 0, &count, &error), MEANDER_OK) << error.text;
+    EXPECT_EQ(meander_flow_get_history(flow, nullptr, sizeof(meander_iteration), 0, &count, &error), MEANDER_STATUS_OK) << error.text;
     return count;
   }
 
@@ -113,8 +112,8 @@ class Host {
   }
 
   meander_flow* flow = nullptr;
-  meander_context* context = meander_context_create();
-  meander_error error{sizeof(meander_error), 0, 0, 0, 0, ""};
+  meander_context* context = new_context();
+  meander_error error = prepared<meander_error>();
   uint32_t seen = 0;
 
  private:
@@ -128,15 +127,15 @@ class Host {
 
 TEST(Job, GivesTheSameBytesAsARun) {
   Host plain(40), watched(40), alone(40);
-  ASSERT_EQ(meander_flow_run(plain.flow, nullptr, nullptr), MEANDER_OK);
+  ASSERT_EQ(meander_flow_run(plain.flow, nullptr, nullptr), MEANDER_STATUS_OK);
   alone.start();
   watched.start();  // two at once, of which one is looked at as often as can be
   while (meander_flow_is_running(watched.flow)) watched.preview();
-  EXPECT_EQ(meander_flow_wait(watched.flow, nullptr), MEANDER_OK);
-  EXPECT_EQ(meander_flow_wait(alone.flow, nullptr), MEANDER_OK);
+  EXPECT_EQ(meander_flow_wait(watched.flow, nullptr), MEANDER_STATUS_OK);
+  EXPECT_EQ(meander_flow_wait(alone.flow, nullptr), MEANDER_STATUS_OK);
   EXPECT_EQ(meander_context_progress(alone.context), 1);
   for (Host* host : {&watched, &alone}) {
-    EXPECT_EQ(meander_flow_stop_reason(host->flow), static_cast<uint32_t>(MEANDER_ITERATION_LIMIT));
+    EXPECT_EQ(meander_flow_stop_reason(host->flow), static_cast<uint32_t>(MEANDER_STOP_REASON_ITERATION_LIMIT));
     EXPECT_TRUE(host->curve() == plain.curve());
   }
 }
@@ -179,7 +178,7 @@ TEST(Job, ShowsWholeCurvesThatGrow) {
   }
   EXPECT_EQ(copies, 10u);
   meander_context_cancel(host.context);
-  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_CANCELLED);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_CANCELLED);
 }
 
 TEST(Job, CopiesNothingForAHostThatDoesNotLook) {
@@ -191,22 +190,21 @@ TEST(Job, CopiesNothingForAHostThatDoesNotLook) {
   const uint32_t last = host.preview().first.serial;
   EXPECT_LE(last, 2u);
   EXPECT_EQ(host.preview().first.serial, last) << "nobody makes another after the end";
-  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_OK);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_OK);
 }
 
 TEST(Job, TooLittleRoomTakesNothing) {
   Host host;
   host.start();
-  meander_preview figures{};
-  figures.struct_size = sizeof figures;
+  auto figures = prepared<meander_preview>();
   size_t points = 0, strands = 0;
   for (int look = 0; look < 3; ++look) {
     double position[3] = {7, 7, 7};
-    uint32_t offsets[2] = {7, 7};
+    uint64_t offsets[2] = {7, 7};
     uint8_t closed[1] = {7};
     EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, position, nullptr, 1, &points, offsets, closed, 1,
                                        &strands, nullptr),
-              MEANDER_OK);
+              MEANDER_STATUS_OK);
     EXPECT_EQ(figures.serial, 1u);
     EXPECT_GT(points, 2u);
     EXPECT_EQ(strands, 1u);
@@ -215,7 +213,7 @@ TEST(Job, TooLittleRoomTakesNothing) {
   }
   EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, points, &points, nullptr, nullptr,
                                      strands, &strands, &host.error),
-            MEANDER_INVALID_ARGUMENT);
+            MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_NE(std::strlen(host.error.text), 0u);
 }
 
@@ -224,15 +222,15 @@ TEST(Job, IsCancelledWithinAnIterationAndGoesOn) {
   host.start();
   host.let_run(3);
   meander_context_cancel(host.context);
-  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_CANCELLED);
+  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_STATUS_CANCELLED);
   EXPECT_STREQ(host.error.text, "The run was cancelled.");
   EXPECT_FALSE(meander_flow_is_running(host.flow));
-  EXPECT_EQ(meander_flow_stop_reason(host.flow), static_cast<uint32_t>(MEANDER_STOPPED));
+  EXPECT_EQ(meander_flow_stop_reason(host.flow), static_cast<uint32_t>(MEANDER_STOP_REASON_CANCELLED));
   const size_t iterations = host.iterations();
   EXPECT_GE(iterations, 3u);
   const Curve3 before = host.curve();
   host.start();  // still cancelled: nothing happens
-  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_CANCELLED);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_CANCELLED);
   EXPECT_EQ(host.iterations(), iterations);
   EXPECT_TRUE(host.curve() == before);
   meander_context_reset(host.context);
@@ -241,17 +239,15 @@ TEST(Job, IsCancelledWithinAnIterationAndGoesOn) {
   EXPECT_EQ(host.preview().first.serial, 1u) << "every start counts anew";
   host.let_run(static_cast<uint32_t>(iterations) + 2);
   meander_context_cancel(host.context);
-  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_CANCELLED);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_CANCELLED);
   EXPECT_GE(host.iterations(), iterations + 2);
 }
 
 TEST(Job, RefusesEverythingElseUntilTheWait) {
   Host host(4);
   size_t count = 0, strands = 0;
-  meander_flow_statistics statistics{};
-  statistics.struct_size = sizeof statistics;
-  meander_preview figures{};
-  figures.struct_size = sizeof figures;
+  auto statistics = prepared<meander_flow_statistics>();
+  auto figures = prepared<meander_preview>();
   host.start();
   // While it runs, and after it has ended by itself: whether a call is refused is no matter of luck.
   for (int round = 0; round < 2; ++round) {
@@ -259,45 +255,45 @@ TEST(Job, RefusesEverythingElseUntilTheWait) {
              meander_flow_start(host.flow, nullptr, &host.error),
              meander_flow_step(host.flow, nullptr, &host.error),
              meander_flow_run(host.flow, nullptr, &host.error),
-             meander_flow_get_statistics(host.flow, &statistics, &host.error),
-             meander_flow_get_history(host.flow, nullptr, 0, &count, &host.error),
+             meander_flow_compute_statistics(host.flow, &statistics, nullptr, &host.error),
+             meander_flow_get_history(host.flow, nullptr, sizeof(meander_iteration), 0, &count, &host.error),
              meander_flow_get_polylines(host.flow, nullptr, nullptr, 0, &count, nullptr, nullptr, 0, &strands,
                                         &host.error),
              meander_flow_get_nodes(host.flow, nullptr, nullptr, nullptr, nullptr, 0, &count, &host.error),
-             meander_flow_get_gaps(host.flow, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, &host.error),
+             meander_flow_find_gaps(host.flow, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr, &host.error),
          }) {
-      EXPECT_EQ(status, MEANDER_INVALID_ARGUMENT);
+      EXPECT_EQ(status, MEANDER_STATUS_INVALID_ARGUMENT);
       EXPECT_STREQ(host.error.text,
                    "The flow has been started and belongs to its run; call meander_flow_wait first.");
     }
-    EXPECT_EQ(meander_flow_stop_reason(host.flow), static_cast<uint32_t>(MEANDER_RUNNING));
+    EXPECT_EQ(meander_flow_stop_reason(host.flow), static_cast<uint32_t>(MEANDER_STOP_REASON_RUNNING));
     while (meander_flow_is_running(host.flow)) std::this_thread::yield();
   }
-  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_OK);
-  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_STATUS_OK);
+  EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_STREQ(host.error.text, "No run of the flow has been started; call meander_flow_start first.");
   EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
                                      &strands, &host.error),
-            MEANDER_INVALID_ARGUMENT);
-  EXPECT_EQ(meander_flow_get_statistics(host.flow, &statistics, &host.error), MEANDER_OK);
+            MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_compute_statistics(host.flow, &statistics, nullptr, &host.error), MEANDER_STATUS_OK);
   EXPECT_EQ(statistics.iterations, 4u);
 }
 
 TEST(Job, NullsAreRefusedOrIgnored) {
   meander_preview figures{};
   size_t count = 0;
-  EXPECT_EQ(meander_flow_start(nullptr, nullptr, nullptr), MEANDER_INVALID_ARGUMENT);
-  EXPECT_EQ(meander_flow_wait(nullptr, nullptr), MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_start(nullptr, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_wait(nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_EQ(meander_flow_is_running(nullptr), 0u);
   Host host;
   EXPECT_EQ(meander_flow_is_running(host.flow), 0u);
   host.start();
   EXPECT_EQ(meander_flow_get_preview(host.flow, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
                                      &count, nullptr),
-            MEANDER_INVALID_ARGUMENT);
+            MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
                                      &count, nullptr),
-            MEANDER_INVALID_ARGUMENT)
+            MEANDER_STATUS_INVALID_ARGUMENT)
       << "struct_size is 0";
 }
 
@@ -321,7 +317,7 @@ TEST(Job, TellsAnyThreadWhetherItRuns) {
     });
   }
   for (std::thread& looker : lookers) looker.join();
-  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_OK);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_OK);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "meander/meander.h"
+#include "api_structs.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -15,7 +15,7 @@ namespace {
 
 struct Result {
   std::vector<double> positions, normals;
-  std::vector<uint32_t> offsets;
+  std::vector<uint64_t> offsets;
   std::vector<uint8_t> closed;
   std::vector<double> arc, data_normals, tangents, radii, weights;
   std::vector<uint32_t> faces;
@@ -27,15 +27,15 @@ struct Result {
 
 Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* seed = nullptr) {
   meander_flow_options options;
-  meander_flow_options_init(&options, MEANDER_PRESET_EVEN);
+  meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN);
   options.radius = 0.5 * spacing;
   options.threads = 1;
   meander_surface* surface = nullptr;
   meander_flow* flow = nullptr;
   EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   &surface, nullptr),
-            MEANDER_OK);
-  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, &options, &flow, nullptr), MEANDER_OK);
+                                   nullptr, &surface, nullptr),
+            MEANDER_STATUS_OK);
+  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, nullptr), MEANDER_STATUS_OK);
   for (int k = 0; k < steps; ++k) meander_flow_step(flow, nullptr, nullptr);
   Result r;
   size_t points = 0, strands = 0, count = 0, nodes = 0;
@@ -46,8 +46,8 @@ Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* see
   r.closed.resize(strands);
   meander_flow_get_polylines(flow, r.positions.data(), r.normals.data(), points, &points, r.offsets.data(),
                              r.closed.data(), strands, &strands, nullptr);
-  EXPECT_EQ(meander_flow_get_point_data(flow, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr),
-            MEANDER_OK);
+  EXPECT_EQ(meander_flow_compute_point_data(flow, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr),
+            MEANDER_STATUS_OK);
   EXPECT_EQ(count, points);
   r.arc.resize(count);
   r.data_normals.resize(3 * count);
@@ -55,24 +55,24 @@ Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* see
   r.radii.resize(2 * count);
   r.faces.resize(count);
   r.weights.resize(3 * count);
-  EXPECT_EQ(meander_flow_get_point_data(flow, r.arc.data(), r.data_normals.data(), r.tangents.data(), r.radii.data(),
-                                        r.faces.data(), r.weights.data(), count, &count, nullptr),
-            MEANDER_OK);
+  EXPECT_EQ(meander_flow_compute_point_data(flow, r.arc.data(), r.data_normals.data(), r.tangents.data(), r.radii.data(),
+                                        r.faces.data(), r.weights.data(), count, &count, nullptr, nullptr),
+            MEANDER_STATUS_OK);
   // Any array may be left out.
   std::vector<double> again(count);
-  EXPECT_EQ(meander_flow_get_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, count, &count,
-                                        nullptr),
-            MEANDER_OK);
+  EXPECT_EQ(meander_flow_compute_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, count, &count,
+                                        nullptr, nullptr),
+            MEANDER_STATUS_OK);
   EXPECT_EQ(again, r.arc);
   // Too little room: the count alone.
   again.assign(1, -1);
-  EXPECT_EQ(meander_flow_get_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, 1, &count,
-                                        nullptr),
-            MEANDER_OK);
+  EXPECT_EQ(meander_flow_compute_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, 1, &count,
+                                        nullptr, nullptr),
+            MEANDER_STATUS_OK);
   EXPECT_EQ(again[0], -1);
-  EXPECT_EQ(meander_flow_get_point_data(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, &count,
-                                        nullptr),
-            MEANDER_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_compute_point_data(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, &count,
+                                        nullptr, nullptr),
+            MEANDER_STATUS_INVALID_ARGUMENT);
   meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, nullptr);
   r.node_faces.resize(nodes);
   r.node_weights.resize(3 * nodes);
@@ -163,9 +163,14 @@ TEST(PointData, OpenStrandsEndWhereTheyEnd) {
   Mesh mesh = flat_grid(12, 0);
   for (double& x : mesh.vertices) x *= 10;
   const double points[] = {2, 2, 0, 8, 2, 0, 2, 8, 0, 8, 8, 0};
-  const uint32_t offsets[] = {0, 2, 4};
+  const uint64_t offsets[] = {0, 2, 4};
   const uint8_t closed[] = {0, 0};
-  const meander_seed seed{sizeof(meander_seed), 2, points, offsets, closed, nullptr, nullptr, 0, 0};
+  auto seed = prepared<meander_seed>();
+  seed.point_count = 4;
+  seed.strand_count = 2;
+  seed.points = points;
+  seed.offsets = offsets;
+  seed.closed = closed;
   const Result r = grow(mesh, 1, 0, &seed);
   check(mesh, r);
   // Straight along x, and arc lengths begin anew.

@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "api/handles.h"
+#include "api/flow_options.h"
+#include "api_structs.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -40,7 +41,7 @@ inline SeedStrands seed_of(const std::vector<Line>& lines, bool loops) {
 
 inline meander_flow_options options_of(double spacing, uint32_t preset = MEANDER_PRESET_EVEN) {
   meander_flow_options options;
-  EXPECT_EQ(meander_flow_options_init(&options, preset), MEANDER_OK);
+  EXPECT_EQ(meander_flow_options_init(&options, sizeof options, preset), MEANDER_STATUS_OK);
   options.radius = spacing / 2;
   options.threads = 1;
   return options;

@@ -152,7 +152,7 @@ TEST(Strands, KeepEverythingInRandomCompany) {
     const auto surface = std::make_shared<const Surface>(make_surface(meshes[rng.below(meshes.size())]));
     const double spacing = std::sqrt(surface->area() / rng.in(20, 60)) * surface->scale();
     meander_flow_options o = options_of(spacing, rng() < 0.3 ? MEANDER_PRESET_PAPER : MEANDER_PRESET_EVEN);
-    if (rng() < 0.3) o.boundary_rule = MEANDER_BOUNDARY_OBSTACLE;
+    if (rng() < 0.3) o.boundary_rule = MEANDER_BOUNDARY_RULE_OBSTACLE;
     if (rng() < 0.3) o.bending_weight = rng.in(0, 2);
     if (rng() < 0.3) o.length_weight = rng.in(0, 1);
     std::vector<double> density;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "api/handles.h"
+#include "api_structs.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -46,7 +47,7 @@ class Draw {
   explicit Draw(uint64_t number) : rng_(number), mesh_(random_mesh(rng_)) {
     meander_surface* surface = nullptr;
     check(meander_surface_create(mesh_.vertices.data(), mesh_.vertex_count(), mesh_.faces.data(), mesh_.face_count(),
-                                 &surface, &error_));
+                                 nullptr, &surface, &error_));
     surface_.reset(surface);
     choose_options();
     if (maybe()) {
@@ -58,12 +59,16 @@ class Draw {
 
   FlowHandle make(uint32_t threads) {
     options_.threads = threads;
-    const meander_seed seed{sizeof(meander_seed), static_cast<uint32_t>(closed_.size()), points_.data(),
-                            offsets_.data(),      closed_.data(),                        fixed_.data(),
-                            nullptr,              0,                                     0};
+    auto seed = prepared<meander_seed>();
+    seed.point_count = fixed_.size();
+    seed.strand_count = closed_.size();
+    seed.points = points_.data();
+    seed.offsets = offsets_.data();
+    seed.closed = closed_.data();
+    seed.fixed = fixed_.data();
     meander_flow* flow = nullptr;
     check(meander_flow_create(surface_.get(), closed_.empty() ? nullptr : &seed,
-                              density_.empty() ? nullptr : density_.data(), &options_, &flow, &error_));
+                              density_.empty() ? nullptr : density_.data(), density_.size(), &options_, &flow, &error_));
     FlowHandle handle(flow);
     if (flow && options_.alignment_weight > 0) {
       check(meander_flow_set_directions(flow, directions_.data(), mesh_.vertex_count(), across_, &error_));
@@ -85,12 +90,12 @@ class Draw {
 
  private:
   bool maybe() { return rng_() < 0.5; }
-  void check(meander_status status) { ASSERT_EQ(status, MEANDER_OK) << error_.text; }
+  void check(meander_status status) { ASSERT_EQ(status, MEANDER_STATUS_OK) << error_.text; }
 
   void choose_options() {
     const Surface& s = *surface_->surface;
     meander_flow_options& o = options_;
-    ASSERT_EQ(meander_flow_options_init(&o, rng_.below(2)), MEANDER_OK);
+    ASSERT_EQ(meander_flow_options_init(&o, sizeof o, rng_.below(2)), MEANDER_STATUS_OK);
     o.radius = 0.5 * s.scale() * std::sqrt(s.area() / rng_.in(15, 50));
     if (maybe()) o.segment_length = o.radius * rng_.in(0.15, 0.9);
     if (maybe()) o.max_radius = o.radius * rng_.in(1.5, 12);
@@ -118,19 +123,19 @@ class Draw {
         points_.insert(points_.end(), p.data(), p.data() + 3);
         fixed_.push_back(k == 0 && maybe());
       }
-      offsets_.push_back(static_cast<uint32_t>(fixed_.size()));
+      offsets_.push_back(fixed_.size());
       closed_.push_back(closed);
     }
   }
 
   Rng rng_;
   Mesh mesh_;
-  meander_error error_{sizeof(meander_error), 0, 0, 0, 0, ""};
+  meander_error error_ = prepared<meander_error>();
   SurfaceHandle surface_;
   meander_flow_options options_{};
   uint32_t across_ = 0;
   std::vector<double> density_, directions_, points_;
-  std::vector<uint32_t> offsets_;
+  std::vector<uint64_t> offsets_;
   std::vector<uint8_t> closed_, fixed_;
 };
 
@@ -154,8 +159,8 @@ TEST(Terms, OfAnyCombinationKeepTheCurveWhole) {
     ASSERT_TRUE(one && three);
     const Strands seeded(one->flow->curve());
     for (int k = 0; k < kIterations; ++k) {
-      ASSERT_EQ(meander_flow_step(one.get(), nullptr, nullptr), MEANDER_OK);
-      ASSERT_EQ(meander_flow_step(three.get(), nullptr, nullptr), MEANDER_OK);
+      ASSERT_EQ(meander_flow_step(one.get(), nullptr, nullptr), MEANDER_STATUS_OK);
+      ASSERT_EQ(meander_flow_step(three.get(), nullptr, nullptr), MEANDER_STATUS_OK);
       const Curve& curve = one->flow->curve();
       ASSERT_TRUE(whole(one->flow->surface(), curve)) << "iteration " << k;
       ASSERT_TRUE(exact_crossings(one->flow->surface(), curve).empty()) << "iteration " << k;
@@ -167,9 +172,8 @@ TEST(Terms, OfAnyCombinationKeepTheCurveWhole) {
       ASSERT_EQ(other.size(), curve.size());
       for (uint32_t i = 0; i < curve.size(); ++i) ASSERT_TRUE(same_bytes(other.nodes[i], curve.nodes[i]));
     }
-    meander_flow_statistics figures{};
-    figures.struct_size = sizeof figures;
-    ASSERT_EQ(meander_flow_get_statistics(one.get(), &figures, nullptr), MEANDER_OK);
+    auto figures = prepared<meander_flow_statistics>();
+    ASSERT_EQ(meander_flow_compute_statistics(one.get(), &figures, nullptr, nullptr), MEANDER_STATUS_OK);
     EXPECT_EQ(figures.crossings, 0u);
     EXPECT_TRUE(std::isfinite(figures.energy));
     EXPECT_GT(figures.length, 0);

@@ -25,7 +25,7 @@ size_t polyline_point_count(const Curve& curve) {
 }
 
 void write_polylines(const Surface& surface, const Curve& curve, const NormalField& field, double* positions,
-                     double* normals, uint32_t* offsets, uint8_t* closed) {
+                     double* normals, uint64_t* offsets, uint8_t* closed) {
   size_t p = 0;
   const auto put = [&](uint32_t face, const std::array<double, 3>& w) {
     const Vec3 x = caller_point(surface, face, w);
@@ -38,7 +38,7 @@ void write_polylines(const Surface& surface, const Curve& curve, const NormalFie
   };
   for (size_t s = 0; s < curve.strands.size(); ++s) {
     const Strand& strand = curve.strands[s];
-    offsets[s] = static_cast<uint32_t>(p);
+    offsets[s] = p;
     closed[s] = strand.closed;
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       const SurfacePoint& node = curve.nodes[i];
@@ -46,7 +46,7 @@ void write_polylines(const Surface& surface, const Curve& curve, const NormalFie
       for (const Crossing& c : curve.paths[i]) put(face_of(c.e), crossing_weights(c));
     }
   }
-  offsets[curve.strands.size()] = static_cast<uint32_t>(p);
+  offsets[curve.strands.size()] = p;
 }
 
 void Polylines::copy_from(const Surface& surface, const Curve& curve, const NormalField& field) {

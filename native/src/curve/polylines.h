@@ -35,12 +35,12 @@ size_t polyline_point_count(const Curve& curve);
 /// `positions` and `normals` hold 3 values a point, `offsets` one value more than there are strands,
 /// `closed` one per strand; `normals`, which `field` gives, may be null.
 void write_polylines(const Surface& surface, const Curve& curve, const NormalField& field, double* positions,
-                     double* normals, uint32_t* offsets, uint8_t* closed);
+                     double* normals, uint64_t* offsets, uint8_t* closed);
 
 /// A copy of the polylines. Its memory is used again by the next copy.
 struct Polylines {
   std::vector<double> positions, normals;
-  std::vector<uint32_t> offsets;
+  std::vector<uint64_t> offsets;
   std::vector<uint8_t> closed;
 
   void copy_from(const Surface& surface, const Curve& curve, const NormalField& field);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The border of the fields: curvature and directions of a surface, and the directions of a flow.
-#include "api/handles.h"
+// Curvature and directions of a surface, and the directions that a flow follows.
+#include <algorithm>
+#include <cmath>
+
+#include "api/caller_mesh.h"
+#include "api/offsets.h"
 #include "mesh/fields.h"
 
 using namespace meander;
@@ -41,30 +45,44 @@ void write(const Surface& surface, const MeshMap* map, const std::vector<Vec3>& 
   });
 }
 
+/// Points of strokes in the surface's own space.
+std::vector<Vec3> checked_points(const double* points, size_t count, const Surface& surface) {
+  std::vector<Vec3> inside;
+  for (size_t i = 0; i < count; ++i) {
+    const Vec3 p(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+    if (!p.allFinite()) {
+      refuse("Stroke point " + std::to_string(i) + " has a coordinate that is not a finite number.");
+    }
+    inside.push_back(surface.to_inside(p));
+  }
+  return inside;
+}
+
 }  // namespace
 
-extern "C" {
-
-meander_status meander_surface_get_curvature(const meander_surface* surface, uint32_t kind, double smoothing,
-                                             double* values, size_t vertex_count, meander_error* error) {
+meander_status meander_surface_compute_curvature(const meander_surface* surface, meander_curvature kind,
+                                                 double smoothing, double* values, size_t vertex_count,
+                                                 meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require(surface != nullptr, "The surface is NULL.");
-    require(kind <= MEANDER_CURVATURE_CURVEDNESS, "The kind is none of MEANDER_CURVATURE_...");
+    require(kind <= MEANDER_CURVATURE_CURVEDNESS, "The curvature is none of MEANDER_CURVATURE_...");
     const Surface& s = *surface->surface;
     const MeshMap* map = surface->map.get();
     require_vertices(vertex_count, s, map, values);
     const double radius = checked_smoothing(smoothing, s);
     const bool gaussian = kind == MEANDER_CURVATURE_GAUSSIAN || kind == MEANDER_CURVATURE_ABSOLUTE_GAUSSIAN;
     const double unit = gaussian ? 1 / (s.scale() * s.scale()) : 1 / s.scale();
+    check_cancelled(context);
     const std::vector<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius);
+    check_cancelled(context);
     std::fill_n(values, vertex_count, 0.0);
     for_caller_vertices(s, map, [&](uint32_t theirs, uint32_t v) { values[theirs] = x[v] * unit; });
-    return MEANDER_OK;
   });
 }
 
-meander_status meander_surface_get_directions(const meander_surface* surface, uint32_t kind, double smoothing,
-                                              double* directions, size_t vertex_count, meander_error* error) {
+meander_status meander_surface_compute_directions(const meander_surface* surface, meander_directions kind,
+                                                  double smoothing, double* directions, size_t vertex_count,
+                                                  meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require(surface != nullptr, "The surface is NULL.");
     require(kind <= MEANDER_DIRECTIONS_SMOOTH, "The kind is none of MEANDER_DIRECTIONS_...");
@@ -72,57 +90,50 @@ meander_status meander_surface_get_directions(const meander_surface* surface, ui
     const MeshMap* map = surface->map.get();
     require_vertices(vertex_count, s, map, directions);
     const double radius = checked_smoothing(smoothing, s);
-    write(s, map,
-          kind == MEANDER_DIRECTIONS_SMOOTH
-              ? smoothest_directions(s)
-              : principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius),
-          directions);
-    return MEANDER_OK;
+    check_cancelled(context);
+    const std::vector<Vec3> found = kind == MEANDER_DIRECTIONS_SMOOTH
+                                        ? smoothest_directions(s)
+                                        : principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius);
+    check_cancelled(context);
+    write(s, map, found, directions);
   });
 }
 
-meander_status meander_surface_extend_directions(const meander_surface* surface, const double* points,
-                                                 const uint32_t* offsets, size_t stroke_count, double* directions,
-                                                 size_t vertex_count, meander_error* error) {
+meander_status meander_surface_compute_stroke_directions(const meander_surface* surface, const double* points,
+                                                         size_t point_count, const uint64_t* offsets,
+                                                         size_t stroke_count, double* directions,
+                                                         size_t vertex_count, meander_context* context,
+                                                         meander_error* error) {
   return guard(error, [&] {
     require(surface != nullptr, "The surface is NULL.");
     require(stroke_count >= 1, "There are no strokes; draw at least one.");
     require(points && offsets, "A pointer of the strokes is NULL.");
-    require(offsets[0] == 0, "The strokes' offsets must start at 0.");
-    for (size_t g = 0; g < stroke_count; ++g) {
-      require(offsets[g] <= offsets[g + 1], "The strokes' offsets must not fall.");
-    }
     const Surface& s = *surface->surface;
     const MeshMap* map = surface->map.get();
     require_vertices(vertex_count, s, map, directions);
-    std::vector<Vec3> inside;
-    for (uint32_t i = 0; i < offsets[stroke_count]; ++i) {
-      const Vec3 p(points[3 * size_t{i}], points[3 * size_t{i} + 1], points[3 * size_t{i} + 2]);
-      if (!p.allFinite()) {
-        refuse("Stroke point " + std::to_string(i) + " has a coordinate that is not a finite number.");
-      }
-      inside.push_back(s.to_inside(p));
-    }
+    const std::vector<uint32_t> ends = checked_offsets(offsets, stroke_count, point_count, "strokes");
+    const std::vector<Vec3> inside = checked_points(points, point_count, s);
     std::vector<Stroke> strokes;
     for (size_t g = 0; g < stroke_count; ++g) {
-      strokes.push_back(std::span(inside).subspan(offsets[g], offsets[g + 1] - offsets[g]));
+      strokes.push_back(std::span(inside).subspan(ends[g], ends[g + 1] - ends[g]));
     }
-    write(s, map, extended_directions(s, strokes), directions);
-    return MEANDER_OK;
+    check_cancelled(context);
+    const std::vector<Vec3> found = extended_directions(s, strokes);
+    check_cancelled(context);
+    write(s, map, found, directions);
   });
 }
 
 meander_status meander_flow_set_directions(meander_flow* flow, const double* directions, size_t vertex_count,
-                                           uint32_t kind, meander_error* error) {
+                                           meander_alignment alignment, meander_error* error) {
   return guard(error, [&] {
-    require(flow != nullptr, "The flow is NULL.");
-    require_idle(*flow);
-    require(kind <= MEANDER_ALIGN_ACROSS, "The kind is none of MEANDER_ALIGN_...");
+    require_idle(flow);
+    require(alignment <= MEANDER_ALIGNMENT_ACROSS, "The alignment is none of MEANDER_ALIGNMENT_...");
     Flow& f = *flow->flow;
     require(f.history().empty(), "Directions must be set before the first iteration.");
     if (!directions) {
       f.set_field({});
-      return MEANDER_OK;
+      return;
     }
     const Surface& s = f.surface();
     require_vertices(vertex_count, s, flow->map.get(), directions);
@@ -132,11 +143,8 @@ meander_status meander_flow_set_directions(meander_flow* flow, const double* dir
       const double* d = directions + 3 * size_t{caller_vertex(flow->map.get(), v)};
       vectors.emplace_back(d[0], d[1], d[2]);
     }
-    LineField field(s, vectors, kind == MEANDER_ALIGN_ACROSS);
+    LineField field(s, vectors, alignment == MEANDER_ALIGNMENT_ACROSS);
     require(!field.empty(), "No vertex has a direction in the surface; give a vector other than 0 0 0 to some.");
     f.set_field(std::move(field));
-    return MEANDER_OK;
   });
 }
-
-}  // extern "C"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The border: a surface that moves under the curve.
+// A surface that moves under the curve.
 #include <span>
 #include <vector>
 
-#include "api/handles.h"
+#include "api/caller_mesh.h"
+#include "api/guard.h"
 
 using namespace meander;
 
@@ -29,8 +30,7 @@ std::vector<double> surface_vertices(const MeshMap* map, size_t count, std::span
 meander_status meander_flow_set_vertices(meander_flow* flow, const double* vertices, size_t vertex_count,
                                          meander_error* error) {
   return guard(error, [&] {
-    require(flow != nullptr, "The flow is NULL.");
-    require_idle(*flow);
+    require_idle(flow);
     require(vertices || vertex_count == 0, "The vertices are NULL.");
     Flow& f = *flow->flow;
     const MeshMap* map = flow->map.get();
@@ -41,6 +41,5 @@ meander_status meander_flow_set_vertices(meander_flow* flow, const double* verti
                                               "change, so start a new flow.");
     }
     f.set_vertices(surface_vertices(map, f.surface().vertex_count(), std::span(vertices, 3 * vertex_count)), map);
-    return MEANDER_OK;
   });
 }

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "api/flow_options.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "api/structs.h"
+
+namespace meander {
+namespace {
+
+/// Segments in units of r, where none are asked for.
+constexpr double kSegmentLength = 0.2;
+
+/// require_range for the quotient of two lengths, whose rounding must not refuse the ends themselves.
+void require_ratio(double value, double low, double high, const char* name) {
+  constexpr double kRounding = 1e-9;
+  require_range(value, low * (1 - kRounding), high * (1 + kRounding), name);
+}
+
+void set_lengths(const meander_flow_options& o, const Surface& surface, FlowSettings& s) {
+  if (!(std::isfinite(o.radius) && o.radius > 0)) {
+    refuse("The spacing must be a positive number; it is " + number(2 * o.radius) + ".");
+  }
+  s.radius = settle(o.radius / surface.scale());
+  if (2 * s.radius > 1 || 4 * s.radius * s.radius > surface.area()) {
+    refuse("The spacing " + number(2 * o.radius) + " is larger than the surface (its diagonal is " +
+           number(surface.scale()) + "); choose a smaller spacing.");
+  }
+  if (o.segment_length != 0) require_ratio(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
+  if (o.max_radius != 0) require_ratio(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
+  require_range(o.max_radius_factor, 1.5, 1e6, "max_radius_factor");
+  s.segment_length = settle(o.segment_length != 0 ? o.segment_length / surface.scale() : kSegmentLength * s.radius);
+  s.max_radius = settle(o.max_radius != 0 ? o.max_radius / surface.scale() : o.max_radius_factor * s.radius);
+}
+
+void set_weights(const meander_flow_options& o, FlowSettings& s) {
+  require_range(o.length_weight, 0, 1e6, "length_weight");
+  require_range(o.bending_weight, 0, 1e6, "bending_weight");
+  require_range(o.medial_weight, 1e-6, 1e6, "medial_weight");
+  require_range(o.alignment_weight, 0, 1e6, "alignment_weight");
+  require_range(o.length_power, 1.5, 8, "length_power");
+  require_range(o.medial_power, 2, 8, "medial_power");
+  s.length_weight = o.length_weight;
+  s.bending_weight = o.bending_weight;
+  s.medial_weight = o.medial_weight;
+  s.alignment_weight = o.alignment_weight;
+  s.length_power = o.length_power;
+  s.medial_power = o.medial_power;
+}
+
+void set_growth(const meander_flow_options& o, FlowSettings& s) {
+  require_range(o.step, 1e-3, 2, "step");
+  require_range(o.growth_coarsening, 1, 4, "growth_coarsening");
+  require_range(o.start_spacing_factor, 1, 16, "start_spacing_factor");
+  require_flag(o.grow_into_empty, "grow_into_empty");
+  require_flag(o.widen_loops, "widen_loops");
+  require_flag(o.hold_ends, "hold_ends");
+  s.step = o.step;
+  s.growth_coarsening = o.growth_coarsening;
+  s.start_spacing_factor = o.start_spacing_factor;
+  s.grow_into_empty = o.grow_into_empty != 0;
+  s.widen_loops = o.widen_loops != 0;
+  s.hold_ends = o.hold_ends != 0;
+  s.hairpin_removal_iterations = o.hairpin_removal_iterations;
+}
+
+void set_polish(const meander_flow_options& o, FlowSettings& s) {
+  require_range(o.polish_bending_weight, 0, 1e6, "polish_bending_weight");
+  require_range(o.polish_length_offset, -10, 10, "polish_length_offset");
+  require_range(o.polish_length_gain, 0, 100, "polish_length_gain");
+  require_range(o.polish_medial_power, 2, 8, "polish_medial_power");
+  require_flag(o.polish, "polish");
+  s.polish = o.polish != 0;
+  s.polish_bending_weight = o.polish_bending_weight;
+  s.polish_length_offset = o.polish_length_offset;
+  s.polish_length_gain = o.polish_length_gain;
+  s.polish_medial_power = o.polish_medial_power;
+}
+
+void set_rules(const meander_flow_options& o, FlowSettings& s) {
+  require(o.stop_rule <= MEANDER_STOP_RULE_PAPER, "The option stop_rule is none of MEANDER_STOP_RULE_...");
+  require(o.boundary_rule <= MEANDER_BOUNDARY_RULE_OBSTACLE,
+          "The option boundary_rule is none of MEANDER_BOUNDARY_RULE_...");
+  require_range(o.boundary_distance, 0, 2, "boundary_distance (in spacings)");
+  require(o.boundary_rule == MEANDER_BOUNDARY_RULE_CENTRE || o.boundary_distance == 0.5,
+          "A boundary_distance other than 0.5 needs MEANDER_BOUNDARY_RULE_CENTRE; with MEANDER_BOUNDARY_RULE_OBSTACLE "
+          "strands stay a spacing away from the boundary.");
+  require(o.medial_axis <= MEANDER_MEDIAL_AXIS_GEODESIC, "The option medial_axis is none of MEANDER_MEDIAL_AXIS_...");
+  require(o.iteration_limit >= 1, "The iteration limit must be at least 1.");
+  require_threads(o.threads);
+  s.stop_rule = o.stop_rule == MEANDER_STOP_RULE_PAPER ? StopRule::kPaper : StopRule::kSettled;
+  s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_RULE_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
+  s.border_distance = o.boundary_distance;
+  s.medial_axis = o.medial_axis == MEANDER_MEDIAL_AXIS_GEODESIC ? MedialAxis::kGeodesic : MedialAxis::kEuclidean;
+  s.iteration_limit = o.iteration_limit;
+  s.threads = o.threads;
+}
+
+/// What is allowed but seldom meant, one sentence each.
+std::vector<std::string> warnings_of(const meander_flow_options& o) {
+  std::vector<std::string> sentences;
+  if (!(std::isfinite(o.radius) && o.radius > 0)) return sentences;
+  const double h = o.segment_length / o.radius, clamp = o.max_radius / o.radius;
+  if (h > 0.4 * (1 + 1e-9) && h <= 1) {
+    sentences.push_back("The segment length is " + number(h) +
+                        " of half the spacing; above 0.4 nodes are too far apart to keep strands at the spacing, so "
+                        "choose at most " + number(0.4 * o.radius) + ".");
+  }
+  if (clamp < 2 * (1 - 1e-9) && clamp >= 1.5) {
+    sentences.push_back("The largest medial radius is " + number(clamp) +
+                        " times half the spacing; below 2 the curve may not reach everywhere, so choose at least " +
+                        number(2 * o.radius) + ".");
+  }
+  const auto warn_above = [&](double weight, double most, const char* name, const char* consequence) {
+    if (!(weight > most)) return;
+    sentences.push_back(std::string("The ") + name + " is " + number(weight) + "; above " + number(most) + consequence);
+  };
+  warn_above(o.length_weight, 5, "length weight", " the curve stays much wider than the spacing, or shrinks to nothing.");
+  warn_above(o.bending_weight, 10, "bending weight",
+             " the curve is too stiff to turn at the spacing and leaves gaps.");
+  warn_above(o.alignment_weight, 5, "alignment weight",
+             " strands hardly turn any more, and zigzag across the field instead.");
+  return sentences;
+}
+
+}  // namespace
+
+meander_flow_options default_options(meander_preset preset) {
+  meander_flow_options o{};
+  o.struct_size = sizeof o;
+  o.preset = preset;
+  o.medial_weight = 1;
+  o.length_power = o.medial_power = 2;
+  o.start_spacing_factor = 1;
+  o.boundary_distance = 0.5;
+  if (preset == MEANDER_PRESET_PAPER) {
+    o.max_radius_factor = 10;
+    o.length_weight = 1;
+    o.step = 1;
+    o.growth_coarsening = 1;
+    o.polish_medial_power = 2;
+    o.stop_rule = MEANDER_STOP_RULE_PAPER;
+    o.iteration_limit = 300;
+    return o;
+  }
+  const bool finest = preset == MEANDER_PRESET_FINEST;
+  o.max_radius_factor = 3;
+  o.bending_weight = 1;
+  o.step = 1.5;
+  o.growth_coarsening = 2;
+  o.grow_into_empty = o.widen_loops = o.hold_ends = 1;
+  o.hairpin_removal_iterations = finest ? 300 : 60;
+  o.polish = 1;
+  o.polish_bending_weight = finest ? 1.5 : 2;
+  o.polish_length_offset = finest ? -0.5 : -0.84;
+  o.polish_length_gain = 1;
+  o.polish_medial_power = 6;
+  o.iteration_limit = finest ? 2500 : 600;
+  return o;
+}
+
+meander_flow_options read_options(const meander_flow_options* given) {
+  require_struct(given);
+  require(given->preset <= MEANDER_PRESET_FINEST, "The option preset is none of MEANDER_PRESET_...");
+  return read_struct(given, default_options(given->preset));
+}
+
+FlowSettings checked_settings(const meander_flow_options& options, const Surface& surface) {
+  FlowSettings settings;
+  set_lengths(options, surface, settings);
+  set_weights(options, settings);
+  set_growth(options, settings);
+  set_polish(options, settings);
+  set_rules(options, settings);
+  return settings;
+}
+
+}  // namespace meander
+
+using namespace meander;
+
+meander_status meander_flow_options_init(meander_flow_options* options, size_t struct_size, meander_preset preset) {
+  if (preset > MEANDER_PRESET_FINEST) return MEANDER_STATUS_INVALID_ARGUMENT;
+  return init_struct(options, struct_size, default_options(preset));
+}
+
+meander_status meander_flow_options_get_warning(const meander_flow_options* options, size_t index, char* text,
+                                                size_t capacity, size_t* size, meander_error* error) {
+  return guard(error, [&] {
+    require(size != nullptr, "The pointer for the size is NULL.");
+    require(text || capacity == 0, "The text is NULL but has a capacity.");
+    const std::vector<std::string> sentences = warnings_of(read_options(options));
+    *size = index < sentences.size() ? sentences[index].size() + 1 : 0;
+    if (*size == 0 || capacity == 0) return;
+    const size_t length = std::min(*size, capacity) - 1;
+    std::memcpy(text, sentences[index].data(), length);
+    text[length] = '\0';
+  });
+}

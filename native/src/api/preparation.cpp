@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Options of a surface, and surfaces from meshes that are prepared first.
+#include "api/preparation.h"
+
+#include <cmath>
+
+#include "api/structs.h"
+#include "base/thread_pool.h"
+#include "mesh/mesh_check.h"
+
+namespace meander {
+namespace {
+
+/// An array of the caller's with one value for each face or vertex (`elements`); NULL: none.
+template <class Value>
+std::span<const Value> checked_mask(const Value* mask, size_t count, size_t wanted, const char* name,
+                                    const char* elements) {
+  if (count == (mask ? wanted : 0)) return {mask, count};
+  refuse(std::string(name) + " has " + std::to_string(count) + " values; it must have one for each of the " +
+         std::to_string(wanted) + ' ' + elements + " of the mesh, or be NULL and have none.");
+}
+
+PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex_count, size_t face_count) {
+  PrepareSettings s;
+  if (!(std::isfinite(o.merge_distance) && o.merge_distance >= 0)) {
+    refuse("The merge distance is " + number(o.merge_distance) + "; it must be 0 or a positive number.");
+  }
+  require_flag(o.drop_degenerate, "drop_degenerate");
+  require_flag(o.split_bow_ties, "split_bow_ties");
+  require_flag(o.cut_non_manifold, "cut_non_manifold");
+  require_threads(o.threads);
+  require(std::isfinite(o.mask_threshold), "The mask's threshold must be a finite number.");
+  s.merge_distance = o.merge_distance;
+  s.drop_degenerate = o.drop_degenerate != 0;
+  s.split_bow_ties = o.split_bow_ties != 0;
+  s.cut_non_manifold = o.cut_non_manifold != 0;
+  s.mask_threshold = o.mask_threshold;
+  s.face_mask = checked_mask(o.face_mask, o.face_mask_count, face_count, "face_mask", "faces");
+  s.vertex_mask = checked_mask(o.vertex_mask, o.vertex_mask_count, vertex_count, "vertex_mask", "vertices");
+  for (size_t v = 0; v < s.vertex_mask.size(); ++v) {
+    if (std::isfinite(s.vertex_mask[v])) continue;
+    throw Failure(FailureKind::kInvalidArgument,
+                  "The mask's value at vertex " + std::to_string(v) + " is not a finite number.", ElementKind::kVertex,
+                  static_cast<uint32_t>(v));
+  }
+  return s;
+}
+
+/// The surface of a prepared mesh; what it refuses is said of the caller's mesh.
+std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned threads) {
+  try {
+    return std::make_shared<const Surface>(mesh.vertices, mesh.faces, threads);
+  } catch (const Failure& failure) {
+    ThreadPool pool(1);
+    check_mesh(mesh.vertices, mesh.faces, pool, &mesh.map);  // throws the same with the caller's names
+    if (failure.element != ElementKind::kFace) throw;
+    const uint32_t face = mesh.map.face(failure.index);
+    throw Failure(failure.kind, "Face " + std::to_string(face) + " has no area; dissolve degenerate faces.",
+                  ElementKind::kFace, face);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
+                                                  const meander_surface_options& options) {
+  const PrepareSettings settings = checked_settings(options, vertices.size() / 3, faces.size() / 3);
+  auto made = std::make_unique<meander_surface>();
+  if (settings.changes_nothing()) {
+    made->surface = std::make_shared<const Surface>(vertices, faces, options.threads);
+    return made;
+  }
+  check_numbers(vertices, faces);
+  PreparedMesh mesh = prepare_mesh(vertices, faces, settings);
+  made->surface = surface_of(mesh, options.threads);
+  made->prepared = mesh.counts;
+  made->map = std::make_shared<const MeshMap>(std::move(mesh.map));
+  return made;
+}
+
+}  // namespace meander
+
+meander_status meander_surface_options_init(meander_surface_options* options, size_t struct_size) {
+  return meander::init_struct(options, struct_size);
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The figures of a flow, and its history.
+#include <algorithm>
+#include <cstring>
+
+#include "api/structs.h"
+
+using namespace meander;
+
+namespace {
+
+void count_strands(const Flow& flow, meander_flow_statistics& figures) {
+  const Curve& curve = flow.curve();
+  std::vector<uint8_t> grown(flow.surface().component_count(), 0);
+  figures.strands = static_cast<uint32_t>(curve.strands.size());
+  for (const Strand& s : curve.strands) {
+    figures.closed_strands += s.closed;
+    figures.guides += s.guide;
+    if (!s.guide) grown[flow.surface().component(curve.nodes[s.first].face)] = 1;
+  }
+  figures.empty_components = static_cast<uint32_t>(std::ranges::count(grown, 0));
+}
+
+double percentile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return 0;
+  return sorted[static_cast<size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+void add_seconds(const FlowSeconds& seconds, meander_flow_statistics& figures) {
+  figures.seconds_total = seconds.total;
+  figures.seconds_medial_axis = seconds.medial_axis;
+  figures.seconds_solve = seconds.solve;
+  figures.seconds_retract = seconds.move.retract;
+  figures.seconds_reconnect = seconds.move.reconnect;
+  figures.seconds_crossings = seconds.move.crossings;
+  figures.seconds_refine = seconds.refine;
+}
+
+meander_flow_statistics statistics_of(const meander_flow& handle) {
+  Flow& flow = *handle.flow;
+  const double scale = flow.surface().scale();
+  const Flow::Measure m = flow.measure();
+  meander_flow_statistics figures{};
+  figures.stop_reason = meander_flow_stop_reason(&handle);
+  figures.iterations = static_cast<uint32_t>(flow.history().size());
+  figures.nodes = flow.curve().size();
+  figures.crossings = static_cast<uint32_t>(std::min<size_t>(m.crossings, UINT32_MAX));
+  figures.polishing = flow.polishing();
+  count_strands(flow, figures);
+  figures.length = m.length * scale;
+  figures.energy = m.energy * scale;
+  figures.mean_step = flow.history().empty() ? 0 : flow.history().back().mean_step * scale;
+  figures.spacing_target = 2 * flow.settings().radius * scale;
+  figures.spacing_p05 = percentile(m.spacing, 0.05) * scale;
+  figures.spacing_median = percentile(m.spacing, 0.5) * scale;
+  figures.spacing_p95 = percentile(m.spacing, 0.95) * scale;
+  add_seconds(flow.seconds(), figures);
+  return figures;
+}
+
+}  // namespace
+
+meander_status meander_flow_statistics_init(meander_flow_statistics* statistics, size_t struct_size) {
+  return init_struct(statistics, struct_size);
+}
+
+meander_status meander_flow_compute_statistics(meander_flow* flow, meander_flow_statistics* statistics,
+                                               meander_context* context, meander_error* error) {
+  return guard(error, [&] {
+    require_idle(flow);
+    require_struct(statistics);
+    check_cancelled(context);
+    const meander_flow_statistics figures = statistics_of(*flow);
+    check_cancelled(context);
+    write_struct(statistics, figures);
+  });
+}
+
+meander_status meander_flow_get_history(const meander_flow* flow, meander_iteration* records, size_t record_size,
+                                        size_t capacity, size_t* count, meander_error* error) {
+  return guard(error, [&] {
+    require_idle(flow);
+    require(count != nullptr, "The pointer for the count is NULL.");
+    constexpr size_t kSmallest = offsetof(meander_iteration, seconds) + sizeof(meander_iteration::seconds);
+    require(record_size >= kSmallest && record_size <= kLargestStruct,
+            "The size of a record is none that meander_iteration has; pass sizeof(meander_iteration).");
+    const auto& history = flow->flow->history();
+    const double scale = flow->flow->surface().scale();
+    const bool fits = history.size() <= capacity;
+    if (fits) require(records != nullptr || history.empty(), "The array for the records is NULL.");
+    *count = history.size();
+    if (!fits) return;
+    auto* place = reinterpret_cast<unsigned char*>(records);
+    for (size_t i = 0; i < history.size(); ++i, place += record_size) {
+      const IterationRecord& h = history[i];
+      const meander_iteration record{static_cast<uint32_t>(i + 1), h.nodes,          h.length * scale,
+                                     h.mean_step * scale,          h.energy * scale, h.seconds};
+      const size_t known = std::min(record_size, sizeof record);
+      std::memcpy(place, &record, known);
+      std::memset(place + known, 0, record_size - known);
+    }
+  });
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The structs of the C API, prepared as its header asks for.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "meander/meander.h"
+
+namespace meander::test {
+
+inline meander_status init(meander_error* s) { return meander_error_init(s, sizeof *s); }
+inline meander_status init(meander_seed* s) { return meander_seed_init(s, sizeof *s); }
+inline meander_status init(meander_preview* s) { return meander_preview_init(s, sizeof *s); }
+inline meander_status init(meander_surface_options* s) { return meander_surface_options_init(s, sizeof *s); }
+inline meander_status init(meander_surface_statistics* s) { return meander_surface_statistics_init(s, sizeof *s); }
+inline meander_status init(meander_flow_statistics* s) { return meander_flow_statistics_init(s, sizeof *s); }
+inline meander_status init(meander_flow_options* s) {
+  return meander_flow_options_init(s, sizeof *s, MEANDER_PRESET_EVEN);
+}
+
+template <class Struct>
+Struct prepared() {
+  Struct s;
+  EXPECT_EQ(init(&s), MEANDER_STATUS_OK);
+  return s;
+}
+
+inline meander_context* new_context() {
+  meander_context* context = nullptr;
+  EXPECT_EQ(meander_context_create(&context, nullptr), MEANDER_STATUS_OK);
+  return context;
+}
+
+}  // namespace meander::test
