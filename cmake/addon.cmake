@@ -14,5 +14,5 @@ add_custom_target(addon
           --licence "${PROJECT_SOURCE_DIR}/LICENSE"
           --licence "${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md"
           --output "${addon_zip}"
-  DEPENDS meander
+  DEPENDS meander abi
   COMMENT "Packing ${addon_zip}" VERBATIM)

@@ -44,6 +44,15 @@ if(NOT MEANDER_SANITIZE)
   target_link_options(meander PRIVATE "LINKER:--no-undefined")
 endif()
 
+# The Python module that knows the C API comes from the header in every build, so that it always fits the
+# library that the same build makes. It stands among the add-on's sources, which cannot run without the
+# library either, and git ignores it as it does the library.
+add_custom_target(abi ALL
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/generate_abi.py"
+          --header "${PROJECT_SOURCE_DIR}/native/include/meander/meander.h"
+          --output "${PROJECT_SOURCE_DIR}/addon/meander/binding/abi.py"
+  COMMENT "Making addon/meander/binding/abi.py from meander.h" VERBATIM)
+
 # A source checkout works as an add-on once it has been built. Checked in every build, so that a
 # deleted copy comes back.
 if(MEANDER_STAGE)
@@ -52,6 +61,6 @@ if(MEANDER_STAGE)
             "-DFILES=$<TARGET_FILE:meander>"
             "-DFOLDER=${PROJECT_SOURCE_DIR}/addon/meander/native"
             -P "${PROJECT_SOURCE_DIR}/cmake/stage.cmake"
-    DEPENDS meander
+    DEPENDS meander abi
     COMMENT "Copying the library into addon/meander/native" VERBATIM)
 endif()

@@ -25,19 +25,14 @@ Python thread of its own starts the flow, and the library runs it on one that kn
 
 from __future__ import annotations
 
-from .binding.abi import (
-    ABI_VERSION,
+from .binding.abi import ABI_VERSION, VERSION, BoundaryRule, MedialAxis, Status, StopRule
+from .binding.choices import (
     ALIGNMENTS,
     CURVATURES,
     DIRECTIONS,
     ELEMENT_KINDS,
     PRESETS,
     STOP_REASONS,
-    VERSION,
-    BoundaryRule,
-    MedialAxis,
-    Status,
-    StopRule,
 )
 from .binding.context import Context
 from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview

@@ -1,144 +1,126 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""abi.py mirrors meander.h: the header is read here, and both sides are compared."""
+"""The binding's abi.py is made from meander.h, and the library is as the header says."""
 
 from __future__ import annotations
 
 import ctypes
 import dataclasses
+import importlib.util
 import re
+import sys
+from types import ModuleType
 
 import pytest
 from conftest import REPOSITORY
 from meander import core
-from meander.binding import abi, native_library
+from meander.binding import abi, choices, native_library
 
-HEADER = (REPOSITORY / "native/include/meander/meander.h").read_text(encoding="utf-8")
-CODE = re.sub(r"/\*.*?\*/", "", HEADER, flags=re.DOTALL)
-
-NUMBERS = {
-    "void": None,
-    "double": ctypes.c_double,
-    "size_t": ctypes.c_size_t,
-    "uint32_t": ctypes.c_uint32,
-    "int32_t": ctypes.c_int32,
-    "meander_status": ctypes.c_int32,
-}
+HEADER = REPOSITORY / "native/include/meander/meander.h"
+TEXT = HEADER.read_text(encoding="utf-8")
+FROZEN = REPOSITORY / "tests/native/abi2/meander.h"
 
 
-def declared_functions() -> dict[str, tuple[str, list[str]]]:
-    """name -> (C result type, C argument types) of every exported function."""
-    functions = {}
-    for match in re.finditer(r"MEANDER_API\s+([^;(]*?)(meander_\w+)\s*\(([^)]*)\)\s*;", CODE):
-        result, name, arguments = match.groups()
-        kinds = [re.sub(r"\w+$", "", part.strip()).strip() for part in arguments.split(",")]
-        functions[name] = (result.strip(), [] if arguments.strip() == "void" else kinds)
-    return functions
+def _generator() -> ModuleType:
+    spec = importlib.util.spec_from_file_location(
+        "generate_abi", REPOSITORY / "scripts/generate_abi.py"
+    )
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # its dataclasses look their module up
+    spec.loader.exec_module(module)
+    return module
 
 
-def declared_structs() -> dict[str, list[str]]:
-    """name -> C declarations of the fields, in order."""
-    structs = {}
-    for match in re.finditer(r"typedef struct (\w+) \{(.*?)\} \1;", CODE, flags=re.DOTALL):
-        name, body = match.groups()
-        structs[name] = [" ".join(line.split()) for line in body.split(";") if line.strip()]
-    return structs
+generate_abi = _generator()
 
 
-def declared_constants() -> dict[str, int]:
-    """Every enumerator, by name."""
-    bodies = re.findall(r"enum \{(.*?)\}", CODE, flags=re.DOTALL)
-    return {
-        name: int(value) for body in bodies for name, value in re.findall(r"(\w+) = (\d+)", body)
-    }
+def module_of(text: str) -> dict[str, object]:
+    """What the module made from a header holds."""
+    names: dict[str, object] = {"__name__": "made"}
+    exec(generate_abi.Writer(generate_abi.Parser(text).parse()).module(), names)
+    return names
 
 
-def test_header_was_understood() -> None:
-    # Every use of the macro but its two definitions is a function.
-    assert len(declared_functions()) == len(re.findall(r"^MEANDER_API\b", CODE, re.MULTILINE))
-    assert declared_structs() and declared_constants()
+# ------------------------------------------------------------------------------------------------
+# The module and the header
 
 
-def test_every_function_has_a_prototype_and_no_other() -> None:
-    assert set(declared_functions()) == set(abi.PROTOTYPES)
+def test_the_module_in_use_is_made_from_this_header() -> None:
+    parsed = generate_abi.Parser(TEXT).parse()
+    with open(abi.__file__, encoding="utf-8") as file:
+        assert file.read() == generate_abi.Writer(parsed).module()
 
 
-@pytest.mark.parametrize("name", sorted(declared_functions()))
-def test_prototype_is_that_of_the_header(name: str) -> None:
-    result, arguments = declared_functions()[name]
-    our_result, our_arguments = abi.PROTOTYPES[name]
-    assert _matches(result, our_result), f"result of {name}"
-    assert len(arguments) == len(our_arguments)
-    for at, (theirs, ours) in enumerate(zip(arguments, our_arguments, strict=True)):
-        assert _matches(theirs, ours), f"argument {at} of {name}: {theirs} against {ours}"
+def test_nothing_of_the_header_is_left_out() -> None:
+    code = re.sub(r"/\*.*?\*/", "", TEXT, flags=re.DOTALL)
+    # Every use of the macro but its four definitions declares a function.
+    assert len(abi.PROTOTYPES) == len(re.findall(r"^MEANDER_API\b", code, re.MULTILINE))
+    assert set(abi.STRUCTS) == set(re.findall(r"^typedef struct (\w+) \{", code, re.MULTILINE))
+    for name, struct in abi.STRUCTS.items():
+        body = re.search(rf"typedef struct {name} \{{(.*?)\}}", code, re.DOTALL)[1]
+        assert len(struct._fields_) == body.count(";"), name
 
 
-def _matches(c_type: str, ours: type | None) -> bool:
-    bare = c_type.replace("const", "").strip()
-    if not bare.endswith("*"):
-        return ours is NUMBERS[bare]
-    target = bare[:-1].strip()
-    if ours is ctypes.c_void_p:  # arrays and opaque handles
-        return target in ("double", "uint32_t", "uint8_t") or target in OPAQUE
-    if ours is ctypes.c_char_p:
-        return target == "char"
-    if target.endswith("*"):
-        return ours is ctypes.POINTER(ctypes.c_void_p) and target[:-1].strip() in OPAQUE
-    if target in abi.STRUCTS:
-        return ours is ctypes.POINTER(abi.STRUCTS[target])
-    return ours is ctypes.POINTER(NUMBERS[target])
+def test_types_are_those_of_the_header() -> None:
+    result, arguments = abi.PROTOTYPES["meander_flow_create"]
+    assert result is ctypes.c_int32
+    assert arguments == (
+        ctypes.c_void_p,  # const meander_surface*
+        ctypes.POINTER(abi.SeedRecord),
+        ctypes.c_void_p,  # const double*
+        ctypes.c_size_t,
+        ctypes.POINTER(abi.FlowOptionsRecord),
+        ctypes.POINTER(ctypes.c_void_p),  # meander_flow**
+        ctypes.POINTER(abi.ErrorRecord),
+    )
+    assert abi.PROTOTYPES["meander_version"] == (ctypes.c_char_p, ())
+    assert abi.PROTOTYPES["meander_flow_destroy"] == (None, (ctypes.c_void_p,))
+    assert abi.PROTOTYPES["meander_context_progress"][0] is ctypes.c_double
+    assert dict(abi.ErrorRecord._fields_)["text"]._length_ == 492
 
 
-OPAQUE = ("meander_context", "meander_surface", "meander_flow")
+DECLARATION = "MEANDER_API uint32_t meander_abi_version(void);"
 
 
-def test_every_struct_is_mirrored_field_by_field() -> None:
-    structs = declared_structs()
-    assert set(structs) == set(abi.STRUCTS)
-    for name, declarations in structs.items():
-        fields = abi.STRUCTS[name]._fields_
-        assert len(fields) == len(declarations), name
-        for (field, kind, *_), declaration in zip(fields, declarations, strict=True):
-            match = re.fullmatch(r"(.*?)(\w+)(?:\[(\d+)\])?", declaration)
-            c_type, c_name, length = match.groups()
-            assert c_name == field, name
-            if length:
-                assert kind is not None and kind._length_ == int(length)
-                assert ctypes.sizeof(kind) == int(length)
-            elif c_type.strip().endswith("*"):
-                assert kind is ctypes.c_void_p
-            else:
-                assert kind is NUMBERS[c_type.strip()], f"{name}.{field}"
+@pytest.mark.parametrize(
+    ("new", "complaint"),
+    [
+        ("MEANDER_API float meander_abi_version(void);", "unknown type float"),
+        ("MEANDER_API uint32_t meander_abi_version(int x[3]);", "unknown type int"),
+        ("MEANDER_API uint32_t meander_abi_version(double);", "expected a name"),
+        ("MEANDER_API uint32_t abi_version(void);", "does not begin with meander_"),
+        (DECLARATION + DECLARATION, "declared twice"),
+        ("MEANDER_API uint32_t meander_abi_version(double** x);", "no ctypes for double**"),
+        ("static uint32_t meander_abi_version(void);", "unknown declaration"),
+        ("typedef uint32_t meander_kind;", "expected 'enum'"),
+        ("typedef uint32_t meander_kind; enum { MEANDER_SORT_A = 0 };", "does not begin with"),
+        ("typedef uint32_t meander_kind; enum { MEANDER_KIND_A };", "expected '='"),
+        ("typedef uint32_t meander_kind; enum { MEANDER_KIND_A = 1 << 2 };", "unknown character"),
+        ("typedef struct meander_x { float y; } meander_x;", "unknown type float"),
+        ("typedef struct meander_x { uint32_t a : 3; } meander_x;", "unknown character"),
+        ("typedef struct meander_x { union { double a; } b; } meander_x;", "unknown type union"),
+        ("#define MEANDER_API_2 MEANDER_API\n", "unknown preprocessor line"),
+        ("#pragma pack(1)\n", "unknown preprocessor line"),
+    ],
+)
+def test_what_is_not_understood_stops_the_build(new: str, complaint: str) -> None:
+    assert TEXT.count(DECLARATION) == 1
+    with pytest.raises(generate_abi.ParseError, match=re.escape(complaint)):
+        module_of(TEXT.replace(DECLARATION, new))
 
 
-def test_constants_are_those_of_the_header() -> None:
-    constants = declared_constants()
-    ours = {f"MEANDER_{status.name}": int(status) for status in core.Status}
-    ours |= {
-        f"MEANDER_ELEMENT_{(kind or 'none').upper()}": at
-        for at, kind in enumerate(core.ELEMENT_KINDS)
-    }
-    ours |= {f"MEANDER_PRESET_{name.upper()}": at for at, name in enumerate(core.PRESETS)}
-    ours |= {f"MEANDER_BOUNDARY_{rule.name}": int(rule) for rule in core.BoundaryRule}
-    ours |= {f"MEANDER_MEDIAL_AXIS_{axis.name}": int(axis) for axis in core.MedialAxis}
-    ours |= {f"MEANDER_STOP_{rule.name}": int(rule) for rule in core.StopRule}
-    for prefix, names in (
-        ("CURVATURE", core.CURVATURES),
-        ("DIRECTIONS", core.DIRECTIONS),
-        ("ALIGN", core.ALIGNMENTS),
-    ):
-        ours |= {f"MEANDER_{prefix}_{name.upper()}": at for at, name in enumerate(names)}
-    # The C name of 'cancelled' differs, since MEANDER_CANCELLED is the status.
-    reasons = ["STOPPED" if name == "cancelled" else name.upper() for name in core.STOP_REASONS]
-    ours |= {f"MEANDER_{name}": at for at, name in enumerate(reasons)}
-    assert ours == constants
+# ------------------------------------------------------------------------------------------------
+# The library and the header
 
 
 def test_abi_and_version_are_the_same_everywhere() -> None:
-    abi_version = int(re.search(r"#define MEANDER_ABI_VERSION (\d+)", HEADER)[1])
-    assert abi_version == core.ABI_VERSION
     cmake = (REPOSITORY / "CMakeLists.txt").read_text(encoding="utf-8")
     version = re.search(r"project\(\s*\w+\s+VERSION\s+([\d.]+)", cmake)[1]
-    assert version == core.VERSION == core.library_version()
+    macros = [
+        re.search(rf"^#define MEANDER_VERSION_{part} (\d+)$", TEXT, re.MULTILINE)[1]
+        for part in ("MAJOR", "MINOR", "PATCH")
+    ]
+    assert version == ".".join(macros) == core.VERSION == core.library_version()
+    assert native_library.native().meander_abi_version() == core.ABI_VERSION
 
 
 @pytest.mark.parametrize("name", sorted(abi.STRUCTS))
@@ -151,8 +133,50 @@ def test_unknown_struct_has_no_layout() -> None:
     assert native_library.native().meander_struct_layout(b"meander_nothing", None, 0) == 0
 
 
-def test_option_names_are_those_of_the_struct() -> None:
-    names = [field[0] for field in abi.FlowOptionsRecord._fields_]
-    hidden = {"struct_size", "reserved"}
-    ours = [field.name for field in dataclasses.fields(core.FlowOptions)]
-    assert ours == [name for name in names if name not in hidden]
+def test_every_option_is_a_field_of_the_struct() -> None:
+    fields = {field[0] for field in abi.FlowOptionsRecord._fields_}
+    ours = {
+        choices.C_OPTIONS.get(field.name, field.name)
+        for field in dataclasses.fields(core.FlowOptions)
+    }
+    # Those that a preset alone decides, seen from Python.
+    by_preset = {"max_radius_factor", "grow_into_empty", "widen_loops", "hold_ends"}
+    assert fields - ours == {"struct_size", "reserved"} | by_preset
+
+
+# ------------------------------------------------------------------------------------------------
+# The header of yesterday
+
+
+def is_reserve(name: str) -> bool:
+    return name.startswith("reserved")
+
+
+def test_what_was_declared_when_this_abi_began_still_stands() -> None:
+    then, now = (
+        generate_abi.Parser(p.read_text(encoding="utf-8")).parse() for p in (FROZEN, HEADER)
+    )
+    assert then.constants["MEANDER_ABI_VERSION"] == now.constants["MEANDER_ABI_VERSION"]
+    for name, function in then.functions.items():
+        assert now.functions.get(name) == function, name
+    for name, kind in then.scalars.items():
+        assert now.scalars.get(name) == kind, name
+        assert now.enums[name].items() >= then.enums[name].items()
+    assert set(then.opaque) <= set(now.opaque)
+
+
+def test_structs_have_only_grown_since_this_abi_began() -> None:
+    then, now = (module_of(p.read_text(encoding="utf-8")) for p in (FROZEN, HEADER))
+    for name, old in then["STRUCTS"].items():
+        new = now["STRUCTS"][name]
+        assert ctypes.sizeof(new) >= ctypes.sizeof(old), name
+        kinds = dict(new._fields_)
+        for field, kind in old._fields_:
+            if is_reserve(field):
+                continue
+            assert getattr(new, field).offset == getattr(old, field).offset, (name, field)
+            assert ctypes.sizeof(kinds[field]) == ctypes.sizeof(kind), (name, field)
+        if "reserved" in dict(old._fields_):
+            # Fields that came later were cut from the beginning of the reserve.
+            ends = [s.reserved.offset + s.reserved.size for s in (old, new)]
+            assert ends[0] == ends[1] == ctypes.sizeof(old), name

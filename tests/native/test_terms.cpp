@@ -11,6 +11,7 @@
 
 #include "api/handles.h"
 #include "api_structs.h"
+#include "base/failure.h"
 #include "test_curves.h"
 
 namespace meander::test {

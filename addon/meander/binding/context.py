@@ -6,9 +6,9 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
+from ctypes import byref, c_void_p
 
-from .abi import Status
-from .native_library import Handle, MeanderError, native
+from .native_library import Handle, MeanderError, call, native
 
 
 class Context(Handle):
@@ -22,13 +22,9 @@ class Context(Handle):
 
     def __init__(self) -> None:
         library = native()
-        pointer = library.meander_context_create()
-        if not pointer:
-            raise MeanderError(
-                "there is no memory for a context; close other programs and try again",
-                Status.OUT_OF_MEMORY,
-            )
-        super().__init__(pointer, library.meander_context_destroy)
+        pointer = c_void_p()
+        call(library.meander_context_create, byref(pointer))
+        super().__init__(pointer.value, library.meander_context_destroy)
         # Counts the calls that use the native context, so that close() cannot pull it away.
         self._lock = threading.Lock()
         self._users = 0

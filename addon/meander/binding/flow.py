@@ -13,15 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .abi import (
-    ALIGNMENTS,
-    STOP_REASONS,
-    ErrorRecord,
-    FlowStatisticsRecord,
-    IterationRecord,
-    PreviewRecord,
-    Status,
-)
+from .abi import ErrorRecord, FlowStatisticsRecord, IterationRecord, PreviewRecord, Status
+from .choices import ALIGNMENTS, STOP_REASONS
 from .context import Context, pointer_of
 from .flow_options import FlowOptions, options_record
 from .native_library import (
@@ -32,8 +25,10 @@ from .native_library import (
     checked_array,
     chosen,
     figures_of,
+    narrow_offsets,
     native,
     new_error,
+    prepared,
     raise_error,
 )
 from .seed import Seed, seed_record
@@ -92,7 +87,7 @@ class Nodes(NamedTuple):
 class PointData(NamedTuple):
     """What is known of every point of the polylines, in their order.
 
-    arc_lengths   (n,) float64, way along the strand from its first point
+    arc_lengths   (n,) float64, arc length of the strand from its first point
     normals       (n, 3) float64, unit normals of the surface
     tangents      (n, 3) float64, unit, along the strand
     radii         (n, 2) float64, half the room on the right and on the left, seen from outside
@@ -174,6 +169,7 @@ class Flow(Handle):
             surface._alive(),
             None if start is None else byref(start),
             address_of(density_array),
+            0 if density_array is None else len(density_array),
             byref(record),
             byref(pointer),
         )
@@ -299,16 +295,17 @@ class Flow(Handle):
         `wait`.
         """
         function = native().meander_flow_get_preview
-        figures = PreviewRecord(struct_size=sizeof(PreviewRecord))
+        figures = prepared(PreviewRecord)
         points, strands = c_size_t(), c_size_t()
         with self._use() as pointer:
             call(function, pointer, byref(figures), *_into(None, points, strands))
             if figures.serial == self._seen:
                 return None
-            curve = _empty_polylines(points.value, strands.value)
+            arrays = _polyline_arrays(points.value, strands.value)
             # The copy has not been taken yet, so that it is still the newest, of the same sizes.
-            call(function, pointer, byref(figures), *_into(curve, points, strands))
+            call(function, pointer, byref(figures), *_into(arrays, points, strands))
             self._seen = figures.serial
+        curve = _polylines_of(arrays)
         return Preview(curve, figures.iterations, figures.nodes, figures.length, figures.seconds)
 
     def set_vertices(self, vertices: ArrayLike) -> None:
@@ -331,9 +328,9 @@ class Flow(Handle):
         stop_reason is one of STOP_REASONS, polishing a bool, counts are int; lengths are in the
         surface's units, times in seconds. Costs one medial axis and one crossing test.
         """
-        record = FlowStatisticsRecord(struct_size=sizeof(FlowStatisticsRecord))
+        record = prepared(FlowStatisticsRecord)
         with self._use() as pointer:
-            call(native().meander_flow_get_statistics, pointer, byref(record))
+            call(native().meander_flow_compute_statistics, pointer, byref(record), None)
         values = figures_of(record)
         values["stop_reason"] = STOP_REASONS[record.stop_reason]
         values["polishing"] = bool(record.polishing)
@@ -347,9 +344,12 @@ class Flow(Handle):
         library = native()
         count = c_size_t()
         with self._use() as pointer:
-            call(library.meander_flow_get_history, pointer, None, 0, byref(count))
+            size = sizeof(IterationRecord)
+            call(library.meander_flow_get_history, pointer, None, size, 0, byref(count))
             records = (IterationRecord * count.value)()
-            call(library.meander_flow_get_history, pointer, records, count.value, byref(count))
+            call(
+                library.meander_flow_get_history, pointer, records, size, count.value, byref(count)
+            )
         return [figures_of(record) for record in records]
 
     def polylines(self) -> Polylines:
@@ -358,9 +358,9 @@ class Flow(Handle):
         points, strands = c_size_t(), c_size_t()
         with self._use() as pointer:
             call(function, pointer, *_into(None, points, strands))
-            curve = _empty_polylines(points.value, strands.value)
-            call(function, pointer, *_into(curve, points, strands))
-        return curve
+            arrays = _polyline_arrays(points.value, strands.value)
+            call(function, pointer, *_into(arrays, points, strands))
+        return _polylines_of(arrays)
 
     def guides(self) -> NDArray[np.bool_]:
         """(s,) bool: which strands are guides, in the order of the polylines."""
@@ -395,10 +395,10 @@ class Flow(Handle):
 
     def point_data(self) -> PointData:
         """What is known of every point of `polylines()`, in their order. Costs a medial axis."""
-        function = native().meander_flow_get_point_data
+        function = native().meander_flow_compute_point_data
         count = c_size_t()
         with self._use() as pointer:
-            call(function, pointer, *(None,) * 6, 0, byref(count))
+            call(function, pointer, *(None,) * 6, 0, byref(count), None)
             data = PointData(
                 np.empty(count.value),
                 np.empty((count.value, 3)),
@@ -408,12 +408,17 @@ class Flow(Handle):
                 np.empty((count.value, 3)),
             )
             call(
-                function, pointer, *(address_of(array) for array in data), count.value, byref(count)
+                function,
+                pointer,
+                *(address_of(array) for array in data),
+                count.value,
+                byref(count),
+                None,
             )
         return data
 
     def gaps(self, least_size: float = 0.0) -> Gaps:
-        """The places that the present curve leaves empty; see meander_flow_get_gaps.
+        """The places that the present curve leaves empty; see meander_flow_find_gaps.
 
         least_size   how far from the curve a place must be to count, in local r, at least 1;
                      0 leaves it to the library, which takes 1.2
@@ -421,7 +426,7 @@ class Flow(Handle):
         Costs one medial axis and a search; the curve stays as it is. Raises MeanderError for a
         size out of range.
         """
-        function = native().meander_flow_get_gaps
+        function = native().meander_flow_find_gaps
         count = c_size_t()
         room = _GAP_ROOM
         with self._use() as pointer:
@@ -439,6 +444,7 @@ class Flow(Handle):
                     *(address_of(getattr(gaps, field.name)) for field in fields(Gaps)),
                     room,
                     byref(count),
+                    None,
                 )
                 if count.value <= room:
                     break
@@ -446,29 +452,41 @@ class Flow(Handle):
         return Gaps(*(getattr(gaps, field.name)[: count.value].copy() for field in fields(Gaps)))
 
 
-def _empty_polylines(points: int, strands: int) -> Polylines:
-    return Polylines(
+# Positions, normals, offsets and closed flags, as the library writes them.
+_PolylineArrays = tuple[
+    NDArray[np.float64], NDArray[np.float64], NDArray[np.uint64], NDArray[np.uint8]
+]
+
+
+def _polyline_arrays(points: int, strands: int) -> _PolylineArrays:
+    return (
         np.empty((points, 3)),
         np.empty((points, 3)),
-        np.zeros(strands + 1, dtype=np.uint32),
+        np.zeros(strands + 1, dtype=np.uint64),
         np.empty(strands, dtype=np.uint8),
     )
 
 
-def _into(curve: Polylines | None, points: c_size_t, strands: c_size_t) -> tuple[Any, ...]:
+def _polylines_of(arrays: _PolylineArrays) -> Polylines:
+    positions, normals, offsets, closed = arrays
+    return Polylines(positions, normals, narrow_offsets(offsets), closed)
+
+
+def _into(arrays: _PolylineArrays | None, points: c_size_t, strands: c_size_t) -> tuple[Any, ...]:
     """The arguments for a curve to be written to: its arrays, their room, and where the sizes go.
 
-    Without a curve only the sizes are asked for.
+    Without arrays only the sizes are asked for.
     """
-    if curve is None:
+    if arrays is None:
         return None, None, 0, byref(points), None, None, 0, byref(strands)
+    positions, normals, offsets, closed = arrays
     return (
-        address_of(curve.positions),
-        address_of(curve.normals),
-        len(curve.positions),
+        address_of(positions),
+        address_of(normals),
+        len(positions),
         byref(points),
-        address_of(curve.offsets),
-        address_of(curve.closed),
-        len(curve.closed),
+        address_of(offsets),
+        address_of(closed),
+        len(closed),
         byref(strands),
     )

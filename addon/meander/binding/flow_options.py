@@ -4,16 +4,18 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import byref, c_uint32, sizeof
+from ctypes import byref, c_size_t, c_uint32
 from dataclasses import dataclass, fields
 
-from .abi import PRESETS, BoundaryRule, FlowOptionsRecord, MedialAxis, Status, StopRule
-from .native_library import MeanderError, chosen, figures_of, native
+from .abi import BoundaryRule, FlowOptionsRecord, MedialAxis, StopRule
+from .choices import C_OPTIONS, PRESETS
+from .native_library import MeanderError, call, chosen, native, prepared
 
 
 @dataclass
 class FlowOptions:
-    """Options of one flow, named as in meander_flow_options, where each is described.
+    """Options of one flow, named as in meander_flow_options, where each is described, but for those
+    of C_OPTIONS.
 
     Made by `default_options` only; the defaults live in the library. Lengths are in the surface's
     units. `radius` is half the spacing and must be chosen.
@@ -46,16 +48,16 @@ class FlowOptions:
     medial_axis: MedialAxis
 
 
+_OPTION_NAMES = tuple(field.name for field in fields(FlowOptions))
+
+
 def default_options(preset: str = "even") -> FlowOptions:
     """The library's defaults for a preset of PRESETS; radius is 0 and must be chosen.
 
     Raises MeanderError for an unknown preset.
     """
-    record = FlowOptionsRecord()
-    status = native().meander_flow_options_init(byref(record), chosen("preset", preset, PRESETS))
-    if status != Status.OK:
-        raise MeanderError(f"the native library does not know the preset {preset!r}", status)
-    values = figures_of(record)
+    record = prepared(FlowOptionsRecord, chosen("preset", preset, PRESETS))
+    values = {name: getattr(record, C_OPTIONS.get(name, name)) for name in _OPTION_NAMES}
     values["preset"] = PRESETS[record.preset]
     values["polish"] = bool(record.polish)
     values["stop_rule"] = StopRule(record.stop_rule)
@@ -65,26 +67,25 @@ def default_options(preset: str = "even") -> FlowOptions:
 
 
 def options_record(options: FlowOptions) -> FlowOptionsRecord:
-    record = FlowOptionsRecord(struct_size=sizeof(FlowOptionsRecord))
+    """The C struct of options; what they do not name is as the preset has it."""
+    record = prepared(FlowOptionsRecord, chosen("preset", options.preset, PRESETS))
     kinds = {field[0]: field[1] for field in FlowOptionsRecord._fields_}
-    for field in fields(FlowOptions):
-        value = getattr(options, field.name)
-        if field.name == "preset":
-            value = chosen("preset", value, PRESETS)
+    for name in _OPTION_NAMES:
+        if name == "preset":
+            continue
+        value, c_name = getattr(options, name), C_OPTIONS.get(name, name)
         try:
-            if kinds[field.name] is c_uint32:
+            if kinds[c_name] is c_uint32:
                 number = int(value)
-                # ctypes would wrap -1 round to 4294967295 without a word.
+                # ctypes would turn -1 into 4294967295 without a word.
                 if number != value or not 0 <= number <= 0xFFFFFFFF:
                     raise ValueError
-                setattr(record, field.name, number)
+                setattr(record, c_name, number)
             else:
-                setattr(record, field.name, float(value))
+                setattr(record, c_name, float(value))
         except (TypeError, ValueError, OverflowError) as problem:
-            wanted = "a whole number, 0 or more" if kinds[field.name] is c_uint32 else "a number"
-            raise MeanderError(
-                f"the option {field.name} must be {wanted}, not {value!r}"
-            ) from problem
+            wanted = "a whole number, 0 or more" if kinds[c_name] is c_uint32 else "a number"
+            raise MeanderError(f"the option {name} must be {wanted}, not {value!r}") from problem
     return record
 
 
@@ -95,9 +96,12 @@ def option_warnings(options: FlowOptions) -> list[str]:
     """
     record = options_record(options)
     function = native().meander_flow_options_get_warning
+    size = c_size_t()
     warnings: list[str] = []
-    while size := function(byref(record), len(warnings), None, 0):
-        text = ctypes.create_string_buffer(size)
-        function(byref(record), len(warnings), text, size)
+    while True:
+        call(function, byref(record), len(warnings), None, 0, byref(size))
+        if size.value == 0:
+            return warnings
+        text = ctypes.create_string_buffer(size.value)
+        call(function, byref(record), len(warnings), text, size.value, byref(size))
         warnings.append(text.value.decode("utf-8"))
-    return warnings

@@ -14,12 +14,15 @@ import weakref
 from collections.abc import Callable
 from ctypes import Structure, byref, c_size_t, sizeof
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .abi import ABI_VERSION, ELEMENT_KINDS, PROTOTYPES, STRUCTS, VERSION, ErrorRecord, Status
+from .abi import ABI_VERSION, PROTOTYPES, STRUCTS, VERSION, ErrorRecord, Status
+from .choices import C_OPTIONS, ELEMENT_KINDS
+
+_Record = TypeVar("_Record", bound=Structure)
 
 # Names the library file to load instead of the one in the package.
 LIBRARY_VARIABLE = "MEANDER_LIBRARY"
@@ -55,7 +58,7 @@ class MeanderError(Exception):
 
 
 def new_error() -> ErrorRecord:
-    return ErrorRecord(struct_size=sizeof(ErrorRecord))
+    return prepared(ErrorRecord)
 
 
 def raise_error(status: int, error: ErrorRecord) -> None:
@@ -64,6 +67,8 @@ def raise_error(status: int, error: ErrorRecord) -> None:
     if not text:
         name = native().meander_status_name(status)
         text = f"the native library failed ({name.decode('utf-8', 'replace')})"
+    for ours, theirs in C_OPTIONS.items():
+        text = text.replace(theirs, ours)
     kind = None
     if 0 <= error.element_kind < len(ELEMENT_KINDS):
         kind = ELEMENT_KINDS[error.element_kind]
@@ -193,13 +198,36 @@ def struct_layouts() -> dict[str, tuple[list[int], list[int]]]:
 
 
 # ------------------------------------------------------------------------------------------------
+# Structs
+
+_C_NAMES = {struct: name for name, struct in STRUCTS.items()}
+
+
+def prepared(struct: type[_Record], *arguments: int) -> _Record:
+    """A struct as its _init function leaves it; `arguments` are what that takes besides."""
+    record = struct()
+    init = getattr(native(), f"{_C_NAMES[struct]}_init")
+    status = init(byref(record), sizeof(record), *arguments)
+    if status != Status.OK:
+        raise MeanderError(f"the native library does not know this {_C_NAMES[struct]}", status)
+    return record
+
+
+def figures_of(record: Structure) -> dict[str, Any]:
+    """The fields of a struct that mean something to a reader, by their C names."""
+    hidden = ("struct_size", "reserved", "reserved32")
+    names = [field[0] for field in record._fields_ if field[0] not in hidden]
+    return {name: getattr(record, name) for name in names}
+
+
+# ------------------------------------------------------------------------------------------------
 # Arrays and handles
 
 
 def checked_array(name: str, value: ArrayLike, dtype: type, columns: int | None) -> NDArray[Any]:
     """`value` as a C-contiguous array of exactly this dtype, of shape (n,) or (n, columns).
 
-    Numbers that the dtype cannot hold are refused rather than wrapped round: a face index of -1
+    Numbers that the dtype cannot hold are refused rather than wrapped: a face index of -1
     must not become 4294967295.
     """
     array = np.asarray(value)
@@ -223,6 +251,16 @@ def checked_array(name: str, value: ArrayLike, dtype: type, columns: int | None)
     return np.ascontiguousarray(array, dtype=dtype)
 
 
+def narrow_offsets(offsets: NDArray[np.uint64]) -> NDArray[np.uint32]:
+    """Offsets as hosts have them, in 32 bits."""
+    if offsets[-1] > np.iinfo(np.uint32).max:
+        raise MeanderError(
+            f"the curve has {offsets[-1]} points, and more than 2^32 cannot be copied; choose a "
+            "larger spacing"
+        )
+    return offsets.astype(np.uint32)
+
+
 def address_of(array: NDArray[Any] | None) -> int | None:
     """A pointer to the data; NULL for None. The caller keeps the array alive during the call."""
     return None if array is None else array.ctypes.data
@@ -233,12 +271,6 @@ def chosen(what: str, value: str, choices: tuple[str, ...]) -> int:
     if value not in choices:
         raise MeanderError(f"there is no {what} {value!r}; choose one of {', '.join(choices)}")
     return choices.index(value)
-
-
-def figures_of(record: Structure) -> dict[str, Any]:
-    """The fields of a struct that mean something to a reader, by their C names."""
-    names = [field[0] for field in record._fields_ if field[0] not in ("struct_size", "reserved")]
-    return {name: getattr(record, name) for name in names}
 
 
 class Handle:

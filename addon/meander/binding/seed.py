@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from ctypes import sizeof
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .abi import SeedRecord, Status
-from .native_library import MeanderError, address_of, checked_array
+from .native_library import MeanderError, address_of, checked_array, prepared
 
 
 @dataclass
@@ -71,15 +70,15 @@ def seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:
                 f"not {len(guides)}",
                 Status.INVALID_SEED,
             )
-    record = SeedRecord(
-        struct_size=sizeof(SeedRecord),
-        strand_count=len(closed),
-        points=address_of(points),
-        offsets=address_of(offsets),
-        closed=address_of(closed),
-        fixed=address_of(fixed),
-        guides=address_of(guides),
-        loops=int(seed.loops),
-    )
+    ends = offsets.astype(np.uint64)
+    record = prepared(SeedRecord)
+    record.point_count = len(points)
+    record.strand_count = len(closed)
+    record.points = address_of(points)
+    record.offsets = address_of(ends)
+    record.closed = address_of(closed)
+    record.fixed = address_of(fixed)
+    record.guides = address_of(guides)
+    record.fill_regions = int(seed.loops)
     optional = tuple(array for array in (fixed, guides) if array is not None)
-    return record, (points, offsets, closed, *optional)
+    return record, (points, ends, closed, *optional)

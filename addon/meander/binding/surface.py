@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_size_t, c_void_p, sizeof
+from ctypes import byref, c_size_t, c_void_p
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .abi import CURVATURES, DIRECTIONS, SurfaceOptionsRecord, SurfaceStatisticsRecord
+from .abi import SurfaceOptionsRecord, SurfaceStatisticsRecord
+from .choices import CURVATURES, DIRECTIONS
 from .native_library import (
     Handle,
     MeanderError,
@@ -19,7 +20,9 @@ from .native_library import (
     checked_array,
     chosen,
     figures_of,
+    narrow_offsets,
     native,
+    prepared,
 )
 from .seed import Seed
 
@@ -51,8 +54,7 @@ def _surface_options_record(
     options: SurfaceOptions, vertex_count: int, face_count: int
 ) -> tuple[SurfaceOptionsRecord, tuple[NDArray[Any], ...]]:
     """The C struct of the options, and the arrays that it points to."""
-    record = SurfaceOptionsRecord()
-    native().meander_surface_options_init(byref(record))
+    record = prepared(SurfaceOptionsRecord)
     record.drop_degenerate = bool(options.drop_degenerate)
     record.split_bow_ties = bool(options.split_bow_ties)
     record.cut_non_manifold = bool(options.cut_non_manifold)
@@ -74,8 +76,12 @@ def _surface_options_record(
             )
         arrays.append(array)
         setattr(record, name, address_of(array))
+        setattr(record, f"{name}_count", len(array))
     return record, tuple(arrays)
 
+
+# Figures that reports know by another name than the C header.
+_FIGURES = {"flipped_faces": "turned_faces"}
 
 # Room for outlines that is offered at once, in points and strands: asking would compute twice.
 _OUTLINE_ROOM = (1 << 14, 1 << 8)
@@ -116,7 +122,7 @@ class Surface(Handle):
         )
         record.threads = int(threads)
         call(
-            library.meander_surface_create_prepared,
+            library.meander_surface_create,
             address_of(vertex_array),
             len(vertex_array),
             address_of(face_array),
@@ -129,31 +135,31 @@ class Surface(Handle):
         self.vertex_count = len(vertex_array)
 
     def statistics(self) -> dict[str, int | float]:
-        """Figures of the surface, named as in meander_surface_statistics.
+        """Figures of the surface, named as in meander_surface_statistics but for turned_faces.
 
         vertices (used ones), faces, components, boundary_loops, turned_faces, unused_vertices, and
         what the options did, merged_vertices, dropped_faces, split_vertices, cut_edges,
         masked_faces, clipped_faces: int; area (square units) and diagonal (of the bounding box):
         float.
         """
-        record = SurfaceStatisticsRecord(struct_size=sizeof(SurfaceStatisticsRecord))
+        record = prepared(SurfaceStatisticsRecord)
         call(native().meander_surface_get_statistics, self._alive(), byref(record))
-        return figures_of(record)
+        # The C name has changed since; reports keep the first one.
+        return {_FIGURES.get(name, name): value for name, value in figures_of(record).items()}
 
     def outlines(self, distance: float, spacing: float) -> tuple[Seed, int]:
         """Lines along the boundary at a distance from it, as guides for a seed.
 
         Returns them, none for a closed surface, and how many stretches were left out because
-        nothing fits there; see meander_surface_get_outlines. Raises MeanderError for lengths out
+        nothing fits there; see meander_surface_find_outlines. Raises MeanderError for lengths out
         of range.
         """
-        function = native().meander_surface_get_outlines
-        points, strands = c_size_t(), c_size_t()
-        skipped = np.zeros(1, dtype=np.uint32)
+        function = native().meander_surface_find_outlines
+        points, strands, skipped = c_size_t(), c_size_t(), c_size_t()
         point_room, strand_room = _OUTLINE_ROOM
         while True:
             positions = np.empty((point_room, 3))
-            offsets = np.zeros(strand_room + 1, dtype=np.uint32)
+            offsets = np.zeros(strand_room + 1, dtype=np.uint64)
             closed = np.empty(strand_room, dtype=np.uint8)
             call(
                 function,
@@ -167,7 +173,8 @@ class Surface(Handle):
                 address_of(closed),
                 strand_room,
                 byref(strands),
-                address_of(skipped),
+                byref(skipped),
+                None,
             )
             if points.value <= point_room and strands.value <= strand_room:
                 break
@@ -175,15 +182,17 @@ class Surface(Handle):
         count = strands.value
         seed = Seed(
             positions[: points.value].copy(),
-            offsets[: count + 1].copy(),
+            narrow_offsets(offsets[: count + 1]),
             closed[:count].copy(),
             guides=np.ones(count, dtype=np.uint8),
             loops=True,
         )
-        return seed, int(skipped[0])
+        return seed, skipped.value
 
     def curvature(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
-        """Curvature at every vertex, (vertex count,) float64; see meander_surface_get_curvature.
+        """Curvature at every vertex, (vertex count,) float64.
+
+        See meander_surface_compute_curvature.
 
         kind       one of CURVATURES
         smoothing  radius over which values are averaged, in the surface's units; 0: none
@@ -193,18 +202,19 @@ class Surface(Handle):
         values = np.empty(self.vertex_count)
         number = chosen("kind of curvature", kind, CURVATURES)
         call(
-            native().meander_surface_get_curvature,
+            native().meander_surface_compute_curvature,
             self._alive(),
             number,
             float(smoothing),
             address_of(values),
             len(values),
+            None,
         )
         return values
 
     def directions(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
         """A field of lines for `Flow.set_directions`, (vertex count, 3) float64: unit tangent
-        vectors, signs arbitrary, zero where there is none; see meander_surface_get_directions.
+        vectors, signs arbitrary, zero where there is none; see meander_surface_compute_directions.
 
         kind       one of DIRECTIONS
         smoothing  as in `curvature`; without meaning for 'smooth'
@@ -214,12 +224,13 @@ class Surface(Handle):
         directions = np.empty((self.vertex_count, 3))
         number = chosen("kind of directions", kind, DIRECTIONS)
         call(
-            native().meander_surface_get_directions,
+            native().meander_surface_compute_directions,
             self._alive(),
             number,
             float(smoothing),
             address_of(directions),
             len(directions),
+            None,
         )
         return directions
 
@@ -238,14 +249,17 @@ class Surface(Handle):
             raise MeanderError(
                 f"the strokes' offsets must rise from 0 to the number of points, {len(point_array)}"
             )
+        ends = offset_array.astype(np.uint64)
         directions = np.empty((self.vertex_count, 3))
         call(
-            native().meander_surface_extend_directions,
+            native().meander_surface_compute_stroke_directions,
             self._alive(),
             address_of(point_array),
-            address_of(offset_array),
-            len(offset_array) - 1,
+            len(point_array),
+            address_of(ends),
+            len(ends) - 1,
             address_of(directions),
             len(directions),
+            None,
         )
         return directions

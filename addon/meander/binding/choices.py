@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What ``meander.h`` calls otherwise than the rest of the add-on: names for its numbers, and older
+names of its options. A name's place in its tuple is its number."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+from .abi import Alignment, Curvature, Directions, Element, Preset, StopReason
+
+
+def _names(numbers: type[IntEnum]) -> tuple[str, ...]:
+    if [int(number) for number in numbers] != list(range(len(numbers))):
+        raise ValueError(f"the numbers of {numbers.__name__} are not 0, 1, 2 and so on")
+    return tuple(number.name.lower() for number in numbers)
+
+
+# What the indices of an error count; the first is no element at all.
+ELEMENT_KINDS: tuple[str | None, ...] = (None, *_names(Element)[1:])
+PRESETS = _names(Preset)
+STOP_REASONS = _names(StopReason)
+CURVATURES = _names(Curvature)
+DIRECTIONS = _names(Directions)
+ALIGNMENTS = _names(Alignment)
+
+# Settings, flags and reports keep these names; the header has others.
+C_OPTIONS = {
+    "border_distance": "boundary_distance",
+    "ripening_iterations": "hairpin_removal_iterations",
+}
