@@ -33,6 +33,15 @@ if(MEANDER_SANITIZE)
 endif()
 add_test(NAME c99_step COMMAND c99_step "${PROJECT_VERSION}")
 
+# A program compiled against the first header of this ABI runs with the library of today.
+add_executable(abi2_client tests/native/abi2/client.c)
+target_compile_options(abi2_client PRIVATE -pedantic -Wall -Wextra -Werror)
+target_link_libraries(abi2_client PRIVATE meander)
+if(MEANDER_SANITIZE)
+  target_link_libraries(abi2_client PRIVATE meander_compile_options)
+endif()
+add_test(NAME abi2_client COMMAND abi2_client)
+
 # The shared library exports what the header declares, nothing more and nothing less, and needs what
 # every system has.
 add_test(NAME exported_symbols
@@ -46,4 +55,4 @@ add_test(NAME addon_versions
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/make_addon_zip.py"
           --addon "${PROJECT_SOURCE_DIR}/addon/meander" --version "${PROJECT_VERSION}" --check-only)
 
-set_tests_properties(c99_step exported_symbols addon_versions PROPERTIES TIMEOUT 60)
+set_tests_properties(c99_step abi2_client exported_symbols addon_versions PROPERTIES TIMEOUT 60)

@@ -153,5 +153,61 @@ TEST(OutOfMemory, AFlowGoesOn) {
   }
 }
 
+/// Calls `call` with its n-th allocation failing, for n = 0, 1, ... until none fails, and expects a status
+/// and a sentence every time: what is thrown across C ends the program here, since C cannot catch it.
+template <class Call>
+void expect_status_and_sentence(const char* name, const Call& call) {
+  SCOPED_TRACE(name);
+  long n = 0;
+  for (;; ++n) {
+    auto error = prepared<meander_error>();
+    meander_status status = MEANDER_STATUS_INTERNAL;
+    const bool thrown = runs_out_of_memory(n, [&] { status = call(&error); });
+    ASSERT_FALSE(thrown) << "allocation " << n;
+    if (status == MEANDER_STATUS_OK) break;
+    ASSERT_EQ(status, MEANDER_STATUS_OUT_OF_MEMORY) << "allocation " << n;
+    ASSERT_EQ(error.status, status);
+    ASSERT_NE(error.text[0], '\0');
+  }
+  EXPECT_GT(n, 0) << "nothing was allocated";
+}
+
+TEST(OutOfMemory, NothingIsThrownAcrossC) {
+  const Mesh mesh = sphere(1);
+  meander_surface* surface = nullptr;
+  meander_flow* flow = nullptr;
+  auto options = prepared<meander_flow_options>();
+  options.radius = 0.3;
+  options.threads = 1;
+  options.length_weight = 9;  // gives a warning
+  expect_status_and_sentence("warning", [&](meander_error* error) {
+    size_t size = 0;
+    return meander_flow_options_get_warning(&options, 0, nullptr, 0, &size, error);
+  });
+  expect_status_and_sentence("context", [&](meander_error* error) {
+    meander_context* context = nullptr;
+    const meander_status status = meander_context_create(&context, error);
+    EXPECT_EQ(context != nullptr, status == MEANDER_STATUS_OK);
+    meander_context_destroy(context);
+    return status;
+  });
+  auto preparation = prepared<meander_surface_options>();
+  preparation.threads = 1;
+  preparation.split_bow_ties = 1;
+  expect_status_and_sentence("surface", [&](meander_error* error) {
+    return meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
+                                  &preparation, &surface, error);
+  });
+  expect_status_and_sentence("flow", [&](meander_error* error) {
+    return meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, error);
+  });
+  expect_status_and_sentence("statistics", [&](meander_error* error) {
+    auto statistics = prepared<meander_flow_statistics>();
+    return meander_flow_compute_statistics(flow, &statistics, nullptr, error);
+  });
+  meander_flow_destroy(flow);
+  meander_surface_destroy(surface);
+}
+
 }  // namespace
 }  // namespace meander::test

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A program that was compiled when this ABI was new: it includes the header of that day, a frozen copy
+ * beside this file, and runs with the library of today. What it does works for as long as the ABI
+ * number is 2. Also checked here is what the header promises about structs of other sizes. */
+#include "meander.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failures = 0;
+
+static void expect(int condition, const char* what) {
+  if (!condition) {
+    fprintf(stderr, "failed: %s\n", what);
+    ++failures;
+  }
+}
+
+static void must(meander_status status, const meander_error* error, const char* call) {
+  if (status != MEANDER_STATUS_OK) {
+    fprintf(stderr, "failed: %s: %s: %s\n", call, meander_status_name(status), error->text);
+    exit(EXIT_FAILURE);
+  }
+}
+
+static const double kTetrahedron[] = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};
+static const uint32_t kFaces[] = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
+
+/* What a library of tomorrow may append to a struct, seen from today. */
+typedef struct longer_options {
+  meander_flow_options known;
+  uint64_t unknown[3];
+} longer_options;
+typedef struct longer_statistics {
+  meander_flow_statistics known;
+  uint64_t unknown[3];
+} longer_statistics;
+
+static void check_longer_structs(const meander_surface* surface) {
+  meander_error error;
+  longer_options options;
+  longer_statistics statistics;
+  meander_flow* flow = NULL;
+  must(meander_error_init(&error, sizeof error), &error, "meander_error_init");
+  memset(&options, 0xff, sizeof options);
+  must(meander_flow_options_init(&options.known, sizeof options, MEANDER_PRESET_EVEN), &error,
+       "meander_flow_options_init");
+  expect(options.known.struct_size == sizeof options, "_init keeps the caller's size");
+  expect(options.unknown[0] == 0 && options.unknown[2] == 0, "_init sets the whole struct");
+  options.known.radius = 0.2;
+
+  options.unknown[2] = 1;
+  expect(meander_flow_create(surface, NULL, NULL, 0, &options.known, &flow, &error) ==
+             MEANDER_STATUS_INVALID_ARGUMENT,
+         "what the library does not know is refused");
+  expect(flow == NULL && strstr(error.text, "meander_flow_options") != NULL, "the struct is named");
+  options.unknown[2] = 0;
+  must(meander_flow_create(surface, NULL, NULL, 0, &options.known, &flow, &error), &error,
+       "meander_flow_create");
+
+  memset(&statistics, 0xff, sizeof statistics);
+  must(meander_flow_statistics_init(&statistics.known, sizeof statistics), &error,
+       "meander_flow_statistics_init");
+  statistics.unknown[1] = 7;
+  must(meander_flow_compute_statistics(flow, &statistics.known, NULL, &error), &error,
+       "meander_flow_compute_statistics");
+  expect(statistics.known.strands == 1, "what the library knows is filled");
+  expect(statistics.unknown[1] == 0, "what it does not know is 0");
+  meander_flow_destroy(flow);
+}
+
+/* A reserved field is one that a later header has given a meaning. */
+static void check_reserve(const meander_surface* surface) {
+  meander_error error;
+  meander_flow_options options;
+  meander_seed seed;
+  meander_flow* flow = NULL;
+  must(meander_error_init(&error, sizeof error), &error, "meander_error_init");
+  must(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), &error,
+       "meander_flow_options_init");
+  must(meander_seed_init(&seed, sizeof seed), &error, "meander_seed_init");
+  expect(seed.points == NULL && seed.strand_count == 0 && seed.reserved[3] == 0,
+         "a seed begins empty");
+  options.radius = 0.2;
+  /* The last one: the first may have a meaning by the time that this runs. */
+  options.reserved[7] = 1;
+  expect(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, &error) ==
+             MEANDER_STATUS_INVALID_ARGUMENT,
+         "a reserved field that is set is refused");
+  expect(flow == NULL, "outputs are untouched");
+}
+
+static void check_sizes(void) {
+  meander_error error;
+  meander_flow_options options;
+  memset(&error, 0, sizeof error);
+  error.struct_size = 3;
+  expect(meander_surface_create(NULL, 0, NULL, 0, NULL, NULL, &error) ==
+             MEANDER_STATUS_INVALID_ARGUMENT,
+         "NULL is refused");
+  expect(error.text[0] == '\0', "an error that was not prepared receives nothing");
+  expect(meander_error_init(NULL, sizeof error) == MEANDER_STATUS_INVALID_ARGUMENT, "NULL");
+  expect(meander_error_init(&error, sizeof error - 1) == MEANDER_STATUS_INVALID_ARGUMENT &&
+             error.struct_size == 3,
+         "a size that no header has is refused");
+  expect(meander_error_init(&error, 4097) == MEANDER_STATUS_INVALID_ARGUMENT, "so is a wild one");
+  expect(meander_flow_options_init(&options, sizeof options, 99) == MEANDER_STATUS_INVALID_ARGUMENT,
+         "an unknown preset is refused");
+}
+
+static void run_a_flow(const meander_surface* surface) {
+  meander_error error;
+  meander_context* context = NULL;
+  meander_flow_options options;
+  meander_flow* flow = NULL;
+  meander_flow_statistics statistics;
+  meander_iteration* records = NULL;
+  size_t iterations = 0, points = 0, strands = 0;
+  must(meander_error_init(&error, sizeof error), &error, "meander_error_init");
+  must(meander_context_create(&context, &error), &error, "meander_context_create");
+  must(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_PAPER), &error,
+       "meander_flow_options_init");
+  options.radius = 0.2;
+  options.iteration_limit = 12;
+  must(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, &error), &error,
+       "meander_flow_create");
+  must(meander_flow_start(flow, context, &error), &error, "meander_flow_start");
+  must(meander_flow_wait(flow, &error), &error, "meander_flow_wait");
+  expect(meander_flow_stop_reason(flow) == MEANDER_STOP_REASON_ITERATION_LIMIT, "the limit ends it");
+  expect(meander_context_progress(context) == 1, "progress ends at 1");
+
+  must(meander_flow_statistics_init(&statistics, sizeof statistics), &error,
+       "meander_flow_statistics_init");
+  must(meander_flow_compute_statistics(flow, &statistics, context, &error), &error,
+       "meander_flow_compute_statistics");
+  expect(statistics.iterations == 12 && statistics.crossings == 0 && statistics.length > 0, "figures");
+
+  must(meander_flow_get_history(flow, NULL, sizeof *records, 0, &iterations, &error), &error,
+       "meander_flow_get_history");
+  expect(iterations == 12, "one record an iteration");
+  records = malloc(iterations * sizeof *records);
+  if (records == NULL) exit(EXIT_FAILURE);
+  must(meander_flow_get_history(flow, records, sizeof *records, iterations, &iterations, &error),
+       &error, "meander_flow_get_history");
+  expect(records[0].iteration == 1 && records[11].iteration == 12, "records stand side by side");
+  free(records);
+
+  must(meander_flow_get_polylines(flow, NULL, NULL, 0, &points, NULL, NULL, 0, &strands, &error),
+       &error, "meander_flow_get_polylines");
+  expect(points > 3 && strands == 1, "the curve comes out");
+
+  meander_context_cancel(context);
+  expect(meander_flow_compute_statistics(flow, &statistics, context, &error) ==
+             MEANDER_STATUS_CANCELLED,
+         "a cancelled context ends a computation");
+  expect(strcmp(meander_status_name(error.status), "cancelled") == 0, "the error says so");
+  meander_flow_destroy(flow);
+  meander_context_destroy(context);
+}
+
+int main(void) {
+  meander_error error;
+  meander_surface_options options;
+  meander_surface_statistics statistics;
+  meander_surface* surface = NULL;
+  if (meander_abi_version() != MEANDER_ABI_VERSION) {
+    fprintf(stderr, "the library has another ABI: freeze its header beside this one\n");
+    return EXIT_FAILURE;
+  }
+  must(meander_error_init(&error, sizeof error), &error, "meander_error_init");
+  must(meander_surface_options_init(&options, sizeof options), &error,
+       "meander_surface_options_init");
+  options.split_bow_ties = 1;
+  must(meander_surface_create(kTetrahedron, 4, kFaces, 4, &options, &surface, &error), &error,
+       "meander_surface_create");
+  must(meander_surface_statistics_init(&statistics, sizeof statistics), &error,
+       "meander_surface_statistics_init");
+  must(meander_surface_get_statistics(surface, &statistics, &error), &error,
+       "meander_surface_get_statistics");
+  expect(statistics.faces == 4 && statistics.flipped_faces == 0 && statistics.area > 0, "a surface");
+  run_a_flow(surface);
+  check_longer_structs(surface);
+  check_reserve(surface);
+  check_sizes();
+  meander_surface_destroy(surface);
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
