@@ -26,8 +26,10 @@ ROOT = Path(__file__).resolve().parents[2]
 PICTURES = ROOT / "build" / "ui"
 # Another add-on folder can be tried with the same story.
 sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
+sys.path.append(str(ROOT / "tests"))
 
 import meander  # noqa: E402
+import processor_time  # noqa: E402
 from meander.run import session  # noqa: E402
 from meander.scene import ramp  # noqa: E402
 from meander.ui import operators, panels  # noqa: E402
@@ -386,13 +388,15 @@ def story() -> Iterator[float]:
 
 passed: list[str] = []
 present_step = "the window opens"
-begin = time.monotonic()
+begin, step_begin = time.monotonic(), processor_time.spent()
 telling = story()
 
 
 def step(name: str) -> None:
-    global present_step
+    global present_step, step_begin
     passed.append(present_step)
+    processor_time.note(present_step, processor_time.spent() - step_begin)
+    step_begin = processor_time.spent()
     print(f"[{time.monotonic() - begin:5.1f} s] ok: {present_step}", flush=True)
     present_step = name
 
