@@ -17,6 +17,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT / "tests"))
+
+from processor_time import note, spent  # noqa: E402
+
 FENCE = re.compile(
     r"(?:<!-- (?P<remark>not run here|file): (?P<value>.+?) -->\n)?"
     r"^```(?P<language>\w*)\n(?P<body>.*?)^```$",
@@ -45,7 +49,9 @@ def blocks_of(document: Path) -> list[Block]:
 
 def run(block: Block) -> bool:
     print(f"--- {block.place}", flush=True)
+    begin = spent()
     done = subprocess.run(["bash", "-euo", "pipefail", "-x", "-c", block.body], cwd=ROOT)
+    note(block.place, spent() - begin)
     if done.returncode != 0:
         print(f"--- {block.place}: exit code {done.returncode}", flush=True)
     return done.returncode == 0

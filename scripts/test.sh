@@ -6,8 +6,12 @@
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
 # in both, one UI test in a window, the commands of the documents, the linter, and the rule of which
-# module may import which. Every suite runs whatever became of the others. Logs stay in build/logs; the last line counts, and the exit code is
-# 0 only when nothing failed.
+# module may import which. Every suite runs whatever became of the others. Logs stay in build/logs;
+# the last line counts, and the exit code is 0 only when nothing failed.
+#
+# The summary names the slowest test of each suite with its processor seconds; all are in
+# build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
+# than that has failed: continuous integration sets it, so that slower machines have time to spare.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
@@ -41,6 +45,19 @@ count_of() {
   grep -oE "[0-9]+ $1" "$2" | tail -n 1 | grep -oE '^[0-9]+' || echo 0
 }
 
+# by_time NAME - the lines "SECONDS TEST" of a suite, the slowest first
+by_time() {
+  [ ! -f "$logs/$1.times" ] || LC_ALL=C sort -rn "$logs/$1.times"
+}
+
+# too_slow NAME - those over the limit, if there is one
+too_slow() {
+  [ -n "${MEANDER_TEST_LIMIT:-}" ] || return 0
+  # A suite that notes no times would look fast.
+  if [ ! -s "$logs/$1.times" ]; then echo "$1 has noted no times"; fi
+  by_time "$1" | awk -v limit="$MEANDER_TEST_LIMIT" '$1 > limit'
+}
+
 # suite NAME SECONDS COMMAND... - a command that counts its tests
 # check NAME SECONDS COMMAND... - a command that is one test by itself
 suite() { run_counted 1 "$@"; }
@@ -48,8 +65,10 @@ check() { run_counted 0 "$@"; }
 
 run_counted() {
   local counts=$1 name=$2 seconds=$3 log=$logs/$2.log status=0 passed failed begin=$SECONDS
+  local slow="" slowest
   shift 3
-  timeout --kill-after=10 "$seconds" "$@" >"$log" 2>&1 </dev/null || status=$?
+  MEANDER_TEST_TIMES=$root/$logs/$name.times \
+    timeout --kill-after=10 "$seconds" "$@" >"$log" 2>&1 </dev/null || status=$?
   if [ "$counts" -eq 0 ]; then
     passed=1 failed=0
   elif grep -qE '^[0-9]+% tests passed' "$log"; then # ctest
@@ -62,24 +81,37 @@ run_counted() {
   # Neither a bad end nor a suite in which nothing ran may look like success.
   if [ "$status" -eq 0 ] && [ $((passed + failed)) -eq 0 ]; then status="0, but no test ran"; fi
   if [ "$status" != 0 ] && [ "$failed" -eq 0 ]; then failed=1 passed=$((counts * passed)); fi
+  slowest=$(by_time "$name" | sed -n '1s/^\([^ ]*\) /; slowest \1 s /p')
+  [ "$counts" -eq 0 ] || slow=$(too_slow "$name")
+  if [ "$status" = 0 ] && [ -n "$slow" ]; then
+    status=slow failed=$(wc -l <<<"$slow")
+    passed=$((passed - failed))
+  fi
   passed_total=$((passed_total + passed))
   failed_total=$((failed_total + failed))
   local verdict=ok
   case "$status" in
     0) ;;
+    slow) verdict="FAILED: tests over $MEANDER_TEST_LIMIT s of processor time" ;;
     124 | 137) verdict="FAILED: not done after $seconds s" ;;
     *) verdict="FAILED: exit code $status" ;;
   esac
   summary+=("$(printf '%-14s %4d passed %3d failed %4d s  %s' \
-    "$name" "$passed" "$failed" $((SECONDS - begin)) "$verdict")")
+    "$name" "$passed" "$failed" $((SECONDS - begin)) "$verdict$slowest")")
   echo "${summary[-1]}"
-  [ "$status" = 0 ] || tail -n 60 "$log"
+  case "$status" in
+    0) ;;
+    slow) printf '%s\n' "$slow" ;;
+    *) tail -n 60 "$log" ;;
+  esac
 }
+# The seconds only end what hangs: they leave room for a machine a quarter as fast, on which nothing
+# is built yet.
 export LIBGL_ALWAYS_SOFTWARE=1 # the same picture whether or not the machine has a graphics card
 
-check build 900 bash scripts/build.sh
+check build 1800 bash scripts/build.sh
 suite native 600 ctest --test-dir build --output-on-failure --no-tests=error -j 2
-suite sanitized 900 bash scripts/test_sanitized.sh
+suite sanitized 2400 bash scripts/test_sanitized.sh
 profile core
 suite core 600 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/core
 profile blender-3.4
@@ -102,5 +134,5 @@ check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no
 
 printf '\n'
 printf '%s\n' "${summary[@]}"
-printf '\n%d passed, %d failed\n' "$passed_total" "$failed_total"
+printf '\n%d s\n%d passed, %d failed\n' "$SECONDS" "$passed_total" "$failed_total"
 [ "$failed_total" -eq 0 ]

@@ -14,8 +14,10 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
 sys.path.insert(0, str(Path(__file__).parent))
+sys.path.append(str(ROOT / "tests"))
 
 import meander  # noqa: E402
+from processor_time import pytest_runtest_protocol  # noqa: E402, F401
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

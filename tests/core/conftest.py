@@ -30,9 +30,11 @@ def _import_package() -> None:
 
 
 _import_package()
+sys.path.append(str(REPOSITORY / "tests"))
 
 import geometry  # noqa: E402  (the package must be importable before tests are)
 from meander import core  # noqa: E402
+from processor_time import pytest_runtest_protocol  # noqa: E402, F401
 
 
 @dataclass(frozen=True)

@@ -272,31 +272,46 @@ TEST(Gaps, TheOpeningInAStrandIsTheOnlyGap) {
   }
 }
 
-TEST(Gaps, TheLargestIsThatOfBruteForceWhileGrowing) {
-  const std::vector<std::pair<Mesh, double>> cases = {
-      {sphere(3), 0.15},      {torus(30, 15), 0.12},
-      {cube(), 0.1},          {flat_grid(1), 0.05},
-      {flat_grid(20), 0.05},  {grid_with_hole(12), 0.05},
-      {bumpy_grid(12), 0.05}, {with_noise(sphere(3), 0.2, 3), 0.15},
-  };
-  for (size_t c = 0; c < cases.size(); ++c) {
-    const auto& [mesh, radius] = cases[c];
-    FlowRun run(mesh, radius);
-    for (const int more : {12, 100}) {
-      run.steps(more);
-      SCOPED_TRACE("case " + std::to_string(c) + " after " + std::to_string(more) + " more steps");
-      constexpr double kLeast = 1.05;
-      const Gaps gaps = run.gaps(kLeast);
-      const std::vector<Vec3> pieces = run.pieces();
-      expect_gaps(gaps, mesh, pieces, radius, kLeast);
-      const Farthest farthest = brute_force(mesh, pieces, kSample * radius);
-      if (farthest.distance < (kLeast + kMissed) * radius) continue;
-      ASSERT_GE(gaps.count(), 1u);
-      EXPECT_LE(gaps.radii[0], farthest.distance + (kSample + kOtherSegment) * radius);
-      EXPECT_GE(gaps.radii[0], farthest.distance - (kMissed + kOtherSegment) * radius);
-    }
+/// A mesh, and the radius of a curve on it.
+struct Model {
+  Mesh mesh;
+  double radius;
+};
+
+Model model(size_t number) {
+  switch (number) {
+    case 0: return {sphere(3), 0.15};
+    case 1: return {torus(30, 15), 0.12};
+    case 2: return {cube(), 0.1};
+    case 3: return {flat_grid(1), 0.05};
+    case 4: return {flat_grid(20), 0.05};
+    case 5: return {grid_with_hole(12), 0.05};
+    case 6: return {bumpy_grid(12), 0.05};
+    default: return {with_noise(sphere(3), 0.2, 3), 0.15};
   }
 }
+
+class GapsOnModels : public testing::TestWithParam<size_t> {};
+
+TEST_P(GapsOnModels, TheLargestIsThatOfBruteForceWhileGrowing) {
+  const auto [mesh, radius] = model(GetParam());
+  FlowRun run(mesh, radius);
+  for (const int more : {12, 100}) {
+    run.steps(more);
+    SCOPED_TRACE("after " + std::to_string(more) + " more steps");
+    constexpr double kLeast = 1.05;
+    const Gaps gaps = run.gaps(kLeast);
+    const std::vector<Vec3> pieces = run.pieces();
+    expect_gaps(gaps, mesh, pieces, radius, kLeast);
+    const Farthest farthest = brute_force(mesh, pieces, kSample * radius);
+    if (farthest.distance < (kLeast + kMissed) * radius) continue;
+    ASSERT_GE(gaps.count(), 1u);
+    EXPECT_LE(gaps.radii[0], farthest.distance + (kSample + kOtherSegment) * radius);
+    EXPECT_GE(gaps.radii[0], farthest.distance - (kMissed + kOtherSegment) * radius);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, GapsOnModels, testing::Range<size_t>(0, 8));
 
 TEST(Gaps, AComponentWithoutAStrandIsAGap) {
   const Mesh mesh = joined(flat_grid(8), flat_grid(1), 1.2);

@@ -6,11 +6,15 @@ MEANDER_BPY_PYTHON   a Python with bpy 4.2 or later; default: build/bpy-4.5
 """
 
 import os
+import sys
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests"))
+
+from processor_time import pytest_runtest_protocol  # noqa: E402, F401
 
 
 @pytest.fixture(scope="session")
