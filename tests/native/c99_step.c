@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The header from C99, through the shared library, as a stranger would use it: a mesh, one step,
+ * The header from C99, through the shared library, as a client would use it: a mesh, one step,
  * one run, the polylines, and an error that names its element. Usage: c99_step VERSION */
 #include <meander/meander.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The quadratic model of one step as the paper writes it: positions in space, three unknowns a
-// node, rigid motions that unroll each segment; every term a list of squares. No code in common
+// node, rigid motions that unroll each segment; every term is a list of squares. It shares no code
 // with the library's banded form in parallel frames.
 #pragma once
 
@@ -30,8 +30,8 @@ struct Square {
   double stiffness;  ///< in the Hessian
 };
 
-/// The rigid motion that takes the node to `origin`, the direction `along` of its face to the
-/// x-axis turned by `angle` in the plane, and the face's normal to the z-axis.
+/// The rigid motion that maps the node to `origin`, the direction `along` of its face to the x-axis
+/// rotated by `angle` in the plane, and the face's normal to the z-axis.
 inline Rigid lay_flat(const Surface& s, const SurfacePoint& node, Vec2 along, const Vec3& origin,
                       double angle) {
   const Vec3 x = s.to_space(node.face, along), z = s.face_normal(node.face), y = z.cross(x);
@@ -60,7 +60,7 @@ class LiteralModel {
       if (after != kNone) {
         const Rigid first = lay_flat(s, c.nodes[i], c.shapes[i].leaving, Vec3::Zero(), 0);
         const Rigid second = lay_flat(s, c.nodes[after], c.shapes[i].arriving, Vec3(l1, 0, 0), 0);
-        // Eq. 13, expanded to second order about the curve as it is: stiffer along the segment.
+        // Eq. 13, expanded to second order about the present curve: stiffer along the segment.
         const double p = weights.length_power;
         const double f = stretch(c, i, r, p) / l1;
         const double t = 0.5 * (weights.length[i] + weights.length[after]);
@@ -68,7 +68,7 @@ class LiteralModel {
         add({{i, first, 1}, {after, second, -1}}, s, c, t * f, stiffness);
         const Mat3 along = Vec3(1, 0, 0).asDiagonal();
         add({{i, first, 1}, {after, second, -1}}, s, c, 0, (p - 2) * stiffness, along);
-        // Eq. 11, the field's vectors laid into the same plane.
+        // Eq. 11, with the field's vectors mapped to the same plane.
         if (!weights.alignment.empty()) {
           const Vec3 here = first.turn * s.to_space(c.nodes[i].face, weights.field[i]);
           const Vec3 there = second.turn * s.to_space(c.nodes[after].face, weights.field[after]);
@@ -91,12 +91,12 @@ class LiteralModel {
         squares_.push_back({{{i, Mat3::Identity()}}, x - centre, w, larger ? (q - 1) * w : w});
         if (!larger) squares_.push_back({{{i, b * b.transpose()}}, Vec3::Zero(), 0, (q - 2) * w});
       }
-      // Eq. 12 with the weight b r^2 / w: the previous node is laid into the plane of this one's
-      // next segment, at the angle at which the strand bends here.
+      // Eq. 12 with the weight b r^2 / w: the previous node is mapped to the plane of this one's
+      // next segment, at the angle by which the strand bends here.
       if (after != kNone && before != kNone) {
         const Vec2 out = c.shapes[i].leaving, in = c.shapes[before].arriving;
         const double bend =
-            std::atan2(cross(out, in), dot(out, in));  // of the way in, seen from the way out
+            std::atan2(cross(out, in), dot(out, in));  // of the direction in, seen from the direction out
         const Vec3 start = -l0 * Vec3(std::cos(bend), std::sin(bend), 0);
         const Rigid p = lay_flat(s, c.nodes[before], c.shapes[before].leaving, start, bend);
         const Rigid q = lay_flat(s, c.nodes[i], out, Vec3::Zero(), 0);
@@ -107,7 +107,7 @@ class LiteralModel {
     }
   }
 
-  /// The factor of a segment in eq. 13: (l / r)^(p - 2) over its mean along the strand.
+  /// The factor of a segment in eq. 13: (l / r)^(p - 2), divided by its mean along the strand.
   static double stretch(const Curve& c, uint32_t i, const NodeData<double>& r, double p) {
     double length = 0, sum = 0;
     for (const Strand& strand : c.strands) {
@@ -127,7 +127,7 @@ class LiteralModel {
     return sum;
   }
 
-  /// H d + g, and the sum of the absolute values of what is added up, to compare with.
+  /// H d + g, and the sum of the absolute values of its terms, as a scale for comparisons.
   Eigen::VectorXd gradient(const Eigen::VectorXd& d, Eigen::VectorXd* magnitude = nullptr) const {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(3 * n_);
     if (magnitude) *magnitude = out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the boundary leaves of the balls, against the way to it and every point of it.
+// What the boundary leaves of the balls, against the distance to it and every point of it.
 #include <gtest/gtest.h>
 
 #include "medial/boundary_reach.h"
@@ -31,7 +31,7 @@ struct Scene {
     return result;
   }
 
-  /// The way along the surface, infinite where the boundary is farther than `most`.
+  /// The distance along the surface, infinite where the boundary is farther than `most`.
   double way(uint32_t node, size_t side, double most) const {
     Path path;
     const Trace trace =
@@ -39,8 +39,8 @@ struct Scene {
     return trace.hit_boundary ? trace.length : std::numeric_limits<double>::infinity();
   }
 
-  /// |d|^2 over what of d is ahead: twice the radius of the ball that touches the sample at d. Only of
-  /// samples that look back, by 60 degrees at most.
+  /// |d|^2 over the part of d that is ahead: twice the radius of the ball that touches the sample at d. Only
+  /// for samples that face the node, within 60 degrees.
   double way_to_corners(uint32_t node, size_t side) const {
     double least = std::numeric_limits<double>::infinity();
     for (size_t k = 0; k < boundary.samples().size(); ++k) {
@@ -71,7 +71,7 @@ TEST(Reach, IsTheClampWhereThereIsNoBoundary) {
   }
 }
 
-/// However few the samples by which one sees that the boundary is near: of a square's edges their ends only.
+/// However few the samples that tell that the boundary is near: of a square's edges their ends only.
 TEST(Reach, IsTheWayToTheBoundary) {
   for (const auto& [mesh, step] :
        {std::pair{grid_with_hole(9), 0.01}, {grid_with_hole(9), 1.0}, {flat_grid(1, 0), 1.0}}) {
@@ -99,7 +99,7 @@ TEST(Reach, OfAnObstacleIsTheWayAlone) {
   }
 }
 
-/// In the square's plane: away from the outline, and out of the hole, at corners between both edges.
+/// In the square's plane: away from the outline, and out of the hole; at corners, between both edges.
 TEST(Reach, SamplesKnowTheWayIntoTheSurface) {
   const Scene scene(grid_with_hole(9));
   const Surface& s = scene.surface;
@@ -116,7 +116,7 @@ TEST(Reach, SamplesKnowTheWayIntoTheSurface) {
   }
 }
 
-/// A strand that runs into the boundary has room to both sides: what it runs into does not face them.
+/// A strand that runs into the boundary has room on both sides: the boundary ahead does not face them.
 TEST(Reach, OfAStrandThatRunsIntoTheBoundaryIsTheWayAlone) {
   const Scene scene(flat_grid(9));
   const NodeData<Reach> reach =
@@ -145,14 +145,14 @@ TEST(Reach, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-/// Nearer than the distance wanted corners beside the way count, and the nearer the boundary, the
-/// harder it pushes.
+/// Below the distance asked for, corners beside the straight line count, and the closer the boundary,
+/// the harder it pushes.
 TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
   const Scene scene(grid_with_hole(9));
   const double rest = Scene::kRadius;
   const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest);
   int corners = 0;
-  std::vector<std::array<double, 2>> felt;  // the way, and what drives
+  std::vector<std::array<double, 2>> felt;  // the distance, and what drives
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) {
       const double straight = scene.way(i, side, 1), corner = scene.way_to_corners(i, side);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What follows what in a flow with a polish, and that a surface that moves does not send it back.
+// The order of the phases in a flow with a polish, and that a moving surface does not restart them.
 #include <gtest/gtest.h>
 
 #include "flow/convergence.h"
@@ -19,7 +19,7 @@ class PhasesOf : public testing::TestWithParam<int> {
     metric_ = even_metric(curve_, 0.01);
   }
 
-  /// One more iteration in which nothing changes. Every so often the surface moves.
+  /// One more iteration in which nothing changes. At regular intervals the surface moves.
   void note() {
     if (GetParam() > 0 && ++notes_ % GetParam() == 0 && convergence_.phase() != Phase::kGrowing) {
       convergence_.restart(0);
@@ -62,8 +62,8 @@ TEST_P(PhasesOf, FollowOneAnother) {
 
 INSTANTIATE_TEST_SUITE_P(SurfaceMovesEvery, PhasesOf, testing::Values(0, 3, 4));
 
-/// A curve that fills the surface but has not ripened when it moves for the first time is only finished; one
-/// that does not fill it goes on growing.
+/// A curve that fills the surface, but has seen no hairpin removal when the surface first moves, is only
+/// finished; a curve that does not fill it continues to grow.
 TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {
   Convergence full(StopRule::kSettled, true, kHairpinRemoval), empty = full, plain(StopRule::kSettled, false, 0);
   full.restart(0);

@@ -19,7 +19,7 @@ Pairs brute_force(const Surface& s, const Curve& c, const std::vector<uint8_t>* 
   return pairs;
 }
 
-/// With no list of changes, with random ones, and with teams of different sizes.
+/// Without a list of changes, with random ones, and with thread pools of different sizes.
 void expect_equal(const Surface& s, const Curve& curve, Rng& rng) {
   ASSERT_TRUE(whole(s, curve));
   CrossingTest test;
@@ -117,10 +117,10 @@ TEST(Crossings, NeighboursMayMeetInTheirNodeOnly) {
   };
   EXPECT_TRUE(find({{0.1, 0.1}, {0.3, 0.1}, {0.3, 0.4}}).empty());
   EXPECT_TRUE(find({{0.1, 0.1}, {0.3, 0.1}, {0.3, 0.4}}, true).empty());
-  // Straight on is allowed, straight back is not.
+  // Continuing straight is allowed, going straight back is not.
   EXPECT_TRUE(find({{0.125, 0.125}, {0.25, 0.25}, {0.375, 0.375}}).empty());
   EXPECT_EQ(find({{0.125, 0.125}, {0.375, 0.375}, {0.25, 0.25}}), (Pairs{{0, 1}}));
-  // A grain beside it is.
+  // Going back one grain beside it is.
   EXPECT_TRUE(find({{0.125, 0.125}, {0.375, 0.375}, {0.25, 0.25 + kGrain}}).empty());
 }
 
@@ -138,7 +138,7 @@ TEST(Crossings, TouchingCounts) {
 
 TEST(Crossings, SegmentsThroughTheSamePointOfAnEdgeTouch) {
   const Surface s = make_surface(flat_grid(1));
-  // The edge that the two faces share.
+  // The edge between the two faces.
   HalfEdge e = 0;
   while (s.twin(e) == kNone) ++e;
   CrossingTest test;

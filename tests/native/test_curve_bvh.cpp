@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The largest balls that a tree finds, one by one and for neighbours at a time, against all points.
+// The largest balls that the hierarchy finds, one by one and for neighbours together, against all points.
 #include <gtest/gtest.h>
 
 #include "medial/curve_bvh.h"
@@ -12,8 +12,8 @@ namespace {
 using Sides = std::array<Vec3, 2>;
 using Balls = std::array<double, 2>;
 
-/// Squares and sums are rounded before they are compared, so of two points that limit a ball alike
-/// either may be the one.
+/// Squares and sums are rounded before they are compared, so of two points that limit a ball equally
+/// either may be found.
 constexpr double kRounding = 1e-14;
 
 double brute_force(const std::vector<Vec3>& points, const Vec3& x, const Vec3& b, double most) {
@@ -27,7 +27,7 @@ double brute_force(const std::vector<Vec3>& points, const Vec3& x, const Vec3& b
 
 Vec3 random_direction(Rng& rng) { return Vec3(rng.in(-1, 1), rng.in(-1, 1), rng.in(-1, 1)).normalized(); }
 
-/// Points of a curve that winds about at random: of some that follow one another, and of some that do not.
+/// Points of a curve that winds at random: some consecutive, some not.
 std::vector<Vec3> winding(size_t count, double step, Rng& rng) {
   std::vector<Vec3> points;
   Vec3 at(0, 0, 0), way = random_direction(rng);
@@ -52,7 +52,7 @@ TEST(CurveBvh, BallsOfNeighboursEqualBruteForce) {
       const Vec3 along = random_direction(rng);
       sides = {along, rng.in(0, 1) < 0.5 ? Vec3(-along) : random_direction(rng)};
     }
-    // The last of these sees hundreds of runs, more than are kept for neighbours.
+    // The last of these meets hundreds of runs, more than are kept for neighbours.
     for (const double most : {0.004, 0.03, 0.2, 4.0}) {
       std::vector<Balls> start(count);
       for (Balls& balls : start) {
@@ -84,7 +84,7 @@ TEST(CurveBvh, BallsOfNeighboursEqualBruteForce) {
   EXPECT_GT(clamped, 1000u);
 }
 
-/// Points at even distances, where many limit a ball alike.
+/// Points at even distances, where many limit a ball equally.
 TEST(CurveBvh, BallsOfAGridEqualBruteForce) {
   ThreadPool pool(1);
   std::vector<Vec3> points;

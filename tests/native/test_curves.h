@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random curves, and checks of curves that share no code with the library's own: whether paths hang
-// together, and whether anything crosses, in exact integers.
+// Random curves, and checks of curves that share no code with the library's own: whether paths are
+// connected, and whether anything crosses, in exact integers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@
 
 namespace meander::test {
 
-/// The length of a path measured between its ends, and added up piece by piece, differs where the
-/// straight line comes nearer to a vertex than crossings may (places are within a diagonal of 1).
+/// The length of a path measured between its ends differs from the sum of its pieces where the
+/// straight line comes closer to a vertex than crossings may (the mesh has a diagonal of 1).
 constexpr double kMeasured = kClearance;
 
 __extension__ typedef __int128 Int128;
@@ -29,7 +29,7 @@ inline bool same_bytes(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
 }
 
-/// The face of the start is left by the first crossing, and so on until the face of the end.
+/// The first crossing leaves the face of the start, and so on until the face of the end.
 inline testing::AssertionResult chains(const Surface& s, uint32_t face, uint32_t last,
                                        std::span<const Crossing> path) {
   for (size_t k = 0; k < path.size(); ++k) {
@@ -68,7 +68,7 @@ inline testing::AssertionResult inside_face(const Surface& s, const SurfacePoint
          << "face " << p.face << " weights " << p.weight(0) << " " << p.b.x << " " << p.b.y;
 }
 
-/// Everything that must hold of a curve at any time, but for crossings.
+/// Everything that must hold for a curve at any time, except for crossings.
 inline testing::AssertionResult whole(const Surface& s, const Curve& c) {
   const size_t n = c.nodes.size();
   if (c.fixed.size() != n || c.paths.size() != n || c.shapes.size() != n) {
@@ -127,7 +127,7 @@ inline bool exact_touch(const ExactPiece& p, const ExactPiece& q) {
              0;
 }
 
-/// Do the pieces share a point that is not a common node of their segments?
+/// Whether the pieces share a point that is not a common node of their segments.
 inline bool exact_crossing(const ExactPiece& p, const ExactPiece& q) {
   const auto beyond = [](int64_t cx, int64_t cy, int64_t px, int64_t py, int64_t qx, int64_t qy) {
     const Int128 along = Int128{px - cx} * (qx - cx) + Int128{py - cy} * (qy - cy);
@@ -203,7 +203,7 @@ inline void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed = 0) {
   curve.shapes.emplace_back();
 }
 
-/// Joins a strand whose nodes all lie in one face by straight pieces.
+/// Joins the nodes of a strand, which all lie in one face, by straight pieces.
 inline void join_in_face(const Surface& s, Curve& curve) {
   curve.link();
   for (uint32_t i = 0; i < curve.size(); ++i) {
@@ -212,8 +212,8 @@ inline void join_in_face(const Surface& s, Curve& curve) {
   }
 }
 
-/// A closed strand round `centre`: the ends of rays of about `radius` (times 1 +- wobble), joined.
-/// False, with the curve as before, where a ray meets the boundary.
+/// A closed strand around `centre`: the ends of rays of about `radius` (times 1 +- wobble), joined.
+/// False, with the curve unchanged, where a ray meets the boundary.
 inline bool add_ring(const Surface& s, Curve& curve, const SurfacePoint& centre, double radius,
                      uint32_t count, double wobble, Rng& rng) {
   std::vector<SurfacePoint> ends;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface that moves under the curve: nodes ride, nothing crosses, the spacing stays even.
+// A surface that moves under the curve: nodes stay on their faces, nothing crosses, the spacing stays even.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ Mesh mapped(Mesh mesh, const Map& map) {
   return mesh;
 }
 
-/// Stretches along z by `stretch` and bends what stands from 0 to `height` by `angle` towards x.
+/// Stretches along z by `stretch` and bends the part between 0 and `height` by `angle` towards x.
 Mesh bent(const Mesh& mesh, double height, double angle, double stretch) {
   return mapped(mesh, [&](const Vec3& p) -> Vec3 {
     const double z = p.z() * stretch;
@@ -132,7 +132,7 @@ TEST(Deformation, SurfaceIsThatOfTheMovedMesh) {
   }
 }
 
-// The heart of it: a bend of 90 degrees and a stretch of 2 in 16 frames with 3 steps each.
+// The main test: a bend of 90 degrees and a stretch of 2 in 16 frames with 3 steps each.
 TEST(Deformation, SpacingStaysEvenThroughBendAndStretch) {
   const Mesh mesh = tube();
   const FlowHandle flow = make_flow(mesh, 0.5);
@@ -155,7 +155,7 @@ TEST(Deformation, SpacingStaysEvenThroughBendAndStretch) {
     EXPECT_EQ(flow->flow->curve().strands.size(), strands);
   }
   EXPECT_GT(flow->flow->curve().length() * flow->flow->surface().scale(), 1.7 * rest);
-  // And back again, where the curve has to give way.
+  // And back again, where the curve has to become shorter.
   for (int k = kFrames; k-- > 0;) {
     const double share = static_cast<double>(k) / kFrames;
     ASSERT_EQ(set_vertices(flow, bent(mesh, 5, 0.5 * kPi * share, 1 + share).vertices), "");
@@ -179,7 +179,7 @@ TEST(Deformation, PlateRollsUp) {
   }
 }
 
-// A field that the curve follows rides on the faces as well: here its lines stay along the tube.
+// A field that the curve follows moves with the faces as well: here its lines stay along the tube.
 TEST(Deformation, LinesOfAFieldRide) {
   const Mesh mesh = tube();
   const Mesh moved = bent(mesh, 5, 0.5 * kPi, 1.5);
@@ -205,7 +205,7 @@ TEST(Deformation, LinesOfAFieldRide) {
 TEST(Deformation, RigidMotionKeepsEveryNode) {
   const Mesh mesh = torus(24, 12);
   const FlowHandle flow = make_flow(mesh, 0.4);
-  step(flow, 220);  // into the polish, where segments no more become finer
+  step(flow, 220);  // into the polish, where segments do not become finer any more
   const Curve before = flow->flow->curve();
   const double scale = flow->flow->surface().scale();
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
@@ -219,7 +219,7 @@ TEST(Deformation, RigidMotionKeepsEveryNode) {
   }
 }
 
-// But for those that are split or removed, nodes keep their faces and weights; segments are geodesics.
+// Except those that are split or removed, nodes keep their faces and weights; segments are geodesics.
 TEST(Deformation, NodesRideAndSegmentsStraighten) {
   const Mesh mesh = sphere(3);
   const FlowHandle flow = make_flow(mesh, 0.3);
@@ -229,7 +229,7 @@ TEST(Deformation, NodesRideAndSegmentsStraighten) {
   ASSERT_EQ(set_vertices(flow, sheared.vertices), "");
   const Curve& after = flow->flow->curve();
   ASSERT_EQ(before.strands.size(), after.strands.size());
-  // More than half are there, in the same order.
+  // More than half of them remain, in the same order.
   size_t kept = 0;
   for (uint32_t i = 0, j = 0; i < before.size(); ++i) {
     uint32_t k = j;
@@ -311,7 +311,7 @@ std::vector<double> line_of_guide(const Curve& curve) {
   return line;
 }
 
-/// Between its points too: on the surface as it is now they need not be joined by shortest paths.
+/// Between its points too: on the present surface they need not be joined by shortest paths.
 TEST(Deformation, GuidesRideAsDrawn) {
   const Mesh mesh = flat_grid(14);
   const std::vector<double> points{0.1, 0.33, 0, 0.87, 0.71, 0};
@@ -372,7 +372,7 @@ TEST(Deformation, CurveThatStillGrowsGoesOnGrowing) {
   ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
   EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_STOP_REASON_CONVERGED);
   EXPECT_GT(packing(flow), 0.95);
-  // Converged, moved, and a run of its own again.
+  // Converged, moved, and run again.
   ASSERT_EQ(set_vertices(flow, scaled(mesh, 1.2).vertices), "");
   EXPECT_TRUE(flow->flow->polishing());
   EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_STOP_REASON_RUNNING);

@@ -69,9 +69,9 @@ TEST(Energy, OfTheFieldIsTheModelsWhereNothingMoves) {
   }
 }
 
-/// Eq. 13 as it is written, in units that make it t L for p = 2, with one segment's end moved.
+/// Eq. 13 as written, in units that make it t L for p = 2, with the end of one segment moved.
 TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
-  // Differences of a smooth function: second order in the step, over rounding by its square.
+  // Differences of a smooth function: an error of second order in the step, and rounding over its square.
   constexpr double kStep = 1e-4, kDifference = 1e-4;
   for (const Mesh& mesh : meshes()) {
     for (const double p : {1.0, 1.5, 3.0, 6.0}) {
@@ -87,7 +87,7 @@ TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
         for (const Strand& strand : s.curve.strands) {
           StrandSystem system;
           assemble(s.curve, strand, s.frames, s.radii, s.metric, s.weights, s.pool, system);
-          // The literal energy of all terms that node k takes part in, moved by z in its frame.
+          // The literal energy of all terms that contain node k, moved by z in its frame.
           const auto literal = [&](uint32_t k, Vec2 z) {
             const uint32_t i = strand.first + k, before = s.curve.previous(i);
             const double r = s.metric.radius[i];
@@ -152,10 +152,10 @@ TEST(Energy, OfLengthAloneIsTheLength) {
   }
 }
 
-/// The right-hand side of the library's system is minus the derivative of the energy, along any
-/// way.
+/// The right-hand side of the library's system is minus the derivative of the energy, in any
+/// direction.
 TEST(Energy, DerivativeIsTheSystemsRightHandSide) {
-  // The model is quadratic, so central differences are exact but for rounding.
+  // The model is quadratic, so central differences are exact up to rounding.
   constexpr double kStep = 1e-3, kDifference = 1e-8;
   for (const Mesh& mesh : meshes()) {
     Scene s(mesh, 53);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Curvature and direction fields against surfaces on which they are known in closed form.
+// Curvature and direction fields on surfaces on which they are known in closed form.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -106,7 +106,7 @@ TEST(Directions, OfCurvatureAreNotThereOnAPlane) {
 
 TEST(Directions, SmoothestOnFlatSheetsAreParallel) {
   constexpr double kRounding = 1e-6;
-  // The second sheet is smaller, apart, and stands on its edge.
+  // The second sheet is smaller, separate, and stands on its edge.
   Mesh upright = grid(
       5, 0.2, [](double x, double y) { return Vec3(0.3 * x, 0, 0.3 * y); }, no_hole);
   const Surface s = make_surface(joined(flat_grid(8), upright, 3));
@@ -197,7 +197,7 @@ TEST(LineField, WishesForNothingWhereVectorsAreMissing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Vec3> d(s.vertex_count(), Vec3(nan, 0, 0));
   d[0] = Vec3::Zero();
-  d[1] = Vec3(0, 0, 1);  // stands on the surface
+  d[1] = Vec3(0, 0, 1);  // normal to the surface
   EXPECT_TRUE(LineField(s, d, false).empty());
   d[8] = Vec3(0, 3, 0);
   const LineField field(s, d, false);

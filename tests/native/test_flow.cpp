@@ -173,7 +173,7 @@ TEST_P(EveryIteration, KeepsStrandsAndFixedNodesAsSeeded) {
       const auto now = fixed_now();
       ASSERT_EQ(now.size(), fixed.size());
       for (size_t i = 0; i < now.size(); ++i) ASSERT_TRUE(same_bytes(now[i], fixed[i]));
-      // The fixed ends still are the ends.
+      // The fixed ends are still the ends.
       const Strand& first = flow.curve().strands[0];
       ASSERT_TRUE(flow.curve().fixed[first.first]);
       ASSERT_TRUE(flow.curve().fixed[first.end() - 1]);
@@ -193,7 +193,7 @@ TEST_P(EveryIteration, GoesOnAfterConvergence) {
   }
 }
 
-/// A cancel at any question the step asks leaves the last whole iteration.
+/// A cancel at any point at which the step asks for it leaves the last whole iteration.
 TEST_P(EveryIteration, ACancelledStepChangesNothing) {
   const auto surface = std::make_shared<const Surface>(make_surface(torus(14, 8)));
   Flow flow(surface, nullptr, {}, settings_of(GetParam(), *surface, spacing_for(*surface, 30)));
@@ -338,8 +338,8 @@ TEST_P(EveryIteration, PolylinesAreOnTheCallersMesh) {
   }
 }
 
-/// Where r grows from side to side, strands are evenly spaced when the way between them, measured in
-/// the r that it passes, is 2; then both sides of each must feel alike, or they would drift for ever.
+/// Where r grows from side to side, strands are evenly spaced when the distance between them, measured
+/// in the r along it, is 2; then both sides of each must feel the same, or they would drift for ever.
 TEST(FlowUnderADensity, StrandsInMetricDistanceAreAtRest) {
   const Mesh mesh = flat_grid(16);
   const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
@@ -359,7 +359,7 @@ TEST(FlowUnderADensity, StrandsInMetricDistanceAreAtRest) {
   Flow flow(surface, &seed, density, settings);
   std::vector<double> spacing = flow.measure().spacing;
   for (double& d : spacing) d /= 2 * settings.radius;
-  // Only the outer sides of the first and the last strand look to the boundary. There are nine strands,
+  // Only the outer sides of the first and the last strand face the boundary. There are nine strands,
   // and most nodes are on the first, where r is least.
   EXPECT_GT(spacing.front(), 0.99);
   size_t at_rest = 0;
@@ -407,8 +407,8 @@ TEST(FlowToTheEnd, RipensKeepsItsInvariantsAndEndsStill) {
   EXPECT_LE(largest_movement(before, positions_of(flow), settings.radius), 0.05);
 }
 
-/// What nodes at rest keep from earlier iterations changes with whole iterations only, whoever asks in
-/// between, and is the same for any number of threads.
+/// What nodes at rest keep from earlier iterations changes only with whole iterations, even if figures are
+/// asked for in between, and is the same for any number of threads.
 TEST(FlowToTheEnd, DoesNotDependOnWhoLooksAtIt) {
   const Mesh mesh = torus(24, 12);
   const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
@@ -433,7 +433,7 @@ TEST(FlowToTheEnd, DoesNotDependOnWhoLooksAtIt) {
   EXPECT_EQ(watched.stop_reason(), alone.stop_reason());
 }
 
-/// Without a polish nothing but the size of the steps changes at the end.
+/// Without a polish only the size of the steps changes at the end.
 TEST(FlowToTheEnd, WithoutAPolishKeepsItsLengthWhileItCoolsDown) {
   const Mesh mesh = torus(24, 12);
   const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);

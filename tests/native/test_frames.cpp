@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nodes that are at rest look where they looked before: when they do, and how far that is off.
+// Nodes at rest reuse their cached directions: when they do, and how far off those are.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace meander::test {
 namespace {
 
 constexpr double kRadius = 0.05;
-constexpr double kSinglePrecision = 1e-6;  // in which directions are kept
+constexpr double kSinglePrecision = 1e-6;  // in which directions are cached
 
 struct Scene {
   explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)) {}
@@ -72,7 +72,7 @@ TEST(Looks, OfNodesThatHaveNotMovedStay) {
   }
 }
 
-/// Again and again: what is kept is compared with where it was looked for, not with the last iteration.
+/// Repeatedly: a cached direction is compared with the place where it was traced, not with the last iteration.
 TEST(Looks, EndWhereNodesMoveOrTurn) {
   // Sine of the greatest angle, here and on faces a third of r wide: kRest r over the radius of the
   // surface, and what the faces' edges add.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Free ends of open strands: they keep from what is ahead of them, and fill what is empty there.
+// Free ends of open strands: they keep their distance from what is ahead, and fill what is empty there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST(Ends, KeepFromWhatIsAheadAndFillWhatIsEmpty) {
 
 TEST(Ends, TheBallAheadIsTheLargestThatIsEmpty) {
   const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(6)));
-  // An end that looks at a wall 0.2 ahead, and one that looks at the boundary 0.3 ahead.
+  // An end that faces a wall 0.2 ahead, and one that faces the boundary 0.3 ahead.
   const std::vector<Line> lines{{{{0.7, 0.5, 0}, {0.5, 0.5, 0}}, false, false},
                                 {{{0.3, 0.2, 0}, {0.3, 0.8, 0}}, false, true}};
   Flow flow = flow_on(surface, lines, false, 0.1);
@@ -62,7 +62,7 @@ TEST(Ends, TheBallAheadIsTheLargestThatIsEmpty) {
   compute_frames(*surface, c, metric, RadiusField(0.05 * unit), pool, frames);
   const BoundaryObstacle boundary(*surface, 0.01 * unit);
   const auto ends = find_free_ends(*surface, c, frames, boundary, BoundaryRule::kCentre, metric, pool);
-  ASSERT_EQ(ends.size(), 2u);  // those of the guide are none
+  ASSERT_EQ(ends.size(), 2u);  // those of the guide do not count
   EXPECT_EQ(ends[0].node, 0u);
   EXPECT_NEAR(ends[0].radius / unit, 0.3, 1e-6);
   // Nodes of the wall are up to 2 h apart, so that a ball may bulge between them.

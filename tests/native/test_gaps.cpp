@@ -15,8 +15,8 @@
 namespace meander::test {
 namespace {
 
-/// The climb to a maximum ends at steps of 0.005 r. Where the best start stands at the foot of a
-/// long flat crease it may end a little below the top.
+/// The climb to a maximum ends at steps of 0.005 r. Where the best start is at the foot of a long flat
+/// crease it may end a little below the top.
 constexpr double kMissed = 0.03;  // r
 
 /// Samples of the surface are at most this far apart along each side of a small triangle, so the
@@ -205,7 +205,7 @@ Farthest brute_force(const Mesh& mesh, const std::vector<Vec3>& pieces, double s
     const Vec3 a = mesh.at(mesh.faces[3 * f]), b = mesh.at(mesh.faces[3 * f + 1]),
                c = mesh.at(mesh.faces[3 * f + 2]);
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    // Everything in the face is nearer than this, so most faces need no samples.
+    // Everything in the face is closer than this, so most faces need no samples.
     const Vec3 middle = (a + b + c) / 3;
     const double reach = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
     if (best.distance > reach && !is_farther(middle, best.distance - reach)) continue;
@@ -220,7 +220,7 @@ Farthest brute_force(const Mesh& mesh, const std::vector<Vec3>& pieces, double s
   return best;
 }
 
-/// What holds for any gaps of any curve.
+/// What must hold for any gaps of any curve.
 void expect_gaps(const Gaps& gaps, const Mesh& mesh, const std::vector<Vec3>& pieces, double radius,
                  double least_size) {
   for (size_t k = 0; k < gaps.count(); ++k) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic distances against surfaces whose unrolling is known, and against what every distance must
-// satisfy.
+// Geodesic distances on surfaces whose unrolling is known, and the properties of any distance.
 #include <gtest/gtest.h>
 
 #include "geodesic/geodesic_distance.h"
@@ -38,7 +37,7 @@ TEST(GeodesicDistance, IsThatOfTheUnrolledSurface) {
     for (int k = 0; k < 400; ++k) {
       const SurfacePoint a = random_point(s, rng), b = random_point(s, rng);
       const double expected = unrolled->distance(a, b);
-      if (expected < 0) continue;  // farther than the formula goes
+      if (expected < 0) continue;  // beyond the formula
       EXPECT_NEAR(distance(s, geodesic, a, b), expected, kGridRounding);
     }
   }
@@ -58,7 +57,7 @@ TEST(GeodesicDistance, LeavesTowardsItsEnd) {
       ASSERT_GE(t.distance, (position(s, a) - position(s, b)).norm() - kGridRounding);
       const Landing landing = walk_straight(s, in_plane(s, a), t.distance * t.direction);
       const double missed = (position(s, landing.end) - position(s, b)).norm();
-      // A path that bends at a vertex leaves towards the vertex.
+      // A path that bends at a vertex starts towards the vertex.
       if (missed > kNear) {
         bool bends = false;
         for (uint32_t v = 0; v < s.vertex_count(); ++v) bends |= s.total_angle(v) > 2 * kPi;

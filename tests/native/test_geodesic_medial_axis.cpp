@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic medial radii against their definition on surfaces that unroll, and sheets that lie close.
+// Geodesic medial radii against their definition on surfaces that unroll, and on sheets close together.
 #include <gtest/gtest.h>
 
 #include "geodesic/geodesic_distance.h"
@@ -36,7 +36,7 @@ Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
   return result;
 }
 
-/// The radius of the ball through p, by halving: balls that are tangent at a node are nested.
+/// The radius of the ball through p, by bisection: balls that are tangent at a node are nested.
 double through(const Unrolled& unrolled, const SurfacePoint& x, Vec2 way, const SurfacePoint& p, double most) {
   const Surface& s = unrolled.surface();
   const auto holds = [&](double radius) {
@@ -105,7 +105,7 @@ TEST(GeodesicMedialAxis, IsThatOfTheUnrolledSurface) {
 }
 
 TEST(GeodesicMedialAxis, IsTheEuclideanOneOnAPlane) {
-  constexpr double kRounding = 1e-8;  // of radii that are limited by nodes almost beside
+  constexpr double kRounding = 1e-8;  // of radii that are limited by nodes almost straight beside
   for (const uint32_t cells : {1u, 3u, 20u}) {
     const Surface s = make_surface(flat_grid(cells));
     Curve curve;
@@ -134,7 +134,7 @@ TEST(GeodesicMedialAxis, IsTheEuclideanOneOnAPlane) {
   }
 }
 
-/// Two sheets: the unit square, and a copy of it that is turned about the middle line y = 1/2 and lifted.
+/// Two sheets: the unit square, and a copy of it that is rotated about the middle line y = 1/2 and lifted.
 Mesh two_sheets(uint32_t cells, double angle, double lift) {
   Mesh sheets = flat_grid(cells);
   const uint32_t n = sheets.vertex_count(), faces = sheets.face_count();
@@ -195,8 +195,8 @@ TEST(GeodesicMedialAxis, AnyNumberOfThreadsGivesTheSameBytes) {
 }
 
 TEST(GeodesicMedialAxis, BallsAreEmptyAndTouchOnCurvedSurfaces) {
-  // A ball is empty to the square of the share that the plane's formula is trusted for, and touches to a
-  // part of that share.
+  // A ball is empty to within the square of the tolerance for the plane's formula, and touches to within a
+  // part of that tolerance.
   constexpr double kInside = 1e-3, kTouching = 0.01;
   for (const Mesh& mesh : {torus(40, 20), sphere(4), with_noise(sphere(3), 0.1, 5), bumpy_grid(14)}) {
     const Surface s = make_surface(mesh);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shortened paths: they hang together, nothing shortens them further, and where the shortest path
-// is known they are it.
+// Shortened paths: they are connected, nothing shortens them further, and where the shortest path
+// is known they equal it.
 #include <gtest/gtest.h>
 
 #include <queue>
@@ -12,17 +12,17 @@
 namespace meander::test {
 namespace {
 
-/// A crossing keeps kClearance from the ends of its edge, so a path round a vertex is longer than
+/// A crossing keeps kClearance from the ends of its edge, so a path around a vertex is longer than
 /// the one through it by about that for every edge there; edges are at most 1 long.
 double clearing(size_t crossings) { return 4 * kClearance * (1 + static_cast<double>(crossings)); }
 
 /// A bend or a kink (in radians) that clearance and rounding explain on paths with pieces of 1e-4.
 constexpr double kKink = 1e-5;
 
-/// A share this near to the end of an edge means that the path goes round its vertex.
+/// A share this close to the end of an edge means that the path goes around its vertex.
 constexpr double kAtVertex = 4 * kClearance;
 
-/// Any way from one face to another: a random walk, then breadth first.
+/// Some path from one face to another: a random walk, then breadth first.
 Path bad_path(const Surface& s, uint32_t from, uint32_t to, uint32_t wander, Rng& rng) {
   Path path;
   uint32_t f = from;
@@ -65,7 +65,7 @@ double polar(const Surface& s, const std::vector<uint32_t>& corners, uint32_t fa
   return 0;
 }
 
-/// No perturbation of a crossing, and no way round the other side of a vertex, shortens the path.
+/// Neither a perturbation of a crossing nor passing a vertex on the other side shortens the path.
 void expect_locally_shortest(const Surface& s, const SurfacePoint& start, const SurfacePoint& end,
                              const Path& path) {
   const auto vertex_of = [&](const Crossing& c) {
@@ -98,7 +98,7 @@ void expect_locally_shortest(const Surface& s, const SurfacePoint& start, const 
     const Vec2 after = last + 1 == n ? flat(s, end) : leaving(last + 1);
     const std::vector<uint32_t> corners = fan(s, v);
     const double a = polar(s, corners, face, before), b = polar(s, corners, next_face, after);
-    // The vertex may lie on the left (of a path that goes round counter-clockwise) or on the right.
+    // The vertex may lie on the left (of a path that goes around it counter-clockwise) or on the right.
     const bool on_left = s.face(face)[next_corner(corner_of(path[i].e))] == v;
     const double total = s.total_angle(v);
     double side = on_left ? b - a : a - b;  // on which the path runs
@@ -174,7 +174,7 @@ TEST(Shorten, AnyPathBecomesALocallyShortestOne) {
       EXPECT_GE(shape.length, (position(s, start) - position(s, end)).norm() * (1 - 1e-12));
       expect_shape_is_measured(s, start, end, path, shape);
       expect_locally_shortest(s, start, end, path);
-      // No edge is crossed there and back, and a second time there is nothing left to do.
+      // No edge is crossed there and back, and a second call has nothing left to do.
       for (size_t c = 1; c < path.size(); ++c) EXPECT_NE(s.twin(path[c - 1].e), path[c].e);
       const double once = shape.length;
       Path again = path;
@@ -183,8 +183,8 @@ TEST(Shorten, AnyPathBecomesALocallyShortestOne) {
   }
 }
 
-/// Ends that walk off: however long their traces, led in legs or all at once, the path stays one of its
-/// class, a locally shortest one. In the plane there is one of them only.
+/// Ends that walk away: however long their traces, followed in legs or all at once, the path stays in its
+/// homotopy class and locally shortest. In the plane there is only one such path.
 TEST(Follow, LeadsAPathAfterItsEnds) {
   for (const auto& [name, mesh] : meshes()) {
     SCOPED_TRACE(name);
@@ -222,7 +222,7 @@ TEST(Follow, LeadsAPathAfterItsEnds) {
 }
 
 /// A straight walk that lands in a face near its goal is a guess of the path to it; one that lands far away
-/// is none.
+/// is not.
 TEST(Adopt, TakesAGuessThatEndsNearby) {
   for (const auto& [name, mesh] : meshes()) {
     SCOPED_TRACE(name);
@@ -286,7 +286,7 @@ TEST(Shorten, NeighboursInAFaceAreJoinedInIt) {
   }
 }
 
-/// Shortest way through points on the edges: `share` points an edge, each entered once.
+/// Shortest path through points on the edges: `share` points an edge, each entered once.
 double dijkstra(const Surface& s, const SurfacePoint& start, const SurfacePoint& end,
                 uint32_t share, Path& path) {
   const size_t states = 3 * s.face_count() * share;  // point j of half-edge e, about to cross it
@@ -364,7 +364,7 @@ TEST(Shorten, OfTheNearlyShortestPathIsTheShortest) {
   }
 }
 
-/// Round a corner of the cube the unfolded way over the edge is known.
+/// Around a corner of the cube, the unfolded path over the edge is known.
 TEST(Shorten, RoundACornerOfTheCube) {
   const Surface s = make_surface(cube());
   PathShortener shortener(s);
@@ -385,7 +385,7 @@ TEST(Shorten, RoundACornerOfTheCube) {
   }
 }
 
-/// Turns round a vertex of more than half a turn come undone: what is left is one of the two direct ways.
+/// Windings around a vertex by more than half a turn are undone: one of the two direct paths remains.
 TEST(Shorten, TurnsRoundAVertexComeUndone) {
   for (const auto& [mesh, v] : {std::pair{cube(), 3u}, {cone(7, 3, 1), 0u}, {cone(5, 3, 0), 0u},
                                 {cone(12, 3, 1, true), 0u}, {octahedron(), 2u}}) {
@@ -399,7 +399,7 @@ TEST(Shorten, TurnsRoundAVertexComeUndone) {
       SurfacePoint start = random_point(s, rng), end = random_point(s, rng);
       start.face = face_of(corners[from]);
       end.face = face_of(corners[(from + on) % valence]);
-      // Counter-clockwise over so many spokes, or clockwise.
+      // Counter-clockwise over this many spokes, or clockwise.
       const auto round = [&](bool ccw, uint32_t spokes) {
         Path path;
         for (uint32_t i = 0; i < spokes; ++i) {
@@ -425,7 +425,7 @@ TEST(Shorten, TurnsRoundAVertexComeUndone) {
   }
 }
 
-/// A plane with a hole: a path goes round its corners and stays on the side where it was.
+/// A plane with a hole: a path goes around its corners and stays on the side where it was.
 TEST(Shorten, RoundAHoleTouchesItsCorners) {
   const Surface s = make_surface(grid_with_hole(9));
   PathShortener shortener(s);
@@ -447,7 +447,7 @@ TEST(Shorten, RoundAHoleTouchesItsCorners) {
   EXPECT_GT(touched, 0) << "the test should meet the hole";
 }
 
-/// However many faces the way crosses (a seed of few points on a fine mesh): one call is enough.
+/// However many faces the path crosses (a seed of few points on a fine mesh), one call is enough.
 TEST(Shorten, ALongPathOnAFineMeshIsStraightAtOnce) {
   const Surface s = make_surface(sphere(5));
   PathShortener shortener(s);
@@ -461,9 +461,9 @@ TEST(Shorten, ALongPathOnAFineMeshIsStraightAtOnce) {
   }
 }
 
-/// A straight path is what a trace along its first direction draws.
+/// A straight path is the trace along its first direction.
 TEST(Measure, LeavingAndArrivingAreThoseOfTheTrace) {
-  // An error of the direction by 2^-50 or so grows on the way, and each crossing is snapped.
+  // An error in the direction of about 2^-50 grows along the path, and each crossing is snapped.
   constexpr double kTrace = 1e-9;
   for (const auto& [name, mesh] : meshes()) {
     SCOPED_TRACE(name);
@@ -491,7 +491,7 @@ TEST(Measure, LeavingAndArrivingAreThoseOfTheTrace) {
   }
 }
 
-/// Gauss and Bonnet: round the apex of a cone the strand turns by the angle of the faces there.
+/// Gauss and Bonnet: around the apex of a cone the strand turns by the angle of the faces there.
 TEST(Measure, TurnsRoundAConeAddUpToItsAngle) {
   constexpr double kGridRounding = 1e-6;
   for (const double slope : {0.0, 0.3, 0.5, 0.8, 1.5, 4.0}) {

@@ -8,7 +8,7 @@
 namespace meander::test {
 namespace {
 
-/// Vertices are rounded to 2^-30 of the mesh, and so a mesh made flat is flat to a few times that.
+/// Vertices are rounded to 2^-30 of the mesh, so a flat mesh is flat to within a few times that.
 constexpr double kGridRounding = 16 * 0x1p-30;
 
 /// The square of n x n cells folded like an accordion along its lines of equal x; `fold` 0 is flat.
@@ -48,7 +48,7 @@ TEST(Trace, IsAStraightLineOnAFoldedSquare) {
       ASSERT_TRUE(chains(s, start.face, trace.end.face, path));
       ASSERT_TRUE(inside_face(s, trace.end));
 
-      // The direction in the unfolded square: of a short way inside the first face.
+      // The direction in the unfolded square: that of a short step inside the first face.
       const auto weights = [](const SurfacePoint& p) {
         return std::array{p.weight(0), p.b.x, p.b.y};
       };
@@ -104,7 +104,7 @@ TEST(Trace, HasTheLengthAskedForOnAnySurface) {
 }
 
 TEST(Trace, ComesBackWhenTurnedRound) {
-  // Each face passed may turn the way by rounding, and lengthens the lever of earlier turns.
+  // Each face passed may turn the path by rounding, and increases the effect of earlier turns.
   constexpr double kReturn = 1e-9;
   const Surface s = make_surface(bumpy_grid(15));
   Rng rng(13);
@@ -115,7 +115,7 @@ TEST(Trace, ComesBackWhenTurnedRound) {
     const Trace trace = trace_geodesic(s, start, 0.3 * rng.direction(), there);
     if (trace.hit_boundary) continue;
     const Trace home = trace_geodesic(s, trace.end, -0.3 * trace.direction, back);
-    if (there.size() != back.size()) continue;  // the way passed a vertex within rounding
+    if (there.size() != back.size()) continue;  // the path passed a vertex within rounding
     ++returned;
     ASSERT_EQ(home.end.face, start.face);
     EXPECT_NEAR(norm(flat(s, home.end) - flat(s, start)), 0, kReturn);
@@ -129,8 +129,8 @@ TEST(Trace, IsAHelixOnACylinder) {
   const Surface s = make_surface(cylinder(kSides, 10, kHeight));
   const double around = kSides * 2 * std::sin(kPi / kSides);  // of the prism
   const SurfacePoint start = make_point(0, 0.4, 0.3, 0.3);
-  // Three times round while climbing half the height, in the plane of face 0: its first edge runs
-  // round.
+  // Three times around while climbing half the height, in the plane of face 0: its first edge runs
+  // around.
   const double climb = 0.5 * kHeight;
   const Vec2 way = (1 / s.scale()) * Vec2{3 * around, climb};
   Path path;
@@ -179,7 +179,7 @@ TEST(Trace, EndsOnTheBoundaryOfACoarseSquare) {
     const Trace trace = trace_geodesic(s, start, 3 * direction, path);
     EXPECT_TRUE(trace.hit_boundary);
     ASSERT_TRUE(chains(s, start.face, trace.end.face, path));
-    // From a point of the boundary towards it there is no way left, and nothing breaks.
+    // From a point of the boundary towards it there is nowhere to go, and nothing breaks.
     path.clear();
     const Trace again = trace_geodesic(s, trace.end, 3 * trace.direction, path);
     EXPECT_TRUE(again.hit_boundary);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Guides: what was drawn stays as it was drawn, everything else flows round it, and regions between
-// guides get strands of their own.
+// Guides: what was drawn stays as drawn, everything else flows around it, and regions between guides
+// get strands of their own.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -97,7 +97,7 @@ TEST(Guides, StayAsTheyAreWhileTheRestGrows) {
   }
 }
 
-/// Cuts between the drawn points are rounded to the points that a face has (2^-32 of it).
+/// Cuts between the drawn points are rounded to the grid of points of a face (2^-32 of it).
 TEST(Guides, AreTheDrawnLine) {
   const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(7)));
   const std::vector<Vec3> drawn{{0.2, 0.2, 0}, {0.8, 0.3, 0}, {0.5, 0.7, 0}};
@@ -112,7 +112,7 @@ TEST(Guides, AreTheDrawnLine) {
     EXPECT_LT(std::min(distance_to_segment(p, inside[0], inside[1]), distance_to_segment(p, inside[1], inside[2])),
               1e-8);
   }
-  // Balls see points only, so none of them may slip through.
+  // Balls see only points, so none of them may slip through.
   for (uint32_t i = guide.first; i + 1 < guide.end(); ++i) {
     EXPECT_LE(c.shapes[i].length, 2.001 * flow.settings().segment_length);
   }
@@ -127,7 +127,7 @@ TEST(Guides, DivideTheSurfaceIntoRegionsThatAreFilled) {
   ASSERT_EQ(flow.curve().strands.size(), network.size() + 4);
   flow.run(kNeverCancelled, [](double) {});
   EXPECT_TRUE(crossings_of_what_grows(*surface, flow.curve()).empty());
-  // Everywhere within 1.6 r of something, but at corners where two guides meet the boundary.
+  // Everything is within 1.6 r of a strand, except at corners where two guides meet the boundary.
   Rng rng(5);
   int far = 0;
   for (int k = 0; k < 2000; ++k) {

@@ -139,7 +139,7 @@ TEST(Hairpins, OfAClosedStrandDoNotDependOnItsFirstNode) {
     EXPECT_EQ(hairpins[0].side, 1);
     EXPECT_EQ(hairpins[1].side, 1);
     EXPECT_NEAR(hairpins[1].at - hairpins[0].at, 12 + std::numbers::pi, 0.5);
-    // Both turn the same way: there is nothing between them to draw in.
+    // Both turn in the same direction: there is nothing between them to draw in.
     for (const uint8_t m : marked_of(curve, 1)) EXPECT_EQ(m, 0);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A run on the library's own thread, through the C API as a host uses it: the same curve as a run on
-// the caller's, previews between iterations, and every way to end it.
+// the caller's thread, previews between iterations, and every way to end it.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -18,10 +18,10 @@
 namespace meander::test {
 namespace {
 
-/// On a unit sphere a run of seconds, so that it is still going when it is looked at; what has to end by
-/// itself gets an iteration limit. The first iterations are the cheapest.
+/// On a unit sphere a run of seconds, so that it is still going when it is inspected; a run that has to end
+/// by itself gets an iteration limit. The first iterations are the cheapest.
 constexpr double kSpacing = 0.05;
-/// A test of the waiting kind gives up after this; far longer than any iteration here.
+/// A test that waits gives up after this; far longer than any iteration here.
 constexpr auto kPatience = std::chrono::seconds(60);
 
 struct Curve3 {
@@ -101,7 +101,7 @@ class Host {
     return count;
   }
 
-  /// Lets the run make this many iterations more than the curve at the start had.
+  /// Waits until the run has made this many iterations more than the first curve had.
   void let_run(uint32_t iterations) {
     const auto end = std::chrono::steady_clock::now() + kPatience;
     while (preview().first.iterations < iterations) {
@@ -129,7 +129,7 @@ TEST(Job, GivesTheSameBytesAsARun) {
   Host plain(40), watched(40), alone(40);
   ASSERT_EQ(meander_flow_run(plain.flow, nullptr, nullptr), MEANDER_STATUS_OK);
   alone.start();
-  watched.start();  // two at once, of which one is looked at as often as can be
+  watched.start();  // two at once, one of them polled as often as possible
   while (meander_flow_is_running(watched.flow)) watched.preview();
   EXPECT_EQ(meander_flow_wait(watched.flow, nullptr), MEANDER_STATUS_OK);
   EXPECT_EQ(meander_flow_wait(alone.flow, nullptr), MEANDER_STATUS_OK);
@@ -186,7 +186,7 @@ TEST(Job, CopiesNothingForAHostThatDoesNotLook) {
   host.start();
   host.preview();  // the seed, and one copy is asked for
   while (meander_flow_is_running(host.flow)) std::this_thread::yield();
-  // On a busy machine the run may have been over before it was asked.
+  // On a busy machine the run may have ended before it was asked.
   const uint32_t last = host.preview().first.serial;
   EXPECT_LE(last, 2u);
   EXPECT_EQ(host.preview().first.serial, last) << "nobody makes another after the end";
@@ -249,7 +249,7 @@ TEST(Job, RefusesEverythingElseUntilTheWait) {
   auto statistics = prepared<meander_flow_statistics>();
   auto figures = prepared<meander_preview>();
   host.start();
-  // While it runs, and after it has ended by itself: whether a call is refused is no matter of luck.
+  // While it runs, and after it has ended by itself: whether a call is refused does not depend on timing.
   for (int round = 0; round < 2; ++round) {
     for (const meander_status status : {
              meander_flow_start(host.flow, nullptr, &host.error),

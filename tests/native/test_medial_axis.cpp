@@ -10,7 +10,7 @@
 namespace meander::test {
 namespace {
 
-/// The library calls a ball empty when no point is nearer to its centre than (1 - 1e-9) radii. By
+/// The library calls a ball empty when no point is closer to its centre than (1 - 1e-9) radii. By
 /// |q - x|^2 = 2 rho (q - x).B that lets its radius R exceed the smallest, rho, by at most this
 /// share of R^2 / ((q - x).B): much for points almost beside the node, 1e-9 for those ahead.
 constexpr double kEmpty = 1.1e-9;
@@ -187,7 +187,7 @@ TEST(Boundary, ABallTouchesItAsAnObstacleAndDoesNotLeakThroughLongEdges) {
       for (uint32_t i = 0; i < 2; ++i) {
         const double d = below / scene.surface.scale();
         EXPECT_GE(radii[i][0], d / 2 - kGridRounding);
-        // The sample nearest to the touching point is at most half a step beside it.
+        // The sample nearest to the touching point is at most half a step from it.
         EXPECT_LE(radii[i][0], d / 2 + kStep * kStep / (8 * d) + kGridRounding);
       }
     }

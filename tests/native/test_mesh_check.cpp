@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is refused, and that the right element is named; what is made of a mesh that is not.
+// Which meshes are refused, and that the right element is named; what becomes of a mesh that is not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ TEST(Refusal, AFaceWithoutArea) {
   m.face(a, b, c);
   expect_refused(m, ElementKind::kFace, m.face_count() - 1);
 
-  // Whatever the size of the mesh, and for two corners in one place.
+  // At any size of the mesh, and for two corners in one place.
   for (const double factor : {1e-6, 1.0, 1e6}) {
     Mesh n = scaled(sphere(1), factor);
     const uint32_t p = n.add(0, 0, 0), q = n.add(0, 0, 0), r = n.add(factor, 0, 0);
@@ -222,7 +222,7 @@ TEST(GoodMesh, FacesAreLaidOutIsometricallyWithUnfoldingTransitions) {
         EXPECT_NEAR((s.to_space(f, side) - edge).norm(), 0, kRounding);
         const HalfEdge e = 3 * f + k, o = s.twin(e);
         if (o == kNone) continue;
-        // The edge itself, carried across, is the same edge seen from the other face.
+        // The edge itself, mapped across, is the same edge seen from the other face.
         const Vec3 carried = s.to_space(face_of(o), side * s.transition(e));
         EXPECT_NEAR((carried - edge).norm(), 0, kRounding);
         EXPECT_NEAR(norm(s.transition(e) * s.transition(o) - Vec2{1, 0}), 0, kRounding);
@@ -264,7 +264,7 @@ TEST(GoodMesh, TurnedFacesAreCountedAndOriented) {
   }
 }
 
-/// OpenMesh, which builds its half-edges in another way, has the same neighbours and boundary loops.
+/// OpenMesh, which builds its half-edges differently, finds the same neighbours and boundary loops.
 TEST(GoodMesh, NeighboursAreThoseOfOpenMesh) {
   for (const Expected& m : good_meshes()) {
     SCOPED_TRACE(m.name);
@@ -367,7 +367,7 @@ TEST(GoodMesh, ComponentsAreWhatAFloodFillFinds) {
   }
 }
 
-/// Of several faults of a kind the first is named, whichever thread finds which.
+/// Of several faults of one kind the first is named, whichever thread finds it.
 TEST(Refusal, IsOfTheFirstElementForAnyNumberOfThreads) {
   Mesh mesh = flat_grid(120);
   ASSERT_GT(mesh.face_count(), 20000u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Prepared meshes: maps back to the caller's mesh, areas that are kept, the same result at every scale.
+// Prepared meshes: maps back to the caller's mesh, areas that are preserved, the same result at every scale.
 #include "mesh/mesh_preparation.h"
 #include "base/thread_pool.h"
 
@@ -62,7 +62,7 @@ TEST(Prepare, ClippingCutsAStraightLineAcrossEveryFace) {
   const CheckedMesh checked = check_mesh(prepared.vertices, prepared.faces, pool, &prepared.map);
   EXPECT_EQ(checked.component_count, 1u);
   EXPECT_GT(prepared.counts.clipped_faces, 0u);
-  // Inside up to a tenth of an edge, the most by which the cut gives way to a vertex.
+  // Within a tenth of an edge, the most by which the cut moves to a vertex.
   const std::vector<double> value = prepared.map.of_vertices(z);
   double longest = 0;
   for (size_t f = 0; f < mesh.faces.size(); f += 3) {
@@ -74,7 +74,7 @@ TEST(Prepare, ClippingCutsAStraightLineAcrossEveryFace) {
     on_line += std::abs(value[v] - 0.1) < 1e-12;
   }
   EXPECT_GT(on_line, value.size() / 50);
-  // What is kept of one side and of the other make the whole.
+  // What is kept on one side and on the other adds up to the whole.
   std::vector<double> below = z;
   for (double& x : below) x = -x;
   settings.vertex_mask = below;
@@ -144,7 +144,7 @@ TEST(Prepare, MergingIsThatOfAllPairs) {
 }
 
 TEST(Prepare, ACrownOfFlatFacesLeavesNoSlit) {
-  // Vertices strewn on the edges of a square of two faces, joined by flat faces to the diagonal.
+  // Vertices at random on the edges of a square of two faces, joined by flat faces to the diagonal.
   Mesh mesh;
   mesh.add(0, 0, 0);
   mesh.add(1, 0, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Meshes that the tests make for themselves, and reproducible random numbers.
+// Meshes for the tests, and reproducible random numbers.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -58,7 +58,7 @@ inline Mesh scaled(Mesh mesh, double factor) {
   return mesh;
 }
 
-/// Both meshes, the second one moved along x.
+/// Both meshes in one, the second one moved along x.
 inline Mesh joined(Mesh a, const Mesh& b, double offset) {
   const uint32_t first = a.vertex_count();
   for (size_t k = 0; k < b.vertices.size(); ++k) {
@@ -84,7 +84,7 @@ inline Mesh octahedron() {
   return m;
 }
 
-/// Each level makes four faces of one and puts the new vertices on the unit sphere.
+/// Each level splits every face into four and moves the new vertices to the unit sphere.
 inline Mesh sphere(int levels) {
   const double g = std::numbers::phi;
   Mesh m;
@@ -168,8 +168,8 @@ inline Mesh torus(uint32_t around, uint32_t across, double big = 1, double small
 }
 
 /// n x n cells over the unit square, inner vertices moved in the plane by up to `jitter` cells, the
-/// square's outline kept. place(x, y) is the point in space; cells for which hole(i, j) are left
-/// out.
+/// square's outline kept. place(x, y) is the point in space; cells for which hole(i, j) is true are
+/// left out.
 template <class Place, class Hole>
 Mesh grid(uint32_t n, double jitter, Place place, Hole hole) {
   Rng rng(n);
@@ -252,8 +252,8 @@ inline Mesh cylinder(uint32_t around, uint32_t along, double height) {
 }
 
 /// An apex (vertex 0) and `rings` rings of `around` vertices; ring j has radius j and height
-/// slope j (odd vertices: of opposite sign where `saddle`), so faces between rings are flat or
-/// nearly.
+/// slope j (odd vertices: of opposite sign if `saddle`), so faces between rings are flat or nearly
+/// flat.
 inline Mesh cone(uint32_t around, uint32_t rings, double slope, bool saddle = false) {
   Mesh m;
   m.add(0, 0, 0);
@@ -307,7 +307,7 @@ inline std::vector<uint32_t> fan(const Surface& s, uint32_t v) {
       if (s.face(f)[k] == v) start = 3 * f + k;
     }
   }
-  // Clockwise first, to the boundary or all the way round.
+  // Clockwise first, to the boundary or once around.
   uint32_t c = start;
   while (s.twin(c) != kNone) {
     const HalfEdge t = s.twin(c);  // runs towards v

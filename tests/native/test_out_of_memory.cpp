@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whatever allocation fails, in whichever thread: what was there stays whole, and the next call works.
+// Whichever allocation fails, in whichever thread: what was there stays intact, and the next call works.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -26,7 +26,7 @@ void* allocate(std::size_t size, std::size_t alignment) {
   return memory;
 }
 
-/// Not inline: the compiler would complain that what `new` gave is freed.
+/// Not inline: the compiler would warn that free() gets a pointer from `new`.
 [[gnu::noinline]] void release(void* memory) noexcept { std::free(memory); }
 
 }  // namespace
@@ -35,7 +35,7 @@ void* operator new(std::size_t size) { return allocate(size, alignof(std::max_al
 void* operator new[](std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
 void* operator new(std::size_t size, std::align_val_t a) { return allocate(size, static_cast<std::size_t>(a)); }
 void* operator new[](std::size_t size, std::align_val_t a) { return allocate(size, static_cast<std::size_t>(a)); }
-// A sanitizer has these of its own, which would not come here.
+// A sanitizer has its own versions, which would not call these.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   try {
     return ::operator new(size);

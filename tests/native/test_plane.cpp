@@ -34,7 +34,7 @@ TEST(Orientation, EqualsIntegersOnNearlyCollinearPoints) {
   for (int k = 0; k < 50000; ++k) {
     const Vec2 a = random_snapped(rng), b = random_snapped(rng);
     const double t = rng.in(-0.2, 1.2);
-    // A point of the line, rounded, and up to two grains beside it.
+    // A point of the line, rounded, and moved by up to two grains.
     const auto beside = [&](double x) {
       return std::clamp(snap(x) + (static_cast<double>(rng.below(5)) - 2) * kGrain, 0.0, 1.0);
     };
@@ -47,15 +47,15 @@ TEST(Orientation, EqualsIntegersOnNearlyCollinearPoints) {
     const double rounded = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     differ_from_rounded += (rounded > 0 ? 1 : (rounded < 0 ? -1 : 0)) != sign;
   }
-  // The test would say nothing if plain arithmetic passed it too.
+  // The test would prove nothing if plain arithmetic passed it too.
   EXPECT_GT(differ_from_rounded, 0);
 }
 
 TEST(Orientation, IsZeroExactlyOnLines) {
   Rng rng(3);
   for (int k = 0; k < 20000; ++k) {
-    // Steps (dx, dy) of integers, so that all three points are on one line exactly; then one off
-    // it.
+    // Integer steps (dx, dy), so that all three points are exactly on one line; then one is moved
+    // off it.
     const int64_t dx = static_cast<int64_t>(rng.below(size_t{1} << 30)) + 1;
     const int64_t dy = static_cast<int64_t>(rng.below(size_t{1} << 30)) + 1;
     const int64_t x = rng.below(size_t{1} << 31), y = rng.below(size_t{1} << 31);

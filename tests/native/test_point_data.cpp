@@ -64,7 +64,7 @@ Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* see
                                         nullptr, nullptr),
             MEANDER_STATUS_OK);
   EXPECT_EQ(again, r.arc);
-  // Too little room: the count alone.
+  // Too little room: only the count.
   again.assign(1, -1);
   EXPECT_EQ(meander_flow_compute_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, 1, &count,
                                         nullptr, nullptr),
@@ -84,7 +84,7 @@ Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* see
   return r;
 }
 
-/// Some of the faces look the other way, as a caller's may.
+/// Some of the faces have the opposite orientation, as a caller's may.
 Mesh half_turned(Mesh m) {
   for (uint32_t f = 1; f < m.face_count(); f += 3) std::swap(m.faces[3 * f], m.faces[3 * f + 1]);
   return m;
@@ -173,7 +173,7 @@ TEST(PointData, OpenStrandsEndWhereTheyEnd) {
   seed.closed = closed;
   const Result r = grow(mesh, 1, 0, &seed);
   check(mesh, r);
-  // Straight along x, and arc lengths begin anew.
+  // Straight along x, and arc lengths start again from 0.
   for (size_t p = 0; p < r.arc.size(); ++p) EXPECT_NEAR(r.tangents[3 * p], 1, 1e-6);
   ASSERT_EQ(r.offsets.size(), 3u);
   EXPECT_EQ(r.arc[r.offsets[1]], 0);

@@ -26,7 +26,7 @@ TEST(PointTree, FindsWhatALookAtAllPointsFinds) {
         return squared(a) < squared(b);
       }));
       EXPECT_EQ(tree.nearest(q)->squared_distance, least);
-      // Bounds that nothing is closer than, the nearest point itself among them, and wider ones.
+      // Bounds below which there is no point, the nearest distance itself among them, and wider ones.
       for (const double bound : {0.25 * least, least, 1.0001 * least + 1e-300, 0.01, 10.0}) {
         std::vector<uint32_t> close, found;
         for (uint32_t i = 0; i < count; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Splits and collapses keep segments near the target length, and the curve whole.
+// Splits and collapses keep segments near the target length, and the curve intact.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -11,7 +11,7 @@
 namespace meander::test {
 namespace {
 
-/// Cuts are rounded into the face (clearance and grain), which changes the length by this at each.
+/// Cuts are rounded into the face (clearance and grain), and each changes the length by up to this.
 constexpr double kCut = 8 * kClearance;
 
 struct Refined {
@@ -130,7 +130,7 @@ TEST(Refine, KeepsTheCurveWholeAndItsSegmentsShort) {
             measure_path(s, r.curve.nodes[i], r.curve.nodes[r.curve.next(i)], r.curve.paths[i]);
         EXPECT_NEAR(l, shape.length, kMeasured);
         if (l <= 2 * h + kCut) continue;
-        // Only a split that made segments cross is left out: then the old segment is still there.
+        // A split is omitted only if it made segments cross: then the old segment is still there.
         const uint32_t o = r.origin[i];
         EXPECT_EQ(l, old.shapes[o].length);
       }
@@ -150,7 +150,7 @@ TEST(Refine, SplittingKeepsLengthAndPlace) {
       EXPECT_LE(longest(r.curve), 2 * h + kCut);
       EXPECT_GE(shortest(r.curve), h - kCut) << "a split makes no segment that should collapse";
       EXPECT_NEAR(r.curve.length(), old.length(), kCut * r.curve.size());
-      // No old node is gone, and a second time there is nothing to do.
+      // No old node is gone, and a second pass has nothing to do.
       size_t kept = 0;
       for (uint32_t i = 0; i < r.curve.size(); ++i)
         kept += i == 0 || r.origin[i] != r.origin[i - 1];
@@ -161,8 +161,8 @@ TEST(Refine, SplittingKeepsLengthAndPlace) {
   }
 }
 
-/// One pass removes every other node at most; passes end, and none splits what an earlier one
-/// joined.
+/// One pass removes at most every other node; the passes come to an end, and none splits what an
+/// earlier one joined.
 TEST(Refine, RepeatedComesToRest) {
   for (const Mesh& mesh : meshes()) {
     const Surface s = make_surface(mesh);
@@ -182,7 +182,7 @@ TEST(Refine, RepeatedComesToRest) {
         r = next;
       }
       EXPECT_TRUE(rest);
-      // What could still be joined is what would cross something.
+      // Whatever could still be joined would then cross something.
       for (const Strand& strand : r.curve.strands) {
         for (uint32_t i = strand.first; i + 2 < strand.end() && strand.count > 3; ++i) {
           const double l = r.curve.shapes[i].length, l2 = r.curve.shapes[i + 1].length;
@@ -206,7 +206,7 @@ TEST(Refine, RepeatedComesToRest) {
   }
 }
 
-/// What the rule says, node after node, where nothing would cross: the origins of the new nodes.
+/// The rule, node after node, where nothing would cross: the origins of the new nodes.
 std::vector<uint32_t> one_after_another(const Curve& curve, double h) {
   std::vector<uint32_t> origin;
   for (const Strand& strand : curve.strands) {
@@ -233,7 +233,7 @@ std::vector<uint32_t> one_after_another(const Curve& curve, double h) {
 }
 
 TEST(Refine, ManyNodesAreRefinedAsOneAfterAnother) {
-  const Surface s = make_surface(flat_grid(8));  // flat, where rays never meet
+  const Surface s = make_surface(flat_grid(8));  // flat, so that rays never meet
   Rng rng(85);
   for (int round = 0; round < 4; ++round) {
     Curve old;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moves of any size leave a curve without crossings, and one knot does not hold the rest.
+// Moves of any size leave a curve without crossings, and one knot does not hold up the rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace meander::test {
 namespace {
 
-/// Some rings, wherever they find room, and an open strand if there still is any.
+/// Some rings, wherever there is room, and an open strand if there is still room for one.
 Curve random_curve(const Surface& s, uint32_t rings, Rng& rng) {
   Curve curve;
   for (uint32_t k = 0; k < 10 * rings && curve.strands.size() < rings; ++k) {
@@ -88,7 +88,7 @@ TEST(Move, OneKnotDoesNotHoldTheOthers) {
                        40, 0, rng));
   ASSERT_TRUE(exact_crossings(s, curve).empty());
   const Curve old = curve;
-  // The first ring shrinks a little, the second is thrown about.
+  // The first ring shrinks a little, the second moves wildly.
   NodeData<Vec2> d(curve.size());
   for (uint32_t i = 0; i < curve.size(); ++i) {
     const uint32_t before = curve.previous(i);
@@ -123,8 +123,8 @@ TEST(Move, OfNothingChangesNothing) {
 }
 
 /// Where nodes walk over many faces their segments are guessed first, on surfaces without handles and holes.
-/// They come to what one gets by following the ends, face after face; also where a step is so long that the
-/// first guess goes astray and has to be aimed again.
+/// The result equals that of following the ends, face after face, even where a step is so long that the
+/// first guess misses and has to be aimed again.
 TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
   struct Case {
     Mesh mesh;
@@ -160,7 +160,7 @@ TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
       }
       if (near_boundary) continue;
       retraction.move(s, curve, d, pool, seconds);
-      if (!std::ranges::equal(curve.nodes, ends, same_bytes)) continue;  // some have given way
+      if (!std::ranges::equal(curve.nodes, ends, same_bytes)) continue;  // some have backed off
       ASSERT_TRUE(whole(s, curve));
       PathShortener shortener(s);
       for (uint32_t i = 0; i < curve.size(); ++i) {

@@ -16,7 +16,7 @@ namespace meander::test {
 
 const auto kNeverCancelled = [] { return false; };
 
-/// A strand as it is drawn.
+/// A strand as drawn.
 struct Line {
   std::vector<Vec3> points;
   bool closed = false;
@@ -53,7 +53,7 @@ inline Flow flow_on(const std::shared_ptr<const Surface>& surface, const std::ve
   return Flow(surface, &seed, {}, checked_settings(options_of(spacing, preset), *surface));
 }
 
-/// As exact_crossings, but for pairs of guides, which may do as they like.
+/// As exact_crossings, but without pairs of guides, which may cross.
 inline std::set<std::pair<uint32_t, uint32_t>> crossings_of_what_grows(const Surface& s, const Curve& c) {
   auto pairs = exact_crossings(s, c);
   std::erase_if(pairs, [&](const auto& p) { return c.on_guide(p.first) && c.on_guide(p.second); });

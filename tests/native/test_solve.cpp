@@ -113,7 +113,7 @@ void compare(Scene& scene, Rng& rng) {
         if (scene.curve.fixed[i]) {
           EXPECT_EQ(step.segment<3>(3 * i).norm(), 0);
         }
-        // What is left out, the steps along the normals, is zero in the full system too.
+        // The omitted steps along the normals are zero in the full system too.
         const Vec3 normal = scene.surface.face_normal(scene.curve.nodes[i].face);
         EXPECT_LE(std::abs(normal.dot(expected.segment<3>(3 * i))), kAgreement * expected.norm());
       }
@@ -145,14 +145,14 @@ TEST(Step, OfClosedStrandsEqualsTheLiteralModel) {
   }
 }
 
-/// Once round the apex of a cone, a frame comes back turned by the apex's missing angle.
+/// Once around the apex of a cone, a frame comes back rotated by the apex's angle defect.
 TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
   Rng rng(43);
   for (const double slope : {0.5, 1.5, 4.0}) {
     for (const uint32_t n : {3u, 4u, 5u, 6u, 7u, 20u}) {
       Scene scene(cone(9, 3, slope));
       const uint32_t around = 9;
-      // Nodes on the way round, in the faces at the apex, joined across its edges.
+      // Nodes around it, in the faces at the apex, joined across its edges.
       for (uint32_t k = 0; k < n; ++k) {
         const double at = around * (k + 0.5) / n;
         const uint32_t sector = static_cast<uint32_t>(at);
@@ -171,7 +171,7 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
         const SurfacePoint &from = scene.curve.nodes[k], &to = scene.curve.nodes[(k + 1) % n];
         Path& path = scene.curve.paths[k];
         for (uint32_t f = from.face; f != to.face;) {
-          const HalfEdge e = 3 * f + 2;  // towards the apex: counter-clockwise round it
+          const HalfEdge e = 3 * f + 2;  // towards the apex: counter-clockwise around it
           path.push_back(crossing_of(scene.surface, e, 0.5));
           f = face_of(scene.surface.twin(e));
         }
@@ -194,7 +194,7 @@ TEST(Step, OfALoopRoundAConeHasItsHolonomy) {
   }
 }
 
-/// Chunks of every length, down to the shortest, whose ends feel one another.
+/// Chunks of every length, down to the shortest, whose ends are coupled.
 TEST(Step, OfStrandsInChunksEqualsTheLiteralModel) {
   Rng rng(46);
   for (const Mesh& mesh : curved_meshes()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Topology: strands stay as many, as open or closed, in the order and on the side in which they were
-// drawn, in whatever company (figures 10 and 14 of the paper).
+// Topology: strands keep their number, stay open or closed, and keep the order and the side in which they
+// were drawn, whatever is around them (figures 10 and 14 of the paper).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace meander::test {
 namespace {
 
-/// Turns of a closed strand about the z axis, and about the core circle of a torus of radius 1.
+/// Windings of a closed strand about the z axis, and about the core circle of a torus of radius 1.
 std::pair<int, int> windings(const Surface& s, const Curve& c, const Strand& strand) {
   double about_axis = 0, about_core = 0;
   const auto turn = [](double from, double to) { return std::remainder(to - from, 2 * kPi); };
@@ -75,7 +75,7 @@ TEST(Strands, ARingRoundACylinderStaysRoundIt) {
   }
 }
 
-/// Is p inside the closed strand, in the plane?
+/// Whether p is inside the closed strand, in the plane.
 bool inside(const Surface& s, const Curve& c, const Strand& strand, const Vec3& p) {
   bool in = false;
   std::vector<Piece> pieces;
@@ -114,7 +114,7 @@ TEST(Strands, WhatIsInsideStaysInsideAndWhatIsOutsideOutside) {
   }
 }
 
-/// A short line or a small ring, somewhere.
+/// A short line or a small ring at a random place.
 Line random_line(const Surface& s, Rng& rng, double spacing) {
   Line line;
   line.closed = rng() < 0.4;
@@ -166,7 +166,7 @@ TEST(Strands, KeepEverythingInRandomCompany) {
     try {
       const SeedStrands drawn = seed_of(lines, rng() < 0.6);
       flow = std::make_unique<Flow>(surface, &drawn, density, checked_settings(o, *surface));
-    } catch (const Failure& failure) {  // lines that cross, mostly
+    } catch (const Failure& failure) {  // mostly lines that cross
       ASSERT_EQ(failure.kind, FailureKind::kInvalidSeed) << failure.what();
       continue;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random combinations of everything that can be asked of a flow, through the C API: what must hold
-// after every iteration holds for all of them.
+// Random combinations of all options of a flow, through the C API: what must hold after every
+// iteration holds for all of them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ Mesh random_mesh(Rng& rng) {
   }
 }
 
-/// Everything that one flow is made from; made twice, it has to give the same curve twice.
+/// Everything that one flow is made from; built twice, it has to give the same curve twice.
 class Draw {
  public:
   explicit Draw(uint64_t number) : rng_(number), mesh_(random_mesh(rng_)) {

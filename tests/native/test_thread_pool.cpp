@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pool of threads: every block once, the same blocks for any pool, exceptions passed on,
-// nothing left waiting behind a thread that is held up.
+// The thread pool: every block runs once, the same blocks for any number of threads, exceptions are
+// passed on, and nothing waits for a thread that is held up.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -53,7 +53,7 @@ TEST_P(TeamOf, ThrowsWhatABodyThrewAndWorksAfterwards) {
   }
 }
 
-/// Every one of so many loops visits every index once; `between` is called with the number of each.
+/// Each of `rounds` loops visits every index once; `between` is called with the number of each.
 template <class Between>
 void expect_rounds(unsigned threads, int rounds, const Between& between) {
   ThreadPool pool(threads);
@@ -73,7 +73,7 @@ TEST_P(TeamOf, MakesManyShortRounds) {
 
 TEST_P(TeamOf, WakesUpAfterAPause) {
   expect_rounds(GetParam(), 50, [](int round) {
-    std::this_thread::sleep_for(std::chrono::microseconds(40 * (round % 8)));  // some fall asleep meanwhile
+    std::this_thread::sleep_for(std::chrono::microseconds(40 * (round % 8)));  // some fall asleep in between
   });
 }
 
@@ -91,7 +91,7 @@ TEST_P(TeamOf, AddsUpTheSameNumberOnAnyThreads) {
 TEST_P(TeamOf, TakesTheBlocksOfAThreadThatIsHeldUp) {
   constexpr size_t kBlocks = 12;
   ThreadPool pool(GetParam());
-  if (pool.size() == 1) return;  // nobody else is there
+  if (pool.size() == 1) return;  // there is no other thread
   for (size_t held = 0; held < kBlocks; ++held) {
     std::atomic<size_t> others = 0;
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);

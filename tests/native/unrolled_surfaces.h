@@ -20,9 +20,9 @@ class Unrolled {
   explicit Unrolled(const Mesh& mesh) : surface_(make_surface(mesh)) {}
   virtual ~Unrolled() = default;
   virtual std::string name() const = 0;
-  /// Exact; negative where the formula does not hold.
+  /// Exact; negative where the formula does not apply.
   virtual double distance(const SurfacePoint& a, const SurfacePoint& b) const = 0;
-  /// Whether the formula holds for all points within `reach` of x.
+  /// Whether the formula applies to all points within `reach` of x.
   virtual bool holds_round(const SurfacePoint&, double /*reach*/) const { return true; }
   const Surface& surface() const { return surface_; }
 
@@ -98,9 +98,10 @@ class UnrolledPyramid : public Unrolled {
   }
 
  private:
-  /// Up to this distance from the apex, the middle of a side of the outline, paths do not meet the outline.
+  /// Up to this distance from the apex, that of the middle of a side of the outline, paths do not meet the
+  /// outline.
   double inner() const { return rings_ * std::hypot(std::cos(kPi / sides_), slope_); }
-  /// Distance from the apex, and angle round it.
+  /// Distance from the apex, and angle around it.
   Vec2 unroll(const SurfacePoint& point) const {
     const Vec3 p = place(point);
     const double angle = std::atan2(p.y(), p.x());
@@ -114,14 +115,14 @@ class UnrolledPyramid : public Unrolled {
   double slope_, side_angle_;
 };
 
-/// The cube, by all ways over up to four of its squares.
+/// The cube, by all unfoldings of up to four of its squares.
 class UnrolledCube : public Unrolled {
  public:
   UnrolledCube() : Unrolled(cube()) {}
   std::string name() const override { return "cube"; }
   double distance(const SurfacePoint& a, const SurfacePoint& b) const override {
     const Vec3 p = place(a), q = place(b);
-    // A square as it is laid into the plane: x = origin + u e1 + v e2 in space.
+    // A square unfolded into the plane: x = origin + u e1 + v e2 in space.
     const Vec3 normal = surface_.face_normal(a.face);
     Laid start{normal, Vec3::Zero(), {}, {}};
     start.e1 = normal.unitOrthogonal();
@@ -156,14 +157,14 @@ class UnrolledCube : public Unrolled {
         Vec3 next = Vec3::Zero();
         next[axis] = sign;
         if (std::abs(next.dot(laid.normal)) > 0.5) continue;
-        // The common edge: where both squares' planes meet.
+        // The common edge: where the planes of both squares meet.
         const Vec3 centre(0.5, 0.5, 0.5);
         const Vec3 middle = centre + 0.5 * (laid.normal + next), along = laid.normal.cross(next);
         const Vec3 ends[2] = {middle - 0.5 * along, middle + 0.5 * along};
         const auto flat_of = [&](const Vec3& x) {
           return Vec2{(x - laid.corner).dot(laid.e1), (x - laid.corner).dot(laid.e2)};
         };
-        // Turning about the edge carries the old normal to where the new one points: in the plane.
+        // Rotation about the edge maps the old normal to the new one: in the plane.
         const auto turned = [&](const Vec3& e) {
           return Vec3(e.dot(along) * along + e.dot(next) * -laid.normal + e.dot(laid.normal) * next);
         };
