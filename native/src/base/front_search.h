@@ -48,8 +48,8 @@ class ReachedNodes {
 };
 
 /// A front that starts at the nodes that are offered first and passes one node after another, in the order of
-/// their costs; of equal ones the lowest number first. The caller knows the graph: he offers the neighbours
-/// of every node that comes up, until what comes up is his goal.
+/// their costs; of equal ones the lowest number first. The caller knows the graph: it offers the neighbours
+/// of every node that comes up, until the goal comes up.
 ///
 ///     search.offer(start, 0);
 ///     while (const auto node = search.next()) {

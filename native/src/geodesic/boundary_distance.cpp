@@ -15,11 +15,10 @@ using Vertex = HalfedgeMesh::Vertex;
 using Edge = HalfedgeMesh::Edge;
 using Halfedge = HalfedgeMesh::Halfedge;
 
-/// Splits, and vertices that the front passes, between two questions whether to stop: a few hundred microseconds.
+/// Splits, and vertices that the front passes, from one poll to the next: a few hundred microseconds.
 constexpr uint32_t kPieces = 256;
 
-/// An edge that is cut into more pieces than this is sampled more coarsely: memory would not suffice for its
-/// faces anyway.
+/// Most samples on one edge. There would not be enough memory for the faces beside more of them.
 constexpr double kMostSamples = 1e7;
 
 /// Points along the boundary, no more than `step` apart.

@@ -25,7 +25,7 @@ class BoundaryDistance {
   BoundaryDistance(const Surface& surface, double reach, double edge, const std::function<bool()>& cancelled);
 
   const HalfedgeMesh& mesh() const { return mesh_; }
-  /// Infinite where nobody has come.
+  /// Infinite where the front has not been.
   double at(HalfedgeMesh::Vertex v) const { return front_.cost(number(v)); }
 
  private:
