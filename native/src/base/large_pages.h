@@ -15,9 +15,9 @@
 
 namespace meander {
 
-/// An allocator that asks for pages of 2 MiB: the system then hands out a table of a fine mesh in a dozen
-/// pieces instead of thousands, which is a third of the time it takes to set one up. It is a hint;
-/// where it means nothing, and for small tables, this is std::allocator.
+/// An allocator that asks for pages of 2 MiB: the system then provides the table of a fine mesh in a dozen
+/// pieces instead of thousands, which saves a third of the time to set one up. It is only a hint; where the
+/// system has no such pages, and for small tables, this is std::allocator.
 template <class T>
 struct LargePages {
   using value_type = T;
@@ -39,7 +39,7 @@ struct LargePages {
     if (!is_large(n)) return std::allocator<T>().deallocate(memory, n);
     ::operator delete(memory, std::align_val_t{kPage});
   }
-  /// resize() leaves new numbers as they are: who fills the table, each thread its part, touches it first.
+  /// resize() leaves new numbers uninitialized, so that the threads that fill a table are the first to touch it.
   template <class U>
   void construct(U* p) {
     ::new (static_cast<void*>(p)) U;

@@ -38,7 +38,7 @@ class PointTree {
     return Hit{best.index, best.distance};
   }
 
-  /// Whether any point is closer to `q` than sqrt(squared_radius): the first one that is found will do.
+  /// Whether any point is closer to `q` than sqrt(squared_radius). Stops at the first one that it finds.
   bool any_within(const Eigen::Vector3d& q, double squared_radius) const {
     if (cloud_.points.empty()) return false;
     Any any{squared_radius};

@@ -7,8 +7,8 @@
 namespace meander {
 namespace {
 
-/// Loops of a flow follow one another within less than this, mostly; to be put to sleep and woken up takes
-/// a good part of it.
+/// The loops of a flow mostly follow one another within less than this; putting a thread to sleep and waking it
+/// takes a good part of it.
 constexpr std::chrono::microseconds kMoment{50};
 
 uint64_t pack(size_t first, size_t end) { return uint64_t{first} << 32 | end; }
@@ -44,9 +44,9 @@ template <class Done>
 void ThreadPool::stay_awake(const Done& done) const {
   if (!stays_awake_) return;
   const auto until = std::chrono::steady_clock::now() + kMoment;
-  constexpr int kLooks = 32;  // between two looks at the clock
+  constexpr int kSpins = 32;  // between two readings of the clock
   do {
-    for (int k = 0; k < kLooks; ++k) {
+    for (int k = 0; k < kSpins; ++k) {
       if (done()) return;
       relax();
     }
@@ -83,7 +83,7 @@ void ThreadPool::for_blocks(size_t count, size_t grain,
   start_.notify_all();
   take_blocks(0);
   stay_awake([this] { return running_ == 0; });
-  // A thread that has not woken up by now is not waited for: nothing is left to do.
+  // No need to wait for a thread that has not woken up by now: nothing is left to do.
   std::unique_lock lock(mutex_);
   open_ = false;
   done_.wait(lock, [this] { return running_ == 0; });

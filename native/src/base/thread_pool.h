@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A pool of threads for loops whose iterations write to places of their own.
+// A pool of threads for loops whose iterations do not write to the same places.
 #pragma once
 
 #include <atomic>
@@ -19,11 +19,11 @@ namespace meander {
 /// Threads that live as long as the pool and share loops with the caller. Not copyable. One loop at
 /// a time; the caller's thread is one of the pool.
 ///
-/// Every thread begins with a share of its own, the same part of every loop, so that what it has written in
-/// one loop is still in its caches in the next; who has done takes blocks from the end of another's share.
-/// Between two loops they stay awake for a moment, unless the pool has more threads than the machine, and
-/// a loop does not wait for a thread that comes when nothing is left to do. Loops here take tens of
-/// microseconds, as to wake a thread does.
+/// Every thread starts with a share of its own, the same part of every loop, so that what it wrote in one loop
+/// is still in its caches in the next. A thread that has finished its share takes blocks from the end of
+/// another's. Between two loops threads stay awake for a moment, unless the pool has more of them than the
+/// machine, and a loop does not wait for a thread that wakes up when nothing is left to do: loops here take
+/// tens of microseconds, about as long as waking a thread.
 class ThreadPool {
  public:
   /// `threads` in all, the caller included; 0 means as many as the machine has.
@@ -40,8 +40,8 @@ class ThreadPool {
   void for_blocks(size_t count, size_t grain,
                   const std::function<void(size_t block, size_t begin, size_t end)>& body);
 
-  /// Calls visit(i) for every index of [0, count) and returns the least for which it is true, `count` if
-  /// there is none. What comes after such an index may be left out.
+  /// Calls visit(i) for the indices of [0, count) and returns the lowest for which it is true, `count` if there
+  /// is none. Indices after one that is true may not be visited.
   template <class Visit>
   size_t first(size_t count, size_t grain, const Visit& visit) {
     std::vector<size_t> found(block_count(count, grain), count);
@@ -58,7 +58,7 @@ class ThreadPool {
     return count;
   }
 
-  /// The sum of term(i) over [0, count), added up in the same order by any number of threads.
+  /// The sum of term(i) over [0, count), added up in the same order whatever the number of threads.
   template <class Term>
   double sum(size_t count, const Term& term) {
     constexpr size_t kTerms = 2048;
@@ -74,8 +74,9 @@ class ThreadPool {
   static size_t block_count(size_t count, size_t grain) { return (count + grain - 1) / grain; }
 
  private:
-  /// Blocks [begin, end) that nobody has taken yet, both in one word so that its owner may take the first
-  /// and anybody else the last. A cache line each: every block that is taken writes to it.
+  /// Blocks [begin, end) that no thread has taken yet, both numbers in one word, so that the owner can take the
+  /// first block and other threads the last. Each share has a cache line of its own, since it is written
+  /// whenever a block is taken.
   struct alignas(64) Share {
     std::atomic<uint64_t> blocks = 0;
   };
@@ -93,7 +94,7 @@ class ThreadPool {
   std::condition_variable start_, done_;
   const std::function<void(size_t, size_t, size_t)>* body_ = nullptr;
   size_t count_ = 0, grain_ = 1;
-  std::atomic<unsigned> running_ = 0;  // threads of the pool that take blocks, without the caller
+  std::atomic<unsigned> running_ = 0;  // threads of the pool that take blocks, not counting the caller
   std::atomic<bool> open_ = false;     // there may be blocks to take
   bool quit_ = false;
   bool stays_awake_ = false;           // for a moment, see stay_awake

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <unordered_map>
 
 #include "base/disjoint_sets.h"
+#include "base/front_search.h"
 #include "base/point_tree.h"
 #include "curve/crossings.h"
 #include "mesh/radius_field.h"
@@ -71,40 +71,33 @@ class Samples {
   std::optional<std::vector<uint32_t>> way(const SurfacePoint& from, const SurfacePoint& to) const {
     const Vec3 goal = position(surface_, to);
     const auto place = [&](uint32_t i) { return position(surface_, points_[i]); };
-    std::vector<double> cost(points_.size(), std::numeric_limits<double>::infinity());
-    std::vector<uint32_t> before(points_.size(), kNone);
-    using Entry = std::pair<double, uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    const auto reach = [&](uint32_t i, double c, uint32_t by) {
-      if (!(c < cost[i])) return;
-      cost[i] = c;
-      before[i] = by;
-      queue.push({c + (place(i) - goal).norm(), i});
+    FrontSearch search{AllNodes(points_.size())};
+    const auto reach = [&](uint32_t i, double cost, uint32_t by) {
+      search.offer(i, cost, by, (place(i) - goal).norm());
     };
     const auto usable = [&](uint32_t i) { return relative_room_[i] >= kLeastRoom; };
     const Vec3 start = position(surface_, from);
     for (const auto& [i, b] : of_face(from.face)) {
       if (usable(i) && clear(from.face, from.b, b)) reach(i, (place(i) - start).norm(), kNone);
     }
-    std::vector<uint8_t> last(points_.size(), 0), done(points_.size(), 0);
+    std::vector<uint8_t> last(points_.size(), 0);
     for (const auto& [i, b] : of_face(to.face)) last[i] = usable(i) && clear(to.face, to.b, b);
-    while (!queue.empty()) {
-      const uint32_t i = queue.top().second;
-      queue.pop();
-      if (done[i]) continue;
-      done[i] = 1;
+    while (const auto next = search.next()) {
+      const uint32_t i = *next;
       if (last[i]) {
         std::vector<uint32_t> samples;
-        for (uint32_t k = i; k != kNone; k = before[k]) samples.push_back(k);
+        for (uint32_t k = i; k != kNone; k = search.by(k)) samples.push_back(k);
         std::ranges::reverse(samples);
         return samples;
       }
       const Vec3 here = place(i);
+      const double cost = search.cost(i);
       for (const uint32_t f : faces_of(i)) {
         const std::vector<Seen> seen = of_face(f);
         const auto self = std::ranges::find(seen, i, &Seen::first);
         for (const auto& [k, b] : seen) {
-          if (!done[k] && usable(k) && clear(f, self->second, b)) reach(k, cost[i] + (place(k) - here).norm(), i);
+          if (search.done(k) || !usable(k) || !clear(f, self->second, b)) continue;
+          reach(k, cost + (place(k) - here).norm(), i);
         }
       }
     }

@@ -2,11 +2,10 @@
 #include "curve/seed.h"
 
 #include <algorithm>
-#include <queue>
 #include <string>
-#include <unordered_map>
 
 #include "base/failure.h"
+#include "base/front_search.h"
 #include "curve/crossings.h"
 #include "curve/regions.h"
 #include "mesh/radius_field.h"
@@ -35,38 +34,21 @@ bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to
     const Triangle& t = surface.face(f);
     return Vec3((surface.position(t[0]) + surface.position(t[1]) + surface.position(t[2])) / 3);
   };
-  struct Reached {
-    double cost;
-    HalfEdge by;  // the half-edge across which the face was entered, kNone at the start
-    bool done;
-  };
-  std::unordered_map<uint32_t, Reached> reached;
-  using Entry = std::pair<double, uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  reached[from] = {0, kNone, false};
-  queue.push({0, from});
-  while (!queue.empty()) {
-    const uint32_t f = queue.top().second;
-    queue.pop();
-    Reached& here = reached[f];
-    if (here.done) continue;
-    here.done = true;
-    if (f == to.face) break;
-    const double cost = here.cost;
-    const Vec3 middle = centre(f);
-    for (uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge twin = surface.twin(3 * f + k);
+  FrontSearch<ReachedNodes> search;
+  search.offer(from, 0);
+  while (const auto f = search.next()) {
+    if (*f == to.face) break;
+    const double cost = search.cost(*f);
+    const Vec3 middle = centre(*f);
+    for (HalfEdge e = 3 * *f; e < 3 * *f + 3; ++e) {
+      const HalfEdge twin = surface.twin(e);
       if (twin == kNone) continue;
-      const uint32_t g = face_of(twin);
-      const double c = cost + (centre(g) - middle).norm();
-      const auto found = reached.find(g);
-      if (found != reached.end() && (found->second.done || found->second.cost <= c)) continue;
-      reached[g] = {c, 3 * f + k, false};
-      queue.push({c + (centre(g) - goal).norm(), g});
+      const Vec3 across = centre(face_of(twin));
+      search.offer(face_of(twin), cost + (across - middle).norm(), e, (across - goal).norm());
     }
   }
   for (uint32_t f = to.face; f != from;) {
-    const HalfEdge e = reached[f].by;
+    const HalfEdge e = search.by(f);
     path.push_back(crossing_of(surface, e, 0.5));
     f = face_of(e);
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 
 #include "base/cancel_poll.h"
@@ -16,13 +15,10 @@ using Vertex = HalfedgeMesh::Vertex;
 using Edge = HalfedgeMesh::Edge;
 using Halfedge = HalfedgeMesh::Halfedge;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
-/// Splits, and vertices that the front passes, between two questions whether to stop: a few hundred microseconds.
+/// Splits, and vertices that the front passes, from one poll to the next: a few hundred microseconds.
 constexpr uint32_t kPieces = 256;
 
-/// An edge that is cut into more pieces than this is sampled more coarsely: memory would not suffice for its
-/// faces anyway.
+/// Most samples on one edge. There would not be enough memory for the faces beside more of them.
 constexpr double kMostSamples = 1e7;
 
 /// Points along the boundary, no more than `step` apart.
@@ -48,6 +44,7 @@ BoundaryDistance::BoundaryDistance(const Surface& surface, double reach, double 
     : mesh_(surface) {
   const PointTree boundary(boundary_samples(surface, edge, CancelPoll(cancelled, 64 * kPieces)));
   refine(boundary, reach, edge, cancelled);
+  front_ = FrontSearch(AllNodes(mesh_.connectivity().n_vertices()));
   march(reach + 2 * edge, cancelled);
 }
 
@@ -87,29 +84,17 @@ void BoundaryDistance::refine(const PointTree& boundary, double reach, double ed
 void BoundaryDistance::march(double last, const std::function<bool()>& cancelled) {
   const HalfedgeMesh::Connectivity& mesh = mesh_.connectivity();
   CancelPoll poll(cancelled, kPieces);
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  distance_.assign(mesh.n_vertices(), kFar);
-  std::vector<uint8_t> done(mesh.n_vertices(), 0);
-  const auto bring_nearer = [&](Vertex v, double distance) {
-    double& known = distance_[static_cast<size_t>(v.idx())];
-    if (!(distance < known)) return;
-    known = distance;
-    queue.push({distance, v.idx()});
-  };
   for (const Vertex v : mesh.vertices()) {
-    if (!mesh.is_isolated(v) && mesh.is_boundary(v)) bring_nearer(v, 0);
+    if (!mesh.is_isolated(v) && mesh.is_boundary(v)) front_.offer(number(v), 0);
   }
-  const auto is_done = [&](Vertex v) { return done[static_cast<size_t>(v.idx())] != 0; };
-  while (!queue.empty() && queue.top().first <= last) {
+  while (const auto next = front_.next()) {
     poll();
-    const Vertex v(queue.top().second);
-    queue.pop();
-    if (is_done(v)) continue;
-    done[static_cast<size_t>(v.idx())] = 1;
+    const Vertex v(static_cast<int>(*next));
+    if (at(v) > last) break;
     const auto reach = [&](Vertex c, Vertex other) {
-      if (is_done(c)) return;
-      bring_nearer(c, is_done(other) ? across(v, other, c) : at(v) + (mesh_.position(c) - mesh_.position(v)).norm());
+      if (front_.done(number(c))) return;
+      const double along_edge = at(v) + (mesh_.position(c) - mesh_.position(v)).norm();
+      front_.offer(number(c), front_.done(number(other)) ? across(v, other, c) : along_edge);
     };
     for (const Halfedge h : mesh.voh_range(v)) {
       if (mesh.is_boundary(h)) continue;

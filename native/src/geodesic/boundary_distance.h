@@ -4,8 +4,8 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
+#include "base/front_search.h"
 #include "mesh/halfedge_mesh.h"
 
 namespace meander {
@@ -25,16 +25,17 @@ class BoundaryDistance {
   BoundaryDistance(const Surface& surface, double reach, double edge, const std::function<bool()>& cancelled);
 
   const HalfedgeMesh& mesh() const { return mesh_; }
-  /// Infinite where nobody has come.
-  double at(HalfedgeMesh::Vertex v) const { return distance_[static_cast<size_t>(v.idx())]; }
+  /// Infinite where the front has not been.
+  double at(HalfedgeMesh::Vertex v) const { return front_.cost(number(v)); }
 
  private:
+  static uint32_t number(HalfedgeMesh::Vertex v) { return static_cast<uint32_t>(v.idx()); }
   void refine(const PointTree& boundary, double reach, double edge, const std::function<bool()>& cancelled);
   void march(double last, const std::function<bool()>& cancelled);
   double across(HalfedgeMesh::Vertex a, HalfedgeMesh::Vertex b, HalfedgeMesh::Vertex c) const;
 
   HalfedgeMesh mesh_;
-  std::vector<double> distance_;  // per vertex
+  FrontSearch<AllNodes> front_{AllNodes(0)};
 };
 
 }  // namespace meander

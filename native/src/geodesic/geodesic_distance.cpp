@@ -14,7 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// More windows than this are not opened: what has not been reached by then counts as far away.
 constexpr size_t kMostWindows = 20000;
 
-/// From this many windows on each is held against what is known of the ends of its edge.
+/// Beyond this many windows, each is compared with the distances known at the ends of its edge.
 constexpr size_t kMany = 48;
 
 /// Sine of the angle by which a point may lie beside the light and still be seen: rounding must not
@@ -114,8 +114,8 @@ void GeodesicDistance::open(HalfEdge exit, const Window& window) {
   const double first = meet(window.high, 0), last = std::max(first, meet(window.low, length));
 
   if (windows_.size() > kMany) {
-    // Xin and Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem" (2009): if the
-    // way over one end of the edge to the far end of what is seen is shorter, nothing shortest passes.
+    // Xin and Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem" (2009): if the path
+    // over one end of the edge to the far end of the visible part is shorter, no shortest path passes.
     const double far_right = window.offset + length_of(last - at, height);
     if (kLonger * (known_distance(left_vertex) + last) < far_right) return;
     const double far_left = window.offset + length_of(first - at, height);
@@ -205,8 +205,8 @@ void GeodesicDistance::reach_vertex(uint32_t face, uint32_t corner, Vec2 place, 
   put(least, bends_.size() - 1, true);
 }
 
-/// Lets a vertex shine on what its source does not see: between the two directions that leave it at half
-/// a turn from the way back, one on either side; at a boundary, beyond half a turn.
+/// Lets a vertex shine on what its source does not see: between the two directions that are at half a turn from
+/// the direction back to the source, one on either side; at a boundary, beyond half a turn.
 void GeodesicDistance::bend(const Bend& b) {
   const uint32_t v = surface_.face(b.face)[b.corner];
   if (known_distance(v) < b.distance) return;
@@ -214,7 +214,7 @@ void GeodesicDistance::bend(const Bend& b) {
   const Vec2 place = surface_.corner(b.face, b.corner);
   const auto angle = [](Vec2 from, Vec2 to) { return std::atan2(cross(from, to), dot(from, to)); };
   uint32_t f = b.face, k = b.corner;
-  double turned = angle(b.back, surface_.corner(f, prev_corner(k)) - place);
+  double angle_so_far = angle(b.back, surface_.corner(f, prev_corner(k)) - place);
   while (true) {
     const HalfEdge other = surface_.twin(3 * f + prev_corner(k));
     if (other == kNone) break;
@@ -222,21 +222,21 @@ void GeodesicDistance::bend(const Bend& b) {
     k = corner_of(other);
     if (f == b.face) return;
     const double wide = surface_.corner_angle(f, k);
-    shine(b, f, k, wide, std::numbers::pi - turned, whole - std::numbers::pi - turned);
-    turned += wide;
+    shine(b, f, k, wide, std::numbers::pi - angle_so_far, whole - std::numbers::pi - angle_so_far);
+    angle_so_far += wide;
   }
-  // From a boundary the other way round, too.
+  // Where that ended at a boundary, the same in the other direction.
   f = b.face;
   k = b.corner;
-  turned = angle(surface_.corner(f, next_corner(k)) - place, b.back);
+  angle_so_far = angle(surface_.corner(f, next_corner(k)) - place, b.back);
   while (true) {
     const HalfEdge other = surface_.twin(3 * f + k);
     if (other == kNone) return;
     f = face_of(other);
     k = next_corner(corner_of(other));
     const double wide = surface_.corner_angle(f, k);
-    shine(b, f, k, wide, -kInfinity, wide - (std::numbers::pi - turned));
-    turned += wide;
+    shine(b, f, k, wide, -kInfinity, wide - (std::numbers::pi - angle_so_far));
+    angle_so_far += wide;
   }
 }
 

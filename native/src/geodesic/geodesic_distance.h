@@ -4,10 +4,10 @@
 //
 // Windows are carried from face to face, unfolded into the plane of the start's face, as in Mitchell,
 // Mount and Papadimitriou, "The Discrete Geodesic Problem" (1987); none is cut against another, as in
-// Chen and Han, "Shortest Paths on a Polyhedron" (1990). What keeps it cheap is that the targets are
-// known: a window is kept only while a path through it, straight on through space, could still be the
-// shortest to one of them, and the most promising goes first. Towards a single target that is a
-// narrow strip of faces, whatever the size of the mesh.
+// Chen and Han, "Shortest Paths on a Polyhedron" (1990). It is fast because the targets are known: a window is
+// kept only while a path through it, continued straight through space, could still be the shortest to one of
+// them, and the most promising window comes first. With a single target only a narrow strip of faces is
+// visited, whatever the size of the mesh.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,8 @@ class GeodesicDistance {
     bool reached = false;  ///< out: whether there is a path shorter than `distance` was
   };
 
-  /// Measures the targets from `start`: all of them, or only the nearest, and then the others as far as
-  /// they come to light on the way.
+  /// Measures the targets from `start`: all of them, or only the nearest, and of the others those that happen to
+  /// be seen before it is certain.
   void measure(const FlatPoint& start, std::span<Target> targets, bool nearest_only = false);
 
  private:

@@ -8,15 +8,15 @@ namespace meander {
 namespace {
 
 /// Flips are taken while they shorten the path by more than rounding; each one does, so this only
-/// bounds what a degenerate mesh could make of it. The path is valid after every flip. A way through
+/// bounds what a degenerate mesh could make of it. The path is valid after every flip. A path through
 /// the faces of a fine mesh takes a few flips for each of them.
 constexpr size_t kMostFlips = 200, kMostFlipsPerCrossing = 20;
 
-/// Ends that walk far sweep over an area; a path that follows them in legs of this many faces stays short
-/// while it is led over the vertices in there, one by one.
+/// Ends that walk far sweep over an area, whose vertices the path has to pass one by one. It stays short meanwhile
+/// if it follows them in legs of this many faces.
 constexpr size_t kLeg = 16;
 
-/// Half a turn is told from less by more than rounding could make of it.
+/// Less than half a turn must be less by more than this, so that rounding does not decide.
 constexpr double kLeastTurn = 1e-12;
 
 SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
@@ -73,7 +73,7 @@ void PathShortener::unfold(const SurfacePoint& start, const SurfacePoint& end,
   carried_ = strip.carried({1, 0});
 }
 
-/// Does the straight way from start to end meet every portal? Then that is the path.
+/// Does the straight line from start to end meet every portal? Then that is the path.
 bool PathShortener::is_straight(std::vector<Crossing>& crossings) const {
   const Vec2 d = end_ - start_;
   for (size_t i = 0; i < portals_.size(); ++i) {
@@ -144,16 +144,16 @@ std::pair<size_t, size_t> PathShortener::run_of(const Bend& bend) const {
   return {first, last};
 }
 
-/// Leads the path round the other side of the vertex where it bends, if that side is shorter: there is less
-/// than half a turn between its two pieces on that side, seen from the vertex. The faces there are laid in
-/// the plane of the strip one after another, until one is too far round.
+/// Moves the path to the other side of the vertex where it bends, if that side is shorter: there is less than
+/// half a turn between its two pieces on that side, seen from the vertex. The faces there are laid in the
+/// plane of the strip one after another, until one reaches half a turn.
 /// `index` is the bend's place in corners_. Backtracks are left to the caller.
 bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing>& crossings) {
   const auto [first, last] = run_of(bend);
   const auto at = [&](size_t i) { return crossings.begin() + static_cast<std::ptrdiff_t>(i); };
   const HalfEdge e = crossings[first].e, entry = crossings[last].twin;
   uint32_t f = face_of(e);
-  // A way that comes round to the face from which it went need not have gone.
+  // A path that comes back to the face that it left need not have left it.
   for (size_t i = last + 1; i-- > first;) {
     if (face_of(crossings[i].twin) != f) continue;
     crossings.erase(at(first), at(i + 1));
@@ -163,10 +163,10 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
   const auto vertex = [&](const Portal& p) { return bend.left ? p.left : p.right; };
   const auto spoke_of = [&](const Portal& p) { return (bend.left ? p.right : p.left) - vertex(p); };
   const Vec2 in = corners_[index - 1] - vertex(portals_[first]), out = corners_[index + 1] - vertex(portals_[last]);
-  // A path that has the vertex on its left goes round it counter-clockwise, and on the other side clockwise.
-  const auto before_half_turn = [&](Vec2 way) {
-    const double sine = bend.left ? cross(way, in) : cross(in, way), cosine = dot(in, way);
-    const double rounding = kLeastTurn * norm(in) * norm(way);
+  // A path that has the vertex on its left passes it counter-clockwise, and on the other side clockwise.
+  const auto before_half_turn = [&](Vec2 direction) {
+    const double sine = bend.left ? cross(direction, in) : cross(in, direction), cosine = dot(in, direction);
+    const double rounding = kLeastTurn * norm(in) * norm(direction);
     return sine > (cosine < 0 ? rounding : -rounding);
   };
   spliced_.assign(crossings.begin(), at(first));
@@ -182,7 +182,7 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
     f = face_of(twin);
     k = bend.left ? next_corner(corner_of(twin)) : corner_of(twin);
   }
-  // The last face lies in the strip as well, and so turned: the path's way out turns with it.
+  // The last face lies in the strip as well, rotated: the direction in which the path leaves rotates with it.
   const Vec2 apex = surface_.hinges(f).apex[corner_of(entry)], last_spoke = spoke_of(portals_[last]);
   const Vec2 in_strip = bend.left ? last_spoke * apex : last_spoke - last_spoke * apex;
   if (!before_half_turn(out * spoke * conj(in_strip))) return false;
@@ -191,8 +191,8 @@ bool PathShortener::flip_at(const Bend& bend, size_t index, std::vector<Crossing
   return true;
 }
 
-/// Leads the path round the other side of all vertices where that is shorter, as far as their runs of
-/// portals are apart; from the last to the first, so that what comes before keeps its place.
+/// Moves the path to the other side of all vertices where that is shorter, as far as their runs of portals are
+/// apart; from the last to the first, so that what comes before keeps its place.
 bool PathShortener::flip(std::vector<Crossing>& crossings) {
   size_t untouched = portals_.size();
   for (size_t b = bends_.size(); b-- > 0;) {
@@ -215,8 +215,8 @@ void PathShortener::cross_portals(std::vector<Crossing>& crossings) const {
     const double span = to_left - to_right;
     crossings[i].t = clear_of_ends(span > 0 ? -to_right / span : 0.5);
   }
-  // Round a bend the portals end in its vertex, and may turn by more than pi, where no line through
-  // either piece meets them.
+  // The portals around a bend end in its vertex, and may turn by more than pi, where no line through either
+  // piece meets them.
   for (const Bend& bend : bends_) {
     const auto [first, last] = run_of(bend);
     for (size_t i = first; i <= last; ++i) crossings[i].t = clear_of_ends(bend.left ? 1 : 0);
@@ -243,7 +243,7 @@ PathShape PathShortener::shorten(const SurfacePoint& start, const SurfacePoint& 
 }
 
 /// Appends crossings that lead into `faces` faces more, from one that was entered by `entry` to `goal`;
-/// false, with none appended, if there is no such way.
+/// false, with none appended, if there is no such path.
 bool PathShortener::lead_to(uint32_t goal, uint32_t from, HalfEdge entry, int faces,
                             std::vector<Crossing>& crossings) const {
   if (faces == 0) return from == goal;

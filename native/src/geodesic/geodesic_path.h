@@ -4,7 +4,7 @@
 //
 // Nodes move less than a spacing in a step, so the old path between two neighbours plus the two
 // traces is already a path between their new places. It is pulled straight inside its strip of
-// faces (the funnel of Lee and Preparata 1984); where it then bends round a vertex that has less
+// faces (the funnel of Lee and Preparata 1984); where it then bends around a vertex that has less
 // than pi on its other side, the strip is flipped over to that side, and so on until nothing bends
 // that could be straight (Xin and Wang 2007; Sharp and Crane 2020). It costs the faces it crosses,
 // whatever the size of the mesh, and never jumps to another sheet.

@@ -56,10 +56,10 @@ class GeodesicWalk {
   bool ended_ = false, hit_boundary_ = false;
 };
 
-/// So many walks are led in turns, or both of so many nodes: enough that they wait for memory together.
+/// So many walks take turns, or the two walks of each of so many nodes: enough that they wait for memory together.
 inline constexpr uint32_t kTogether = 16;
 
-/// Leads all walks, 2 kTogether at most, to their ends, in turns; calls crossed(k) after walk k has crossed an edge.
+/// Takes all walks, 2 kTogether at most, to their ends in turns; calls crossed(k) after walk k has crossed an edge.
 template <class Crossed>
 void lead_together(std::vector<GeodesicWalk>& walks, const Crossed& crossed) {
   std::array<uint8_t, 2 * kTogether> under_way;

@@ -32,17 +32,17 @@ inline FaceFrame frame_beside(const Surface& s, HalfEdge entry, Vec2 left, Vec2 
   return {left - turn * s.corner(face_of(entry), corner_of(entry)), turn};
 }
 
-/// How Unfolding lays a face: by the shape of its triangle, from the edge that is there. The cheaper one, and it
-/// fetches a single line of memory; nothing is known of the face's own plane but what its corners say.
+/// How Unfolding lays a face: by the shape of its triangle, on the edge that is there. It is the cheaper layout,
+/// and fetches a single cache line; of the face's own plane only the corners are known.
 struct LayBySimilarity {
   Vec2 lay(const Surface& s, HalfEdge, HalfEdge entry, Vec2 right, Vec2 left) {
     return third_corner(s.hinges(face_of(entry)), corner_of(entry), left, right);
   }
 };
 
-/// How Unfolding lays a face: by the motion of its plane, which is kept for those who carry vectors and points
-/// back and forth in every face. Rounds differently, so both stay: which one a caller uses decides the last bits
-/// of a curve.
+/// How Unfolding lays a face: by the motion of its plane, which is kept for callers that carry vectors and points
+/// back and forth in every face. The two layouts round differently, so each caller has to keep to its own: it
+/// decides the last bits of a curve.
 struct LayByMotion {
   FaceFrame frame;  ///< of the present face
 
@@ -52,8 +52,8 @@ struct LayByMotion {
   }
 };
 
-/// A face laid in a plane, with the edge by which it is left; crossing that lays the next face. A value: no
-/// memory but its own, nothing that has to be reset.
+/// A face laid in a plane, with the edge by which it is left; the next face is laid across that edge. A small value,
+/// for one thread.
 template <class Layout>
 struct Unfolding : Layout {
   static constexpr uint32_t kRight = 0, kLeft = 1;
@@ -69,8 +69,8 @@ struct Unfolding : Layout {
   Vec2 lay_next(const Surface& s, HalfEdge entry) {
     return Layout::lay(s, exit, entry, ends[kRight], ends[kLeft]);
   }
-  /// Makes that face the present one. It is left with `apex` on `side`, between there and the end that stays.
-  /// There is no branch, for walks turn right and left at random.
+  /// Makes that face the present one. `apex` is on `side` of the edge by which it will be left; the end on the
+  /// other side stays. Without a branch, since walks turn left and right at random.
   void enter(HalfEdge entry, Vec2 apex, uint32_t side) {
     behind = ends[side];
     ends[side] = apex;

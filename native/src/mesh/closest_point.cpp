@@ -11,8 +11,7 @@
 namespace meander {
 namespace {
 
-/// A large face gets at most this many samples along a side, so that one huge face among tiny ones
-/// does not flood the tree.
+/// Most samples along a side of a face, so that one huge face among tiny ones does not swamp the tree.
 constexpr int kMostAlongSide = 64;
 
 /// Weights of the point of a triangle nearest to q (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
@@ -74,7 +73,7 @@ ClosestPoint::Samples ClosestPoint::sample(const Surface& surface) {
 
 ClosestPoint::Result ClosestPoint::operator()(const Vec3& q) const {
   const auto sample = tree_.nearest(q);
-  // So far away that its square is no number.
+  // So far away that the square of the distance overflows.
   if (!sample) return {make_point(0, 1, 0, 0), std::numeric_limits<double>::infinity()};
   const double bound = std::sqrt(sample->squared_distance) + reach_;
   std::vector<uint32_t> near, faces;

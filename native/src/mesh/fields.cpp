@@ -18,7 +18,8 @@ namespace {
 /// One implicit step of diffusion by this share of a radius averages over that radius.
 constexpr double kDiffusion = 0.5;
 
-/// A flat component has a line field without energy; this much of its area (a share) is added.
+/// On a flat component there is a line field without energy, and the matrix would be singular: this share of the
+/// areas is added to it.
 constexpr double kShift = 1e-6;
 
 using LineSolver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<Complex>>;
@@ -130,7 +131,7 @@ std::vector<double> curvature(const Surface& surface, CurvatureKind kind, double
 std::vector<Vec3> principal_directions(const Surface& surface, bool most, double radius) {
   const VertexGeometry g(surface);
   const Lines least = least_bending(g, radius);
-  // Where it bends alike in all directions only rounding would be left.
+  // Where the surface bends equally in all directions only rounding would be left.
   constexpr double kNothing = 1e-7;
   return g.to_space(most ? Lines(-least) : least, kNothing * mean_size(least));
 }
@@ -145,8 +146,8 @@ std::vector<Vec3> smoothest_directions(const Surface& surface) {
   const LineSolver solver(shifted(g.line_laplacian(), area));
   require_success(solver);
 
-  // Iteration takes its start to the nearest of all smoothest fields: directions of least bending, then
-  // the x-axis, and a little of everything, so that no start lies at right angles to the smoothest.
+  // Of several smoothest fields the iteration finds the one nearest to where it starts: at the directions of
+  // least bending, with some of the x-axis, and a little noise, so that no start is orthogonal to the smoothest.
   Lines x = least_bending(g, 0);
   normalise(x, area, component, count);
   constexpr double kAxis = 0.05, kNoise = 1e-3;
@@ -180,14 +181,14 @@ std::vector<Vec3> extended_directions(const Surface& surface, std::span<const St
   std::vector<uint8_t> stroked(surface.component_count(), 0);
   for (const Stroke& stroke : strokes) {
     for (size_t k = 0; k + 1 < stroke.size(); ++k) {
-      const Vec3 way = stroke[k + 1] - stroke[k];
-      const double length = way.norm();
+      const Vec3 along = stroke[k + 1] - stroke[k];
+      const double length = along.norm();
       if (!(length > 0)) continue;
       const auto samples = static_cast<size_t>(std::ceil(length / pitch));
       for (size_t q = 0; q < samples; ++q) {
         const double at = (static_cast<double>(q) + 0.5) / static_cast<double>(samples);
-        const SurfacePoint p = closest(stroke[k] + at * way).point;
-        const Vec2 flat{way.dot(surface.to_space(p.face, {1, 0})), way.dot(surface.to_space(p.face, {0, 1}))};
+        const SurfacePoint p = closest(stroke[k] + at * along).point;
+        const Vec2 flat{along.dot(surface.to_space(p.face, {1, 0})), along.dot(surface.to_space(p.face, {0, 1}))};
         if (!(norm(flat) > 1e-3 * length)) continue;
         for (uint32_t c = 0; c < 3; ++c) {
           const auto v = static_cast<Eigen::Index>(surface.face(p.face)[c]);

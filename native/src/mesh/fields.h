@@ -13,7 +13,7 @@ namespace meander {
 
 enum class CurvatureKind { kGaussian, kMean, kAbsoluteGaussian, kAbsoluteMean, kCurvedness };
 
-/// Lengths are in the surface's own unit; `radius`: what is averaged over, 0 for nothing.
+/// Lengths are in the surface's own unit. `radius`: the distance that is averaged over, 0 for none.
 /// Gaussian: angle defect over area. Mean: dihedral angles, Cohen-Steiner and Morvan 2003.
 std::vector<double> curvature(const Surface& surface, CurvatureKind kind, double radius);
 

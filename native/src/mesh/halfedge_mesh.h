@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface as a half-edge mesh that can be changed: edges are split, and what was made is walked round by
-// OpenMesh's circulators.
+// A surface as a half-edge mesh that can be changed: edges can be split, and OpenMesh's circulators go over the
+// result.
 #pragma once
 
 #include <vector>
@@ -16,9 +16,11 @@ namespace meander {
 /// efficient polygon mesh data structure", 2002), for work off the hot path that a Surface, which never changes,
 /// does not allow. Vertices and faces keep their numbers; vertices that no face uses are isolated ones.
 ///
-/// Only connectivity is OpenMesh's: places stand here, so that neither its vectors nor its attributes are
-/// needed. It is set up from the surface's own neighbours, in linear time: add_face() would search for each of
-/// them among all edges of a vertex.
+/// Only the connectivity is OpenMesh's. Positions are kept here, so that neither its vectors nor its attributes
+/// are needed. It is set up from the neighbours that the surface knows, in linear time: add_face() would search
+/// for each of them among all edges of a vertex.
+///
+/// Belongs to one thread while edges are split; any thread may read it otherwise. Keeps nothing of the surface.
 class HalfedgeMesh {
  public:
   using Connectivity = OpenMesh::TriConnectivity;
@@ -29,7 +31,7 @@ class HalfedgeMesh {
 
   explicit HalfedgeMesh(const Surface& surface);
 
-  /// Who is whose neighbour, for circulators and walks. Boundary half-edges, which have no face, are joined to
+  /// Neighbours of vertices, edges and faces. Boundary half-edges, which have no face, are joined to
   /// loops. The outgoing half-edge of a vertex on the boundary is a boundary one.
   const Connectivity& connectivity() const { return connectivity_; }
 
@@ -41,7 +43,7 @@ class HalfedgeMesh {
 
   /// Halves an edge and the faces beside it. Edge and faces keep their numbers for one half each; the new
   /// vertex, edges and faces have the next ones. Linear interpolation, so the surface stays where it is.
-  /// Throws Failure(kOutOfMemory) where OpenMesh's numbers, which have 31 bits, run out.
+  /// Throws Failure(FailureKind::kOutOfMemory) where OpenMesh's numbers, which have 31 bits, run out.
   Vertex split(Edge e);
 
  private:

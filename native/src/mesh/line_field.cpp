@@ -8,7 +8,7 @@ namespace meander {
 Vec2 square_root(Vec2 square) {
   const double length = norm(square);
   if (!(length > 0)) return {};
-  // The larger part first, so that nothing cancels.
+  // The larger part first, so that there is no cancellation.
   if (square.x >= 0) {
     const double x = std::sqrt(0.5 * (length + square.x));
     return {x, 0.5 * square.y / x};
@@ -18,7 +18,7 @@ Vec2 square_root(Vec2 square) {
 }
 
 LineField::LineField(const Surface& surface, std::span<const Vec3> directions, bool across) {
-  /// What is left of a vector that stands on its face at nearly a right angle says nothing.
+  // Almost perpendicular to its face: what is left of a vector in the face's plane means nothing.
   constexpr double kLeastTangential = 1e-3;
   std::vector<Vec2> square(3 * surface.face_count());
   bool any = false;
@@ -26,7 +26,7 @@ LineField::LineField(const Surface& surface, std::span<const Vec3> directions, b
     const Vec3 x = surface.to_space(f, {1, 0}), y = surface.to_space(f, {0, 1});
     for (uint32_t k = 0; k < 3; ++k) {
       Vec3 v = directions[surface.face(f)[k]];
-      // Lengths whose square would overflow or vanish count like any other.
+      // Divided first: squares of lengths must not overflow or underflow.
       const double largest = v.cwiseAbs().maxCoeff();
       if (!v.allFinite() || !(largest > 0)) continue;
       v = (v / largest).normalized();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A field of lines on the surface, as the curve is to follow it (eq. 11).
+// The field of lines on the surface that the curve is to follow (eq. 11).
 #pragma once
 
 #include <span>
@@ -15,19 +15,19 @@ Vec2 square_root(Vec2 square);
 
 /// Lines have no sign, so what is blended over a face are the squares of unit vectors, read as complex
 /// numbers (Knoppel et al. 2013). Where the corners of a face disagree the blend is shorter than 1, and
-/// at a singularity it vanishes: there the field wishes for nothing.
+/// at a singularity it vanishes: there the field has no direction.
 class LineField {
  public:
   LineField() = default;
 
-  /// One vector in space a vertex, of any length; zero or not finite: no wish there. `across`: the
-  /// lines at right angles to them.
+  /// One vector in space for each vertex, of any length; no direction where it is zero or not finite.
+  /// `across`: the lines at right angles to them.
   LineField(const Surface& surface, std::span<const Vec3> directions, bool across);
 
-  /// Takes the lines along when the corners of the faces move.
+  /// Carries the lines along when the corners of the faces move; both surfaces have the same faces.
   void ride(const Surface& from, const Surface& to);
 
-  /// Nothing is wished for anywhere.
+  /// No direction anywhere.
   bool empty() const { return square_.empty(); }
 
   /// The line at a point in the plane of its face, of either sign; its length, at most 1, says how

@@ -112,9 +112,9 @@ struct SidesOfVertices {
 
   SidesOfVertices(const Table<Triangle>& faces, size_t vertex_count, ThreadPool& pool)
       : sides(3 * faces.size()), end(vertex_count + 1, 0) {
-    // A counting sort: in the second pass `end` is where the next side of a vertex goes. Every thread reads
-    // all faces and looks after some of the vertices, whose sides so come in the order of the faces whatever
-    // the number of threads. More than a few would only read.
+    // A counting sort: in the second pass `end` is where the next side of a vertex goes. Every thread reads all
+    // faces and handles some of the vertices, so that the sides of a vertex come in the order of the faces
+    // whatever the number of threads. With more than a few threads reading would dominate.
     constexpr unsigned kMostReaders = 4;
     const size_t share = vertex_count / std::min(pool.size(), kMostReaders) + 1;
     const auto each = [&](const auto& put) {
@@ -180,29 +180,29 @@ Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, co
   return mate;
 }
 
-/// Numbers the components, in the order of their first faces. Every thread joins the faces of its blocks;
-/// what hangs together across blocks is joined afterwards.
+/// Numbers the components in the order of their first faces. Every thread joins the faces of its blocks;
+/// neighbours in different blocks are joined afterwards.
 void number_components(CheckedMesh& mesh, ThreadPool& pool) {
   const auto face_count = static_cast<uint32_t>(mesh.faces.size());
-  DisjointSets groups(face_count);
+  DisjointSets sets(face_count);
   std::vector<std::vector<uint32_t>> across(ThreadPool::block_count(face_count, kBlock));  // sides
   pool.for_blocks(face_count, kBlock, [&](size_t block, size_t begin, size_t end) {
     for (auto side = static_cast<uint32_t>(3 * begin); side < 3 * end; ++side) {
       const uint32_t f = side / 3, other = mesh.twin[side];
       if (other == kNoTwin || other / 3 >= f) continue;
       if (other / 3 >= begin) {
-        groups.join(f, other / 3);
+        sets.join(f, other / 3);
       } else {
         across[block].push_back(side);
       }
     }
   });
   for (const std::vector<uint32_t>& sides : across) {
-    for (const uint32_t side : sides) groups.join(side / 3, mesh.twin[side] / 3);
+    for (const uint32_t side : sides) sets.join(side / 3, mesh.twin[side] / 3);
   }
   mesh.component.resize(face_count);
   for (uint32_t f = 0; f < face_count; ++f) {
-    const uint32_t first = groups.find(f);
+    const uint32_t first = sets.find(f);
     mesh.component[f] = first == f ? mesh.component_count++ : mesh.component[first];
   }
 }
@@ -213,7 +213,8 @@ bool opposed(const CheckedMesh& mesh, uint32_t side) {
   return mesh.faces[side / 3][side % 3] != mesh.faces[other / 3][other % 3];
 }
 
-/// Finds faces to be turned so that neighbours agree.
+/// Finds the faces to be flipped so that neighbours agree. A flood from face to face; the first face of a
+/// component stays as it is.
 void orient(CheckedMesh& mesh, const Names& names, ThreadPool& pool) {
   const size_t face_count = mesh.faces.size();
   mesh.flipped.assign(face_count, 0);
@@ -249,9 +250,8 @@ void orient(CheckedMesh& mesh, const Names& names, ThreadPool& pool) {
   }
 }
 
-/// Turns the faces that orient() found to be the wrong way round: corners 1 and 2 change places, and so
-/// half-edges 0 and 2.
-void turn(CheckedMesh& mesh) {
+/// Flips the faces that orient() has found: corners 1 and 2 change places, and with them half-edges 0 and 2.
+void flip(CheckedMesh& mesh) {
   if (std::find(mesh.flipped.begin(), mesh.flipped.end(), 1) == mesh.flipped.end()) return;
   for (uint32_t& other : mesh.twin) {
     if (other != kNoTwin && mesh.flipped[other / 3]) other = 3 * (other / 3) + 2 - other % 3;
@@ -272,7 +272,7 @@ void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& n
       any.store(corner, std::memory_order_relaxed);  // whichever comes last
     }
   });
-  // Works before faces are turned, since it looks the vertex up each time.
+  // Works before faces are flipped, too, since it finds the corner of the vertex in every face.
   const auto corner_of = [&](uint32_t face, uint32_t v) {
     uint32_t k = 0;
     while (mesh.faces[face][k] != v) ++k;
@@ -286,7 +286,7 @@ void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& n
       uint32_t side = direction == 0 ? first : 3 * (first / 3) + (first % 3 + 2) % 3;
       while (mesh.twin[side] != kNoTwin) {
         const uint32_t other = mesh.twin[side], face = other / 3, corner = corner_of(face, v);
-        if (corner == first) return seen;  // came round: a closed fan
+        if (corner == first) return seen;  // a closed fan
         ++seen;
         // The other side of this face at v.
         side = other == corner ? 3 * face + (corner % 3 + 2) % 3 : corner;
@@ -355,7 +355,7 @@ CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_
   check_vertices(mesh, vertices.size() / 3, names, pool);
   number_components(mesh, pool);
   orient(mesh, names, pool);
-  turn(mesh);
+  flip(mesh);
   return mesh;
 }
 

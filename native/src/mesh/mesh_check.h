@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds what makes a list of triangles unusable, and names the element; what is left is a manifold, and
-// its faces know their neighbours.
+// Finds what makes a list of triangles unusable, and names the element. A mesh that passes is a manifold whose
+// faces know their neighbours.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ namespace meander {
 
 using Triangle = std::array<uint32_t, 3>;
 
-/// A face is without area when its height over the longest side is below this share of the mesh.
-/// Twice what single precision resolves would already refuse scans that Blender shows as fine.
+/// A face has no area when its height over the longest side is below this share of the mesh's size. Twice the
+/// resolution of single precision would already refuse scans that look fine in Blender.
 inline constexpr double kFlatFace = 1e-8;
 
 /// No half-edge.
@@ -48,12 +48,12 @@ struct CheckedMesh {
 void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces);
 
 /// Checks `faces` over `vertices` (xyz xyz ...). Throws Failure(FailureKind::kInvalidMesh) that names the
-/// first element which cannot be used; see meander_surface_create for the list. Of a prepared mesh it
-/// names the caller's elements that `map` tells.
+/// first element that cannot be used; see meander_surface_create for the list. For a prepared mesh it names
+/// the caller's elements, which `map` knows.
 CheckedMesh check_mesh(std::span<const double> vertices, std::span<const uint32_t> faces, ThreadPool& pool,
                        const MeshMap* map = nullptr);
 
-/// Checks what depends on the places of the vertices only, numbers and areas, for `faces` that were
+/// Checks only what depends on the positions of the vertices, numbers and areas, for `faces` that have been
 /// checked before. Throws as check_mesh does.
 Placement check_placement(std::span<const double> vertices, const Table<Triangle>& faces, ThreadPool& pool,
                           const MeshMap* map = nullptr);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the vertices and faces of a prepared mesh came from, so that the caller goes on speaking of the
-// mesh that was passed.
+// Where the vertices and faces of a prepared mesh come from, so that the caller can keep using the numbers of
+// the original mesh.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class MeshMap {
  public:
   using Weights = std::array<double, 3>;
 
-  /// Lies at the share t from the caller's vertex a to b.
+  /// At the share t of the edge from the caller's vertex a to b.
   struct VertexOrigin {
     uint32_t a = 0, b = 0;
     double t = 0;

@@ -87,7 +87,7 @@ class MeshPreparation {
     corner_weights_.push_back(weights);
     return {v, of.source, static_cast<uint32_t>(corner_weights_.size() - 1)};
   }
-  void replace_vertices(DisjointSets& groups);
+  void replace_vertices(DisjointSets& sets);
   void drop_doubled();
   bool dissolve_pass();
   /// Per edge, in order of the key: key and face.
@@ -134,13 +134,13 @@ void MeshPreparation::mask_faces(std::span<const uint8_t> mask) {
   measure();  // what is left is the mesh from here on
 }
 
-/// Every vertex takes the name of its group; faces that lose a corner by it go.
-void MeshPreparation::replace_vertices(DisjointSets& groups) {
+/// Every vertex becomes the first one of its set; faces that lose a corner are dropped.
+void MeshPreparation::replace_vertices(DisjointSets& sets) {
   for (Face& face : faces_) {
     for (uint32_t& v : face.v) {
-      const uint32_t group = groups.find(v);
-      at_mask_[group] |= at_mask_[v];
-      v = group;
+      const uint32_t set = sets.find(v);
+      at_mask_[set] |= at_mask_[v];
+      v = set;
     }
   }
   counts_.dropped_faces += static_cast<uint32_t>(std::erase_if(faces_, [](const Face& face) {
@@ -150,7 +150,7 @@ void MeshPreparation::replace_vertices(DisjointSets& groups) {
 }
 
 void MeshPreparation::merge_vertices(double distance) {
-  // A grid of cells of the wanted size: what is near enough lies in the 27 cells around.
+  // A grid of cells as wide as the distance: all vertices that are near enough are in the 27 cells around.
   using Cell = std::array<double, 3>;
   std::vector<uint8_t> used(positions_.size(), 0);
   for (const Face& face : faces_) {
@@ -165,7 +165,7 @@ void MeshPreparation::merge_vertices(double distance) {
   }
   std::sort(sorted.begin(), sorted.end());
   std::vector<uint8_t> merged(positions_.size(), 0);
-  DisjointSets groups(positions_.size());
+  DisjointSets sets(positions_.size());
   for (uint32_t v = 0; v < positions_.size(); ++v) {
     if (!used[v] || merged[v]) continue;
     const Cell cell = cell_of(positions_[v]);
@@ -177,28 +177,28 @@ void MeshPreparation::merge_vertices(double distance) {
           const uint32_t w = at->second;
           if (w <= v || merged[w] || !((positions_[w] - positions_[v]).norm() <= distance)) continue;
           merged[w] = 1;
-          groups.join(v, w);
+          sets.join(v, w);
           ++counts_.merged_vertices;
         }
       }
     }
   }
-  replace_vertices(groups);
+  replace_vertices(sets);
 }
 
 void MeshPreparation::dissolve_degenerate() {
   // Faces that name a vertex twice.
   DisjointSets nothing(positions_.size());
   replace_vertices(nothing);
-  // A pass settles what does not touch each other; chains of flat faces need several.
+  // One pass handles flat faces that do not touch each other; chains of them need several.
   constexpr int kMostPasses = 64;
   for (int pass = 0; pass < kMostPasses && dissolve_pass(); ++pass) {
   }
   drop_doubled();
 }
 
-/// Dissolves flat faces: a short edge becomes a vertex; a face whose corner lies on its longest edge
-/// goes, and the face beyond that edge is divided at the corner. True if there was one.
+/// Dissolves flat faces: a short edge becomes a vertex; a face with a corner on its longest edge is removed, and
+/// the face beyond that edge is divided at the corner. True if there was one.
 bool MeshPreparation::dissolve_pass() {
   std::vector<uint32_t> flat;
   const double limit = kFlat * diagonal_;
@@ -212,7 +212,7 @@ bool MeshPreparation::dissolve_pass() {
   const auto edges = this->edges();
   std::vector<uint8_t> touched(faces_.size(), 0);
   std::vector<uint8_t> gone(faces_.size(), 0);
-  DisjointSets groups(positions_.size());
+  DisjointSets sets(positions_.size());
   for (const uint32_t f : flat) {
     if (touched[f]) continue;
     const Triangle v = faces_[f].v;
@@ -225,7 +225,7 @@ bool MeshPreparation::dissolve_pass() {
     const size_t shortest = static_cast<size_t>(std::min_element(length, length + 3) - length);
     touched[f] = 1;
     if (length[shortest] <= limit) {
-      if (groups.join(v[shortest], v[(shortest + 1) % 3])) ++counts_.merged_vertices;
+      if (sets.join(v[shortest], v[(shortest + 1) % 3])) ++counts_.merged_vertices;
       continue;
     }
     const uint32_t a = v[longest], b = v[(longest + 1) % 3], c = v[(longest + 2) % 3];
@@ -247,8 +247,8 @@ bool MeshPreparation::dissolve_pass() {
     const size_t k1 = (k + 1) % 3, k2 = (k + 2) % 3;
     if (g.v[k2] == c) continue;  // the same three corners: one of the two is enough
     touched[other] = 1;
-    const Vec3 from = positions_[g.v[k]], way = positions_[g.v[k1]] - from;
-    const double t = std::clamp((positions_[c] - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    const Vec3 from = positions_[g.v[k]], edge = positions_[g.v[k1]] - from;
+    const double t = std::clamp((positions_[c] - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
     const Weights w[3] = {corner_weight(g, k), corner_weight(g, k1), corner_weight(g, k2)};
     const Weights middle = between(w[0], w[1], t);
     faces_[other] = piece(g, {g.v[k], c, g.v[k2]}, {w[0], middle, w[2]});
@@ -261,7 +261,7 @@ bool MeshPreparation::dissolve_pass() {
     if (!gone[f]) faces_[kept++] = faces_[f];
   }
   faces_.resize(kept);
-  replace_vertices(groups);
+  replace_vertices(sets);
   return true;
 }
 
@@ -283,11 +283,11 @@ void MeshPreparation::drop_doubled() {
   faces_.resize(kept);
 }
 
-/// Cuts away what lies below the threshold, along straight lines across faces.
+/// Cuts away the parts below the threshold, along straight lines across faces.
 void MeshPreparation::clip(std::span<const double> values, double threshold) {
   std::vector<double> height(positions_.size());
   for (size_t v = 0; v < height.size(); ++v) height[v] = values[v] - threshold;
-  // A vertex that the edge of the mask passes closely lies on it; its neighbours are then cut there.
+  // A vertex that the edge of the mask passes closely is taken to lie on it; its neighbours are then cut there.
   enum Side : uint8_t { kOut, kOn, kIn };
   std::vector<Side> side(positions_.size());
   for (size_t v = 0; v < side.size(); ++v) side[v] = height[v] > 0 ? kIn : (height[v] < 0 ? kOut : kOn);
@@ -370,7 +370,7 @@ void MeshPreparation::clip(std::span<const double> values, double threshold) {
 }
 
 /// Gives every fan of faces at a vertex a vertex of its own: at edges with more than two faces when
-/// these are cut, at bow-ties, and where a mask has taken away what held the fans together.
+/// these are cut, at bow-ties, and where a mask has removed the faces that connected the fans.
 void MeshPreparation::split_vertices(bool bow_ties, bool non_manifold) {
   std::vector<uint8_t> at_cut(positions_.size(), 0);
   DisjointSets fans(3 * faces_.size());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes of a mesh as artists have it one that passes the strict check: merges, drops, cuts, and leaves
-// out what a mask excludes; and remembers where every vertex and face came from, so that the caller
-// goes on speaking of his own.
+// Turns a mesh as artists have it into one that passes the strict check: merges vertices, drops and cuts faces,
+// and leaves out what a mask excludes. It records where every vertex and face comes from, so that the caller
+// can keep using the numbers of the original mesh.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct PrepareSettings {
   bool cut_non_manifold = false;
   std::span<const uint8_t> face_mask;  ///< per face, or empty
   std::span<const double> vertex_mask; ///< per vertex, or empty
-  double mask_threshold = 0;           ///< what is below it is left out
+  double mask_threshold = 0;           ///< where the mask is below it the surface is left out
 
   bool changes_nothing() const {
     return merge_distance == 0 && !drop_degenerate && !split_bow_ties && !cut_non_manifold && face_mask.empty() &&

@@ -34,7 +34,7 @@ void NormalField::find() const {
     for (uint32_t f = 0; f < surface.face_count(); ++f) {
       const Triangle& t = surface.face(f);
       const Vec3 all = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
-      // Each neighbour is met in two faces, so it counts half of each time.
+      // Each neighbour is in two of the faces, so it counts half each time.
       for (uint32_t k = 0; k < 3; ++k) sum[t[k]] += 0.5 * (all - normals_[t[k]]);
     }
     for (size_t v = 0; v < sum.size(); ++v) normals_[v] = unit_or(sum[v], normals_[v]);

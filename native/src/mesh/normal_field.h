@@ -10,13 +10,13 @@
 
 namespace meander {
 
-/// Surface normals for whoever renders or follows the curve; the flow itself needs none.
+/// Surface normals for callers that render or follow the curve; the flow itself needs none.
 ///
 /// Vertex normals, weighted by angle and, where faces are much smaller than r, averaged over about
 /// r / 2 so that noise in them does not show, blended over each face.
 class NormalField {
  public:
-  /// Finds them when they are first asked for, which may be on any thread.
+  /// The normals are computed when they are first asked for, on any thread.
   NormalField(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
   /// The unit normal at the point of face f with these weights of its corners.

@@ -47,7 +47,7 @@ Surface Surface::deformed(std::span<const double> vertices, ThreadPool& pool, co
   return moved;
 }
 
-/// Brings the vertices into the box's own unit.
+/// Converts the vertices to units of the bounding box's diagonal.
 void Surface::place(const Placement& placement, ThreadPool& pool) {
   low_ = Vec3(placement.low[0], placement.low[1], placement.low[2]);
   scale_ = placement.diagonal;
@@ -89,7 +89,7 @@ void Surface::lay_out(ThreadPool& pool) {
                   "Face " + std::to_string(without_area) + " has no area; dissolve degenerate faces.",
                   ElementKind::kFace, static_cast<uint32_t>(without_area));
   }
-  // Sums are taken in the order of the faces, whoever laid them out.
+  // Sums are taken in the order of the faces, whichever threads laid them out.
   area_ = 0;
   double edge_sum = 0;
   for (uint32_t f = 0; f < n; ++f) {
@@ -126,9 +126,9 @@ bool Surface::lay_out_face(uint32_t f) {
   return true;
 }
 
-/// Neighbours and boundary, from what the check of the mesh found. A boundary loop is followed from
-/// half-edge to half-edge: the faces of a vertex are one fan, so that one of its half-edges at most
-/// leaves it along the boundary.
+/// Neighbours and boundary, from the half-edge pairs that the check of the mesh found. A boundary loop is followed
+/// from half-edge to half-edge: the faces of a vertex are one fan, so at most one of its half-edges leaves it
+/// along the boundary.
 void Surface::connect(const Table<HalfEdge>& twins, ThreadPool& pool) {
   hinges_.resize(faces_.size());
   std::vector<std::vector<HalfEdge>> boundary(ThreadPool::block_count(faces_.size(), kBlock));

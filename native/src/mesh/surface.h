@@ -48,8 +48,8 @@ class Surface {
   /// surface is the same for any number.
   Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads = 1);
 
-  /// The same faces with their vertices in other places. What the connectivity decides is taken over,
-  /// so a point of a face, or of an edge, is one of the new surface too. The unit becomes the new
+  /// The same faces with their vertices in other places. The connectivity stays the same, so a point of a face,
+  /// or of an edge, is one of the new surface too. The unit becomes the new
   /// diagonal. `vertices` are as many as before. Throws Failure(FailureKind::kInvalidMesh) for coordinates
   /// that are not finite and for faces without area; `map` names the caller's.
   Surface deformed(std::span<const double> vertices, ThreadPool& pool, const MeshMap* map = nullptr) const;
@@ -81,11 +81,11 @@ class Surface {
 
   /// The half-edge of the neighbouring face on the same edge, kNone at the boundary.
   HalfEdge twin(HalfEdge e) const { return hinges_[face_of(e)].twin[corner_of(e)]; }
-  /// All that unfolding needs of a face, in one line of the caches: on fine meshes a walk costs what
-  /// it has to fetch.
+  /// All that unfolding needs of a face, in one cache line: on fine meshes the cost of a walk is what it has to
+  /// fetch.
   struct alignas(64) Hinges {
     /// Per half-edge the corner opposite to it, as a complex number: 0 is the start of the half-edge,
-    /// 1 its end. So a face is laid beside the one before it, wherever that lies, by one product.
+    /// 1 its end. One product then lays a face beside the one before it, wherever that lies.
     std::array<Vec2, 3> apex;
     std::array<HalfEdge, 3> twin;
   };
@@ -122,8 +122,8 @@ class Surface {
   Vec2 to_plane(uint32_t f, const Vec3& v) const { return {v.dot(x_axis_[f]), v.dot(y_axis(f))}; }
   const Vec3& face_normal(uint32_t f) const { return face_normal_[f]; }
   double face_area(uint32_t f) const { return 0.5 * flat_[f].x1 * flat_[f].y2; }
-  /// Sum of the angles of the faces around v; infinite on the boundary, since nothing goes round there.
-  /// The first call finds those of all vertices.
+  /// Sum of the angles of the faces around v; infinite on the boundary, where faces do not surround the vertex.
+  /// The first call computes it for all vertices.
   double total_angle(uint32_t v) const {
     std::call_once(angles_.found, [this] { add_up_angles(); });
     return angles_.total[v];
@@ -136,7 +136,7 @@ class Surface {
   struct Flat {
     double x1, x2, y2;
   };
-  /// Found when somebody asks; a copy, whose vertices may move, finds its own.
+  /// Computed when first asked for; a copy, whose vertices may move, computes its own.
   struct Angles {
     std::once_flag found;
     Table<double> total;

@@ -56,8 +56,8 @@ inline SurfacePoint point_at(const Surface& s, uint32_t f, Vec2 q) {
 }
 
 /// Where a path leaves a face: at the share t, in (0, 1), of its half-edge e. t is a multiple of
-/// kGrain, so the same point seen from the twin, 1 - t, is exact. The twin is kept, since who follows a
-/// path on a fine mesh would have to fetch every face of it for that alone.
+/// kGrain, so the same point seen from the twin, 1 - t, is exact. The twin is stored: on a fine mesh, following
+/// a path would otherwise have to fetch every face of it for that alone.
 struct Crossing {
   HalfEdge e = 0, twin = 0;
   double t = 0.5;

@@ -68,7 +68,7 @@ void VertexGeometry::find_angles() {
   axis_.assign(n, Vec3::Zero());
   scale_.assign(n, 1);
   angle_.assign(3 * surface_.face_count(), 0);
-  // Where the round of each vertex begins: at the boundary with the edge that has no face on its right.
+  // The first half-edge around each vertex: at the boundary the one that has no face on its right.
   std::vector<HalfEdge> start(n, kNone);
   for (HalfEdge e = 0; e < 3 * surface_.face_count(); ++e) {
     HalfEdge& s = start[surface_.face(face_of(e))[corner_of(e)]];

@@ -18,10 +18,10 @@ using Complex = std::complex<double>;
 using Functions = Eigen::VectorXd;   ///< one value a vertex
 using Lines = Eigen::VectorXcd;      ///< one squared vector a vertex, in the vertex's own plane
 
-/// The tangent plane of a vertex is what its faces become when they are laid out flat round it: angles
+/// The tangent plane of a vertex is what its faces become when they are laid out flat around it: angles
 /// between edges are scaled to make a full turn (Polthier and Schmies 1998; Knoppel et al. 2013). At the
-/// boundary they are left as they are, so that a flat sheet is flat. Vertices that no face uses have
-/// no area and take part in nothing.
+/// boundary they are left as they are, so that a flat sheet stays flat. Vertices that no face uses have no
+/// area, and everything is zero there.
 class VertexGeometry {
  public:
   explicit VertexGeometry(const Surface& surface);
