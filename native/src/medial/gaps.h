@@ -5,17 +5,11 @@
 
 #include <vector>
 
+#include "medial/emptiness.h"
 #include "medial/frames.h"
 #include "medial/medial_axis.h"
 
 namespace meander {
-
-/// A place that the curve leaves empty.
-struct Gap {
-  SurfacePoint centre;
-  double radius = 0;  ///< distance in space from the centre to the curve
-  double size = 0;    ///< the radius in units of the local r at the centre
-};
 
 /// Size from which on a place is called a gap, where the caller does not say. Between parallel strands
 /// at the wanted spacing it is 1. Between the tips of two hairpins and a straight strand it is 1.5 if

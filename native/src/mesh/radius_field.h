@@ -3,6 +3,7 @@
 // The radius r wanted at every point of the surface.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -35,6 +36,9 @@ class RadiusField {
   double at(const Surface& surface, const SurfacePoint& p) const {
     return varies() ? at(surface.face(p.face), p) : everywhere_;
   }
+
+  /// The smallest anywhere.
+  double least() const { return varies() ? *std::min_element(at_vertex_.begin(), at_vertex_.end()) : everywhere_; }
 
   /// Becomes `factor` times `field`, which is of the same surface, in the memory that it has.
   void set_multiple(const RadiusField& field, double factor) {

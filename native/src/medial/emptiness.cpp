@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "medial/emptiness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <unordered_set>
+
+
+namespace meander {
+namespace {
+
+/// What hangs together with a place is looked for up to this many r from it.
+constexpr double kFarthest = 3;
+
+/// What is gathered of the curve for points nearby reaches this many r farther than the first of them needs.
+constexpr double kMargin = 0.5;
+
+/// A geodesic inside of a face, and its rounded end, differ by less than this share of r.
+constexpr double kRounded = 0.001;
+
+/// Rounding of a distance, as a share of it, is less than this.
+constexpr double kRounding = 1e-6;
+
+}  // namespace
+
+SegmentsOfFaces::SegmentsOfFaces(const Surface& surface, const Curve& curve) : first_(surface.face_count() + 1, 0) {
+  const auto for_all = [&](const auto& visit) {
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      visit(curve.nodes[i].face, i);
+      if (!curve.has_segment(i)) continue;
+      for (const Crossing& crossing : curve.paths[i]) visit(face_of(crossing.twin), i);
+    }
+  };
+  for_all([&](uint32_t face, uint32_t) { ++first_[face + 1]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  segments_.resize(first_.back());
+  std::vector<uint32_t> next = first_;
+  for_all([&](uint32_t face, uint32_t segment) { segments_[next[face]++] = segment; });
+}
+
+Emptiness::Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
+                     const RadiusField& radius, bool along_surface)
+    : surface_(surface), curve_(curve), radius_(radius), tree_(nodes) {
+  for (const PathShape& shape : curve.shapes) longest_half_ = std::max(longest_half_, 0.5 * shape.length);
+  if (along_surface) segments_.emplace(surface, curve);
+}
+
+bool Emptiness::closer_than(const SurfacePoint& p, double size) const {
+  const double r = local_radius(p), reach = size * r;
+  const auto nearest = tree_.nearest(position(surface_, p), reach * reach);
+  // What is on another sheet counts as no farther than kFarthest, see at().
+  if (!nearest || !segments_ || reach >= kFarthest * r) return nearest.has_value();
+  return hang_together(p, curve_.nodes[nearest->index].face, tree_.points()[nearest->index], reach) ||
+         distance_on_surface(p, reach) < reach;
+}
+
+Gap Emptiness::at(const SurfacePoint& p) const {
+  const Vec3 x = position(surface_, p);
+  const PointTree::Hit nearest = *tree_.nearest(x);
+  // The nearest segment need not be one of the nearest node's, but one of its own nodes is at most
+  // half its length farther than it is.
+  std::vector<uint32_t> near;
+  const double reach = std::sqrt(nearest.squared_distance) + longest_half_;
+  tree_.within(x, reach * reach, near);
+  double distance = std::sqrt(nearest.squared_distance);
+  uint32_t closest = kNone;
+  for (const uint32_t node : near) {
+    for (const uint32_t segment : {curve_.previous(node), node}) {
+      if (segment == kNone || !curve_.has_segment(segment)) continue;
+      const double d = distance_to_path(x, segment);
+      if (d < distance) {
+        distance = d;
+        closest = segment;
+      }
+    }
+  }
+  const double r = local_radius(p);
+  if (segments_ && distance < kFarthest * r && !reaches(p, distance, closest, nearest.index)) {
+    distance = std::min(distance_on_surface(p, kFarthest * r), kFarthest * r);
+  }
+  return {p, distance, distance / r};
+}
+
+double Emptiness::distance_to_path(const Vec3& x, uint32_t segment) const {
+  double distance = std::numeric_limits<double>::infinity();
+  Vec3 from = tree_.points()[segment];
+  for (const Crossing& crossing : curve_.paths[segment]) {
+    const Vec3 to = position(surface_, crossing);
+    distance = std::min(distance, distance_to_segment(x, from, to));
+    from = to;
+  }
+  return std::min(distance, distance_to_segment(x, from, tree_.points()[curve_.next(segment)]));
+}
+
+/// Whether the nearest piece of the curve, of a segment or else a node, is on the same sheet as a point.
+bool Emptiness::reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const {
+  if (segment == kNone) return hang_together(p, curve_.nodes[node].face, tree_.points()[node], distance);
+  const Vec3 x = position(surface_, p);
+  Vec3 from = tree_.points()[segment];
+  uint32_t face = curve_.nodes[segment].face;
+  for (const Crossing& crossing : curve_.paths[segment]) {
+    const Vec3 to = position(surface_, crossing);
+    if (distance_to_segment(x, from, to) <= distance) return hang_together(p, face, from, distance);
+    from = to;
+    face = face_of(crossing.twin);
+  }
+  return hang_together(p, face, from, distance);
+}
+
+/// Whether a few faces, the ones nearest to `goal` first, lead from a point to another face inside of a
+/// ball around the point; false also where they are many.
+bool Emptiness::hang_together(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const {
+  constexpr size_t kMost = 64;
+  const Vec3 x = position(surface_, p);
+  std::array<uint32_t, kMost> faces;
+  std::array<double, kMost> left;  // to the goal from the edge by which a face was entered
+  size_t count = 1, done = 0;
+  faces[0] = p.face;
+  left[0] = 0;
+  while (done < count) {
+    size_t next = done;
+    for (size_t k = done; k < count; ++k) next = left[k] < left[next] ? k : next;
+    std::swap(faces[done], faces[next]);
+    std::swap(left[done], left[next]);
+    const uint32_t f = faces[done++];
+    if (f == face) return true;
+    const Triangle& corners = surface_.face(f);
+    for (uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge twin = surface_.twin(3 * f + k);
+      if (twin == kNone) continue;
+      const uint32_t other = face_of(twin);
+      const Vec3& a = surface_.position(corners[k]);
+      const Vec3& b = surface_.position(corners[next_corner(k)]);
+      if (!(distance_to_segment(x, a, b) < radius)) continue;
+      if (std::find(faces.begin(), faces.begin() + count, other) != faces.begin() + count) continue;
+      if (count == kMost) return false;
+      faces[count] = other;
+      left[count++] = distance_to_segment(goal, a, b);
+    }
+  }
+  return false;
+}
+
+/// The radius of the smallest ball around a point whose part of the surface that hangs together with the
+/// point has a piece of the curve on it; infinite if it is not below `most`. Faces are entered in the
+/// order in which a growing ball reaches the edges between them.
+double Emptiness::distance_on_surface(const SurfacePoint& p, double most) const {
+  const Vec3 x = position(surface_, p);
+  using Entry = std::pair<double, uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::unordered_set<uint32_t> entered;
+  double distance = std::numeric_limits<double>::infinity();
+  queue.push({0, p.face});
+  while (!queue.empty() && queue.top().first < std::min(most, distance)) {
+    const auto [radius, face] = queue.top();
+    queue.pop();
+    if (!entered.insert(face).second) continue;
+    for (const uint32_t segment : segments_->of(face)) {
+      const double d = curve_.has_segment(segment) ? distance_to_path(x, segment)
+                                                   : (tree_.points()[segment] - x).norm();
+      distance = std::min(distance, std::max(radius, d));
+    }
+    const Triangle& corners = surface_.face(face);
+    for (uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge twin = surface_.twin(3 * face + k);
+      if (twin == kNone || entered.contains(face_of(twin))) continue;
+      const double d = distance_to_segment(x, surface_.position(corners[k]),
+                                           surface_.position(corners[next_corner(k)]));
+      if (d < most) queue.push({std::max(radius, d), face_of(twin)});
+    }
+  }
+  return distance < most ? distance : std::numeric_limits<double>::infinity();
+}
+
+std::optional<Gap> EmptinessNearby::above(const SurfacePoint& p, double size) {
+  // What is on another sheet does not count there, so that the nearest part of the curve is not enough.
+  if (emptiness_.segments_) {
+    if (emptiness_.closer_than(p, size)) return std::nullopt;
+    const Gap gap = emptiness_.at(p);
+    return gap.size > size ? std::optional(gap) : std::nullopt;
+  }
+  const double r = emptiness_.local_radius(p), enough = size * r;
+  const Vec3 x = position(emptiness_.surface_, p);
+  if (lately_closer(x, enough)) return std::nullopt;
+  double d = distance(x, enough);
+  if (d < enough) return std::nullopt;
+  if (!((x - middle_).norm() + d < covered_)) {  // something else may be nearer
+    gather(x, kMargin * r);
+    d = distance(x, enough);
+    if (d < enough) return std::nullopt;
+  }
+  return Gap{p, d, d / r};
+}
+
+bool EmptinessNearby::surely_below(const SurfacePoint& p, Vec2 displacement, double size) {
+  if (lately_count_ == 0) return false;  // along the surface it is always empty
+  const Surface& surface = emptiness_.surface_;
+  const Vec2 c1 = surface.corner(p.face, 1), c2 = surface.corner(p.face, 2);
+  const double y = displacement.y / c2.y, x = (displacement.x - y * c2.x) / c1.x;
+  const SurfacePoint end{p.face, p.b + Vec2{x, y}};
+  if (!(end.b.x > 0 && end.b.y > 0 && end.weight(0) > 0)) return false;  // in another face
+  return lately_closer(position(surface, end), (1 - kRounded) * size * emptiness_.local_radius(end));
+}
+
+/// Whether one of the parts that were too near elsewhere is nearer to x than `distance`.
+bool EmptinessNearby::lately_closer(const Vec3& x, double distance) {
+  const double squared = distance * distance;
+  for (size_t k = 0; k < lately_count_; ++k) {
+    if (!(lately_[k].squared_distance(x) < squared)) continue;
+    if (k > 0) std::rotate(lately_.begin(), lately_.begin() + k, lately_.begin() + k + 1);
+    return true;
+  }
+  return false;
+}
+
+/// Of what is gathered; or less than `enough` as soon as anything is as near as that.
+double EmptinessNearby::distance(const Vec3& x, double enough) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& node : nodes_) {
+    // Summed up as the tree of the nodes does, to the last bit.
+    const double dx = x.x() - node.x(), dy = x.y() - node.y(), dz = x.z() - node.z();
+    least = std::min(least, dx * dx + dy * dy + dz * dz);
+  }
+  for (const Part& part : parts_) {
+    const double squared = part.squared_distance(x);
+    least = std::min(least, squared);
+    if (!(squared < enough * enough)) continue;
+    lately_count_ = std::min(lately_count_ + 1, lately_.size());
+    std::copy_backward(lately_.begin(), lately_.begin() + lately_count_ - 1, lately_.begin() + lately_count_);
+    lately_[0] = part;
+    break;
+  }
+  return std::sqrt(least);
+}
+
+/// Gathers what is nearest to the points within about `margin` of x.
+void EmptinessNearby::gather(const Vec3& x, double margin) {
+  const PointTree& tree = emptiness_.tree_;
+  const Curve& curve = emptiness_.curve_;
+  middle_ = x;
+  const double nearest = std::sqrt(tree.nearest(x)->squared_distance);
+  covered_ = nearest + margin;
+  const double reach = (1 + kRounding) * (covered_ + emptiness_.longest_half_);
+  tree.within(x, reach * reach, found_);
+  nodes_.clear();
+  parts_.clear();
+  uint32_t last = kNone;
+  for (const uint32_t node : found_) {
+    nodes_.push_back(tree.points()[node]);
+    for (const uint32_t segment : {curve.previous(node), node}) {
+      // Nodes come in order: the segment before one is mostly that after the last one.
+      if (segment == kNone || segment == last || !curve.has_segment(segment)) continue;
+      last = segment;
+      Vec3 from = tree.points()[segment];
+      for (const Crossing& crossing : curve.paths[segment]) {
+        const Vec3 to = position(emptiness_.surface_, crossing);
+        parts_.emplace_back(from, to);
+        from = to;
+      }
+      parts_.emplace_back(from, tree.points()[curve.next(segment)]);
+    }
+  }
+}
+
+}  // namespace meander

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How empty the surface is at a point: the distance from there to the curve.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/point_tree.h"
+#include "base/segment_distance.h"
+#include "curve/curve.h"
+#include "mesh/radius_field.h"
+
+namespace meander {
+
+/// A place that the curve leaves empty.
+struct Gap {
+  SurfacePoint centre;
+  double radius = 0;  ///< distance in space from the centre to the curve
+  double size = 0;    ///< the radius in units of the local r at the centre
+};
+
+/// The segments that pass through every face.
+class SegmentsOfFaces {
+ public:
+  SegmentsOfFaces(const Surface& surface, const Curve& curve);
+  /// In rising order.
+  std::span<const uint32_t> of(uint32_t face) const {
+    return {segments_.data() + first_[face], segments_.data() + first_[face + 1]};
+  }
+
+ private:
+  std::vector<uint32_t> first_, segments_;
+};
+
+/// Distances of points of the surface from a curve. Refers to all that it is given. Queries may run on any
+/// number of threads.
+class Emptiness {
+ public:
+  /// `nodes` are the positions of the curve's nodes, `radius` is r on the surface.
+  /// `along_surface`: only what of the curve hangs together with a point counts, see find_gaps.
+  Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
+            const RadiusField& radius, bool along_surface);
+
+  const Surface& surface() const { return surface_; }
+  double local_radius(const SurfacePoint& p) const { return radius_.at(surface_, p); }
+
+  /// Whether a node is nearer than `size` local r, which is cheaper to know than the distance.
+  bool closer_than(const SurfacePoint& p, double size) const;
+
+  /// The largest empty ball around a point.
+  Gap at(const SurfacePoint& p) const;
+
+ private:
+  friend class EmptinessNearby;
+
+  double distance_to_path(const Vec3& x, uint32_t segment) const;
+  bool reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const;
+  bool hang_together(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
+  double distance_on_surface(const SurfacePoint& p, double most) const;
+
+  const Surface& surface_;
+  const Curve& curve_;
+  const RadiusField& radius_;
+  std::optional<SegmentsOfFaces> segments_;  // where distances are along the surface
+  PointTree tree_;
+  double longest_half_ = 0;  // of the longest segment
+};
+
+/// The same for points that lie close together, as those that one climb asks for: what of the curve is near
+/// to them is looked up once for many, and what has lately been too near is asked first.
+class EmptinessNearby {
+ public:
+  explicit EmptinessNearby(const Emptiness& emptiness) : emptiness_(emptiness) {}
+
+  /// Emptiness::at(p), if its size is above `size`; nothing if it is below. Just at `size` it may be either.
+  std::optional<Gap> above(const SurfacePoint& p, double size);
+
+  /// Whether the size at the end of `displacement` (in the plane of the face of p) is surely below `size`, as
+  /// far as that is known without leading a geodesic there.
+  bool surely_below(const SurfacePoint& p, Vec2 displacement, double size);
+
+ private:
+  /// A straight part of the curve in space.
+  struct Part {
+    Vec3 from, along;
+    double squared;  // length
+
+    Part() = default;
+    Part(const Vec3& a, const Vec3& b) : from(a), along(b - a), squared(along.squaredNorm()) {}
+    double squared_distance(const Vec3& x) const { return squared_distance_to_segment(x, from, along, squared); }
+  };
+  bool lately_closer(const Vec3& x, double distance);
+  double distance(const Vec3& x, double enough);
+  void gather(const Vec3& x, double margin);
+
+  const Emptiness& emptiness_;
+  Vec3 middle_ = Vec3::Zero();  // nodes nearer to it than covered_, and half the longest segment, are gathered
+  double covered_ = -1;
+  std::vector<Vec3> nodes_;
+  std::vector<Part> parts_;
+  std::array<Part, 6> lately_;  // those that were too near, the last one first
+  size_t lately_count_ = 0;
+  std::vector<uint32_t> found_;
+};
+
+}  // namespace meander
