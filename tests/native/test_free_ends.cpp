@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "geodesic/geodesic_trace.h"
 #include "medial/free_ends.h"
 #include "test_seeds.h"
 
@@ -67,6 +68,64 @@ TEST(Ends, TheBallAheadIsTheLargestThatIsEmpty) {
   EXPECT_NEAR(ends[0].radius / unit, 0.3, 1e-6);
   // Nodes of the wall are up to 2 h apart, so that a ball may bulge between them.
   EXPECT_NEAR(ends[1].radius / unit, 0.1, 0.002);
+}
+
+/// By the formula of Ma, Bae and Choi, point after point.
+double largest_ball(const Vec3& x, const Vec3& outward, double most, const std::vector<Vec3>& points) {
+  for (const Vec3& p : points) {
+    const Vec3 u = p - x;
+    const double ahead = u.dot(outward);
+    if (u.squaredNorm() < 2 * most * ahead) most = u.squaredNorm() / (2 * ahead);
+  }
+  return most;
+}
+
+/// Strokes about as long as their places in a square of count x count of them are wide.
+std::vector<Line> strokes(int count) {
+  std::vector<Line> lines;
+  Rng rng(5);
+  for (int k = 0; k < count * count; ++k) {
+    const Vec3 middle((k % count + 0.5) / count, (k / count + 0.5) / count, 0);
+    const Vec2 half = (rng.in(0.1, 0.45) / count) * rng.direction();
+    lines.push_back({{middle - Vec3(half.x, half.y, 0), middle + Vec3(half.x, half.y, 0)}, false, false});
+  }
+  return lines;
+}
+
+TEST(Ends, OfManyStrandsSeeWhatBruteForceSees) {
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(12)));
+  for (const int count : {2, 40}) {  // few ends, for which no tree is built, and many
+    const Flow flow = flow_on(surface, strokes(count), false, 0.5 / count);
+    const Curve& c = flow.curve();
+    const double r = 0.25 / count / surface->scale();
+    ThreadPool pool(2);
+    const BoundaryObstacle boundary(*surface, 0.5 * r);
+    for (const double most : {3 * r, 0.3}) {
+      const LocalMetric metric = even_metric(c, r, most);
+      Frames frames;
+      compute_frames(*surface, c, metric, RadiusField(r), pool, frames);
+      for (const BoundaryRule rule : {BoundaryRule::kCentre, BoundaryRule::kObstacle}) {
+        const auto ends = find_free_ends(*surface, c, frames, boundary, rule, metric, pool);
+        ASSERT_EQ(ends.size(), 2u * static_cast<size_t>(count * count));
+        for (size_t k = 0; k < ends.size(); k += 7) {
+          const uint32_t i = ends[k].node;
+          Path path;
+          const Trace ahead = trace_geodesic(*surface, c.nodes[i], r * ends[k].ahead, path);
+          const Vec3 outward = (position(*surface, ahead.end) - frames.position[i]).normalized();
+          double radius = most;
+          if (rule == BoundaryRule::kCentre) {
+            const Trace to_boundary = trace_geodesic(*surface, c.nodes[i], most * ends[k].ahead, path);
+            if (to_boundary.hit_boundary) radius = to_boundary.length;
+          }
+          radius = largest_ball(frames.position[i], outward, radius, frames.position.values());
+          if (rule == BoundaryRule::kObstacle) {
+            radius = largest_ball(frames.position[i], outward, radius, boundary.samples());
+          }
+          EXPECT_EQ(ends[k].radius, radius) << "end " << k << " of " << ends.size();
+        }
+      }
+    }
+  }
 }
 
 TEST(Ends, TheTermAloneMovesAnEndByWhatIsMissing) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <unordered_map>
 
 #include "base/failure.h"
 #include "curve/crossings.h"
@@ -34,75 +36,114 @@ void add_node(Curve& curve, const SurfacePoint& p) {
   curve.shapes.emplace_back();
 }
 
-/// Appends a closed strand of the ends of rays; false, with the curve as before, where a ray meets the
-/// boundary or the strand itself or any other.
-bool add_circle(const Surface& surface, Curve& curve, const SurfacePoint& middle, double wide, ThreadPool& pool) {
-  const uint32_t first = curve.size();
-  std::vector<Path> rays(kRays);
-  std::vector<SurfacePoint> ends(kRays);
-  for (uint32_t k = 0; k < kRays; ++k) {
-    const double a = 2 * std::numbers::pi * k / kRays;
-    const Trace ray = trace_geodesic(surface, middle, wide * Vec2{std::cos(a), std::sin(a)}, rays[k]);
-    if (ray.hit_boundary) return false;
-    ends[k] = ray.end;
-  }
-  for (const SurfacePoint& p : ends) add_node(curve, p);
-  curve.strands.push_back({first, kRays, true});
-  curve.link();
-  PathShortener shortener(surface);
-  std::vector<uint8_t> changed(curve.size(), 0);
-  for (uint32_t k = 0; k < kRays; ++k) {
-    const uint32_t j = k + 1 == kRays ? 0 : k + 1;
-    Path& path = curve.paths[first + k];
-    for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(rays[k][c]));
-    path.insert(path.end(), rays[j].begin(), rays[j].end());
-    curve.shapes[first + k] = shortener.shorten(ends[k], ends[j], path);
-    changed[first + k] = 1;
-  }
-  CrossingTest test;
-  if (test.find(surface, curve, pool, &changed).empty()) return true;
-  curve.nodes.resize(first);
-  curve.fixed.resize(first);
-  curve.paths.resize(first);
-  curve.shapes.resize(first);
-  curve.strands.pop_back();
-  curve.link();
-  return false;
-}
-
-void add_outline(const Surface& surface, Curve& curve, uint32_t face) {
-  const uint32_t first = curve.size();
-  for (uint32_t k = 0; k < 3; ++k) {
-    double w[3] = {kInset, kInset, kInset};
-    w[k] = 1 - 2 * kInset;
-    add_node(curve, make_point(face, w[0], w[1], w[2]));
-  }
-  curve.strands.push_back({first, 3, true});
-  curve.link();
-  for (uint32_t i = first; i < first + 3; ++i) {
-    curve.shapes[i] = measure_path(surface, curve.nodes[i], curve.nodes[curve.next(i)], {});
-  }
-}
-
-void add_loop(const Surface& surface, Curve& curve, const Region& region, double r, bool widen, ThreadPool& pool) {
-  // Where the spacing is near the size of the surface a circle that wide would wrap round it.
-  double wide = std::min(kWide * r, 0.25);
-  if (region.guided) {
-    for (wide = std::min(wide, kShareOfRoom * region.room); wide > kNarrowest * r; wide /= 2) {
-      if (add_circle(surface, curve, region.middle, wide, pool)) return;
+/// Adds one loop after another to a curve, in time that depends on the loop alone: what is near to it is found by
+/// its faces.
+class Loops {
+ public:
+  /// Refers to the curve, whose neighbours are to be linked again in the end.
+  Loops(const Surface& surface, Curve& curve, ThreadPool& pool)
+      : surface_(surface), curve_(curve), pool_(pool), shortener_(surface) {
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      if (curve.has_segment(i)) curve.pieces_of(i, [&](const Piece& piece) { pieces_[piece.face].push_back(piece); });
     }
-    return;
   }
-  const uint32_t f = region.middle.face;
-  double perimeter = 0;
-  for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface.corner(f, next_corner(k)) - surface.corner(f, k));
-  const double incircle = 2 * surface.face_area(f) / perimeter;
-  const bool sliver = incircle < kTight * r && incircle < kSliver * perimeter;
-  for (; (widen && perimeter < 2 * std::numbers::pi * wide) || (sliver && wide > kNarrowest * r); wide /= 2) {
-    if (add_circle(surface, curve, region.middle, wide, pool)) return;
+
+  /// The loop that a region is to have, where one fits; `r` is that at its middle.
+  void add(const Region& region, double r, bool widen) {
+    // Where the spacing is near the size of the surface a circle that wide would wrap round it.
+    double wide = std::min(kWide * r, 0.25);
+    if (region.guided) {
+      for (wide = std::min(wide, kShareOfRoom * region.room); wide > kNarrowest * r; wide /= 2) {
+        if (add_circle(region.middle, wide)) return;
+      }
+      return;
+    }
+    const uint32_t f = region.middle.face;
+    double perimeter = 0;
+    for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface_.corner(f, next_corner(k)) - surface_.corner(f, k));
+    const double incircle = 2 * surface_.face_area(f) / perimeter;
+    const bool sliver = incircle < kTight * r && incircle < kSliver * perimeter;
+    for (; (widen && perimeter < 2 * std::numbers::pi * wide) || (sliver && wide > kNarrowest * r); wide /= 2) {
+      if (add_circle(region.middle, wide)) return;
+    }
+    add_outline(f);
   }
-  add_outline(surface, curve, f);
-}
+
+ private:
+  /// A closed strand of the ends of rays; false, with the curve as before, where a ray meets the boundary or the
+  /// strand itself or any other.
+  bool add_circle(const SurfacePoint& middle, double wide) {
+    std::vector<Path> rays(kRays);
+    Curve loop;
+    for (uint32_t k = 0; k < kRays; ++k) {
+      const double a = 2 * std::numbers::pi * k / kRays;
+      const Trace ray = trace_geodesic(surface_, middle, wide * Vec2{std::cos(a), std::sin(a)}, rays[k]);
+      if (ray.hit_boundary) return false;
+      add_node(loop, ray.end);
+    }
+    close(loop);
+    for (uint32_t k = 0; k < kRays; ++k) {
+      const uint32_t j = loop.next(k);
+      Path& path = loop.paths[k];
+      for (size_t c = rays[k].size(); c-- > 0;) path.push_back(reversed(rays[k][c]));
+      path.insert(path.end(), rays[j].begin(), rays[j].end());
+      loop.shapes[k] = shortener_.shorten(loop.nodes[k], loop.nodes[j], path);
+    }
+    if (!test_.find(surface_, loop, pool_).empty() || touches_others(loop)) return false;
+    append(loop);
+    return true;
+  }
+
+  void add_outline(uint32_t face) {
+    Curve loop;
+    for (uint32_t k = 0; k < 3; ++k) {
+      double w[3] = {kInset, kInset, kInset};
+      w[k] = 1 - 2 * kInset;
+      add_node(loop, make_point(face, w[0], w[1], w[2]));
+    }
+    close(loop);
+    for (uint32_t i = 0; i < 3; ++i) {
+      loop.shapes[i] = measure_path(surface_, loop.nodes[i], loop.nodes[loop.next(i)], {});
+    }
+    append(loop);
+  }
+
+  static void close(Curve& loop) {
+    loop.strands.push_back({0, loop.size(), true});
+    loop.link();
+  }
+
+  bool touches_others(const Curve& loop) const {
+    bool any = false;
+    for (uint32_t i = 0; i < loop.size() && !any; ++i) {
+      loop.pieces_of(i, [&](const Piece& piece) {
+        const auto others = pieces_.find(piece.face);
+        if (any || others == pieces_.end()) return;
+        any = std::ranges::any_of(others->second, [&](const Piece& other) { return touch(piece, other); });
+      });
+    }
+    return any;
+  }
+
+  void append(Curve& loop) {
+    const uint32_t first = curve_.size();
+    for (uint32_t i = 0; i < loop.size(); ++i) {
+      loop.pieces_of(i, [&](const Piece& piece) { pieces_[piece.face].push_back(piece); });
+    }
+    curve_.strands.push_back({first, loop.size(), true});
+    curve_.nodes.insert(curve_.nodes.end(), loop.nodes.begin(), loop.nodes.end());
+    curve_.fixed.insert(curve_.fixed.end(), loop.fixed.begin(), loop.fixed.end());
+    curve_.shapes.insert(curve_.shapes.end(), loop.shapes.begin(), loop.shapes.end());
+    std::ranges::move(loop.paths, std::back_inserter(curve_.paths));
+  }
+
+  const Surface& surface_;
+  Curve& curve_;
+  ThreadPool& pool_;
+  PathShortener shortener_;
+  CrossingTest test_;
+  std::unordered_map<uint32_t, std::vector<Piece>> pieces_;  // of the curve, per face that holds any
+};
 
 }  // namespace
 
@@ -111,11 +152,11 @@ Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusF
   Curve curve;
   if (seed) curve = lay_seed(surface, *seed, radius, pool);
   if (!seed || seed->loops) {
+    Loops loops(surface, curve, pool);
     for (const Region& region : find_regions(surface, curve, radius, &boundary, border)) {
-      if (!region.growing) {
-        add_loop(surface, curve, region, radius.at(surface, region.middle), widen, pool);
-      }
+      if (!region.growing) loops.add(region, radius.at(surface, region.middle), widen);
     }
+    curve.link();
   }
   if (std::ranges::all_of(curve.strands, &Strand::guide)) {
     throw Failure(FailureKind::kInvalidSeed,

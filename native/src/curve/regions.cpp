@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <unordered_map>
 
 #include "base/disjoint_sets.h"
@@ -230,13 +231,30 @@ class Samples {
 
 SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
 
-/// Of the middles of a component's faces the one that is farthest from the boundary, or `otherwise`.
-SurfacePoint farthest_from(const Surface& surface, const PointTree& boundary, uint32_t component,
+/// The faces of every component, in order.
+class FacesOfComponents {
+ public:
+  explicit FacesOfComponents(const Surface& surface)
+      : first_(surface.component_count() + 1, 0), faces_(surface.face_count()) {
+    for (uint32_t f = 0; f < surface.face_count(); ++f) ++first_[surface.component(f) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::vector<uint32_t> next = first_;
+    for (uint32_t f = 0; f < surface.face_count(); ++f) faces_[next[surface.component(f)]++] = f;
+  }
+  std::span<const uint32_t> of(uint32_t component) const {
+    return {faces_.data() + first_[component], faces_.data() + first_[component + 1]};
+  }
+
+ private:
+  std::vector<uint32_t> first_, faces_;
+};
+
+/// Of the middles of some faces the one that is farthest from the boundary, or `otherwise`.
+SurfacePoint farthest_from(const Surface& surface, const PointTree& boundary, std::span<const uint32_t> faces,
                            const SurfacePoint& otherwise) {
   SurfacePoint best = otherwise;
   double most = 0;
-  for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    if (surface.component(f) != component) continue;
+  for (const uint32_t f : faces) {
     const auto nearest = boundary.nearest(position(surface, middle_of(f)));
     if (!nearest || nearest->squared_distance <= most) continue;
     most = nearest->squared_distance;
@@ -283,6 +301,7 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
     }
   }
 
+  std::optional<FacesOfComponents> faces;  // made when they are needed first
   std::vector<uint8_t> seen(surface.component_count(), 0);
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     const uint32_t c = surface.component(f);
@@ -292,7 +311,10 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
       const double infinity = std::numeric_limits<double>::infinity();
       SurfacePoint middle = middle_of(f);
       // Only where a strip along the boundary is to stay empty: r from it a loop may well begin.
-      if (border > 1 && in_border(middle)) middle = farthest_from(surface, *boundary, c, middle);
+      if (border > 1 && in_border(middle)) {
+        if (!faces) faces.emplace(surface);
+        middle = farthest_from(surface, *boundary, faces->of(c), middle);
+      }
       regions.push_back({middle, infinity, false, growing[c] != 0});
       continue;
     }

@@ -2,21 +2,66 @@
 #include "medial/free_ends.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "geodesic/geodesic_trace.h"
+#include "medial/curve_bvh.h"
 
 namespace meander {
 namespace {
 
-/// Ma, Bae and Choi's ball, by looking at every point: ends are few, and each has one ball only.
-double largest_ball(const Vec3& x, const Vec3& outward, double most, const std::vector<Vec3>& points) {
-  for (const Vec3& p : points) {
-    const Vec3 u = p - x;
-    const double ahead = u.dot(outward);
-    if (u.squaredNorm() < 2 * most * ahead) most = u.squaredNorm() / (2 * ahead);
+/// For this many ends or fewer it costs less to visit every node for each of them than to build a tree. Building
+/// one takes about as long as that many visits of a node.
+constexpr size_t kFewEnds = 32;
+
+/// Rounding changes the radius of a ball by less than this share of the surface's diagonal and its own.
+constexpr double kSlack = 1e-9;
+
+/// The largest empty ball of Ma, Bae and Choi, see CurveBvh::largest_ball.
+class BallAhead {
+ public:
+  BallAhead(const Vec3& x, const Vec3& outward, double most) : x_(x), outward_(outward), radius_(most) {}
+
+  double radius() const { return radius_; }
+  /// The centre of the ball with this radius.
+  Vec3 centre(double radius) const { return x_ + radius * outward_; }
+  void keep_out(const Vec3& p) {
+    const Vec3 u = p - x_;
+    const double ahead = u.dot(outward_);
+    if (u.squaredNorm() < 2 * radius_ * ahead) radius_ = u.squaredNorm() / (2 * ahead);
   }
-  return most;
-}
+
+ private:
+  Vec3 x_, outward_;
+  double radius_;
+};
+
+double with_slack(double radius) { return radius + kSlack * (1 + radius); }
+
+/// The nodes of a curve, for the balls ahead of its ends.
+class Nodes {
+ public:
+  /// Refers to `positions`.
+  Nodes(const std::vector<Vec3>& positions, size_t ends, ThreadPool& pool) : positions_(positions) {
+    if (ends > kFewEnds) tree_.emplace(positions, pool);
+  }
+
+  /// Shrinks a ball, which touches the curve at x, until none of the nodes is in it. The tree says which nodes may
+  /// be the ones that limit it; those are then visited in order, as all are without it, to get the same last bit.
+  void keep_out_of(BallAhead& ball, const Vec3& x, const Vec3& outward, std::vector<uint32_t>& near) const {
+    if (!tree_) {
+      for (const Vec3& p : positions_) ball.keep_out(p);
+      return;
+    }
+    const double reach = with_slack(tree_->largest_ball(x, outward, ball.radius()));
+    tree_->inside(ball.centre(reach), with_slack(reach), near);
+    for (const uint32_t i : near) ball.keep_out(positions_[i]);
+  }
+
+ private:
+  const std::vector<Vec3>& positions_;
+  std::optional<CurveBvh> tree_;
+};
 
 }  // namespace
 
@@ -30,8 +75,10 @@ std::vector<FreeEnd> find_free_ends(const Surface& surface, const Curve& curve, 
     if (!curve.fixed[s.first]) ends.push_back({s.first, -1 * curve.shapes[s.first].leaving, 0});
     if (!curve.fixed[last]) ends.push_back({last, curve.shapes[last - 1].arriving, 0});
   }
+  const Nodes nodes(frames.position.values(), ends.size(), pool);
   pool.for_blocks(ends.size(), 1, [&](size_t, size_t begin, size_t stop) {
     Path scratch;
+    std::vector<uint32_t> near;
     for (size_t k = begin; k < stop; ++k) {
       FreeEnd& end = ends[k];
       const uint32_t i = end.node;
@@ -47,10 +94,14 @@ std::vector<FreeEnd> find_free_ends(const Surface& surface, const Curve& curve, 
         if (way.hit_boundary) most = std::clamp(way.length + metric.overhang[i], 0.0, most);
       }
       scratch.clear();
-      end.radius = largest_ball(frames.position[i], outward, most, frames.position.values());
+      BallAhead ball(frames.position[i], outward, most);
+      nodes.keep_out_of(ball, frames.position[i], outward, near);
       if (rule == BoundaryRule::kObstacle) {
-        end.radius = largest_ball(frames.position[i], outward, end.radius, boundary.samples());
+        const double reach = with_slack(ball.radius());
+        boundary.tree().within(ball.centre(ball.radius()), reach * reach, near);
+        for (const uint32_t k : near) ball.keep_out(boundary.samples()[k]);
       }
+      end.radius = ball.radius();
     }
   });
   return ends;

@@ -2,18 +2,12 @@
 #include "medial/gaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <queue>
-#include <span>
-#include <unordered_set>
 
 #include "base/point_tree.h"
-#include "base/segment_distance.h"
 #include "geodesic/geodesic_trace.h"
 
 namespace meander {
@@ -37,6 +31,13 @@ constexpr int kMostRounds = 200;
 /// Less gain than this (relative) is rounding.
 constexpr double kGain = 1 + 1e-9;
 
+SurfacePoint trace_end(const Surface& surface, const SurfacePoint& start, Vec2 displacement) {
+  GeodesicWalk walk(surface, start, displacement);
+  while (walk.step()) {
+  }
+  return walk.end();
+}
+
 /// Climbs to a local maximum of the size by a pattern search: the distance has creases where the
 /// nearest strand changes, so it has no gradient just where the maxima are.
 Gap climb(const Emptiness& emptiness, Gap gap) {
@@ -53,10 +54,8 @@ Gap climb(const Emptiness& emptiness, Gap gap) {
     for (int k = 0; k < kDirections; ++k) {
       direction = direction * turn;
       if (nearby.surely_below(gap.centre, step * direction, best.size)) continue;
-      GeodesicWalk walk(emptiness.surface(), gap.centre, step * direction);
-      while (walk.step()) {
-      }
-      const std::optional<Gap> other = nearby.above(walk.end(), best.size);
+      const SurfacePoint end = trace_end(emptiness.surface(), gap.centre, step * direction);
+      const std::optional<Gap> other = nearby.above(end, best.size);
       if (other && other->size > kGain * best.size) best = *other;
     }
     if (best.size > gap.size) {
@@ -112,7 +111,6 @@ std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Fra
   constexpr size_t kBlock = 512;
   std::vector<std::vector<Gap>> found(ThreadPool::block_count(count, kBlock));
   pool.for_blocks(count, kBlock, [&](size_t block, size_t begin, size_t end) {
-    std::vector<Crossing> crossings;
     for (size_t k = begin; k < end; ++k) {
       SurfacePoint start;
       if (k < balls) {
@@ -120,8 +118,7 @@ std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Fra
         // The node that the ball touches is no farther than along the surface: most balls are too small.
         if (radii[i][side] < surely_small) continue;
         const double along = side == 0 ? radii[i][0] : -radii[i][1];
-        crossings.clear();
-        start = trace_geodesic(surface, curve.nodes[i], along * frames.bitangent2[i], crossings).end;
+        start = trace_end(surface, curve.nodes[i], along * frames.bitangent2[i]);
       } else {
         start = make_point(static_cast<uint32_t>(k - balls), 1.0 / 3, 1.0 / 3, 1.0 / 3);
       }
