@@ -11,6 +11,14 @@ namespace {
 
 constexpr uint32_t kHairpinRemoval = 7;
 
+FlowSettings with_polish() {
+  FlowSettings settings;
+  settings.polish = true;
+  settings.segment_length = 1;
+  settings.growth_coarsening = 2;
+  return settings;
+}
+
 class PhasesOf : public testing::TestWithParam<int> {
  protected:
   PhasesOf() {
@@ -22,13 +30,14 @@ class PhasesOf : public testing::TestWithParam<int> {
   /// One more iteration in which nothing changes. At regular intervals the surface moves.
   void note() {
     if (GetParam() > 0 && ++notes_ % GetParam() == 0 && convergence_.phase() != Phase::kGrowing) {
-      convergence_.restart(0);
+      convergence_ = convergence_.restarted(0);
     }
     IterationFigures figures;
     figures.length = 1;
-    figures.moved = 1;
+    figures.wanted = figures.moved = 1;
     convergence_.note(surface_, curve_, metric_, figures, pool_);
   }
+  Plan plan() const { return plan_iteration(settings_, convergence_.phase()); }
   /// Iterations until the phase ends, at most `most`.
   uint32_t iterations_of(Phase phase, uint32_t most) {
     uint32_t k = 0;
@@ -41,22 +50,25 @@ class PhasesOf : public testing::TestWithParam<int> {
   LocalMetric metric_;
   ThreadPool pool_{1};
   Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval};
+  FlowSettings settings_ = with_polish();
   int notes_ = 0;
 };
 
 TEST_P(PhasesOf, FollowOneAnother) {
-  EXPECT_FALSE(convergence_.polishing());
-  EXPECT_TRUE(convergence_.coarse());
+  EXPECT_FALSE(plan().polishing);
+  EXPECT_EQ(plan().segment_length, 2);
+  EXPECT_EQ(plan().momentum, 0);
   EXPECT_LT(iterations_of(Phase::kGrowing, 100), 100u);
   ASSERT_EQ(convergence_.phase(), Phase::kHairpinRemoval);
-  EXPECT_TRUE(convergence_.polishing());
-  EXPECT_TRUE(convergence_.coarse());
+  EXPECT_TRUE(plan().polishing);
+  EXPECT_EQ(plan().segment_length, 2);
+  EXPECT_GT(plan().momentum, 0);
   EXPECT_EQ(iterations_of(Phase::kHairpinRemoval, 100), kHairpinRemoval);
   ASSERT_EQ(convergence_.phase(), Phase::kPolishing);
-  EXPECT_TRUE(convergence_.coarse());
+  EXPECT_EQ(plan().segment_length, 2);
   EXPECT_EQ(iterations_of(Phase::kPolishing, 100), 30u);
   ASSERT_EQ(convergence_.phase(), Phase::kFinishing);
-  EXPECT_FALSE(convergence_.coarse());
+  EXPECT_EQ(plan().segment_length, 1);
   EXPECT_FALSE(convergence_.converged());
 }
 
@@ -65,15 +77,10 @@ INSTANTIATE_TEST_SUITE_P(SurfaceMovesEvery, PhasesOf, testing::Values(0, 3, 4));
 /// A curve that fills the surface, but has seen no hairpin removal when the surface first moves, is only
 /// finished; a curve that does not fill it continues to grow.
 TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {
-  Convergence full(StopRule::kSettled, true, kHairpinRemoval), empty = full, plain(StopRule::kSettled, false, 0);
-  full.restart(0);
-  EXPECT_EQ(full.phase(), Phase::kFinishing);
-  EXPECT_TRUE(full.polishing());
-  empty.restart(0.5);
-  EXPECT_EQ(empty.phase(), Phase::kGrowing);
-  plain.restart(0);
-  EXPECT_EQ(plain.phase(), Phase::kGrowing);
-  EXPECT_FALSE(plain.coarse());
+  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval), plain(StopRule::kSettled, false, 0);
+  EXPECT_EQ(growing.restarted(0).phase(), Phase::kFinishing);
+  EXPECT_EQ(growing.restarted(0.5).phase(), Phase::kGrowing);
+  EXPECT_EQ(plain.restarted(0).phase(), Phase::kGrowing);
 }
 
 }  // namespace

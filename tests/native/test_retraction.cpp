@@ -11,6 +11,8 @@
 namespace meander::test {
 namespace {
 
+constexpr double kRounding = 1e-9;  // relative, of lengths that are walked face by face
+
 /// Some rings, wherever there is room, and an open strand if there is still room for one.
 Curve random_curve(const Surface& s, uint32_t rings, Rng& rng) {
   Curve curve;
@@ -57,9 +59,12 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
         const Curve old = curve;
         NodeData<Vec2> d(curve.size());
         for (Vec2& v : d) v = size * rng() * rng.direction();
-        const double held = retraction.move(s, curve, d, pool, seconds);
-        EXPECT_GE(held, 0);
-        EXPECT_LE(held, 1);
+        const NodeData<double>& moved = retraction.move(s, curve, d, pool, seconds);
+        ASSERT_EQ(moved.size(), old.size());
+        for (uint32_t i = 0; i < old.size(); ++i) {
+          EXPECT_LE(moved[i], norm(d[i]) * (1 + kRounding));
+          EXPECT_EQ(moved[i] == 0, same_bytes(curve.nodes[i], old.nodes[i])) << i;
+        }
         ASSERT_TRUE(whole(s, curve));
         ASSERT_TRUE(exact_crossings(s, curve).empty());
         ASSERT_EQ(curve.size(), old.size());

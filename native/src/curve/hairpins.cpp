@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
+
+#include "base/tuning.h"
 
 namespace meander {
 namespace {
-
-constexpr double kWindow = 4;  // in r
-constexpr double kTurn = 2 * std::numbers::pi / 3;
-constexpr double kReach = 2;   // in r
 
 /// Nodes that a thread takes at a time.
 constexpr size_t kBlock = 2048;
@@ -73,11 +70,11 @@ std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool
   // Turning within half a window to both sides of every node.
   std::vector<double> turning(strand.count);
   pool.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
-    int64_t first = course.first_after(course.way(static_cast<int64_t>(begin)) - kWindow / 2), last = first;
+    int64_t first = course.first_after(course.way(static_cast<int64_t>(begin)) - tuning::kHairpinWindow / 2), last = first;
     for (auto k = static_cast<int64_t>(begin); k < static_cast<int64_t>(end); ++k) {
       const double place = course.way(k);
-      while (first < k && course.way(first) < place - kWindow / 2) ++first;
-      while (last < course.end() && course.way(last) < place + kWindow / 2) ++last;
+      while (first < k && course.way(first) < place - tuning::kHairpinWindow / 2) ++first;
+      while (last < course.end() && course.way(last) < place + tuning::kHairpinWindow / 2) ++last;
       turning[static_cast<size_t>(k)] = course.turn(last) - course.turn(first);
     }
   });
@@ -85,7 +82,7 @@ std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool
   const auto at = [&](int64_t k) { return turning[static_cast<size_t>(k % strand.count)]; };
   for (int64_t k = 0; k < strand.count; ++k) {
     const int side = at(k) > 0 ? 1 : -1;
-    const auto turns = [&](int64_t j) { return side * at(j) >= kTurn; };
+    const auto turns = [&](int64_t j) { return side * at(j) >= tuning::kHairpinTurn; };
     const bool has_before = strand.closed || k > 0;
     if (!turns(k) || (has_before && turns(k + strand.count - 1))) continue;
     int64_t end = k;
@@ -131,8 +128,8 @@ NodeData<uint8_t> mark_short_runs(const Curve& curve, const LocalMetric& metric,
     const Strand& strand = curve.strands[run.strand];
     const Course& course = courses[run.strand];
     // Never more than once round.
-    const int64_t begin = course.first_after(run.from - kReach);
-    const int64_t end = std::min(course.first_after(run.to + kReach), begin + strand.count);
+    const int64_t begin = course.first_after(run.from - tuning::kHairpinMargin);
+    const int64_t end = std::min(course.first_after(run.to + tuning::kHairpinMargin), begin + strand.count);
     for (int64_t k = begin; k < end; ++k) {
       marked[strand.first + static_cast<size_t>((k + strand.count) % strand.count)] = 1;
     }

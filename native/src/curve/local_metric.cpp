@@ -3,12 +3,10 @@
 
 #include <algorithm>
 
+#include "base/tuning.h"
+
 namespace meander {
 namespace {
-
-/// In front of a strip wider than this, in spacings, strands have room to give way; pushed harder there, those
-/// between two such strips never come to rest.
-constexpr double kWideStrip = 1;
 
 /// Nodes that a thread takes at a time.
 constexpr size_t kBlock = 2048;
@@ -20,7 +18,7 @@ void find_local_metric(const Surface& surface, const Curve& curve, const RadiusF
   for (NodeData<double>* values : {&metric.radius, &metric.max_radius, &metric.overhang, &metric.least_rest}) {
     values->resize(curve.size());
   }
-  const bool narrow = rules.border_distance <= kWideStrip;
+  const bool narrow = rules.border_distance <= tuning::kWideStrip;
   pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double r = radius.at(surface, curve.nodes[i]);

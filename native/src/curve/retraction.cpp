@@ -33,17 +33,15 @@ constexpr int kHalvings = 4;
 
 }  // namespace
 
-double Retraction::move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement,
-                        ThreadPool& pool, MoveSeconds& seconds) {
+const NodeData<double>& Retraction::move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement,
+                                         ThreadPool& pool, MoveSeconds& seconds) {
   const uint32_t n = curve.size();
   share_.assign(n, 1);
   for (uint32_t i = 0; i < n; ++i) {
     if (curve.fixed[i]) share_[i] = 0;
   }
   resolve(surface, curve, displacement, pool, seconds);
-  size_t held = 0;
-  for (uint32_t i = 0; i < n; ++i) held += share_[i] == 0 && !curve.fixed[i];
-  return n > 0 ? static_cast<double>(held) / n : 0;
+  return moved_;
 }
 
 void Retraction::straighten(const Surface& surface, Curve& curve, ThreadPool& pool, MoveSeconds& seconds) {
@@ -62,6 +60,7 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const NodeData<Ve
   const uint32_t n = curve.size();
   next_.lay_out_as(curve);
   traces_.resize(n);
+  moved_.resize(n);
   trace(surface, curve, displacement, nullptr, pool);
   seconds.retract += watch.lap();
   reconnect(surface, curve, displacement, nullptr, pool);
@@ -99,12 +98,16 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const NodeDat
         if (only && !(*only)[i]) continue;
         traces_[i].clear();
         next_.nodes[i] = curve.nodes[i];
+        moved_[i] = 0;
         if (share_[i] == 0) continue;
         node[walks.size()] = i;
         walks.emplace_back(surface, curve.nodes[i], share_[i] * displacement[i]);
       }
       lead_together(walks, [&](size_t k) { traces_[node[k]].push_back(walks[k].crossing()); });
-      for (size_t k = 0; k < walks.size(); ++k) next_.nodes[node[k]] = walks[k].end();
+      for (size_t k = 0; k < walks.size(); ++k) {
+        next_.nodes[node[k]] = walks[k].end();
+        moved_[node[k]] = walks[k].length();
+      }
     }
   });
 }

@@ -29,9 +29,9 @@ class Retraction {
   /// the strand around them take a shorter step, down to none: one knot does not hold the others.
   /// Nodes that do not move, and the segments between them, are kept to the last bit; that the old
   /// curve has no crossings therefore guarantees an end.
-  /// Returns the share of nodes that were backed off to no step at all.
-  double move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement, ThreadPool& pool,
-              MoveSeconds& seconds);
+  /// Returns how far along the surface every node has really gone; valid until the next call.
+  const NodeData<double>& move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement, ThreadPool& pool,
+                               MoveSeconds& seconds);
 
   /// Makes every segment, but those of guides, a shortest geodesic again between nodes that stay, after the
   /// surface has moved under `curve`, whose shapes are those of its paths as they are. It has no crossings and
@@ -57,6 +57,7 @@ class Retraction {
   Curve next_;
   std::vector<Path> traces_;
   std::vector<double> share_;           // of the displacement that a node takes
+  NodeData<double> moved_;              // how far it has gone
   std::vector<uint8_t> node_changed_, segment_changed_;
   std::vector<uint8_t> marked_;
 };

@@ -6,33 +6,47 @@
 
 #include "base/point_tree.h"
 #include "base/segment_distance.h"
+#include "base/tuning.h"
 
 namespace meander {
 namespace {
 
-constexpr double kPaperLimit = 3e-4;      // Table 2, of |d|_2 / n in r
-constexpr size_t kPaperIterations = 10;   // in as many iterations in a row: with few nodes one quiet step is no end
-constexpr double kGrownLength = 0.02;     // growth ends when the length changes by less in a window,
-constexpr double kGrownClamped = 0.01;    // and fewer nodes than this still see nothing beside them,
-constexpr double kGrownForSure = 0.005;   // or the length has all but stopped changing
-constexpr double kSettledLength = 0.0025;
-constexpr double kSettledDistance = 0.05; // mean distance from the curve a window before, in local r
-constexpr uint32_t kPolishIterations = 30;
-constexpr size_t kCoolingIterations = 6;
-constexpr double kIdle = 1e-9;            // nodes that move less than this (in r) do not move
-constexpr size_t kIdleIterations = 5;
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 512;
+
+/// The mean distance of the nodes of `curve`, which are at `nodes`, from an earlier one, in the local r.
+double mean_distance(const std::vector<Vec3>& nodes, const LocalMetric& metric, const Convergence::Picture& earlier,
+                     ThreadPool& pool) {
+  const PointTree tree(earlier.nodes);
+  std::vector<double> distance(nodes.size());
+  pool.for_blocks(nodes.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3& p = nodes[i];
+      const uint32_t near = tree.nearest(p)->index;
+      double d = (p - earlier.nodes[near]).norm();
+      for (const uint32_t other : {earlier.next[near], earlier.previous[near]}) {
+        if (other != kNone) d = std::min(d, distance_to_segment(p, earlier.nodes[near], earlier.nodes[other]));
+      }
+      distance[i] = d / metric.radius[i];
+    }
+  });
+  double sum = 0;
+  for (const double d : distance) sum += d;
+  return sum / static_cast<double>(nodes.size());
+}
 
 }  // namespace
 
-void Convergence::restart(double clamped_share) {
-  lengths_.clear();
-  const bool grown = phase_ != Phase::kGrowing || clamped_share < kGrownClamped;
+Convergence Convergence::restarted(double clamped_share) const {
+  Convergence next(rule_, polish_wanted_, hairpin_removal_iterations_);
+  next.removed_for_ = removed_for_;
+  next.polished_ = polished_;
+  const bool grown = phase_ != Phase::kGrowing || clamped_share < tuning::kGrownClamped;
   // What is past its growth but has long segments still goes on where it is: else they would all be cut at
   // once.
   const bool under_way = phase_ == Phase::kHairpinRemoval || phase_ == Phase::kPolishing;
-  begin(under_way ? phase_ : grown && polish_wanted_ ? Phase::kFinishing : Phase::kGrowing);
-  converged_ = stalled_ = false;
-  idle_ = quiet_ = 0;
+  next.phase_ = under_way ? phase_ : grown && polish_wanted_ ? Phase::kFinishing : Phase::kGrowing;
+  return next;
 }
 
 void Convergence::begin(Phase phase) {
@@ -42,14 +56,14 @@ void Convergence::begin(Phase phase) {
 }
 
 bool Convergence::has_grown(double change, double clamped_share) const {
-  return (change < kGrownLength && clamped_share < kGrownClamped) || change < kGrownForSure;
+  return (change < tuning::kGrownLength && clamped_share < tuning::kGrownClamped) || change < tuning::kGrownForSure;
 }
 
 /// Compares the curve with the one of a window before; the first time it only takes that one down.
 bool Convergence::has_settled(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                               double change, ThreadPool& pool) {
   const size_t now = lengths_.size();
-  if (picture_ && now - picture_->iteration < kWindow) return false;
+  if (picture_ && now - picture_->iteration < tuning::kWindow) return false;
   Picture present{now, {}, {}, {}};
   present.nodes.reserve(curve.size());
   present.next.reserve(curve.size());
@@ -59,41 +73,37 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
     present.next.push_back(curve.next(i));
     present.previous.push_back(curve.previous(i));
   }
-  bool settled = false;
-  if (picture_ && change < kSettledLength) {
-    const PointTree tree(picture_->nodes);
-    std::vector<double> distance(curve.size());
-    pool.for_blocks(curve.size(), 512, [&](size_t, size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const Vec3& p = present.nodes[i];
-        const uint32_t near = tree.nearest(p)->index;
-        double d = (p - picture_->nodes[near]).norm();
-        for (const uint32_t other : {picture_->next[near], picture_->previous[near]}) {
-          if (other != kNone) d = std::min(d, distance_to_segment(p, picture_->nodes[near], picture_->nodes[other]));
-        }
-        distance[i] = d / metric.radius[i];
-      }
-    });
-    double sum = 0;
-    for (const double d : distance) sum += d;
-    settled = sum / curve.size() < kSettledDistance;
-  }
+  const bool settled = picture_ && change < tuning::kSettledLength &&
+                       mean_distance(present.nodes, metric, *picture_, pool) < tuning::kSettledDistance;
   picture_ = std::move(present);
   return settled;
+}
+
+void Convergence::note_idleness(const IterationFigures& figures) {
+  const bool stuck = figures.wanted >= tuning::kIdle && figures.moved < tuning::kIdle;
+  idle_ = stuck ? idle_ + 1 : 0;
+  stalled_ = idle_ >= tuning::kIdleIterations;
+}
+
+uint32_t Convergence::iterations_in_phase() const {
+  switch (phase_) {
+    case Phase::kHairpinRemoval: return removed_for_;  // over all restarts, as is the next
+    case Phase::kPolishing: return polished_;
+    default: return static_cast<uint32_t>(lengths_.size() - phase_start_);
+  }
 }
 
 void Convergence::note(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                        const IterationFigures& figures, ThreadPool& pool) {
   lengths_.push_back(figures.length);
   const size_t now = lengths_.size(), age = now - phase_start_;
-  idle_ = figures.moved < kIdle ? idle_ + 1 : 0;
-  stalled_ = idle_ >= kIdleIterations;
+  note_idleness(figures);
   if (rule_ == StopRule::kPaper) {
-    quiet_ = figures.displacement_norm < kPaperLimit ? quiet_ + 1 : 0;
-    converged_ = quiet_ >= kPaperIterations;
+    quiet_ = figures.displacement_norm < tuning::kPaperLimit ? quiet_ + 1 : 0;
+    converged_ = quiet_ >= tuning::kPaperIterations;
     return;
   }
-  const double change = age > kWindow ? std::abs(figures.length / lengths_[now - 1 - kWindow] - 1) : 1;
+  const double change = age > tuning::kWindow ? std::abs(figures.length / lengths_[now - 1 - tuning::kWindow] - 1) : 1;
   switch (phase_) {
     case Phase::kGrowing:
       if (!polish_wanted_) {
@@ -106,13 +116,13 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
       if (++removed_for_ >= hairpin_removal_iterations_) begin(Phase::kPolishing);
       break;
     case Phase::kPolishing:
-      if (++polished_ >= kPolishIterations) begin(Phase::kFinishing);
+      if (++polished_ >= tuning::kPolishIterations) begin(Phase::kFinishing);
       break;
     case Phase::kFinishing:
       if (has_settled(surface, curve, metric, change, pool)) begin(Phase::kCooling);
       break;
     case Phase::kCooling:
-      converged_ = age >= kCoolingIterations;
+      converged_ = age >= tuning::kCoolingIterations;
       break;
   }
 }

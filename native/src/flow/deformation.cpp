@@ -5,10 +5,12 @@
 //
 // Points of the curve are weights of a face's corners and shares of an edge, and within a face an affine
 // map keeps what lies on which side: a curve without crossings that rides along has none afterwards.
-#include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "base/failure.h"
+#include "flow/clamped_nodes.h"
 #include "flow/flow.h"
 
 namespace meander {
@@ -17,45 +19,13 @@ namespace {
 /// As for a new flow: a curve has about one node for every 1.4 h of its length, area / (2 r).
 constexpr double kMostNodes = 5e8, kMeanSegment = 1.4;
 
-}  // namespace
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 512;
 
-void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
-  auto moved = std::make_shared<const Surface>(surface_->deformed(vertices, pool_, map));
-  check_size(*moved);
-  rescale(surface_->scale() / moved->scale());
-  field_.ride(*surface_, *moved);
-  direction_cache_.clear();
-  steps_.clear();
-  normals_.reset();  // before what it refers to
-  surface_ = std::move(moved);
-  boundary_.emplace(*surface_, 0.5 * settings_.segment_length);
-
-  constexpr size_t kBlock = 512;
-  pool_.for_blocks(curve_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
-    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
-      if (!curve_.has_segment(i)) continue;
-      curve_.shapes[i] = measure_path(*surface_, curve_.nodes[i], curve_.nodes[curve_.next(i)], curve_.paths[i]);
-    }
-  });
-  retraction_.straighten(*surface_, curve_, pool_, seconds_.move);
-
-  double clamped = 1;
-  if (!polishing() && approach_.arrived()) {
-    find_radii();
-    clamped = clamped_share();
-  }
-  convergence_.restart(clamped);
-  started_at_ = history_.size();
-  cancelled_ = false;
-  cut_guides();
-  refine();
-  find_metric();
-}
-
-/// Refuses what checked_settings would refuse for a new flow.
-void Flow::check_size(const Surface& surface) const {
-  const double to_new = surface_->scale() / surface.scale();
-  const double r = settings_.radius * to_new;
+/// Refuses a surface that would be refused for a new flow.
+void check_size(const FlowState& state, const Surface& surface) {
+  const double to_new = state.domain.surface->scale() / surface.scale();
+  const double r = state.settings.radius * to_new;
   if (2 * r > 1 || 4 * r * r > surface.area()) {
     throw Failure(FailureKind::kInvalidArgument,
                   "The surface has shrunk below the spacing (its diagonal is " + number(surface.scale()) +
@@ -65,10 +35,10 @@ void Flow::check_size(const Surface& surface) const {
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     double density = 0;
     for (const uint32_t v : surface.face(f)) {
-      const double share = settings_.radius / wanted_radius_.at(v);
+      const double share = state.settings.radius / state.domain.wanted_radius.at(v);
       density += share * share / 3;
     }
-    nodes += surface.face_area(f) * density / (2 * r * kMeanSegment * settings_.segment_length * to_new);
+    nodes += surface.face_area(f) * density / (2 * r * kMeanSegment * state.settings.segment_length * to_new);
   }
   if (!(nodes <= kMostNodes)) {
     throw Failure(FailureKind::kInvalidArgument,
@@ -78,20 +48,57 @@ void Flow::check_size(const Surface& surface) const {
   }
 }
 
-/// Multiplies every length by which the unit of the surface has become smaller.
-void Flow::rescale(double factor) {
-  const double old_radius = settings_.radius;
-  for (double* length : {&settings_.radius, &settings_.segment_length, &settings_.max_radius}) {
-    *length = settle(*length * factor);
-  }
-  for (RadiusField* field : {&wanted_radius_, &present_radius_}) field->rescale(old_radius, settings_.radius);
-  approach_.rescale(factor);
-  for (Radii& sides : radii_) {
+/// The state on a surface whose faces are the same, every length in its unit. Paths are as they were, and not the
+/// shortest any more.
+FlowState carried_to(std::shared_ptr<const Surface> surface, const FlowState& state, ThreadPool& pool) {
+  const double factor = state.domain.surface->scale() / surface->scale();
+  const FlowSettings settings = state.settings.rescaled(factor);
+  Domain domain = state.domain.moved_to(std::move(surface), state.settings.radius, settings);
+  FlowState next{settings, std::move(domain), state.curve, {}, {}};
+  // Directions and steps are those of the old surface, and forgotten.
+  next.nodes.radii = state.nodes.radii;
+  for (Radii& sides : next.nodes.radii) {
     for (double& r : sides) r *= factor;
   }
-  for (IterationRecord& record : history_) {
-    for (double* value : {&record.length, &record.mean_step, &record.energy}) *value *= factor;
+  Curve& curve = next.curve;
+  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (!curve.has_segment(i)) continue;
+      curve.shapes[i] =
+          measure_path(*next.domain.surface, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
+    }
+  });
+  return next;
+}
+
+}  // namespace
+
+void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
+  // What may fail is done to another state, which then takes the place of the present one.
+  auto surface = std::make_shared<const Surface>(this->surface().deformed(vertices, pool_, map));
+  check_size(state_, *surface);
+  const double factor = this->surface().scale() / surface->scale();
+  FlowState next = carried_to(std::move(surface), state_, pool_);
+  MoveSeconds seconds = record_.seconds.move;
+  retraction_.straighten(*next.domain.surface, next.curve, pool_, seconds);
+
+  double clamped = 1;
+  if (!polishing() && approach_.arrived()) {
+    find_medial_axis(next, nullptr);
+    clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool_);
   }
+  Convergence convergence = convergence_.restarted(clamped);
+  const double segment_length = plan_iteration(next.settings, convergence.phase()).segment_length;
+  refiner_.cut_guides(next, segment_length, pool_);
+  refiner_.refine(next, segment_length, pool_);
+  update_metric(next, pool_);
+
+  static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);
+  state_ = std::move(next);
+  convergence_ = std::move(convergence);
+  approach_.rescale(factor);
+  record_.seconds.move = seconds;
+  record_.restart(factor);
 }
 
 }  // namespace meander

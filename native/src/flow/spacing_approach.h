@@ -23,7 +23,7 @@ class SpacingApproach {
   double next(const IterationFigures& figures);
 
   /// Lengths count so many times as much from now on.
-  void rescale(double factor) {
+  void rescale(double factor) noexcept {
     for (double& length : lengths_) length *= factor;
   }
 

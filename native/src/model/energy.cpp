@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/tuning.h"
+
 namespace meander {
 namespace {
 
@@ -116,18 +118,6 @@ double medial_energy(const Radii& radii, double r, double q) {
 
 }  // namespace
 
-double power_balance(double q) {
-  // Measured on a square of 17 x 17 spacings with both presets: with alpha left as it is, the spacing
-  // falls by 11 to 16 % for q from 3 to 8.
-  constexpr double kLimit = 0.53, kRate = 1.1;
-  return q == 2 ? 1 : kLimit + (1 - kLimit) * std::exp(-kRate * (q - 2));
-}
-
-double polish_balance(double q) {
-  // Measured likewise: growth with q above 2 leaves the curve 7 to 16 % too dense.
-  return q == 2 ? 0 : 0.5 + 0.05 * q;
-}
-
 void StrandSystem::reset(size_t n, ThreadPool& pool) {
   for (std::vector<double>* numbers : {&diagonal, &first, &second}) numbers->resize(n);
   right.resize(n);
@@ -200,7 +190,7 @@ void assemble(const Curve& curve, const Strand& strand, const Frames& frames, co
     const double l = segment_length(curve, i, metric.radius[i]);
     const double scale = p != 2 ? factor[k] : 1;
     const double t = 0.5 * (weights.length[i] + weights.length[j]);
-    const double stiffness = 2 * std::max(t, kLeastLengthStiffness) / l * scale;
+    const double stiffness = 2 * std::max(t, tuning::kLeastLengthStiffness) / l * scale;
     system.diagonal[k] += stiffness;
     system.diagonal[wrapped(k + 1)] += stiffness;
     couple(k, 1, -stiffness);

@@ -33,37 +33,12 @@
 #include "medial/frames.h"
 #include "medial/free_ends.h"
 #include "medial/medial_axis.h"
+#include "model/weights.h"
 
 namespace meander {
 
 /// alpha r^2 of the paper's relation between weight and spacing (Fig. 17: r = 1.68 / sqrt(alpha)).
 inline constexpr double kAlphaRadiusSquared = 2.8284271247461903;  // 2 sqrt(2)
-
-/// The Hessian of a pure length weight must stay positive; where the gradient's weight is below this
-/// (it may be negative, to let a strand grow), the Hessian uses this.
-inline constexpr double kLeastLengthStiffness = 0.05;
-
-/// What alpha has to be multiplied by so that a power q of the medial term leaves the spacing as it is.
-double power_balance(double q);
-
-/// What has to be added to the length weights of a polish to the same end.
-double polish_balance(double q);
-
-/// Weights of the model.
-struct Weights {
-  NodeData<double> length;   ///< t; may be negative in the gradient
-  NodeData<double> bending;  ///< b
-  double medial = 1;            ///< factor on alpha
-  double medial_power = 2;      ///< q
-  /// The Hessian of the power q as it is, in 2 x 2 blocks; else the larger of its two eigenvalues
-  /// serves both along and across the strand.
-  bool medial_blocks = false;
-  double length_power = 2;        ///< p
-  NodeData<double> alignment;  ///< beta; empty: no field
-  NodeData<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
-
-  bool coupled() const { return medial_blocks || length_power != 2 || !alignment.empty(); }
-};
 
 /// A real symmetric 2 x 2 matrix.
 struct Sym2 {

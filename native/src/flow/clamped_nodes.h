@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nodes whose medial radii are at the clamp: they see nothing there, so nothing pulls them anywhere.
+#pragma once
+
+#include "base/thread_pool.h"
+#include "curve/local_metric.h"
+#include "medial/medial_axis.h"
+
+namespace meander {
+
+/// Both sides of the node are empty up to r_max.
+bool sees_nothing(const NodeData<Radii>& radii, const LocalMetric& metric, uint32_t node);
+
+/// Of the nodes that may move, the share that sees nothing on a side. All arguments are of the same curve.
+double clamped_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool);
+
+/// Where both sides of a strand are empty its radii are alike and nothing pulls it anywhere; a wide smooth loop then
+/// grows so slowly that it seems to stand still. There one side and the other are favoured in turn in `felt_radii`,
+/// so that fingers begin to grow; as soon as they see anything they are left alone. `radii` are as they are.
+void perturb_empty_stretches(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
+                             ThreadPool& pool, NodeData<Radii>& felt_radii);
+
+}  // namespace meander

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow/domain.h"
+
+#include <utility>
+
+#include "base/tuning.h"
+
+namespace meander {
+namespace {
+
+std::unique_ptr<const BoundaryObstacle> sampled_boundary(const Surface& surface, const FlowSettings& settings) {
+  return std::make_unique<const BoundaryObstacle>(surface, tuning::kBoundarySampling * settings.segment_length);
+}
+
+double filling_length(const Surface& surface, const RadiusField& radius) {
+  if (!radius.varies()) return surface.area() / (2 * radius.at(0));
+  double length = 0;
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    double per_area = 0;  // 1 / (2 r), the mean of the corners
+    for (const uint32_t v : surface.face(f)) per_area += 1 / (6 * radius.at(v));
+    length += surface.face_area(f) * per_area;
+  }
+  return length;
+}
+
+}  // namespace
+
+Domain::Domain(std::shared_ptr<const Surface> where, std::span<const double> density, const FlowSettings& settings)
+    : surface(std::move(where)),
+      wanted_radius(settings.radius, density),
+      radius(wanted_radius),
+      expected_length(filling_length(*surface, wanted_radius)),
+      boundary(sampled_boundary(*surface, settings)),
+      normals(std::make_unique<const NormalField>(*surface, settings.radius)) {}
+
+Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius, const FlowSettings& settings) const {
+  Domain moved(std::move(where), {}, settings);
+  moved.wanted_radius = wanted_radius;
+  moved.radius = radius;
+  for (RadiusField* field : {&moved.wanted_radius, &moved.radius}) field->rescale(old_radius, settings.radius);
+  moved.expected_length = filling_length(*moved.surface, moved.wanted_radius);
+  moved.directions = directions;
+  moved.directions.ride(*surface, *moved.surface);
+  return moved;
+}
+
+}  // namespace meander

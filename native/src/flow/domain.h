@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a curve grows on, and what is wanted where.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "flow/settings.h"
+#include "mesh/line_field.h"
+#include "mesh/mesh_map.h"
+#include "mesh/normal_field.h"
+#include "mesh/radius_field.h"
+
+namespace meander {
+
+/// A surface with the functions on it that drive a flow. All lengths are in the surface's own unit. Owns what it
+/// holds; other flows may share the surface.
+struct Domain {
+  /// `density` one positive value for every vertex, or none.
+  Domain(std::shared_ptr<const Surface> surface, std::span<const double> density, const FlowSettings& settings);
+
+  /// The same on a surface that has moved. `settings` are those on that surface, `old_radius` was r before.
+  Domain moved_to(std::shared_ptr<const Surface> surface, double old_radius, const FlowSettings& settings) const;
+
+  std::shared_ptr<const Surface> surface;
+  RadiusField wanted_radius;  ///< r as it is to be in the end,
+  RadiusField radius;         ///< and as it is while the curve approaches its spacing
+  double expected_length;     ///< of a curve that fills the surface: area over spacing
+  LineField directions;       ///< that strands are to follow; may be empty
+  std::unique_ptr<const BoundaryObstacle> boundary;
+  std::unique_ptr<const NormalField> normals;  ///< found when they are asked for
+};
+
+}  // namespace meander

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What nodes carry from one iteration to the next.
+#pragma once
+
+#include "base/thread_pool.h"
+#include "curve/node_data.h"
+#include "medial/frames.h"
+#include "medial/medial_axis.h"
+
+namespace meander {
+
+/// Each may be empty: nothing is known then, and it is found anew.
+struct NodeHistory {
+  NodeData<Radii> radii;                  ///< of the last medial axis, in the surface's own unit
+  NodeData<CachedDirections> directions;  ///< in which nodes at rest need not look again
+  NodeData<Vec2> steps;                   ///< the last displacements, along tangent and bitangent
+
+  /// Gives the nodes after a refinement what those had that they come from; `origin` as Refinement::refine says.
+  /// Where memory runs out all of it is forgotten: it must not be that of other nodes.
+  void follow(const NodeData<uint32_t>& origin, ThreadPool& pool);
+
+ private:
+  // Kept for their memory.
+  NodeData<Radii> old_radii_;
+  NodeData<CachedDirections> old_directions_;
+  NodeData<Vec2> old_steps_;
+};
+
+}  // namespace meander

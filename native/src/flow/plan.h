@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The plan of one iteration: what it is about, and by how much nodes may move in it.
+#pragma once
+
+#include "flow/settings.h"
+
+namespace meander {
+
+/// What the flow is about. Without a polish it is growing until it settles, and then cools.
+enum class Phase {
+  kGrowing,         ///< until the length hardly changes and little is empty
+  kHairpinRemoval,  ///< a given number of iterations
+  kPolishing,       ///< a number of iterations with segments as long as they were
+  kFinishing,       ///< until the picture has stopped changing, with segments as short as they are to be
+  kCooling          ///< a few iterations with short steps, so that nothing is left in mid-leap
+};
+
+/// The same for all nodes, and for the whole of one iteration.
+struct Plan {
+  Phase phase = Phase::kGrowing;
+  bool polishing = false;     ///< past its growth: length weights follow the spacing
+  double segment_length = 0;  ///< h where r is the nominal one, in the surface's own unit
+  double momentum = 0;        ///< a node goes on by this share of its last step
+  double longest_step = 0;    ///< in the local r; may be infinite
+  /// Nodes at rest keep the directions of their medial balls. The last iterations are exact, and so is every one
+  /// where the flow follows the paper, and where a strip along the boundary is to stay empty: there it hardly comes
+  /// to rest as it is.
+  bool reuse_directions = false;
+};
+
+/// The plan of an iteration in this phase: a function of the two alone.
+Plan plan_iteration(const FlowSettings& settings, Phase phase);
+
+}  // namespace meander

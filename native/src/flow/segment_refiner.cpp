@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow/segment_refiner.h"
+
+#include <limits>
+
+namespace meander {
+namespace {
+
+/// A segment length that is never reached.
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Where r varies, parts of a cut guide may be long for the r at their own ends, and are cut again.
+constexpr int kMostCuts = 10;
+
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 2048;
+
+}  // namespace
+
+void SegmentRefiner::refine(FlowState& state, double segment_length, ThreadPool& pool) {
+  apply(state, segment_length, kNever, pool);
+}
+
+void SegmentRefiner::cut_guides(FlowState& state, double segment_length, ThreadPool& pool) {
+  const Curve& curve = state.curve;
+  for (uint32_t k = 0, before = 0; k < kMostCuts && curve.has_guides() && curve.size() != before; ++k) {
+    before = curve.size();
+    apply(state, segment_length, state.settings.segment_length, pool);
+  }
+}
+
+void SegmentRefiner::apply(FlowState& state, double segment_length, double guide_length, ThreadPool& pool) {
+  update_metric(state, pool);
+  const Curve& curve = state.curve;
+  targets_.resize(curve.size());
+  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      const double h = curve.on_guide(i) ? guide_length : segment_length;
+      targets_[i] = h * state.metric.radius[i] / state.settings.radius;
+    }
+  });
+  if (refinement_.refine(*state.domain.surface, state.curve, targets_, pool, origin_)) {
+    state.nodes.follow(origin_, pool);
+  }
+}
+
+}  // namespace meander

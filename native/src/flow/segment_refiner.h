@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Refinement of a flow's curve (section 3.3.2), and what nodes carry following it.
+#pragma once
+
+#include "curve/refinement.h"
+#include "flow/flow_state.h"
+
+namespace meander {
+
+/// Keeps its memory from call to call. Where memory runs out the curve stays, and nothing wrong is left with it.
+class SegmentRefiner {
+ public:
+  /// Splits and removes segments of what grows: h is `segment_length` where r is the nominal one, and else in
+  /// proportion. Guides stay as they are to the last bit. Finds the metric of the nodes as they were before.
+  void refine(FlowState& state, double segment_length, ThreadPool& pool);
+
+  /// Cuts guides, where there are any, as finely as everything will be in the end, and all else to `segment_length`:
+  /// at first, and when the surface has moved.
+  void cut_guides(FlowState& state, double segment_length, ThreadPool& pool);
+
+ private:
+  void apply(FlowState& state, double segment_length, double guide_length, ThreadPool& pool);
+
+  Refinement refinement_;
+  NodeData<double> targets_;
+  NodeData<uint32_t> origin_;
+};
+
+}  // namespace meander

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "medial/medial_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tuning.h"
+#include "medial/geodesic_medial_axis.h"
+
+namespace meander {
+namespace {
+
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 2048;
+
+void find_radii(const MedialScene& scene, ThreadPool& pool, MedialState& state, NodeData<Radii>& radii) {
+  switch (scene.rules.axis) {
+    case MedialAxis::kEuclidean:
+      compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree, radii);
+      break;
+    case MedialAxis::kGeodesic:
+      compute_geodesic_medial_axis(scene.surface, scene.curve, state.frames, scene.boundary, scene.rules.boundary,
+                                   scene.metric, state.reach, pool, radii);
+      break;
+  }
+}
+
+}  // namespace
+
+void find_medial_state(const MedialScene& scene, const NodeData<CachedDirections>* cached, ThreadPool& pool,
+                       MedialState& state, NodeData<Radii>& radii) {
+  compute_frames(scene.surface, scene.curve, scene.metric, scene.radius, pool, state.frames, cached);
+  compute_reach(scene.surface, scene.curve, state.frames, scene.boundary, scene.rules.boundary, scene.rules.axis,
+                scene.metric, pool, state.reach);
+  find_radii(scene, pool, state, radii);
+  state.felt_radii.resize(radii.size());
+  pool.for_blocks(radii.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        const double driving = std::max(0.0, state.reach[i][side].driving);
+        state.felt_radii[i][side] =
+            in_local_radii(state.frames, scene.metric, i, side, std::min(radii[i][side], driving));
+      }
+    }
+  });
+}
+
+double in_local_radii(const Frames& frames, const LocalMetric& metric, size_t node, size_t side, double radius) {
+  const double growth = std::clamp(2 * frames.radius_slope[node][side] * radius / metric.radius[node],
+                                   tuning::kLeastRadiusGrowth, tuning::kMostRadiusGrowth);
+  return growth == 0 ? radius : radius * (std::log1p(growth) / growth);
+}
+
+}  // namespace meander

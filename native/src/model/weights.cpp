@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/weights.h"
+
+#include <cmath>
+
+#include "base/tuning.h"
+
+namespace meander {
+
+double power_balance(double q) {
+  return q == 2 ? 1 : tuning::kPowerLimit + (1 - tuning::kPowerLimit) * std::exp(-tuning::kPowerRate * (q - 2));
+}
+
+double polish_balance(double q) { return q == 2 ? 0 : tuning::kPolishBalance + tuning::kPolishBalanceSlope * q; }
+
+}  // namespace meander

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the terms of the model weigh (eqs. 2, 11 to 13).
+#pragma once
+
+#include "base/plane.h"
+#include "curve/node_data.h"
+
+namespace meander {
+
+/// What alpha has to be multiplied by so that a power q of the medial term leaves the spacing as it is.
+double power_balance(double q);
+
+/// What has to be added to the length weights of a polish to the same end.
+double polish_balance(double q);
+
+/// Weights of the model.
+struct Weights {
+  NodeData<double> length;   ///< t; may be negative in the gradient
+  NodeData<double> bending;  ///< b
+  double medial = 1;            ///< factor on alpha
+  double medial_power = 2;      ///< q
+  /// The Hessian of the power q as it is, in 2 x 2 blocks; else the larger of its two eigenvalues
+  /// serves both along and across the strand.
+  bool medial_blocks = false;
+  double length_power = 2;        ///< p
+  NodeData<double> alignment;  ///< beta; empty: no field
+  NodeData<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
+
+  bool coupled() const { return medial_blocks || length_power != 2 || !alignment.empty(); }
+};
+
+}  // namespace meander
