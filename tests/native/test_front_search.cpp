@@ -97,7 +97,8 @@ TEST(FrontSearch, ComesToItsGoalOverFewerNodesWhenItKnowsHowFarItIs) {
       while (const auto node = search.next()) {
         ++(heuristic ? with : without);
         if (*node == goal) break;
-        offer_neighbours(g, *node, search, [&](uint32_t v) { return heuristic ? norm(g.place[v] - g.place[goal]) : 0; });
+        offer_neighbours(g, *node, search,
+                         [&](uint32_t v) { return heuristic ? norm(g.place[v] - g.place[goal]) : 0; });
       }
       EXPECT_NEAR(search.cost(goal), least, 1e-12);
     }

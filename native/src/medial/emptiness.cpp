@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <queue>
-#include <unordered_set>
 
+#include "base/front_search.h"
 
 namespace meander {
 namespace {
@@ -149,15 +148,13 @@ bool Emptiness::hang_together(const SurfacePoint& p, uint32_t face, const Vec3& 
 /// order in which a growing ball reaches the edges between them.
 double Emptiness::distance_on_surface(const SurfacePoint& p, double most) const {
   const Vec3 x = position(surface_, p);
-  using Entry = std::pair<double, uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  std::unordered_set<uint32_t> entered;
+  FrontSearch<ReachedNodes> search;
   double distance = std::numeric_limits<double>::infinity();
-  queue.push({0, p.face});
-  while (!queue.empty() && queue.top().first < std::min(most, distance)) {
-    const auto [radius, face] = queue.top();
-    queue.pop();
-    if (!entered.insert(face).second) continue;
+  search.offer(p.face, 0);
+  while (const auto next = search.next()) {
+    const uint32_t face = *next;
+    const double radius = search.cost(face);
+    if (!(radius < std::min(most, distance))) break;
     for (const uint32_t segment : segments_->of(face)) {
       const double d = curve_.has_segment(segment) ? distance_to_path(x, segment)
                                                    : (tree_.points()[segment] - x).norm();
@@ -166,10 +163,10 @@ double Emptiness::distance_on_surface(const SurfacePoint& p, double most) const 
     const Triangle& corners = surface_.face(face);
     for (uint32_t k = 0; k < 3; ++k) {
       const HalfEdge twin = surface_.twin(3 * face + k);
-      if (twin == kNone || entered.contains(face_of(twin))) continue;
+      if (twin == kNone || search.done(face_of(twin))) continue;
       const double d = distance_to_segment(x, surface_.position(corners[k]),
                                            surface_.position(corners[next_corner(k)]));
-      if (d < most) queue.push({std::max(radius, d), face_of(twin)});
+      if (d < most) search.offer(face_of(twin), std::max(radius, d));
     }
   }
   return distance < most ? distance : std::numeric_limits<double>::infinity();
