@@ -17,8 +17,8 @@ target_include_directories(meander_core
   PUBLIC "${PROJECT_SOURCE_DIR}/native/include"
          "${PROJECT_SOURCE_DIR}/native/src"
          "${generated_dir}")
-# EIGEN_MPL2_ONLY makes the few LGPL parts of Eigen an error instead of an accident.
 target_include_directories(meander_core SYSTEM PUBLIC "${OPENMESH_INCLUDE_DIR}")
+# EIGEN_MPL2_ONLY makes the few LGPL parts of Eigen an error instead of an accident.
 # Objects go into the shared library, which exports the C API; programs linked with the static one do not
 # import it.
 target_compile_definitions(meander_core PUBLIC EIGEN_MPL2_ONLY PRIVATE MEANDER_BUILDING INTERFACE MEANDER_STATIC)

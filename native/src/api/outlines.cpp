@@ -23,6 +23,7 @@ meander_status meander_surface_find_outlines(const meander_surface* surface, dou
              ".");
     }
     require_range(distance / spacing, 0.1, 2, "distance of an outline (in spacings)");
+    check_cancelled(context);
     const Outlines outlines = find_outlines(s, distance / s.scale(), 0.5 * spacing / s.scale(),
                                             [context] { return cancelled(context); });
     const size_t points = outlines.points.size(), strands = outlines.closed.size();

@@ -396,7 +396,7 @@ MEANDER_API meander_status meander_surface_compute_stroke_directions(
  * strand_capacity  room in `closed`, in strands; `offsets` has room for one value more
  * strand_count     receives the number of strands; 0 for a closed surface
  * skipped_count    receives how many stretches and strands were left out; may be NULL
- * context          or NULL; asked before the work begins and after it
+ * context          or NULL; asked before the work begins and every few milliseconds
  *
  * Two-call sizing as in meander_flow_get_polylines, but every call computes anew. Any thread. */
 MEANDER_API meander_status meander_surface_find_outlines(
