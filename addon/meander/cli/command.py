@@ -13,7 +13,8 @@ from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
 from . import preparation
-from .arguments import arguments_of_process, check_arguments, flow_options, parser
+from .arguments import arguments_of_process, check_arguments, parser
+from .flags import flow_options
 from .grown import grown_of
 from .input import Input
 from .reading import need_bpy, read_input

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 from ..model.density import CURVATURES, FREE, INTERPOLATIONS, Choice, Stops
+from .flags import add_flags
+from .values import number
 
 # How an option's name ends, its source, and what it names.
 _SOURCES = (
@@ -29,8 +30,7 @@ _DETAILS = (
 _LEAST_FACTOR, _GREATEST_FACTOR = 0.05, 5.0
 
 
-def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float]) -> None:
-    """Adds the options; `number` reads a finite one."""
+def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
         "density",
         "One source of values; where they are high the spacing is smaller, unless the factors "
@@ -42,12 +42,7 @@ def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float])
     add("--density-color", metavar="NAME", help="color attribute: its brightness")
     add("--density-image", metavar="NAME", help="image in the .blend: its brightness")
     add("--density-curvature", choices=CURVATURES, help="absolute curvature of the surface")
-    add(
-        "--density-smoothing",
-        type=number,
-        metavar="S",
-        help="average the curvature over so many halves of the spacing; default: 2",
-    )
+    add_flags(group, "density")
     add("--uv-map", metavar="NAME", help="for --density-image and --direction u; default: active")
     add(
         "--density-range",
@@ -94,8 +89,6 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
     if arguments.density_smoothing is not None:
         if arguments.density_curvature is None:
             return "--density-smoothing is for --density-curvature; give both or none"
-        if arguments.density_smoothing < 0:
-            return f"--density-smoothing {arguments.density_smoothing:g} is less than 0"
     for factor in arguments.spacing_factors or ():
         if not _LEAST_FACTOR <= factor <= _GREATEST_FACTOR:
             return (

@@ -4,16 +4,15 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from .. import core
 from ..model import toolpath
+from .values import positive
 
 
-def add_options(parser: argparse.ArgumentParser, positive: Callable[[str], float]) -> None:
-    """Adds the options; `positive` reads a number greater than 0."""
+def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
         "tool paths", "How densely the points of an --output of kind .csv or .json lie."
     )

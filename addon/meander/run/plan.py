@@ -20,10 +20,10 @@ from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
+from ..scene.flow_options import options_of
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import surface_of
-from ..scene.terms import terms_of
 from ..scene.transforms import world_matrix
 
 
@@ -90,7 +90,7 @@ def plan_of(
         )
     settings = active.meander
     point_attributes.refuse(settings.points_as)
-    options = core.default_options(settings.preset.lower())
+    core.library_version()  # a missing library is said before anything is read
     vertices, faces = triangles_of(surface, depsgraph)
     # As stored, so that a run that proposes its spacing and one that is given it are the same.
     spacing = settings.spacing or float(np.float32(proposed_spacing(vertices, faces)))
@@ -100,9 +100,8 @@ def plan_of(
     parts, dress = scene_strands.parts_of(active, depsgraph, restart)
     seed = strands.assembled(parts, settings.seed_every_part)
     prepared = surface_options(repair_of(settings), mask_of(settings), surface, depsgraph)
-    options.radius = spacing / 2.0
+    options = options_of(settings, spacing)
     options.alignment_weight = alignment.weight if directions is not None else 0.0
-    _set_options(options, settings)
     outline = _outline_distance(active, surface, options, restart)
     return Plan(
         problem=Problem(
@@ -131,16 +130,6 @@ def plan_of(
         radius_follows=settings.radius_follows,
         points_as=settings.points_as,
     )
-
-
-def _set_options(options: core.FlowOptions, settings: bpy.types.PropertyGroup) -> None:
-    """Puts what the settings say into options, whose radius is."""
-    terms_of(settings).apply(options)
-    options.border_distance = float(f"{settings.border_distance:.6g}")  # 0.5 exactly
-    options.threads = settings.threads
-    options.medial_axis = core.MedialAxis[settings.medial_axis]
-    if settings.iteration_limit:
-        options.iteration_limit = settings.iteration_limit
 
 
 def _outline_distance(

@@ -2,7 +2,7 @@
 """Which direction the strands run in, as settings on an object."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
+from bpy.props import EnumProperty, PointerProperty, StringProperty
 
 from ..scene.attributes import vector_names
 
@@ -27,26 +27,6 @@ class AlignmentSettings:
             ("ATTRIBUTE", "Attribute", "A vector attribute of points, as Geometry Nodes make"),
         ),
         default="NONE",
-        options=set(),
-    )
-    alignment_weight: FloatProperty(
-        name="Weight",
-        description=(
-            "How strongly strands turn into the directions; 1 is clear to see, far more makes "
-            "the spacing less even"
-        ),
-        default=1.0,
-        min=0.0,
-        max=1e6,
-        soft_max=5.0,
-        precision=2,
-        step=10,
-        options=set(),
-    )
-    align_across: BoolProperty(
-        name="Across",
-        description="Run at right angles to the directions instead of along them",
-        default=False,
         options=set(),
     )
     alignment_axis: EnumProperty(
@@ -74,19 +54,6 @@ class AlignmentSettings:
             ("MAX", "Most", "Round a limb: strands show its shape"),
         ),
         default="MIN",
-        options=set(),
-    )
-    alignment_smoothing: FloatProperty(
-        name="Smoothing",
-        description=(
-            "Average the curvature over this many halves of the spacing; more leaves out small "
-            "features, 0 takes every dent"
-        ),
-        default=2.0,
-        min=0.0,
-        soft_max=10.0,
-        precision=1,
-        step=50,
         options=set(),
     )
     alignment_strokes: PointerProperty(

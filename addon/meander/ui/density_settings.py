@@ -86,19 +86,6 @@ class DensitySettings:
         default="MEAN",
         options=set(),
     )
-    density_smoothing: FloatProperty(
-        name="Smoothing",
-        description=(
-            "Average the curvature over this many halves of the spacing; more leaves out small "
-            "features, 0 takes every dent"
-        ),
-        default=2.0,
-        min=0.0,
-        soft_max=10.0,
-        precision=1,
-        step=50,
-        options=set(),
-    )
     use_density_range: BoolProperty(
         name="Custom Range",
         description=(

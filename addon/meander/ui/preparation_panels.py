@@ -9,6 +9,7 @@ from ..run import session
 from ..scene import refused_element
 from ..scene.errors import DataError
 from ..scene.settings import surface_of
+from .declared import row
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns
 
@@ -87,8 +88,8 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
                 layout.prop_search(settings, "mask_group", surface, "vertex_groups")
                 layout.prop(settings, "mask_threshold")
             layout.prop(settings, "mask_inverted")
-        layout.prop(settings, "border_distance", text="Border Distance")
-        layout.prop(settings, "use_outline")
+        row(layout, settings, "border_distance")
+        row(layout, settings, "use_outline")
 
 
 class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
