@@ -63,7 +63,7 @@ def _process(argv: Sequence[str]) -> None:
 
 
 def _open(given: Input) -> Opened:
-    """The flow; what is refused is named as the user knows it."""
+    """Opens the flow; an error names elements as the user counts them."""
     try:
         return open_flow(given.problem)
     except core.MeanderError as refusal:

@@ -19,7 +19,7 @@ _SOURCES = (
     ("image", "IMAGE", "image"),
     ("curvature", "CURVATURE", "curvature"),
 )
-# What says how a source is used, and is nothing without one.
+# Options that mean nothing without a source.
 _DETAILS = (
     "density_range",
     "density_smoothing",
@@ -69,7 +69,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
-    """One sentence for options that do not fit each other or the input, whose suffix is `kind`."""
+    """One sentence about options that do not fit each other, or the input of suffix `kind`."""
     given = _given(arguments)
     if len(given) > 1:
         names = " and ".join(f"--density-{option}" for option, _source, _kind in given[:2])
@@ -130,7 +130,7 @@ def _read_stops(text: str) -> Stops | str:
 
 
 def _free_ramp(stops: Stops) -> dict[str, Any]:
-    """What of a Choice says factors at places: the least and the greatest, and the way between."""
+    """The part of a Choice for factors at places: least and greatest, and the shape in between."""
     least, greatest = min(factor for _, factor in stops), max(factor for _, factor in stops)
     span = (greatest - least) or 1.0
     shape = tuple((place, (factor - least) / span) for place, factor in stops)
@@ -167,7 +167,7 @@ def choice_of(arguments: argparse.Namespace, saved: Choice) -> Choice:
 
 
 def echo(arguments: argparse.Namespace, choice: Choice) -> dict[str, Any]:
-    """What the report says of the density."""
+    """The entries of the report about the density."""
     entries: dict[str, Any] = {
         f"density_{option}": getattr(arguments, f"density_{option}")
         for option, _source, _what in _SOURCES

@@ -57,7 +57,7 @@ def flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
 
 
 def entries(arguments: argparse.Namespace, options: core.FlowOptions) -> dict[str, Any]:
-    """What the report says of the options that it names as the command line does."""
+    """The entries of the report that are named as the flags are."""
     return {
         flag.entry: getattr(options, option.field)
         if option.field

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The options of the batch command for mending the mesh, the part to fill, its border; no bpy."""
+"""The options of the batch command for repairing the mesh, the part to fill, its border; no bpy."""
 
 from __future__ import annotations
 
@@ -39,7 +39,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add_flags(mask, "part to fill")
     repair = parser.add_argument_group(
-        "mesh repair", "A mesh with faults is refused unless these mend it; the report counts."
+        "mesh repair",
+        "A mesh with faults is refused unless these repair it; the report says what was done.",
     )
     add_flags(repair, "mesh repair")
 
@@ -49,7 +50,7 @@ def _given(arguments: argparse.Namespace) -> list[tuple[str, str, str]]:
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
-    """One sentence for options that do not fit each other or the input, whose suffix is `kind`."""
+    """One sentence about options that do not fit each other, or the input of suffix `kind`."""
     given = _given(arguments)
     if len(given) > 1:
         names = " and ".join(f"--mask-{option}" for option, _source, _what in given[:2])
@@ -86,7 +87,7 @@ def mask_of(arguments: argparse.Namespace) -> Mask:
 
 
 def echo(repair: Repair, mask: Mask) -> dict[str, Any]:
-    """What the report says of the options."""
+    """The entries of the report about these options."""
     entries: dict[str, Any] = dict(asdict(repair))
     for option, source, _what in _SOURCES:
         entries[f"mask_{option}"] = mask.name if mask.source == source else None

@@ -65,7 +65,7 @@ def write_scene(
         _store(arguments, given, surface_object, curve_object)
         scene_strands.note_guides(curve_object, grown.guides, keep=True)
         matrix = world_matrix(surface_object)
-        point_attributes.remember_room(curve_object, grown.data.radii[kept], matrix)
+        point_attributes.store_medial_radii(curve_object, grown.data.radii[kept], matrix)
         if arguments.points is not None:
             curve_object.meander.figures.points = point_attributes.make(
                 arguments.points.upper(),

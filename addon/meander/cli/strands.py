@@ -40,7 +40,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def problem_of(arguments: argparse.Namespace) -> str | None:
-    """One sentence for options that do not fit each other."""
+    """One sentence about options that do not fit each other; None: they do."""
     for option, path in (("--seed", arguments.seed), ("--guides", arguments.guides)):
         if path is not None and path.suffix.lower() != ".obj":
             return f"{option} {path} is no .obj file"
@@ -81,7 +81,7 @@ def stroke_of(arguments: argparse.Namespace, vertices: NDArray[np.float64]) -> S
 
 
 def echo(arguments: argparse.Namespace, stroke: Stroke | None) -> dict[str, Any]:
-    """What the report says of the strands."""
+    """The entries of the report about the strands."""
     return {
         "from": None if stroke is None else stroke[0],
         "to": None if stroke is None else stroke[1],

@@ -12,7 +12,7 @@ from .. import core
 from ..model.alignment import Alignment, Directions, axis_directions, computed
 from .flags import add_flags
 
-# What --direction may say besides the name of an attribute: a source and a choice.
+# What --direction may be other than the name of an attribute: a source and a choice.
 _WORDS = {
     "curvature": ("CURVATURE", "MIN"),
     "curvature-max": ("CURVATURE", "MAX"),
@@ -42,7 +42,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
-    """One sentence for options that do not fit each other or the input, whose suffix is `kind`."""
+    """One sentence about options that do not fit each other, or the input of suffix `kind`."""
     source = alignment_of(arguments).source
     if arguments.direction is not None and arguments.direction_object is not None:
         return "--direction and --direction-object are both given; choose one"
@@ -97,7 +97,7 @@ def directions_without_a_scene(
 
 
 def echo(arguments: argparse.Namespace, options: core.FlowOptions) -> dict[str, Any]:
-    """What the report says of the terms, by the names of the command line."""
+    """The entries of the report about the directions."""
     alignment = alignment_of(arguments)
     return {
         "alignment": options.alignment_weight,

@@ -21,13 +21,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--resample-step",
         type=positive,
         metavar="D",
-        help="points at equal ways along each strand, at most this far apart",
+        help="points at equal arc lengths along each strand, at most this far apart",
     )
     add(
         "--chord-tolerance",
         type=positive,
         metavar="D",
-        help="as few points as keep the straight way between them this near",
+        help="as few points as keep the chords between them this near the curve",
     )
 
     add(

@@ -73,7 +73,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "iteration_limit",
         "Iteration Limit",
-        "Stop after this many iterations at the latest; 0 leaves it to the preset",
+        "Stop after at most this many iterations; 0 leaves it to the preset",
         _OPTIONS,
         kind=int,
         default=0,
@@ -86,7 +86,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "threads",
         "Threads",
-        "Threads to compute with; 0 uses them all. The result is the same",
+        "Number of threads; 0 uses all of the machine's. The result does not depend on it",
         _OPTIONS,
         kind=int,
         default=0,
@@ -96,7 +96,7 @@ ROWS: tuple[Option, ...] = (
         field="threads",
         flag=Flag(
             "--threads",
-            "threads to compute with; 0: all; the result is the same",
+            "number of threads; 0: all; the result does not depend on it",
             metavar="T",
             least=0,
             greatest=256,
@@ -183,7 +183,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "segment_share",
         "Segment Length",
-        "Shortest segment in halves of the spacing. Longer is faster and coarser; 0 leaves it "
+        "Shortest segment in half spacings. Longer is faster and coarser; 0 leaves it "
         "to the preset, which takes 0.2",
         _WEIGHTS,
         row="Segments",
@@ -207,7 +207,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "reach",
         "Reach",
-        "How far strands look for others, in halves of the spacing. Less follows the seed's "
+        "How far strands look for others, in half spacings. Less follows the seed's "
         "shape longer, below 2 parts may stay empty; 0 leaves it to the preset",
         _WEIGHTS,
         unit="r",

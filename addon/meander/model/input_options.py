@@ -7,14 +7,14 @@ from .option import Flag, Option
 
 _DENSITY, _ALIGNMENT, _STRANDS = "Density", "Alignment", "Strands"
 _REGION, _REPAIR, _MOTION = "Region", "Mesh Repair", "Motion"
-_TERMS, _PART, _MENDING = "terms of the energy", "part to fill", "mesh repair"
+_TERMS, _PART, _REPAIRS = "terms of the energy", "part to fill", "mesh repair"
 
 ROWS: tuple[Option, ...] = (
     Option(
         "density_smoothing",
         "Smoothing",
-        "Average the curvature over this many halves of the spacing; more leaves out small "
-        "features, 0 takes every dent",
+        "Radius over which the curvature is averaged, in half spacings; a larger one "
+        "ignores small features, 0 keeps every dent",
         _DENSITY,
         unit="r",
         default=2.0,
@@ -24,7 +24,7 @@ ROWS: tuple[Option, ...] = (
         step=50,
         flag=Flag(
             "--density-smoothing",
-            "average the curvature over so many halves of the spacing; default: 2",
+            "radius over which the curvature is averaged, in half spacings; default: 2",
             "density",
             "S",
             least=0.0,
@@ -33,8 +33,8 @@ ROWS: tuple[Option, ...] = (
     Option(
         "alignment_weight",
         "Weight",
-        "How strongly strands turn into the directions; 1 is clear to see, far more makes "
-        "the spacing less even",
+        "How strongly strands follow the directions; 1 is clearly visible, much larger values "
+        "make the spacing less even",
         _ALIGNMENT,
         default=1.0,
         least=0.0,
@@ -60,8 +60,8 @@ ROWS: tuple[Option, ...] = (
     Option(
         "alignment_smoothing",
         "Smoothing",
-        "Average the curvature over this many halves of the spacing; more leaves out small "
-        "features, 0 takes every dent",
+        "Radius over which the curvature is averaged, in half spacings; a larger one "
+        "ignores small features, 0 keeps every dent",
         _ALIGNMENT,
         unit="r",
         default=2.0,
@@ -71,7 +71,7 @@ ROWS: tuple[Option, ...] = (
         step=50,
         flag=Flag(
             "--direction-smoothing",
-            "average the curvature over so many halves of the spacing; default: 2",
+            "radius over which the curvature is averaged, in half spacings; default: 2",
             _TERMS,
             "S",
             least=0.0,
@@ -95,7 +95,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "mask_threshold",
         "Threshold",
-        "The border runs where the weight is this, straight through faces",
+        "Weight at which the border runs, cutting through faces",
         _REGION,
         unit="share",
         default=0.5,
@@ -123,14 +123,14 @@ ROWS: tuple[Option, ...] = (
     Option(
         "use_outline",
         "Outline First",
-        "Lay a fixed strand along every border at the border distance, and fill what is "
-        "left inside",
+        "Place a fixed strand along every border at the border distance first, and fill what "
+        "is left inside",
         _REGION,
         kind=bool,
         default=False,
         flag=Flag(
             "--outline",
-            "lay a fixed strand along every border at that distance first",
+            "place a fixed strand along every border at that distance first",
             _PART,
             entry="outline",
         ),
@@ -138,7 +138,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "use_merge",
         "Merge Close Vertices",
-        "Take vertices that are very near each other as one; the mesh stays as it is",
+        "Treat vertices that are very close together as one; the mesh itself does not change",
         _REPAIR,
         kind=bool,
         default=False,
@@ -146,7 +146,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "merge_distance",
         "Distance",
-        "Vertices this near to each other are one, in world units",
+        "Vertices closer together than this are one, in world units",
         _REPAIR,
         unit="length",
         default=0.0001,
@@ -155,16 +155,22 @@ ROWS: tuple[Option, ...] = (
         digits=5,
         step=1,
         switch="use_merge",
-        flag=Flag("--merge-distance", "vertices this near become one", _MENDING, "D", least=0.0),
+        flag=Flag(
+            "--merge-distance",
+            "vertices closer together than this become one",
+            _REPAIRS,
+            "D",
+            least=0.0,
+        ),
     ),
     Option(
         "drop_degenerate",
         "Dissolve Degenerate",
-        "Do without faces that have no area or are there twice, instead of refusing",
+        "Remove faces without area and duplicate faces, instead of refusing the mesh",
         _REPAIR,
         kind=bool,
         default=False,
-        flag=Flag("--drop-degenerate", "dissolve faces without area", _MENDING),
+        flag=Flag("--drop-degenerate", "dissolve faces without area", _REPAIRS),
     ),
     Option(
         "split_bow_ties",
@@ -174,29 +180,29 @@ ROWS: tuple[Option, ...] = (
         kind=bool,
         default=False,
         flag=Flag(
-            "--split-bow-ties", "separate fans of faces that meet in one vertex only", _MENDING
+            "--split-bow-ties", "separate fans of faces that meet in one vertex only", _REPAIRS
         ),
     ),
     Option(
         "cut_non_manifold",
         "Cut Non-Manifold Edges",
-        "Take edges with more than two faces as borders, where every sheet ends, instead of "
-        "refusing the mesh",
+        "Treat edges with more than two faces as borders, at which every sheet ends, instead "
+        "of refusing the mesh",
         _REPAIR,
         kind=bool,
         default=False,
-        flag=Flag("--cut-non-manifold", "edges with more than two faces become borders", _MENDING),
+        flag=Flag("--cut-non-manifold", "edges with more than two faces become borders", _REPAIRS),
     ),
     Option(
         "motion",
         "Motion",
-        "What becomes of the curve when the surface changes its shape",
+        "What happens to the curve when the surface changes its shape",
         _MOTION,
         kind=str,
         default="even",
         choices=(
-            ("even", "Keep Even", "The flow goes on: strands stay at the spacing"),
-            ("stick", "Stick", "Points stay on their faces, as a texture does"),
+            ("even", "Keep Even", "The flow continues, so that strands keep the spacing"),
+            ("stick", "Stick", "Points stay on their faces, as a texture would"),
         ),
         flag=Flag(
             "--motion",
@@ -209,7 +215,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "motion_steps",
         "Steps",
-        "Iterations for each frame; more keep the spacing through faster motion",
+        "Iterations per frame; more of them keep the spacing under faster motion",
         _MOTION,
         kind=int,
         default=3,

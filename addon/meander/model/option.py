@@ -19,18 +19,18 @@ Values = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Flag:
-    """How the batch command takes an option; what it is not given is as if it had never been named.
+    """The flag of an option of the batch command.
 
     name      such as "--length"
     help      one line for --help
-    group     the heading there that it stands under; empty: the general ones
-    metavar   what stands for the value
-    least, greatest, above   what a number is refused outside of; None: the library decides
-    in_scene_units           a length, where the setting counts halves of the spacing
-    entry     its name in the report, where it differs from that of the flow's option; empty: the
-              report says it another way
-    default   what is in effect without it; None: the preset's own value
-    required  the command does nothing without it
+    group     its heading in --help; empty: it is among the general options
+    metavar   the placeholder of the value in --help
+    least, greatest, above   limits of a number; None: the library checks it
+    in_scene_units           the flag is a length in scene units, while the setting is in r
+    entry     its name in the report, where that is neither a field of core.FlowOptions nor made
+              elsewhere; empty: none
+    default   the value when it is not given; None: the preset's own
+    required  the command refuses to run without it
     """
 
     name: str
@@ -56,21 +56,22 @@ class Option:
     """One thing that a user may choose.
 
     setting    the attribute of object.meander, which .blend files hold: never to be renamed
-    label      its name, in Title Case; `row` is a shorter one for its row in the panel
-    tip        what it does, with its consequence, without a full stop
-    panel      the label of the panel that it stands in
+    label      its name, in Title Case; `row` is a shorter one for the panel
+    tip        its tool-tip: the effect and its consequence, without a full stop
+    panel      the label of its panel
     kind       float, int, bool, or str for one of `choices`
     unit       "length": of the scene; "r": half the spacing; "spacing"; "share": of one; empty:
                none. What counts in r means the same at every spacing
-    default    of the setting; where the flow has a field for it that of the library, as a test says
-    least, greatest, soft_least, soft_greatest   of the setting
-    digits, step   how its field shows a number: decimals, and hundredths that an arrow changes
-    choices    name, label and tip of each, for a kind of str
-    field      of core.FlowOptions that it sets
-    switch     the setting without which it is the preset's own value
-    zero_is_preset   0 is the preset's own value, and what lies between 0 and `least_used` is that
-    follows    a field that changes in the same proportion
-    flag       None: only in the panel
+    default    of the setting; a test compares it with the library's where `field` names one
+    least, greatest, soft_least, soft_greatest   limits of the setting
+    digits, step   decimals that the panel shows, and by how many hundredths an arrow changes it
+    choices    name, label and tool-tip of each choice, where kind is str
+    field      the field of core.FlowOptions that it sets; empty: none
+    switch     the setting that has to be on; while it is off the preset's own value is used
+    zero_is_preset   0 means the preset's own value
+    least_used       values between 0 and this are raised to this
+    follows    another field of core.FlowOptions, which changes in the same proportion
+    flag       None: the option is in the panel only
     """
 
     setting: str
@@ -97,9 +98,9 @@ class Option:
 
 
 def apply(options: Iterable[Option], values: Values, flow_options: core.FlowOptions) -> None:
-    """Puts what is chosen into the options of a flow, whose radius is.
+    """Puts what is chosen into the options of a flow, whose radius must be set.
 
-    options   rows of the table; those without a field, and what is None, change nothing
+    options   rows of the table; those without a field, or whose value is None, change nothing
     """
     for option in options:
         value = values.get(option.setting)

@@ -49,12 +49,12 @@ class Plan:
     problem: Problem
     surface: Key
     settings: Key  # whose settings were used: the surface or the result
-    result: Key | None  # the result to continue or to fill anew; None makes a new one
+    result: Key | None  # the result to continue or to start over; None makes a new one
     matrix: np.ndarray  # of the surface
     spacing: float
     bevel_depth: float  # world units
     parts: tuple[strands.Part, ...]  # what the seed was put together from
-    dress: scene_strands.Dress  # materials of the splines
+    materials: scene_strands.SplineMaterials  # materials of the splines
     name: str  # of a new result
     loose_edges: int = 0  # of the surface, in no face
     keeps_guides: bool = True  # the result has the guides as splines of its own
@@ -90,14 +90,14 @@ def plan_of(
         )
     settings = active.meander
     point_attributes.refuse(settings.points_as)
-    core.library_version()  # a missing library is said before anything is read
+    core.library_version()  # before anything is read, a missing library is reported
     vertices, faces = triangles_of(surface, depsgraph)
     # As stored, so that a run that proposes its spacing and one that is given it are the same.
     spacing = settings.spacing or float(np.float32(proposed_spacing(vertices, faces)))
     density = density_of(choice_of(settings), surface, depsgraph, spacing / 2.0)
     alignment = alignment_of(settings)
     directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
-    parts, dress = scene_strands.parts_of(active, depsgraph, restart)
+    parts, materials = scene_strands.parts_of(active, depsgraph, restart)
     seed = strands.assembled(parts, settings.seed_every_part)
     prepared = surface_options(repair_of(settings), mask_of(settings), surface, depsgraph)
     options = options_of(settings, spacing)
@@ -122,7 +122,7 @@ def plan_of(
         spacing=spacing,
         bevel_depth=settings.bevel_share * spacing if settings.use_bevel else 0.0,
         parts=tuple(parts),
-        dress=dress,
+        materials=materials,
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=loose_edge_count(surface, depsgraph),
         keeps_guides=settings.keep_guides,
@@ -147,7 +147,7 @@ def _outline_distance(
 
 
 def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart: bool) -> bool:
-    """Whether a run lays the outline anew: a result that has kept it goes on with its own."""
+    """Whether a run lays the outline: a result that has kept its own goes on with that."""
     if active is surface or restart or not active.meander.figures.guides:
         return True
     if active.meander.guides is not None or active.meander.guide_collection is not None:

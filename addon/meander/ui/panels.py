@@ -155,7 +155,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
 def _gaps(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
     """How many, and the largest in units of half the spacing there: a row each, to fit."""
     if figures.gap_count < 0:
-        return (("Gaps", "Not sought"),)
+        return (("Gaps", "Not searched"),)
     if not figures.gap_count:
         return (("Gaps", "None"),)
     return (("Gaps", f"{figures.gap_count:,}"), ("Largest", f"{figures.largest_gap:.2f}"))

@@ -15,7 +15,7 @@ from .sidebar import ORDER, SubPanel, columns
 
 
 class MEANDER_OT_select_problem(bpy.types.Operator):
-    """Select the element of the mesh because of which it was refused, in Edit Mode"""
+    """Select, in Edit Mode, the element because of which the mesh was refused"""
 
     bl_idname = "meander.select_problem"
     bl_label = "Select Problem"
@@ -55,7 +55,7 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
         bpy.ops.mesh.select_mode(type="VERT")
         bpy.ops.mesh.select_all(action="DESELECT")
         bpy.ops.object.mode_set(mode="OBJECT")
-        # Only now: switching modes makes the mesh's elements anew.
+        # Only now: switching modes recreates the elements of the mesh.
         mode, elements = refused_element.locate_problem(surface, depsgraph)
         for element in elements:
             element.select = True

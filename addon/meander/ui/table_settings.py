@@ -17,7 +17,7 @@ class TableSettings:
 
 
 class MotionSettings:
-    """Those of them that are for a result which follows its surface; it begins anew with them."""
+    """The settings of a result that follows its surface, which starts again when they change."""
 
     __annotations__ = declared(
         in_panel("Motion"),
