@@ -21,6 +21,8 @@ from meander.model.options import TABLE  # noqa: E402
 
 PAGE = ROOT / "docs" / "options.md"
 BEGIN, END = "<!-- written by scripts/write_option_table.py -->", "<!-- to here -->"
+# Where 0 stands for the preset's own value: the field that has it, in the same unit.
+OF_THE_PRESET = {"max_radius": "max_radius_factor"}
 UNITS = {"length": "scene", "r": "r", "spacing": "spacings", "share": "", "": ""}
 
 
@@ -43,7 +45,8 @@ def defaults(option: Option) -> list[str]:
     """Of the presets: what the library has, else what the setting has."""
     if option.field in ("", "preset"):
         return [shown(option, option.default)] * len(core.PRESETS)
-    found = (getattr(core.default_options(preset), option.field) for preset in core.PRESETS)
+    field = OF_THE_PRESET.get(option.field, option.field)
+    found = (getattr(core.default_options(preset), field) for preset in core.PRESETS)
     return [shown(option, value) for value in found]
 
 

@@ -20,6 +20,10 @@ from meander.model.options import BY_SETTING, OF_THE_FLOW, TABLE
 # source of directions the weight of the alignment, and the rest is what a preset is.
 OF_THE_PRESET = {
     "radius",
+    "max_radius_factor",
+    "grow_into_empty",
+    "widen_loops",
+    "hold_ends",
     "alignment_weight",
     "medial_weight",
     "step",
