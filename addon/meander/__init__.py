@@ -29,7 +29,7 @@ bl_info = {
 
 
 def _forget_submodules() -> None:
-    """Lets every submodule be imported anew from the files that are there now.
+    """Lets every submodule be imported again, from the files that are there now.
 
     When a new version is installed over this one, Blender reloads this file only. All others would
     stay as they were until restart, and fit neither each other nor the new library.

@@ -11,12 +11,11 @@ import numpy as np
 import pytest
 from mathutils import Matrix
 from meander import core
+from meander.model import option, options
 from meander.model.alignment import Alignment
-from meander.model.terms import Terms
 from meander.run.plan import plan_run
 from meander.scene import alignment as scene_alignment
 from meander.scene import attributes
-from meander.scene import terms as scene_terms
 from scenes import fill, grid, poly_curve, refused, sphere, world_splines, world_triangles
 
 
@@ -130,12 +129,39 @@ def test_alignments_and_terms_go_into_settings_and_out_again():
     ):
         scene_alignment.store_alignment(alignment, thing.meander)
         assert asdict(scene_alignment.alignment_of(thing.meander)) == asdict(alignment)
-    for terms in (
-        Terms(start_spacing_factor=1.0),
-        Terms(0.3, 1.7, 3.0, 2.5, 0.35, 4.5, 2.0),
+
+
+def test_options_survive_the_settings_of_an_object():
+    settings = sphere().meander
+    untouched = option.chosen(options.TABLE, settings)
+    assert untouched["length_weight"] is untouched["segment_share"] is untouched["reach"] is None
+    assert untouched["start_spacing_factor"] == 1.0 and untouched["preset"] == "even"
+    for values in (
+        {"start_spacing_factor": 1.0},
+        {
+            "preset": "paper",
+            "medial_axis": "geodesic",
+            "iteration_limit": 70,
+            "length_weight": 0.3,
+            "bending_weight": 1.7,
+            "length_power": 3.0,
+            "medial_power": 2.5,
+            "segment_share": 0.35,
+            "reach": 4.5,
+            "start_spacing_factor": 2.0,
+            "border_distance": 0.75,
+            "use_outline": True,
+            "merge_distance": 0.002,
+            "motion": "stick",
+        },
     ):
-        scene_terms.store_terms(terms, thing.meander)
-        assert asdict(scene_terms.terms_of(thing.meander)) == asdict(terms)
+        option.store(options.TABLE, values, settings)
+        found = option.chosen(options.TABLE, settings)
+        assert {name: found[name] for name in values} == values
+    option.store(options.TABLE, {}, settings)
+    again = option.chosen(options.TABLE, settings)
+    assert again["length_weight"] is again["reach"] is again["merge_distance"] is None
+    assert again["border_distance"] == 0.75  # what is not named stays
 
 
 def test_terms_reach_the_options():
@@ -148,11 +174,11 @@ def test_terms_reach_the_options():
     assert plan_run(bpy.context).problem.options == before  # not without the tick
     settings.use_weights = True
     settings.segment_share, settings.reach, settings.start_spacing_factor = 0.4, 2.4, 2.0
-    options = plan_run(bpy.context).problem.options
-    assert (options.length_weight, options.bending_weight) == (0.3, 2.0)
-    assert options.segment_length == pytest.approx(0.05)
-    assert options.max_radius == pytest.approx(0.3)
-    assert options.start_spacing_factor == 2.0
+    found = plan_run(bpy.context).problem.options
+    assert (found.length_weight, found.bending_weight) == (0.3, 2.0)
+    assert found.segment_length == pytest.approx(0.05)
+    assert found.max_radius == pytest.approx(0.3)
+    assert found.start_spacing_factor == 2.0
 
 
 @pytest.mark.parametrize(

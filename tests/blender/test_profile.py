@@ -9,7 +9,7 @@ import pytest
 import scenes
 from meander import core
 from meander.model import profile
-from meander.scene.profile import dress_points
+from meander.scene.profile import set_tilt_and_radius
 
 
 def _evaluated(thing: bpy.types.Object) -> np.ndarray:
@@ -23,7 +23,7 @@ def _evaluated(thing: bpy.types.Object) -> np.ndarray:
 def _dressed(points: np.ndarray, normals: np.ndarray, cyclic: bool) -> bpy.types.Object:
     thing = scenes.poly_curve("Strip", [points.tolist()], cyclic)
     curve = core.Polylines(points, normals, np.array([0, len(points)]), np.array([cyclic]))
-    dress_points(thing.data, curve, np.eye(4), flat=True)
+    set_tilt_and_radius(thing.data, curve, np.eye(4), flat=True)
     return thing
 
 

@@ -9,7 +9,6 @@ import pytest
 from meander import core
 from meander.model import alignment, density
 from meander.model.density import Choice
-from meander.model.terms import Terms
 
 
 def test_uv_lines_are_those_of_the_map():
@@ -37,21 +36,6 @@ def test_the_mean_of_lines_ignores_their_signs():
     mean = alignment.mean_lines(lines, faces, 5)
     assert np.abs(mean[:3]) == pytest.approx(np.array([[1.0, 0, 0]] * 3))
     assert (mean[3:] == 0.0).all()
-
-
-def test_terms_leave_to_the_preset_what_is_not_set():
-    options = core.default_options("even")
-    options.radius = 0.5
-    before = core.default_options("even")
-    before.radius = 0.5
-    Terms().apply(options)
-    assert options == before
-    Terms(1.0, 2.0, 3.0, 4.0, 0.3, 5.0, 6.0).apply(options)
-    assert (options.length_weight, options.bending_weight) == (1.0, 2.0)
-    assert options.polish_bending_weight == 2.0 * before.polish_bending_weight
-    assert (options.length_power, options.medial_power) == (3.0, 4.0)
-    assert (options.segment_length, options.max_radius) == (0.15, 2.5)
-    assert options.start_spacing_factor == 6.0
 
 
 @pytest.mark.parametrize("kind", density.CURVATURES)

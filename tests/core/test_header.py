@@ -139,9 +139,7 @@ def test_every_option_is_a_field_of_the_struct() -> None:
         choices.C_OPTIONS.get(field.name, field.name)
         for field in dataclasses.fields(core.FlowOptions)
     }
-    # Those that a preset alone decides, seen from Python.
-    by_preset = {"max_radius_factor", "grow_into_empty", "widen_loops", "hold_ends"}
-    assert fields - ours == {"struct_size", "reserved"} | by_preset
+    assert fields - ours == {"struct_size", "reserved"}
 
 
 # ------------------------------------------------------------------------------------------------

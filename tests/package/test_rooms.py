@@ -33,8 +33,8 @@ def test_the_rooms_are_in_order(bpy_python: Path) -> None:
     [
         # The rooms, one step the wrong way each.
         ("binding/seed.py", "from .. import core", "A room uses only the rooms below it"),
-        ("core.py", "from .model import terms", "A room uses only the rooms below it"),
-        ("model/terms.py", "from ..scene import ramp", "A room uses only the rooms below it"),
+        ("core.py", "from .model import thinning", "A room uses only the rooms below it"),
+        ("model/thinning.py", "from ..scene import ramp", "A room uses only the rooms below it"),
         ("scene/ramp.py", "from ..run import pace", "A room uses only the rooms below it"),
         ("run/plan.py", "from ..ui import settings", "A room uses only the rooms below it"),
         ("run/plan.py", "from ..cli import values", "A room uses only the rooms below it"),
@@ -46,13 +46,13 @@ def test_the_rooms_are_in_order(bpy_python: Path) -> None:
             "def _late():\n    from ..ui import panels",
             "A room uses only the rooms below it",
         ),
-        ("model/terms.py", "import bpy", "Core, binding and model know nothing of Blender"),
+        ("model/thinning.py", "import bpy", "Core, binding and model know nothing of Blender"),
         (
             "binding/abi.py",
             "def _late():\n    import mathutils",
             "Core, binding and model know nothing of Blender",
         ),
-        ("model/terms.py", "import ctypes", "Only the binding knows ctypes"),
+        ("model/thinning.py", "import ctypes", "Only the binding knows ctypes"),
         ("core.py", "import ctypes", "Only the binding knows ctypes"),
         ("ui/panels.py", "from ctypes import c_int", "Only the binding knows ctypes"),
         ("run/plan.py", "from ..binding import flow", "Only core knows the binding"),

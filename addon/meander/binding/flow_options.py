@@ -4,49 +4,43 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import byref, c_size_t, c_uint32
-from dataclasses import dataclass, fields
+from ctypes import byref, c_double, c_size_t, c_uint32
+from dataclasses import fields, make_dataclass
 
 from .abi import BoundaryRule, FlowOptionsRecord, MedialAxis, StopRule
 from .choices import C_OPTIONS, PRESETS
 from .native_library import MeanderError, call, chosen, native, prepared
 
+# What C has as numbers and Python as something more; every other field is a float or an int.
+_KINDS: dict[str, type] = {
+    "preset": str,
+    "polish": bool,
+    "stop_rule": StopRule,
+    "boundary_rule": BoundaryRule,
+    "medial_axis": MedialAxis,
+}
+_PYTHON_NAMES = {c_name: name for name, c_name in C_OPTIONS.items()}
 
-@dataclass
-class FlowOptions:
-    """Options of one flow, named as in meander_flow_options, where each is described, but for those
-    of C_OPTIONS.
 
-    Made by `default_options` only; the defaults live in the library. Lengths are in the surface's
-    units. `radius` is half the spacing and must be chosen.
-    """
+def _fields_of_the_header() -> list[tuple[str, type]]:
+    """Names and kinds of the options, in the order of the header."""
+    found = []
+    for c_name, c_kind in FlowOptionsRecord._fields_:
+        if c_name not in ("struct_size", "reserved"):
+            name = _PYTHON_NAMES.get(c_name, c_name)
+            found.append((name, _KINDS.get(name, float if c_kind is c_double else int)))
+    return found
 
-    preset: str
-    radius: float
-    segment_length: float
-    max_radius: float
-    length_weight: float
-    bending_weight: float
-    medial_weight: float
-    alignment_weight: float
-    length_power: float
-    medial_power: float
-    step: float
-    growth_coarsening: float
-    start_spacing_factor: float
-    polish: bool
-    stop_rule: StopRule
-    polish_bending_weight: float
-    polish_length_offset: float
-    polish_length_gain: float
-    polish_medial_power: float
-    border_distance: float
-    boundary_rule: BoundaryRule
-    iteration_limit: int
-    threads: int
-    ripening_iterations: int
-    medial_axis: MedialAxis
 
+# Made from the header, so that a new option of the flow needs no line here.
+FlowOptions = make_dataclass("FlowOptions", _fields_of_the_header())
+FlowOptions.__module__ = __name__
+FlowOptions.__doc__ = """Options of one flow, named as in meander_flow_options, where each is
+described, but for those of C_OPTIONS.
+
+Made by `default_options` only; the defaults live in the library. Lengths are in the surface's
+units. `radius` is half the spacing and must be chosen.
+"""
 
 _OPTION_NAMES = tuple(field.name for field in fields(FlowOptions))
 
@@ -58,11 +52,8 @@ def default_options(preset: str = "even") -> FlowOptions:
     """
     record = prepared(FlowOptionsRecord, chosen("preset", preset, PRESETS))
     values = {name: getattr(record, C_OPTIONS.get(name, name)) for name in _OPTION_NAMES}
-    values["preset"] = PRESETS[record.preset]
-    values["polish"] = bool(record.polish)
-    values["stop_rule"] = StopRule(record.stop_rule)
-    values["boundary_rule"] = BoundaryRule(record.boundary_rule)
-    values["medial_axis"] = MedialAxis(record.medial_axis)
+    for name, kind in _KINDS.items():
+        values[name] = PRESETS[record.preset] if name == "preset" else kind(values[name])
     return FlowOptions(**values)
 
 

@@ -9,8 +9,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from .. import core
-from . import density, motion, preparation, strands, terms, toolpath, values
+from . import density, flags, motion, preparation, strands, terms, toolpath, values
 from .values import BadInput
 
 
@@ -25,53 +24,20 @@ def parser() -> argparse.ArgumentParser:
     add("--object", metavar="NAME", help="mesh object in the .blend; default: the active one")
     add("--output", type=Path, required=True, metavar="OUT", help=".obj, .blend, .csv or .json")
     add("--report", type=Path, metavar="JSON", help="write figures of the run")
-    add(
-        "--spacing",
-        type=values.positive,
-        required=True,
-        metavar="S",
-        help="distance of neighbouring strands, in scene units",
-    )
     add("--seed", type=Path, metavar="CURVE", help=".obj with v and l lines, in the mesh's space")
     add(
         "--seed-object",
         metavar="NAME",
         help="curve object in the .blend; its ends stay put if the surface's settings say so",
     )
-    add(
-        "--segment-length",
-        type=values.positive,
-        metavar="H",
-        help="default: a tenth of the spacing",
-    )
-    add(
-        "--max-radius",
-        type=values.positive,
-        metavar="RMAX",
-        help="limit of the medial radius",
-    )
-    add("--iterations", type=values.count(1, 2**31 - 1), metavar="N", help="iteration limit")
-    add(
-        "--medial-axis",
-        choices=("euclidean", "geodesic"),
-        default="euclidean",
-        help="measure distances between strands through space, or along the surface",
-    )
-    add("--preset", choices=("even", "finest", "paper"), default="even")
-    add(
-        "--threads",
-        type=values.count(0, 256),
-        default=0,
-        metavar="T",
-        help="0: all; same result",
-    )
+    flags.add_flags(parser)
     add("--quiet", action="store_true", help="print nothing but errors")
-    density.add_options(parser, values.number)
-    terms.add_options(parser, values.not_negative)
-    strands.add_options(parser, values.number, values.count(0, 2**31 - 1))
-    preparation.add_options(parser, values.number)
-    toolpath.add_options(parser, values.positive)
-    motion.add_options(parser, values.count(1, 1000))
+    density.add_options(parser)
+    terms.add_options(parser)
+    strands.add_options(parser)
+    preparation.add_options(parser)
+    toolpath.add_options(parser)
+    motion.add_options(parser)
     return parser
 
 
@@ -147,21 +113,3 @@ def _is(question: Callable[[Path], bool], option: str, path: Path) -> bool:
         raise BadInput(
             f"{option} {path} cannot be used ({problem.strerror}); choose another name"
         ) from problem
-
-
-def flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
-    """The preset's options with what the command line says in their place."""
-    options = core.default_options(arguments.preset)
-    options.radius = arguments.spacing / 2
-    options.threads = arguments.threads
-    options.medial_axis = core.MedialAxis[arguments.medial_axis.upper()]
-    if arguments.border_distance is not None:
-        options.border_distance = arguments.border_distance
-    if arguments.iterations is not None:
-        options.iteration_limit = arguments.iterations
-    terms.terms_of(arguments).apply(options)
-    if arguments.segment_length is not None:
-        options.segment_length = arguments.segment_length  # to the last bit
-    if arguments.max_radius is not None:
-        options.max_radius = arguments.max_radius
-    return options

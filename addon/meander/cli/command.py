@@ -13,7 +13,8 @@ from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
 from . import preparation
-from .arguments import arguments_of_process, check_arguments, flow_options, parser
+from .arguments import arguments_of_process, check_arguments, parser
+from .flags import flow_options
 from .grown import grown_of
 from .input import Input
 from .reading import need_bpy, read_input
@@ -62,7 +63,7 @@ def _process(argv: Sequence[str]) -> None:
 
 
 def _open(given: Input) -> Opened:
-    """The flow; what is refused is named as the user knows it."""
+    """Opens the flow; an error names elements as the user counts them."""
     try:
         return open_flow(given.problem)
     except core.MeanderError as refusal:

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 from ..model.density import CURVATURES, FREE, INTERPOLATIONS, Choice, Stops
+from .flags import add_flags
+from .values import number
 
 # How an option's name ends, its source, and what it names.
 _SOURCES = (
@@ -18,7 +19,7 @@ _SOURCES = (
     ("image", "IMAGE", "image"),
     ("curvature", "CURVATURE", "curvature"),
 )
-# What says how a source is used, and is nothing without one.
+# Options that mean nothing without a source.
 _DETAILS = (
     "density_range",
     "density_smoothing",
@@ -29,8 +30,7 @@ _DETAILS = (
 _LEAST_FACTOR, _GREATEST_FACTOR = 0.05, 5.0
 
 
-def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float]) -> None:
-    """Adds the options; `number` reads a finite one."""
+def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
         "density",
         "One source of values; where they are high the spacing is smaller, unless the factors "
@@ -42,12 +42,7 @@ def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float])
     add("--density-color", metavar="NAME", help="color attribute: its brightness")
     add("--density-image", metavar="NAME", help="image in the .blend: its brightness")
     add("--density-curvature", choices=CURVATURES, help="absolute curvature of the surface")
-    add(
-        "--density-smoothing",
-        type=number,
-        metavar="S",
-        help="average the curvature over so many halves of the spacing; default: 2",
-    )
+    add_flags(group, "density")
     add("--uv-map", metavar="NAME", help="for --density-image and --direction u; default: active")
     add(
         "--density-range",
@@ -74,7 +69,7 @@ def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float])
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
-    """One sentence for options that do not fit each other or the input, whose suffix is `kind`."""
+    """One sentence about options that do not fit each other, or the input of suffix `kind`."""
     given = _given(arguments)
     if len(given) > 1:
         names = " and ".join(f"--density-{option}" for option, _source, _kind in given[:2])
@@ -94,8 +89,6 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
     if arguments.density_smoothing is not None:
         if arguments.density_curvature is None:
             return "--density-smoothing is for --density-curvature; give both or none"
-        if arguments.density_smoothing < 0:
-            return f"--density-smoothing {arguments.density_smoothing:g} is less than 0"
     for factor in arguments.spacing_factors or ():
         if not _LEAST_FACTOR <= factor <= _GREATEST_FACTOR:
             return (
@@ -137,7 +130,7 @@ def _read_stops(text: str) -> Stops | str:
 
 
 def _free_ramp(stops: Stops) -> dict[str, Any]:
-    """What of a Choice says factors at places: the least and the greatest, and the way between."""
+    """The part of a Choice for factors at places: least and greatest, and the shape in between."""
     least, greatest = min(factor for _, factor in stops), max(factor for _, factor in stops)
     span = (greatest - least) or 1.0
     shape = tuple((place, (factor - least) / span) for place, factor in stops)
@@ -174,7 +167,7 @@ def choice_of(arguments: argparse.Namespace, saved: Choice) -> Choice:
 
 
 def echo(arguments: argparse.Namespace, choice: Choice) -> dict[str, Any]:
-    """What the report says of the density."""
+    """The entries of the report about the density."""
     entries: dict[str, Any] = {
         f"density_{option}": getattr(arguments, f"density_{option}")
         for option, _source, _what in _SOURCES

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run of the batch command has come to, as it is written; no bpy."""
+"""The outcome of a run of the batch command, as it is written; no bpy."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the batch command fills: a problem, and what its files and options say besides; no bpy."""
+"""What the batch command fills: a problem, and what else its files and options say; no bpy."""
 
 from __future__ import annotations
 

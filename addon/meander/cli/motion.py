@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
 from typing import Any
 
+from .flags import FLAGGED, add_flags
 
-def add_options(parser: argparse.ArgumentParser, count: Callable[[str], int]) -> None:
-    """Adds the options; `count` reads a whole number from 1 on."""
+
+def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
         "motion", "Frames of a mesh in a .blend that armatures, lattices or shape keys move."
     )
@@ -21,21 +21,15 @@ def add_options(parser: argparse.ArgumentParser, count: Callable[[str], int]) ->
         metavar=("START", "END"),
         help="write the curve of these frames into the .blend; it is grown in the file's own frame",
     )
-    add(
-        "--motion",
-        choices=("even", "stick"),
-        default="even",
-        help="baked frames keep the spacing, or their points stay on their faces",
-    )
-    add("--motion-steps", type=count, default=3, metavar="N", help="iterations for each frame")
+    add_flags(group, "motion")
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
     """What is wrong with the options, as a sentence, or None."""
     if arguments.bake_frames is None:
-        for name, default in (("motion", "even"), ("motion_steps", 3)):
-            if getattr(arguments, name) != default:
-                return f"--{name.replace('_', '-')} needs --bake-frames START END"
+        for _option, flag in FLAGGED:
+            if flag.group == "motion" and getattr(arguments, flag.destination) != flag.default:
+                return f"{flag.name} needs --bake-frames START END"
         return None
     first, last = arguments.bake_frames
     if first > last:
@@ -47,8 +41,4 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
 
 def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     """What is in effect, for the report."""
-    return {
-        "bake_frames": arguments.bake_frames,
-        "motion": arguments.motion,
-        "motion_steps": arguments.motion_steps,
-    }
+    return {"bake_frames": arguments.bake_frames}

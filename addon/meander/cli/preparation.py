@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The options of the batch command for mending the mesh, the part to fill, its border; no bpy."""
+"""The options of the batch command for repairing the mesh, the part to fill, its border; no bpy."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
 from ..model.preparation import Mask, Repair
+from .flags import add_flags
 
 # How an option's name ends, its source, and what it names.
 _SOURCES = (
@@ -27,42 +28,21 @@ _COUNTED = (
 )
 
 
-def add_options(parser: argparse.ArgumentParser, number: Callable[[str], float]) -> None:
-    """Adds the options; `number` reads a finite one."""
+def add_options(parser: argparse.ArgumentParser) -> None:
     mask = parser.add_argument_group(
         "part to fill", "One mask of the .blend's object, and the border."
     )
     mask.add_argument("--mask-group", metavar="NAME", help="vertex group: where it is high enough")
-    mask.add_argument("--mask-threshold", type=number, metavar="X", help="default: 0.5")
     mask.add_argument("--mask-material", metavar="NAME", help="the faces with this material")
     mask.add_argument(
         "--mask-attribute", metavar="NAME", help="boolean or integer attribute of faces"
     )
-    mask.add_argument("--mask-invert", action="store_true", help="fill the rest instead")
-    mask.add_argument(
-        "--border-distance",
-        type=number,
-        metavar="D",
-        help="of the last strand from borders, in spacings, from 0 to 2; default: 0.5",
-    )
-    mask.add_argument(
-        "--outline",
-        action="store_true",
-        help="lay a fixed strand along every border at that distance first",
-    )
+    add_flags(mask, "part to fill")
     repair = parser.add_argument_group(
-        "mesh repair", "A mesh with faults is refused unless these mend it; the report counts."
+        "mesh repair",
+        "A mesh with faults is refused unless these repair it; the report says what was done.",
     )
-    repair.add_argument(
-        "--merge-distance", type=number, metavar="D", help="vertices this near become one"
-    )
-    repair.add_argument(
-        "--drop-degenerate", action="store_true", help="dissolve faces without area"
-    )
-    repair.add_argument("--split-bow-ties", action="store_true", help="part fans at a vertex")
-    repair.add_argument(
-        "--cut-non-manifold", action="store_true", help="edges with 3 faces become borders"
-    )
+    add_flags(repair, "mesh repair")
 
 
 def _given(arguments: argparse.Namespace) -> list[tuple[str, str, str]]:
@@ -70,7 +50,7 @@ def _given(arguments: argparse.Namespace) -> list[tuple[str, str, str]]:
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
-    """One sentence for options that do not fit each other or the input, whose suffix is `kind`."""
+    """One sentence about options that do not fit each other, or the input of suffix `kind`."""
     given = _given(arguments)
     if len(given) > 1:
         names = " and ".join(f"--mask-{option}" for option, _source, _what in given[:2])
@@ -81,18 +61,11 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
             return f"unknown {what} {name!r}: a {kind} file has none; give a .blend to --input"
     if arguments.mask_threshold is not None and arguments.mask_group is None:
         return "--mask-threshold is for --mask-group; give both or none"
-    if arguments.mask_threshold is not None and not 0 <= arguments.mask_threshold <= 1:
-        return f"--mask-threshold {arguments.mask_threshold:g} is no weight; choose from 0 to 1"
     if arguments.mask_invert and not given:
         return "--mask-invert needs a mask; give one such as --mask-group"
     if arguments.outline and arguments.border_distance is not None:
         if arguments.border_distance < 0.1:
             return "--outline needs a --border-distance of at least 0.1; choose a larger one"
-    if arguments.merge_distance is not None and arguments.merge_distance < 0:
-        return f"--merge-distance {arguments.merge_distance:g} is less than 0"
-    if arguments.border_distance is not None and not 0 <= arguments.border_distance <= 2:
-        given_distance = f"{arguments.border_distance:g}"
-        return f"--border-distance {given_distance} is out of range; choose from 0 to 2"
     return None
 
 
@@ -114,7 +87,7 @@ def mask_of(arguments: argparse.Namespace) -> Mask:
 
 
 def echo(repair: Repair, mask: Mask) -> dict[str, Any]:
-    """What the report says of the options."""
+    """The entries of the report about these options."""
     entries: dict[str, Any] = dict(asdict(repair))
     for option, source, _what in _SOURCES:
         entries[f"mask_{option}"] = mask.name if mask.source == source else None

@@ -9,6 +9,8 @@ from pathlib import Path
 import bpy
 
 from ..model import thinning, toolpath
+from ..model.option import store
+from ..model.options import TABLE
 from ..model.problem import Problem
 from ..run import baking
 from ..scene import point_attributes
@@ -19,14 +21,21 @@ from ..scene.density import store_choice
 from ..scene.errors import DataError
 from ..scene.preparation import store_mask, store_repair
 from ..scene.settings import copy_settings
-from ..scene.terms import store_terms
 from ..scene.transforms import world_matrix
-from . import terms
+from . import flags
 from .grown import Grown
 from .input import Input
 from .saved_settings import saved_settings
 from .scene_input import empty_scene
 from .values import BadInput
+
+# What the curve keeps of the flags: how long a run may take, and on how many threads, is for the
+# next one to say.
+_KEPT = tuple(
+    option
+    for option in TABLE
+    if option.flag is not None and option.setting not in ("iteration_limit", "threads")
+)
 
 
 def refuse_points(points: str | None) -> None:
@@ -56,7 +65,7 @@ def write_scene(
         _store(arguments, given, surface_object, curve_object)
         scene_strands.note_guides(curve_object, grown.guides, keep=True)
         matrix = world_matrix(surface_object)
-        point_attributes.remember_room(curve_object, grown.data.radii[kept], matrix)
+        point_attributes.store_medial_radii(curve_object, grown.data.radii[kept], matrix)
         if arguments.points is not None:
             curve_object.meander.figures.points = point_attributes.make(
                 arguments.points.upper(),
@@ -90,13 +99,9 @@ def _store(
     copy_settings(surface_object.meander, curve_object.meander)
     made_with = curve_object.meander
     made_with.surface = surface_object
-    made_with.spacing = arguments.spacing
-    made_with.preset = arguments.preset.upper()
-    made_with.medial_axis = arguments.medial_axis.upper()
+    store(_KEPT, flags.chosen(arguments), made_with)
     store_choice(given.density_choice, made_with)
     store_alignment(given.alignment, made_with)
-    store_terms(terms.terms_of(arguments), made_with)
-    made_with.seed_every_part = arguments.fill_every_part
     if arguments.guides_object is not None:
         made_with.guides = bpy.context.scene.objects.get(arguments.guides_object)
     made_with.keep_guides = not arguments.leave_out_guides
@@ -104,14 +109,9 @@ def _store(
         made_with.points_as = arguments.points.upper()
     store_repair(given.repair, made_with)
     store_mask(given.mask, made_with)
-    made_with.use_outline = arguments.outline
-    if arguments.border_distance is not None:
-        made_with.border_distance = arguments.border_distance
 
 
 def _bake(arguments: argparse.Namespace, curve_object: bpy.types.Object) -> None:
-    curve_object.meander.motion = arguments.motion.upper()
-    curve_object.meander.motion_steps = arguments.motion_steps
     if arguments.bake_frames is None:
         return
     try:

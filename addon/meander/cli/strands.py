@@ -4,20 +4,19 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .flags import add_flags
+from .values import index, number
+
 Stroke = tuple[list[float], list[float]]  # its ends
 
 
-def add_options(
-    parser: argparse.ArgumentParser, number: Callable[[str], float], index: Callable[[str], int]
-) -> None:
-    """Adds the options; `number` reads a finite one, `index` one from 0."""
+def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
         "strands",
         "One stroke is an open strand whose ends stay where they are; guides are strands that stay "
@@ -34,18 +33,14 @@ def add_options(
             help=f"{other} of one stroke, in the mesh's space",
         )
         add(f"--{end}-vertex", type=index, metavar="N", help="the same: a vertex, counted from 0")
-    add(
-        "--fill-every-part",
-        action="store_true",
-        help="small loops on parts of the mesh, and between guides, that the seed leaves out",
-    )
+    add_flags(group, "strands")
     add("--guides", type=Path, metavar="CURVE", help=".obj of strands that stay as drawn")
     add("--guides-object", metavar="NAME", help="the same: a curve object in the .blend")
     add("--leave-out-guides", action="store_true", help="write only what has grown")
 
 
 def problem_of(arguments: argparse.Namespace) -> str | None:
-    """One sentence for options that do not fit each other."""
+    """One sentence about options that do not fit each other; None: they do."""
     for option, path in (("--seed", arguments.seed), ("--guides", arguments.guides)):
         if path is not None and path.suffix.lower() != ".obj":
             return f"{option} {path} is no .obj file"
@@ -86,11 +81,10 @@ def stroke_of(arguments: argparse.Namespace, vertices: NDArray[np.float64]) -> S
 
 
 def echo(arguments: argparse.Namespace, stroke: Stroke | None) -> dict[str, Any]:
-    """What the report says of the strands."""
+    """The entries of the report about the strands."""
     return {
         "from": None if stroke is None else stroke[0],
         "to": None if stroke is None else stroke[1],
-        "fill_every_part": arguments.fill_every_part,
         "guides": None if arguments.guides is None else str(arguments.guides),
         "guides_object": arguments.guides_object,
         "leave_out_guides": arguments.leave_out_guides,

@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The options of the batch command for the terms of the energy; no bpy."""
+"""The options of the batch command for the terms of the energy, directions above all; no bpy."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from .. import core
 from ..model.alignment import Alignment, Directions, axis_directions, computed
-from ..model.terms import Terms
+from .flags import add_flags
 
-# What --direction may say besides the name of an attribute: a source and a choice.
+# What --direction may be other than the name of an attribute: a source and a choice.
 _WORDS = {
     "curvature": ("CURVATURE", "MIN"),
     "curvature-max": ("CURVATURE", "MAX"),
@@ -27,51 +26,23 @@ _WORDS = {
 _IN_A_SCENE = ("UV", "ATTRIBUTE", "STROKES")
 
 
-def add_options(parser: argparse.ArgumentParser, not_negative: Callable[[str], float]) -> None:
-    """Adds the options; `not_negative` reads a finite number of 0 or more."""
+def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("terms of the energy")
-    add = group.add_argument
-    add("--length", type=not_negative, metavar="W", help="weight of the curve's length")
-    add(
-        "--bending",
-        type=not_negative,
-        metavar="W",
-        help="weight of bending; the polish follows in proportion",
-    )
-    add(
-        "--alignment",
-        type=not_negative,
-        metavar="W",
-        help="weight of the field of --direction; 0.5 to 1 steer, 4 rules; default: 1 with a field",
-    )
-    add(
+    add_flags(group, "terms of the energy")
+    group.add_argument(
         "--direction",
         metavar="ATTRIBUTE",
         help="the field that the curve lies along: a vector attribute of the points of the "
         ".blend's object, or curvature (where the surface bends least), curvature-max, smooth, an "
         "axis of the object (x, y, z), or lines of its UV map (u, v)",
     )
-    add("--direction-object", metavar="NAME", help="curve object whose splines show the way")
-    add("--across", action="store_true", help="lie across the field instead")
-    add(
-        "--direction-smoothing",
-        type=not_negative,
-        metavar="S",
-        help="average the curvature over so many halves of the spacing; default: 2",
-    )
-    add("--length-power", type=not_negative, metavar="P", help="p of the length term; default: 2")
-    add("--medial-power", type=not_negative, metavar="Q", help="q of the medial term; default: 2")
-    add(
-        "--start-spacing",
-        type=not_negative,
-        metavar="FACTOR",
-        help="fill at this many times the spacing first, then come down to it: fewer corners, "
-        "more iterations; 1 to 16",
+    group.add_argument(
+        "--direction-object", metavar="NAME", help="curve object whose splines give the directions"
     )
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
-    """One sentence for options that do not fit each other or the input, whose suffix is `kind`."""
+    """One sentence about options that do not fit each other, or the input of suffix `kind`."""
     source = alignment_of(arguments).source
     if arguments.direction is not None and arguments.direction_object is not None:
         return "--direction and --direction-object are both given; choose one"
@@ -125,28 +96,12 @@ def directions_without_a_scene(
     return computed("smooth") if alignment.source == "SMOOTH" else None
 
 
-def terms_of(arguments: argparse.Namespace) -> Terms:
-    """Weights, powers and lengths; what is not given is the preset's."""
-    return Terms(
-        length=arguments.length,
-        bending=arguments.bending,
-        length_power=arguments.length_power,
-        medial_power=arguments.medial_power,
-        segment_share=2 * (arguments.segment_length or 0.0) / arguments.spacing,
-        reach=2 * (arguments.max_radius or 0.0) / arguments.spacing,
-        start_spacing_factor=arguments.start_spacing,
-    )
-
-
 def echo(arguments: argparse.Namespace, options: core.FlowOptions) -> dict[str, Any]:
-    """What the report says of the terms, by the names of the command line."""
+    """The entries of the report about the directions."""
     alignment = alignment_of(arguments)
     return {
-        "length": options.length_weight,
-        "bending": options.bending_weight,
         "alignment": options.alignment_weight,
         "direction": arguments.direction,
         "direction_object": arguments.direction_object,
         "direction_smoothing": alignment.smoothing if alignment.source == "CURVATURE" else None,
-        "across": arguments.across,
     }

@@ -4,16 +4,15 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from .. import core
 from ..model import toolpath
+from .values import positive
 
 
-def add_options(parser: argparse.ArgumentParser, positive: Callable[[str], float]) -> None:
-    """Adds the options; `positive` reads a number greater than 0."""
+def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
         "tool paths", "How densely the points of an --output of kind .csv or .json lie."
     )
@@ -22,13 +21,13 @@ def add_options(parser: argparse.ArgumentParser, positive: Callable[[str], float
         "--resample-step",
         type=positive,
         metavar="D",
-        help="points at equal ways along each strand, at most this far apart",
+        help="points at equal arc lengths along each strand, at most this far apart",
     )
     add(
         "--chord-tolerance",
         type=positive,
         metavar="D",
-        help="as few points as keep the straight way between them this near",
+        help="as few points as keep the chords between them this near the curve",
     )
 
     add(

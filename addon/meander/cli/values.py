@@ -32,34 +32,35 @@ def number(text: str) -> float:
     return value
 
 
-def positive(text: str) -> float:
-    """A finite number greater than 0."""
-    value = number(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is not greater than 0")
-    return value
+def reader(
+    kind: type,
+    least: float | None = None,
+    greatest: float | None = None,
+    above: float | None = None,
+) -> Callable[[str], float]:
+    """What reads a number of a kind, int or float, that lies within limits."""
 
-
-def not_negative(text: str) -> float:
-    """A finite number, 0 or greater."""
-    value = number(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is less than 0")
-    return value
-
-
-def count(least: int, greatest: int) -> Callable[[str], int]:
-    """What reads a whole number from `least` to `greatest`."""
-
-    def parse(text: str) -> int:
-        try:
-            value = int(text)
-        except ValueError:
-            value = -1
-        if not least <= value <= greatest:
+    def read(text: str) -> float:
+        value = number(text) if kind is float else _whole(text)
+        if least is not None and greatest is not None and not least <= value <= greatest:
             raise argparse.ArgumentTypeError(
-                f"{text!r} is not a whole number from {least} to {greatest}"
+                f"{text!r} is out of range; choose from {least:.12g} to {greatest:.12g}"
             )
+        if least is not None and value < least:
+            raise argparse.ArgumentTypeError(f"{text!r} is less than {least:g}")
+        if above is not None and value <= above:
+            raise argparse.ArgumentTypeError(f"{text!r} is not greater than {above:g}")
         return value
 
-    return parse
+    return read
+
+
+def _whole(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number") from None
+
+
+positive = reader(float, above=0.0)
+index = reader(int, least=0, greatest=2**31 - 1)

@@ -11,7 +11,7 @@ from .. import core
 # A line of progress for every so many iterations, or seconds.
 _PROGRESS_ITERATIONS = 10
 _PROGRESS_SECONDS = 10.0
-# The longest time between two looks at a run, in seconds.
+# The longest time between two polls of a run, in seconds.
 _LONGEST_PAUSE = 0.1
 
 

@@ -11,7 +11,7 @@ from typing import Any
 from .. import core
 from ..model import mesh_files, report, toolpath
 from ..model.whole_files import whole_file
-from . import density, motion, preparation, strands, terms
+from . import density, flags, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown
 from .input import Input
@@ -19,7 +19,7 @@ from .input import Input
 
 def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input) -> dict[str, Any]:
     """Every option in effect, for the report; null: the preset's own value."""
-    echo: dict[str, Any] = {
+    found: dict[str, Any] = {
         "input": str(arguments.input),
         "object": None if given.surface_object is None else given.surface_object.name,
         "output": str(arguments.output),
@@ -28,20 +28,18 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
         "seed_object": arguments.seed_object,
         "fixed_ends": given.fixed_ends,
         **strands.echo(arguments, given.stroke),
-        "spacing": arguments.spacing,
         **density.echo(arguments, given.density_choice),
         **preparation.echo(given.repair, given.mask),
-        "outline": arguments.outline,
         **terms.echo(arguments, options),
         **motion.echo(arguments),
+        **flags.entries(arguments, options),
+        **asdict(options),
     }
-    echo.update(asdict(options))
-    echo["medial_axis"] = arguments.medial_axis
     if options.segment_length == 0:
-        echo["segment_length"] = 0.2 * options.radius  # what 0 stands for in the C API
+        found["segment_length"] = 0.2 * options.radius  # what 0 stands for in the C API
     if options.max_radius == 0:
-        echo["max_radius"] = None
-    return echo
+        found["max_radius"] = None
+    return found
 
 
 def write_outputs(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which way the strands run: numpy in, numpy out, no bpy.
+"""Which direction the strands follow: numpy in, numpy out, no bpy.
 
 Directions are lines: their signs and lengths do not matter.
 """
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from .. import core
 
-# Per vertex (n, 3), or what computes them from the surface once that is there.
+# Per vertex (n, 3), or what computes them from the surface once that exists.
 Directions = NDArray[np.float64] | Callable[[core.Surface], NDArray[np.float64]]
 
 
@@ -63,7 +63,7 @@ def uv_lines(
     a, b = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
     da, db = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
     other = 1 - axis
-    # Up to its length and sign, the way in the triangle along which the other coordinate stays.
+    # Up to its length and sign, the direction in which the other coordinate stays the same.
     lines = a * db[:, other, None] - b * da[:, other, None]
     flat = np.abs(da[:, 0] * db[:, 1] - da[:, 1] * db[:, 0]) <= 1e-12 * (da**2 + db**2).sum(axis=1)
     lengths = np.linalg.norm(lines, axis=1)

@@ -112,6 +112,30 @@ def read_obj_curve(path: str | Path) -> Seed:
     refers to a vertex that does not exist, a strand branches.
     """
     path = Path(path)
+    points, edges, neighbours = _read_edges(path)
+    for vertex, around in neighbours.items():
+        if len(around) > 2:
+            raise FileError(
+                f"{path}: the curve branches at vertex {vertex + 1}, where {len(around)} pieces "
+                "meet; separate the strands"
+            )
+    strands, closed = _chain(edges, neighbours)
+    coordinates = np.array(points, dtype=np.float64).reshape(-1, 3)
+    for at, strand in enumerate(strands):
+        # Exporters without cyclic lines repeat the first point under a new index.
+        ends_meet = np.array_equal(coordinates[strand[0]], coordinates[strand[-1]])
+        if not closed[at] and len(strand) > 3 and ends_meet:
+            strand.pop()
+            closed[at] = True
+    offsets = np.cumsum([0] + [len(strand) for strand in strands]).astype(np.uint32)
+    order = [vertex for strand in strands for vertex in strand]
+    return Seed(coordinates[order], offsets, np.array(closed, dtype=np.uint8))
+
+
+def _read_edges(
+    path: Path,
+) -> tuple[list[tuple[float, float, float]], dict[tuple[int, int], None], dict[int, list[int]]]:
+    """The points, the edges in the order of the file, and the neighbours of every vertex."""
     points: list[tuple[float, float, float]] = []
     edges: dict[tuple[int, int], None] = {}  # in the order of the file
     neighbours: dict[int, list[int]] = {}
@@ -132,7 +156,7 @@ def read_obj_curve(path: str | Path) -> Seed:
             last_reference = max(last_reference, (max(chain), number))
             for start, end in zip(chain[:-1], chain[1:], strict=True):
                 if start == end:
-                    continue  # a point that stands twice adds nothing
+                    continue  # a repeated point adds nothing
                 if (start, end) in edges or (end, start) in edges:
                     raise FileError(
                         f"{path}, line {number}: the piece between the vertices {start + 1} and "
@@ -148,23 +172,7 @@ def read_obj_curve(path: str | Path) -> Seed:
             f"{path}, line {last_reference[1]}: there is no vertex {last_reference[0] + 1}, the "
             f"file has {len(points)}; correct the file"
         )
-    for vertex, around in neighbours.items():
-        if len(around) > 2:
-            raise FileError(
-                f"{path}: the curve branches at vertex {vertex + 1}, where {len(around)} pieces "
-                "meet; separate the strands"
-            )
-    strands, closed = _chain(edges, neighbours)
-    coordinates = np.array(points, dtype=np.float64).reshape(-1, 3)
-    for at, strand in enumerate(strands):
-        # Exporters without cyclic lines repeat the first point under a new index.
-        ends_meet = np.array_equal(coordinates[strand[0]], coordinates[strand[-1]])
-        if not closed[at] and len(strand) > 3 and ends_meet:
-            strand.pop()
-            closed[at] = True
-    offsets = np.cumsum([0] + [len(strand) for strand in strands]).astype(np.uint32)
-    order = [vertex for strand in strands for vertex in strand]
-    return Seed(coordinates[order], offsets, np.array(closed, dtype=np.uint8))
+    return points, edges, neighbours
 
 
 def _chain(
@@ -179,7 +187,7 @@ def _chain(
     seen: set[int] = set()
 
     def walk(before: int, vertex: int) -> list[int]:
-        """Vertices from `vertex` on, away from `before`, to an end or round to `before`."""
+        """Vertices from `vertex` on, away from `before`, to an end or back to `before`."""
         found = []
         while True:
             found.append(vertex)

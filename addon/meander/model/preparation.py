@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a mesh is made ready: what is mended, which part is filled, what that came to; no bpy."""
+"""How a mesh is prepared: what is repaired, which part is filled, and what was done; no bpy."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .. import core
 
 @dataclass(frozen=True)
 class Repair:
-    """What is done to a mesh with faults; as made, nothing, so that faults are refused."""
+    """What is done to a mesh with faults; by default nothing, so that it is refused."""
 
     merge_distance: float = 0.0  # world units; 0: none
     drop_degenerate: bool = False
@@ -45,7 +45,7 @@ def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
     parts = [
         f"{verb} {_count(int(figures[key]), one, many)}"
         for key, verb, one, many in (
-            ("turned_faces", "turned", "face", "faces"),
+            ("turned_faces", "flipped", "face", "faces"),
             ("merged_vertices", "merged", "vertex", "vertices"),
             ("dropped_faces", "dropped", "face without area", "faces without area"),
             ("split_vertices", "split", "vertex", "vertices"),
@@ -58,7 +58,7 @@ def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
     ]
     if figures.get("skipped_outlines"):
         count = _count(int(figures["skipped_outlines"]), "stretch", "stretches")
-        parts.append(f"left out {count} of the outline for want of room")
+        parts.append(f"left out {count} of the outline, which had no room")
     if loose_edges:
         parts.append(f"ignored {_count(loose_edges, 'loose edge', 'loose edges')}")
     return ", ".join(parts)

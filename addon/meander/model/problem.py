@@ -15,9 +15,9 @@ from .preparation import outlined
 
 @dataclass
 class Problem:
-    """What to solve: arrays and options, nothing of a host.
+    """What to solve, as arrays and options.
 
-    density     per vertex, or what computes it from the surface once that is there
+    density     per vertex, or what computes it from the surface once that exists
     directions  likewise, for options.alignment_weight; `alignment` is one of core.ALIGNMENTS
     """
 

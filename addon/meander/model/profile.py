@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a profile stands on a curve: the tilt that lays it on the surface, and its radius; no bpy."""
+"""Tilt and radius of a curve's points: a profile that lies on the surface, and its size; no bpy."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import numpy as np
 
 # Blender's own limit in its Z-Up frames: a direction this near to the axis has no up.
 _VERTICAL = 1e-4
-# The thickness changes by no more than this, however much room there is.
+# The radius is clamped to these, however wide the gaps beside the curve are.
 _LEAST, _MOST = 0.25, 2.0
 
 
-def room_factors(radii: np.ndarray, radius: float) -> np.ndarray:
-    """Radius of every point from the room on both sides, in units of half the nominal spacing."""
+def radius_factors(radii: np.ndarray, radius: float) -> np.ndarray:
+    """Radius of every point: the mean of r+ and r- (n, 2), in units of half the nominal spacing."""
     return np.clip(np.asarray(radii).mean(axis=1) / radius, _LEAST, _MOST)
 
 
@@ -21,13 +21,13 @@ def tilts(points: np.ndarray, normals: np.ndarray, cyclic: bool) -> np.ndarray:
 
     points, normals  (n, 3), in the curve's own space; normals need no unit length
     """
-    way = directions(points, cyclic)
-    up = _up(way)
-    # Blender's frame has Z against the way, so X is the normal where Y is across the way like this.
-    across = np.cross(normals, way)
+    tangents = directions(points, cyclic)
+    up = _up(tangents)
+    # Blender's frame has Z against the tangent, so X is the normal where Y is this.
+    across = np.cross(normals, tangents)
     lengths = np.linalg.norm(across, axis=1, keepdims=True)
     across = np.divide(across, lengths, out=up.copy(), where=lengths > 0.0)
-    sine = (np.cross(up, across) * way).sum(axis=1)
+    sine = (np.cross(up, across) * tangents).sum(axis=1)
     cosine = (up * across).sum(axis=1)
     # No turns of more than half a circle between neighbours: what blends them is short.
     return np.unwrap(np.arctan2(sine, cosine))
@@ -48,11 +48,11 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
     return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)
 
 
-def _up(way: np.ndarray) -> np.ndarray:
+def _up(tangents: np.ndarray) -> np.ndarray:
     """The Y axis of the Z-Up frame: as near to the Z axis as it can be."""
-    z = way[:, 2]
-    up = np.column_stack([-way[:, 0] * z, -way[:, 1] * z, 1.0 - z * z])
-    vertical = np.abs(way[:, 0]) + np.abs(way[:, 1]) < _VERTICAL
+    z = tangents[:, 2]
+    up = np.column_stack([-tangents[:, 0] * z, -tangents[:, 1] * z, 1.0 - z * z])
+    vertical = np.abs(tangents[:, 0]) + np.abs(tangents[:, 1]) < _VERTICAL
     up = _unit(up)
     up[vertical] = [0.0, 1.0, 0.0]
     up[vertical & (z > 0.0)] = [0.0, -1.0, 0.0]

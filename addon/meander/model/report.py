@@ -42,7 +42,7 @@ def build_report(
     options  every option in effect, by name; echoed under "options"
 
     Lengths are in the units of the mesh, times in seconds. Numbers that are not finite become
-    null, since JSON has no word for them.
+    null, since JSON has none of these.
     """
     report = {
         "version": version,

@@ -77,7 +77,7 @@ def span(seed: core.Seed, begin: int, end: int) -> core.Seed:
 def points_without_guides(
     polylines: core.Polylines, guides: NDArray[np.bool_]
 ) -> NDArray[np.bool_]:
-    """Which points are of strands that have grown."""
+    """Which points belong to strands that have grown."""
     return np.repeat(~guides, np.diff(polylines.offsets.astype(np.int64)))
 
 
@@ -94,8 +94,8 @@ def without_guides(polylines: core.Polylines, guides: NDArray[np.bool_]) -> core
 
 
 def explained(error: core.MeanderError, parts: Sequence[Part]) -> core.MeanderError:
-    """The same error, with the seed points that it names told as the user knows them: counted from
-    1 within their spline and object."""
+    """The same error, with the seed points that it names described as the user knows them:
+    counted from 1 within their spline and object."""
     if error.element_kind != "seed_point":
         return error
     places = [place for place in (_place(point, parts) for point in error.elements) if place]

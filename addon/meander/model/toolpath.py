@@ -19,7 +19,7 @@ from .whole_files import FileError, whole_file
 
 SUFFIXES = (".csv", ".json")
 
-# So many points at most come of resampling; more is a slip of the unit.
+# Resampling gives at most this many points; more is a mistake in the unit.
 _MOST_POINTS = 50_000_000
 
 
@@ -32,9 +32,9 @@ class Strand:
     points       (n, 3) float64
     normals      (n, 3) float64, unit, of the surface
     tangents     (n, 3) float64, unit, along the strand
-    arc_lengths  (n,) float64, way from the first point along the polyline
-    radii        (n, 2) float64, r+ and r-: half the room on the right and on the left, seen from
-                 outside; None where it is not known
+    arc_lengths  (n,) float64, from the first point along the polyline
+    radii        (n, 2) float64, r+ and r-: the medial radii to the right and to the left, seen
+                 from outside; None where it is not known
     faces        (n,) int64, a triangle that holds the point, of the mesh that was filled
     weights      (n, 3) float64, of the triangle's corners
     """
@@ -65,15 +65,15 @@ def strands_of(polylines: Polylines, data: PointData | None = None) -> list[Stra
     for begin, end, closed in zip(offsets[:-1], offsets[1:], polylines.closed, strict=True):
         points = np.asarray(polylines.positions[begin:end], dtype=np.float64)
         normals = np.asarray(polylines.normals[begin:end], dtype=np.float64)
-        way = _way(points, bool(closed))
+        arc_lengths = _arc_lengths(points, bool(closed))
         strands.append(
             Strand(
                 bool(closed),
-                float(way[-1]),
+                float(arc_lengths[-1]),
                 points,
                 normals,
                 _tangents(points, bool(closed)),
-                way[: len(points)],
+                arc_lengths[: len(points)],
                 *_known(data, begin, end),
             )
         )
@@ -90,10 +90,10 @@ def _known(data: PointData | None, begin: int, end: int) -> tuple:
 
 
 def resampled_by_step(strand: Strand, step: float, mesh: Mesh | None = None) -> Strand:
-    """Points at equal ways along the strand, at most `step` apart, its ends among them.
+    """Points at equal arc lengths along the strand, at most `step` apart, its ends among them.
 
-    Normals, r+ and r- go from point to point in proportion to the way. Faces and weights are those
-    of the new points, and need the mesh.
+    Normals, r+ and r- are interpolated by arc length. Faces and weights are those of the new
+    points, and need the mesh.
 
     At least 3 points of a closed strand and 2 of an open one. Raises FileError for a step so small
     that the points could not be counted.
@@ -106,9 +106,9 @@ def resampled_by_step(strand: Strand, step: float, mesh: Mesh | None = None) -> 
             f"A step of {step:g} would give more than {_MOST_POINTS:,} points; choose a longer one"
         )
     pieces = max(int(np.ceil(ratio * (1.0 - 1e-12))), 3 if strand.closed else 1)
-    ways = np.linspace(0.0, strand.length, pieces + 1)
+    targets = np.linspace(0.0, strand.length, pieces + 1)
     if strand.closed:
-        ways = ways[:-1]
+        targets = targets[:-1]
     knots = strand.arc_lengths
     points, normals = strand.points, strand.normals
     radii, faces = strand.radii, strand.faces
@@ -117,9 +117,11 @@ def resampled_by_step(strand: Strand, step: float, mesh: Mesh | None = None) -> 
         points, normals = np.vstack([points, points[:1]]), np.vstack([normals, normals[:1]])
         radii = None if radii is None else np.vstack([radii, radii[:1]])
         faces = None if faces is None else np.append(faces, faces[0])
-    piece = np.clip(np.searchsorted(knots, ways, side="right") - 1, 0, len(knots) - 2)
+    piece = np.clip(np.searchsorted(knots, targets, side="right") - 1, 0, len(knots) - 2)
     length = knots[piece + 1] - knots[piece]
-    share = np.divide(ways - knots[piece], length, out=np.zeros_like(ways), where=length > 0.0)
+    share = np.divide(
+        targets - knots[piece], length, out=np.zeros_like(targets), where=length > 0.0
+    )
     share = np.clip(share, 0.0, 1.0)[:, None]
     blended = (1.0 - share) * normals[piece] + share * normals[piece + 1]
     taken = (1.0 - share) * points[piece] + share * points[piece + 1]
@@ -134,7 +136,7 @@ def resampled_by_step(strand: Strand, step: float, mesh: Mesh | None = None) -> 
         taken,
         _unit(blended, normals[piece]),
         _tangents(taken, strand.closed),
-        ways,
+        targets,
         radii,
         *held,
     )
@@ -235,8 +237,8 @@ def _unit(vectors: np.ndarray, otherwise: np.ndarray) -> np.ndarray:
     return np.where(lengths > 0.0, vectors / np.where(lengths > 0.0, lengths, 1.0), otherwise)
 
 
-def _way(points: np.ndarray, closed: bool) -> np.ndarray:
-    """Way to every point, and last the whole length, which in an open strand stands twice."""
+def _arc_lengths(points: np.ndarray, closed: bool) -> np.ndarray:
+    """Arc length at every point and, last, of the whole strand: twice the same in an open one."""
     following = np.roll(points, -1, axis=0) if closed else np.vstack([points[1:], points[-1:]])
     return np.concatenate([[0.0], np.cumsum(np.linalg.norm(following - points, axis=1))])
 
@@ -252,11 +254,11 @@ def _tangents(points: np.ndarray, closed: bool) -> np.ndarray:
 
 
 def _distances(points: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Of points from the straight piece between two points."""
-    way = end - begin
-    square = float(way @ way)
-    share = np.clip((points - begin) @ way / square, 0.0, 1.0) if square > 0.0 else 0.0
-    return np.linalg.norm(points - begin - np.multiply.outer(share, way), axis=1)
+    """Distances of points from the chord between two points."""
+    chord = end - begin
+    square = float(chord @ chord)
+    share = np.clip((points - begin) @ chord / square, 0.0, 1.0) if square > 0.0 else 0.0
+    return np.linalg.norm(points - begin - np.multiply.outer(share, chord), axis=1)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -264,7 +266,7 @@ def _distances(points: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.nda
 
 _COLUMNS = "strand,closed,point,x,y,z,nx,ny,nz,tx,ty,tz,arc_length,r_plus,r_minus,face,w0,w1,w2"
 _FORMATS = ["%d"] * 3 + ["%.17g"] * 3 + ["%.9g"] * 6 + ["%.17g"]
-# Of what may be unknown: nothing stands between the commas then.
+# Columns that may be unknown, and are then left empty.
 _MORE = (("radii", 2, "%.9g"), ("faces", 1, "%d"), ("weights", 3, "%.17g"))
 
 

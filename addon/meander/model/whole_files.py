@@ -69,7 +69,7 @@ def _beside(target: Path) -> Path:
 
 
 def _make(temporary: Path, mode: int | None) -> None:
-    """Makes the temporary file before it is written, so that no one reads what he may not.
+    """Makes the temporary file before it is written, so that nobody reads what they may not.
 
     Not for Blender, which would keep what is there as a backup; it writes elsewhere first anyway.
     """

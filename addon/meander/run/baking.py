@@ -19,7 +19,7 @@ def bake_motion(
     """Writes the frames `first` to `last` of a result on its moving surface.
 
     The curve is taken as it lies in the present frame, which therefore has to be one in which it
-    fits; from there the frames are met in their order. The present frame comes back at the end.
+    fits; from there the frames are visited in order. The present frame comes back at the end.
 
     Raises DataError or core.MeanderError, with nothing baked.
     """
@@ -63,7 +63,7 @@ def bake_motion(
 def bake_growth(
     result: bpy.types.Object, context: bpy.types.Context, first: int, every: int
 ) -> bpy.types.Collection:
-    """Grows the curve anew from its seed and writes a frame after every so many iterations.
+    """Grows the curve again from its seed and writes a frame after every so many iterations.
 
     Raises DataError or core.MeanderError, with nothing baked.
     """

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Curves on surfaces that move, from frame to frame.
 
-A follower takes the vertices of a frame and gives the curve there. The even one lets the flow go
-on, so that the spacing stays what it was; the sticking one only takes the points along with their
+A follower takes the vertices of a frame and gives the curve there. The even one continues the
+flow, so that the spacing stays what it was; the sticking one only takes the points along with their
 faces. Followers keep no references to Blender's data.
 """
 
@@ -16,7 +16,7 @@ import numpy as np
 from .. import core
 from ..model import strands
 from ..model.problem import open_flow
-from ..model.profile import room_factors
+from ..model.profile import radius_factors
 from ..model.thinning import kept_points, merge_distance, thinned
 from ..scene.curve_reader import strands_of_curve
 from ..scene.errors import DataError
@@ -34,8 +34,9 @@ class Follower(Protocol):
         """The curve in world units when the surface is there. Raises DataError, MeanderError."""
 
 
-# Of the sides of a mesh's triangles. Polygons keep their own sides however they are divided, which
-# is all of them in a mesh of triangles, two thirds among quads, more than a third in any other.
+# The share of the sides of triangles that has to stay. Polygons keep their own sides however they
+# are divided, which is all of them in a mesh of triangles, two thirds among quads, more than a
+# third in any other.
 _LEAST_KEPT = 0.3
 
 
@@ -83,7 +84,7 @@ class GrownCurve:
 
 
 class EvenFollower:
-    """The flow goes on for some iterations in every frame."""
+    """Continues the flow for some iterations in every frame."""
 
     def __init__(self, plan: Plan, steps: int) -> None:
         problem = plan.problem
@@ -98,7 +99,7 @@ class EvenFollower:
                 raise
             raise DataError(
                 "The curve does not lie on its surface in this frame; go to the frame in which it "
-                "was made, or fill the surface anew"
+                "was made, or fill the surface again"
             ) from error
         self._grown.flow.set_vertices(problem.vertices)
 
@@ -110,12 +111,12 @@ class EvenFollower:
             flow.step()
         curve, kept = self._grown.polylines()
         if self._radius:
-            self.factors = room_factors(flow.point_data().radii[kept], self._radius)
+            self.factors = radius_factors(flow.point_data().radii[kept], self._radius)
         return curve
 
 
 class StickingFollower:
-    """Every point stays where it is on its face."""
+    """Keeps every point at its place on its face."""
 
     def __init__(
         self,

@@ -30,13 +30,13 @@ def problem_of(result: bpy.types.Object) -> str | None:
 
 
 def forget() -> None:
-    """Lets every follower begin again with its curve as it is."""
+    """Makes every follower start again from its curve as it is."""
     _followers.clear()
     _problems.clear()
 
 
 def begin(result: bpy.types.Object, context: bpy.types.Context) -> None:
-    """Lets a result follow from the present frame on, in which its curve fits, or no more."""
+    """Starts or stops following, as the settings say; the curve fits the present frame."""
     key = Key.of(result)
     _followers.pop(key, None)
     _problems.pop(key, None)

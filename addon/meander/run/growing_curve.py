@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A curve drawn over the 3D views while it grows, from arrays alone.
 
-No object of Blender's is made for it: to evaluate one at every picture took ten times as long as to
-hand its points to the graphics card. It is drawn where the surface is, and moves along with it.
+It is no object of Blender's: evaluating one for every picture took ten times as long as handing its
+points to the graphics card. It is drawn where the surface is, and moves along with it.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ class GrowingCurve:
         )
         if self._batch is None:
             self._batch = self._new_batch(shader)
-        # As curves are drawn that are not selected.
+        # The colour of curves that are not selected.
         color = context.preferences.themes[0].view_3d.wire
         test, width = gpu.state.depth_test_get(), gpu.state.line_width_get()
         gpu.state.depth_test_set("LESS_EQUAL")

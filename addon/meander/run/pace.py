@@ -11,8 +11,8 @@ from __future__ import annotations
 # The largest share of the time that drawing may have on two processors. While the processors draw,
 # the solver gets about half of them, so that it keeps nine tenths of its speed.
 SHARE_ON_TWO = 0.15
-# The same of one thread that computes for a graphics card: the solver has to wait for whoever of
-# its own threads made room, so it can lose as much.
+# The same of one thread that computes for a graphics card: the solver has to wait for the thread
+# of its own that it displaced, so it can lose as much.
 CARD_SHARE_ON_TWO = 0.1
 # With more processors and a graphics card, drawing keeps only one of them from solving.
 LARGEST_SHARE = 0.6
@@ -35,7 +35,7 @@ class Pace:
 
     interval     between ticks
     processors   how many there are
-    software     whether they draw as well, for want of a graphics card
+    software     whether they draw as well, because there is no graphics card
     """
 
     def __init__(self, interval: float, processors: int, software: bool) -> None:

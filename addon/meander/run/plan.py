@@ -20,10 +20,10 @@ from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
+from ..scene.flow_options import options_of
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import surface_of
-from ..scene.terms import terms_of
 from ..scene.transforms import world_matrix
 
 
@@ -49,12 +49,12 @@ class Plan:
     problem: Problem
     surface: Key
     settings: Key  # whose settings were used: the surface or the result
-    result: Key | None  # the result to continue or to fill anew; None makes a new one
+    result: Key | None  # the result to continue or to start over; None makes a new one
     matrix: np.ndarray  # of the surface
     spacing: float
     bevel_depth: float  # world units
     parts: tuple[strands.Part, ...]  # what the seed was put together from
-    dress: scene_strands.Dress  # materials of the splines
+    materials: scene_strands.SplineMaterials  # materials of the splines
     name: str  # of a new result
     loose_edges: int = 0  # of the surface, in no face
     keeps_guides: bool = True  # the result has the guides as splines of its own
@@ -90,19 +90,18 @@ def plan_of(
         )
     settings = active.meander
     point_attributes.refuse(settings.points_as)
-    options = core.default_options(settings.preset.lower())
+    core.library_version()  # before anything is read, a missing library is reported
     vertices, faces = triangles_of(surface, depsgraph)
     # As stored, so that a run that proposes its spacing and one that is given it are the same.
     spacing = settings.spacing or float(np.float32(proposed_spacing(vertices, faces)))
     density = density_of(choice_of(settings), surface, depsgraph, spacing / 2.0)
     alignment = alignment_of(settings)
     directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
-    parts, dress = scene_strands.parts_of(active, depsgraph, restart)
+    parts, materials = scene_strands.parts_of(active, depsgraph, restart)
     seed = strands.assembled(parts, settings.seed_every_part)
     prepared = surface_options(repair_of(settings), mask_of(settings), surface, depsgraph)
-    options.radius = spacing / 2.0
+    options = options_of(settings, spacing)
     options.alignment_weight = alignment.weight if directions is not None else 0.0
-    _set_options(options, settings)
     outline = _outline_distance(active, surface, options, restart)
     return Plan(
         problem=Problem(
@@ -123,7 +122,7 @@ def plan_of(
         spacing=spacing,
         bevel_depth=settings.bevel_share * spacing if settings.use_bevel else 0.0,
         parts=tuple(parts),
-        dress=dress,
+        materials=materials,
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=loose_edge_count(surface, depsgraph),
         keeps_guides=settings.keep_guides,
@@ -131,16 +130,6 @@ def plan_of(
         radius_follows=settings.radius_follows,
         points_as=settings.points_as,
     )
-
-
-def _set_options(options: core.FlowOptions, settings: bpy.types.PropertyGroup) -> None:
-    """Puts what the settings say into options, whose radius is."""
-    terms_of(settings).apply(options)
-    options.border_distance = float(f"{settings.border_distance:.6g}")  # 0.5 exactly
-    options.threads = settings.threads
-    options.medial_axis = core.MedialAxis[settings.medial_axis]
-    if settings.iteration_limit:
-        options.iteration_limit = settings.iteration_limit
 
 
 def _outline_distance(
@@ -158,7 +147,7 @@ def _outline_distance(
 
 
 def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart: bool) -> bool:
-    """Whether a run lays the outline anew: a result that has kept it goes on with its own."""
+    """Whether a run lays the outline: a result that has kept its own goes on with that."""
     if active is surface or restart or not active.meander.figures.guides:
         return True
     if active.meander.guides is not None or active.meander.guide_collection is not None:

@@ -10,12 +10,12 @@ import bpy
 from .. import core
 from ..model import strands, toolpath
 from ..model.preparation import described
-from ..model.profile import room_factors
+from ..model.profile import radius_factors
 from ..model.thinning import kept_points, merge_distance, thinned
 from ..scene import point_attributes, refused_element
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
-from ..scene.profile import dress_points
+from ..scene.profile import set_tilt_and_radius
 from ..scene.settings import copy_settings
 from ..scene.transforms import to_local
 from .plan import Plan
@@ -58,14 +58,14 @@ def write_result(
         bevel_depth=plan.bevel_depth,
     )
     data = stepper.point_data
-    factors = room_factors(data.radii[kept], radius) if plan.radius_follows else None
-    dress_points(result.data, curve, plan.matrix, plan.flat, factors)
-    scene_strands.put_on(result.data, plan.dress)
+    factors = radius_factors(data.radii[kept], radius) if plan.radius_follows else None
+    set_tilt_and_radius(result.data, curve, plan.matrix, plan.flat, factors)
+    scene_strands.assign_materials(result.data, plan.materials)
     _store(plan, stepper, result, statistics, stop_reason)
     guides, keep_guides = stepper.guides, result.meander.keep_guides
     scene_strands.note_guides(result, guides, keep_guides)
     grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)
-    point_attributes.remember_room(result, data.radii[kept][grown], plan.matrix)
+    point_attributes.store_medial_radii(result, data.radii[kept][grown], plan.matrix)
     if plan.points_as != "NONE":
         _make_points(plan, stepper, result, snapshot.polylines)
     _select_only(context, result)
@@ -99,7 +99,7 @@ def _store(
     statistics: dict[str, Any],
     stop_reason: str,
 ) -> None:
-    """Writes the settings and the figures of the run to the result, and to whoever asked."""
+    """Writes the settings and the figures of the run to the result and the object that asked."""
     source = plan.settings.find()
     if source is None:
         source = result
@@ -126,7 +126,7 @@ def _store(
 def _store_gaps(
     figures: bpy.types.PropertyGroup, gaps: core.Gaps | None, plan: Plan, on_result: bool
 ) -> None:
-    """None: nobody has looked for them, which a count of -1 says."""
+    """None: they were not searched for, which a count of -1 says."""
     figures.gap_count = -1 if gaps is None else len(gaps)
     figures.largest_gap = float(gaps.sizes[0]) if gaps else 0.0
     figures.gaps.clear()

@@ -24,7 +24,7 @@ from .result import preparation_text, write_result
 from .stepper import Snapshot, Stepper
 from .window import Window
 
-# A copy of the curve that may have waited for longer than this, in seconds, since nobody looked, is
+# A copy of the curve that may have waited for longer than this, in seconds, since it was made, is
 # not worth showing: the next one is an iteration away.
 STALE = 0.25
 
@@ -41,8 +41,8 @@ class Session:
         self.stepper = Stepper(plan.problem)
         self.latest: Snapshot | None = None
         self._shown = True  # whether the view has what is in `latest`
-        self._looked = 0.0  # when a copy of the curve was last asked for
-        self._looked_away = False  # whether a tick has passed since
+        self._polled = 0.0  # when a copy of the curve was last asked for
+        self._skipped = False  # whether a tick has passed since
         self._stale = False  # whether `latest` was old when it was taken
         self.stop_wanted = False
         self.ended = False
@@ -56,7 +56,7 @@ class Session:
         self._preview = Preview(self.plan, context.scene.name)
         self._window = Window(context)
         self.stepper.start()
-        self._looked = time.perf_counter()
+        self._polled = time.perf_counter()
 
     def tick(self, context: bpy.types.Context) -> bool:
         """Shows how far the run is. False when it has come to its end.
@@ -70,9 +70,9 @@ class Session:
         text_due = self._window.text_due(picture_due)
         # The run stands still while it makes a copy, so none is asked for in vain.
         if picture_due or text_due:
-            self._look()
+            self._take_copy()
         else:
-            self._looked_away = True
+            self._skipped = True
         if picture_due and not (self._shown or self._stale or self.stepper.finished):
             self._preview.show(self.latest.polylines)
             self._shown = True
@@ -81,16 +81,16 @@ class Session:
             self._window.show(context, self.progress_text(), self.progress())
         return not self.stepper.finished
 
-    def _look(self) -> None:
+    def _take_copy(self) -> None:
         """Takes the newest copy of the curve if there is one, and has the run make another."""
         snapshot = self.stepper.poll()
-        before, self._looked = self._looked, time.perf_counter()
+        before, self._polled = self._polled, time.perf_counter()
         if snapshot is not None:
             self.latest = snapshot
             self._shown = False
-            # It was made after the last look, perhaps right after.
-            self._stale = self._looked_away and self._looked - before > STALE
-        self._looked_away = False
+            # It was made after the last copy was taken, perhaps right after.
+            self._stale = self._skipped and self._polled - before > STALE
+        self._skipped = False
 
     def progress(self) -> float:
         """How much of its expected length the curve has, in [0, 1]."""
@@ -164,17 +164,17 @@ class Session:
             raise DataError("The curve was deleted while it was growing; start again")
 
 
-# The session that is going. There is one at most: it has the status bar and the Esc key.
+# The running session. There is one at most: it owns the status bar and the Esc key.
 _current: Session | None = None
 
 
 def current() -> Session | None:
-    """The session that is going, or None."""
+    """The running session, or None."""
     return _current
 
 
 def end_current() -> None:
-    """Ends the session that is going, if there is one, and restores what was there before it."""
+    """Ends the running session, if there is one, and restores what was there before it."""
     if _current is not None:
         _current.end()
 
@@ -187,7 +187,7 @@ def _before_load(*_arguments: object) -> None:
 @persistent
 def _before_save(*_arguments: object) -> None:
     if _current is not None:
-        _current.restore_result()  # what is saved is the curve, not the gap that it has left
+        _current.restore_result()  # what is saved is the curve, not the emptied one
 
 
 def register() -> None:

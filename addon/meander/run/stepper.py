@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One run of the flow, in one go or watched while it grows. No bpy here, and no threads.
+"""One run of the flow, blocking or watched while it grows. No bpy here, and no threads.
 
 A watched run goes on a thread of the native library's, which knows nothing of Python: a Python
 thread that computes while operators run makes Blender 3.4 crash now and then. Nobody but the run
@@ -34,7 +34,7 @@ class Snapshot:
 class Stepper:
     """Runs one Problem.
 
-    Watched: start(), then poll() until `finished`, then result(). In one go: run(), then result().
+    Watched: start(), then poll() until `finished`, then result(). Blocking: run(), then result().
     cancel() may be called at any time; the curve of the last whole iteration stays available.
     """
 

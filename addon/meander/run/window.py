@@ -38,7 +38,7 @@ class Window:
             for region in ("WINDOW", "UI")
         }
         if self._software:
-            # The sidebar itself is quick, but the whole window is put together anew for it.
+            # The sidebar itself is quick, but the whole window is composed again for it.
             self._paces["UI"].share *= PANEL_SHARE
         self._smoothing: str | None = None
         self._handlers = {
@@ -50,7 +50,7 @@ class Window:
         manager.progress_begin(0.0, 100.0)
 
     def picture_due(self) -> bool:
-        """Whether the curve may be shown anew without taking too much from the solver."""
+        """Whether the curve may be shown again without taking too much from the solver."""
         pace = self._paces["WINDOW"]
         due = pace.tick(time.perf_counter(), time.thread_time())
         if pace.slow and self._smoothing is None:
@@ -62,7 +62,7 @@ class Window:
         self._paces["WINDOW"].asked(time.perf_counter())
 
     def text_due(self, with_picture: bool) -> bool:
-        """Whether the text may be shown anew; together with a picture it costs next to nothing."""
+        """Whether the text may be shown again; together with a picture it costs next to nothing."""
         now = time.perf_counter()
         due = self._paces["UI"].tick(now, time.thread_time())
         return (due or with_picture) and now >= self._text_shown + TEXT_INTERVAL
@@ -122,7 +122,7 @@ class Window:
 
 
 def _draws_by_software() -> bool:
-    """Whether the processors draw, for want of a graphics card."""
+    """Whether the processors draw, because there is no graphics card."""
     if bpy.app.background:
         return False
     import gpu  # asking it crashes without a window

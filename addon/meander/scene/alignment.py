@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which direction the strands run in: what the settings say, and the directions that they name.
+"""Which direction the strands follow: what the settings say, and the directions that they name.
 
 Directions are lines: their signs and lengths do not matter. What can be read is an array per vertex
 of the evaluated mesh, in world space; what has to be computed on the surface is a function of it.

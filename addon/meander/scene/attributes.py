@@ -18,7 +18,7 @@ _FACE_TYPES = ("BOOLEAN", "INT", "INT8")
 def attributes_seen(
     settings: bpy.types.PropertyGroup, context: bpy.types.Context
 ) -> Iterable[bpy.types.Attribute]:
-    """Of the surface as it is seen, so that those of Geometry Nodes are among them."""
+    """Those of the evaluated surface, so that what Geometry Nodes make is among them."""
     owner = settings.id_data
     surface = owner if owner.type == "MESH" else settings.surface
     if surface is None:

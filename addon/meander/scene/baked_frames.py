@@ -9,7 +9,7 @@ import numpy as np
 from .. import core
 from . import point_attributes
 from .curve_writer import write_splines
-from .profile import dress_points
+from .profile import set_tilt_and_radius
 
 
 def write(
@@ -23,8 +23,8 @@ def write(
     materials = [spline.material_index for spline in result.data.splines]
     write_splines(curve, polylines, matrix)
     if curve == result.data and result.meander.figures.room:
-        point_attributes.forget_room(result)
-    dress_points(curve, polylines, matrix, result.meander.flat_profile, factors)
+        point_attributes.clear_medial_radii(result)
+    set_tilt_and_radius(curve, polylines, matrix, result.meander.flat_profile, factors)
     for spline, index in zip(curve.splines, materials):
         spline.material_index = index
 
@@ -88,7 +88,7 @@ class Frames:
         return shown
 
     def finish(self) -> None:
-        """Hides what the frames stand for."""
+        """Hides the result, which the frames replace."""
         self._result.hide_render = True
         self._result.hide_viewport = True
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curve objects as strands: seeds, strokes, guides and results on their way in."""
+"""Curve objects as strands: seeds, strokes, guides and results."""
 
 from __future__ import annotations
 

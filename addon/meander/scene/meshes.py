@@ -19,8 +19,8 @@ def triangles_of(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The triangles of a mesh object as the user sees it: modifiers applied, in world units.
 
-    Works in Edit Mode and for hidden objects. Where the transform mirrors, faces are turned round,
-    so that they look outward as Blender shows them.
+    Works in Edit Mode and for hidden objects. Where the transform mirrors, faces are flipped, so
+    that they face outward as Blender shows them.
 
     Returns vertices float64 (n, 3) and faces uint32 (m, 3). Raises DataError (a ValueError) with
     one sentence for what is not a mesh, has no faces, or is scaled to nothing.

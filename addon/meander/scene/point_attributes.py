@@ -36,7 +36,7 @@ def attributes_of(
     """
     counts = [len(strand.points) for strand in strands]
     linear = matrix[:3, :3]
-    # Normals go the other way round: a plane is what a sheared transform keeps.
+    # The transpose, not the inverse: normals transform as planes do.
     normals = np.vstack([strand.normals for strand in strands]) @ linear
     tangents = np.linalg.solve(linear, np.vstack([strand.tangents for strand in strands]).T).T
     values = {
@@ -136,22 +136,22 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
 
 
 # ------------------------------------------------------------------------------------------------
-# The room on both sides, which only a run can tell, kept with its result
+# The medial radii, which only a run knows, kept with its result
 
 
-def remember_room(result: bpy.types.Object, radii: np.ndarray, matrix: np.ndarray) -> None:
+def store_medial_radii(result: bpy.types.Object, radii: np.ndarray, matrix: np.ndarray) -> None:
     """Keeps r+ and r- (n, 2) of a result's points, in the units of `matrix`."""
     scale = mean_scale(matrix)
     packed = np.asarray(radii / scale, dtype="<f4").tobytes()
     result.meander.figures.room = base64.b85encode(packed).decode("ascii")
 
 
-def forget_room(result: bpy.types.Object) -> None:
-    """For points that are not those of the run any more."""
+def clear_medial_radii(result: bpy.types.Object) -> None:
+    """Forgets them, as the points are no longer those of the run."""
     result.meander.figures.room = ""
 
 
-def room_of(result: bpy.types.Object, count: int, matrix: np.ndarray) -> np.ndarray | None:
+def medial_radii_of(result: bpy.types.Object, count: int, matrix: np.ndarray) -> np.ndarray | None:
     """r+ and r- in world units of a result's `count` points; None where they have been changed."""
     try:
         packed = base64.b85decode(result.meander.figures.room)
@@ -164,5 +164,5 @@ def room_of(result: bpy.types.Object, count: int, matrix: np.ndarray) -> np.ndar
 
 
 def data_of(index: np.ndarray, weights: np.ndarray, radii: np.ndarray | None) -> core.PointData:
-    """What toolpath.strands_of needs of points that a run has not told."""
+    """What toolpath.strands_of takes, for points that do not come from a run."""
     return core.PointData(None, None, None, radii, index, weights)

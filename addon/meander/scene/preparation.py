@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a mesh is made ready: what the settings say, and the mask that they name."""
+"""How a mesh is prepared: what the settings say, and the mask that they name."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from .. import core
 from ..model.profile import tilts
 
 
-def dress_points(
+def set_tilt_and_radius(
     curve: bpy.types.Curve,
     polylines: core.Polylines,
     matrix: np.ndarray,
@@ -25,7 +25,7 @@ def dress_points(
     """
     curve.twist_mode = "Z_UP" if flat else "MINIMUM"
     offsets = np.asarray(polylines.offsets, dtype=np.int64)
-    # Normals go the other way round: a plane is what a sheared transform keeps.
+    # The transpose, not the inverse: normals transform as planes do.
     normals = np.asarray(polylines.normals, dtype=np.float64) @ matrix[:3, :3]
     for spline, begin, end in zip(curve.splines, offsets[:-1], offsets[1:]):
         if flat:

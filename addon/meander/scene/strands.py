@@ -15,8 +15,8 @@ from .transforms import world_matrix
 
 
 @dataclass(frozen=True)
-class Dress:
-    """What the splines of a result take over from those that they grew from."""
+class SplineMaterials:
+    """The materials that the splines of a result take over from those that they grew from."""
 
     slots: tuple[tuple[str, str | None] | None, ...] = ()  # materials by name and library
     indices: tuple[int, ...] = ()  # per strand
@@ -28,11 +28,11 @@ class Dress:
 
 def parts_of(
     active: bpy.types.Object, depsgraph: bpy.types.Depsgraph, restart: bool
-) -> tuple[list[strands.Part], Dress]:
+) -> tuple[list[strands.Part], SplineMaterials]:
     """The strands that a run on a surface or a result starts from, guides among them.
 
     A result goes on from its own splines, unless it is to `restart`. Those of them that are guides
-    are read anew from the drawn ones, where these are still named.
+    are read again from the drawn ones, where the settings still name these.
 
     Raises DataError with one sentence for what cannot be used.
     """
@@ -43,9 +43,9 @@ def parts_of(
         if settings.seed is not None:
             seed = strands_of_curve(settings.seed, depsgraph, settings.fixed_ends)
             parts = [strands.Part(settings.seed.name, seed)]
-            return parts + guides, _dress([settings.seed, *guide_objects], parts + guides)
+            return parts + guides, _materials_of([settings.seed, *guide_objects], parts + guides)
         parts = _stroke(settings) + guides
-        return parts, _dress([None] * (len(parts) - len(guides)) + guide_objects, parts)
+        return parts, _materials_of([None] * (len(parts) - len(guides)) + guide_objects, parts)
     own = strands_of_curve(active, depsgraph, fixed_ends)
     figures = active.meander.figures
     count, begin = len(own.closed), figures.first_guide
@@ -53,7 +53,7 @@ def parts_of(
     indices = tuple(_material_indices(active, count))
     if not figures.guides:
         parts = [strands.Part(active.name, own)] + guides
-        return parts, Dress((), indices)
+        return parts, SplineMaterials((), indices)
     if count != figures.strands:
         raise DataError(
             f"'{active.name}' has other splines than its run has left, so that its guides cannot "
@@ -69,7 +69,7 @@ def parts_of(
     if guides:
         drawn = sum(len(part.seed.closed) for part in guides)
         indices = (*indices[:begin], *([0] * drawn), *indices[end:])
-    return parts, Dress((), indices)
+    return parts, SplineMaterials((), indices)
 
 
 def _has_stroke(settings: bpy.types.PropertyGroup) -> bool:
@@ -116,7 +116,7 @@ def _drawn_guides(
 
 
 def _material_indices(curve_object: bpy.types.Object, count: int) -> list[int]:
-    """Of the splines that became strands, which are those with two points or more."""
+    """Those of the splines that became strands, which have two points or more."""
     splines = [
         spline
         for spline in curve_object.data.splines
@@ -127,7 +127,9 @@ def _material_indices(curve_object: bpy.types.Object, count: int) -> list[int]:
     return [spline.material_index for spline in splines]
 
 
-def _dress(objects: list[bpy.types.Object | None], parts: list[strands.Part]) -> Dress:
+def _materials_of(
+    objects: list[bpy.types.Object | None], parts: list[strands.Part]
+) -> SplineMaterials:
     slots: list[tuple[str, str | None] | None] = []
     indices: list[int] = []
     for curve_object, part in zip(objects, parts, strict=True):
@@ -143,19 +145,19 @@ def _dress(objects: list[bpy.types.Object | None], parts: list[strands.Part]) ->
         most = len(slots) - 1
         own = _material_indices(curve_object, count)
         indices += [min(first + index, most) for index in own]
-    return Dress(tuple(slots), tuple(indices))
+    return SplineMaterials(tuple(slots), tuple(indices))
 
 
-def put_on(curve: bpy.types.Curve, dress: Dress) -> None:
+def assign_materials(curve: bpy.types.Curve, materials: SplineMaterials) -> None:
     """Gives the splines the materials of those that they grew from.
 
     Slots that a result has already stay: they are the user's.
     """
     if not len(curve.materials):
-        for slot in dress.slots:
+        for slot in materials.slots:
             curve.materials.append(None if slot is None else bpy.data.materials.get(slot))
     most = max(0, len(curve.materials) - 1)
-    for spline, index in zip(curve.splines, dress.indices):
+    for spline, index in zip(curve.splines, materials.indices):
         spline.material_index = min(index, most)
 
 

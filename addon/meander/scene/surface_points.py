@@ -66,7 +66,7 @@ def strands_of_result(
     curve, index, weights = polylines_of(result, depsgraph)
     surface = result.meander.surface
     matrix = world_matrix(surface.evaluated_get(depsgraph))
-    radii = point_attributes.room_of(result, len(curve.positions), matrix)
+    radii = point_attributes.medial_radii_of(result, len(curve.positions), matrix)
     data = point_attributes.data_of(index, weights, radii)
     mesh = toolpath.Mesh(*triangles_of(surface, depsgraph))
     return toolpath.resampled(curve, step, tolerance, data, mesh)

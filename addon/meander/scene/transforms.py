@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Points from an object's own space to the world and back.
 
-Everything leaves Blender in world units, because the spacing that a user chooses is the one that he
-sees. Arrays are computed in float64; only what is stored in Blender is rounded to float32.
+Everything leaves Blender in world units, because the spacing that users choose is the one that they
+see. Arrays are computed in float64; only what is stored in Blender is rounded to float32.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which direction the strands run in, as settings on an object."""
+"""Which direction the strands follow, as settings on an object."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
+from bpy.props import EnumProperty, PointerProperty, StringProperty
 
 from ..scene.attributes import vector_names
 
@@ -12,46 +12,26 @@ def _is_curve(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> b
 
 
 class AlignmentSettings:
-    """The part of MeanderSettings that says which way the strands run."""
+    """The part of MeanderSettings that says which direction the strands follow."""
 
     alignment_source: EnumProperty(
         name="Follow",
         description="The directions that strands run along; their spacing stays the same",
         items=(
             ("NONE", "None", "No direction is preferred"),
-            ("AXIS", "Axis", "An axis of the world or the object, as it lies in the surface"),
-            ("CURVATURE", "Curvature", "Along what bends least, or most"),
+            ("AXIS", "Axis", "An axis of the world or the object, projected onto the surface"),
+            ("CURVATURE", "Curvature", "The direction in which the surface bends least, or most"),
             ("SMOOTH", "Smooth Field", "The smoothest field of directions on the surface"),
             ("STROKES", "Curves", "Curves drawn on the surface, continued smoothly between them"),
             ("UV", "UV Map", "The U or V lines of a UV map"),
-            ("ATTRIBUTE", "Attribute", "A vector attribute of points, as Geometry Nodes make"),
+            ("ATTRIBUTE", "Attribute", "Vector attribute of points, such as Geometry Nodes create"),
         ),
         default="NONE",
         options=set(),
     )
-    alignment_weight: FloatProperty(
-        name="Weight",
-        description=(
-            "How strongly strands turn into the directions; 1 is clear to see, far more makes "
-            "the spacing less even"
-        ),
-        default=1.0,
-        min=0.0,
-        max=1e6,
-        soft_max=5.0,
-        precision=2,
-        step=10,
-        options=set(),
-    )
-    align_across: BoolProperty(
-        name="Across",
-        description="Run at right angles to the directions instead of along them",
-        default=False,
-        options=set(),
-    )
     alignment_axis: EnumProperty(
         name="Axis",
-        description="The axis that strands run along, as it lies in the surface",
+        description="The axis that strands follow, projected onto the surface",
         items=(("X", "X", "The X axis"), ("Y", "Y", "The Y axis"), ("Z", "Z", "The Z axis")),
         default="Z",
         options=set(),
@@ -60,8 +40,8 @@ class AlignmentSettings:
         name="Space",
         description="Whose axis it is",
         items=(
-            ("WORLD", "World", "It stays when the object is turned"),
-            ("LOCAL", "Object", "It turns with the object"),
+            ("WORLD", "World", "It stays when the object is rotated"),
+            ("LOCAL", "Object", "It rotates with the object"),
         ),
         default="WORLD",
         options=set(),
@@ -71,30 +51,17 @@ class AlignmentSettings:
         description="Which of the two principal directions strands run along",
         items=(
             ("MIN", "Least", "Along a limb: strands bend as little as possible"),
-            ("MAX", "Most", "Round a limb: strands show its shape"),
+            ("MAX", "Most", "Around a limb: strands show its shape"),
         ),
         default="MIN",
-        options=set(),
-    )
-    alignment_smoothing: FloatProperty(
-        name="Smoothing",
-        description=(
-            "Average the curvature over this many halves of the spacing; more leaves out small "
-            "features, 0 takes every dent"
-        ),
-        default=2.0,
-        min=0.0,
-        soft_max=10.0,
-        precision=1,
-        step=50,
         options=set(),
     )
     alignment_strokes: PointerProperty(
         type=bpy.types.Object,
         name="Curves",
         description=(
-            "Curve object whose splines show the way on or near the surface; parts of the mesh "
-            "without a spline are left free"
+            "Curve object whose splines, on or near the surface, give the directions; parts of "
+            "the mesh without a spline have none"
         ),
         poll=_is_curve,
         options=set(),

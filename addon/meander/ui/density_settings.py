@@ -24,11 +24,11 @@ class DensitySettings:
         description="What the spacing follows over the surface",
         items=(
             ("NONE", "None", "The same spacing everywhere"),
-            ("GROUP", "Vertex Group", "Weights as painted in Weight Paint"),
-            ("ATTRIBUTE", "Attribute", "A float attribute of points, as Geometry Nodes make"),
+            ("GROUP", "Vertex Group", "Weights, as painted in Weight Paint"),
+            ("ATTRIBUTE", "Attribute", "Float attribute of points, such as Geometry Nodes create"),
             ("COLOR", "Color Attribute", "The brightness of painted vertex colors"),
             ("IMAGE", "Image", "The brightness of an image through a UV map"),
-            ("CURVATURE", "Curvature", "How much the surface bends, and not which way"),
+            ("CURVATURE", "Curvature", "How strongly the surface bends, in whatever direction"),
         ),
         default="GROUP",
         options=set(),
@@ -86,19 +86,6 @@ class DensitySettings:
         default="MEAN",
         options=set(),
     )
-    density_smoothing: FloatProperty(
-        name="Smoothing",
-        description=(
-            "Average the curvature over this many halves of the spacing; more leaves out small "
-            "features, 0 takes every dent"
-        ),
-        default=2.0,
-        min=0.0,
-        soft_max=10.0,
-        precision=1,
-        step=50,
-        options=set(),
-    )
     use_density_range: BoolProperty(
         name="Custom Range",
         description=(
@@ -110,21 +97,23 @@ class DensitySettings:
     )
     density_low: FloatProperty(
         name="Low",
-        description="The value that gets the low factor, as do all beyond it",
+        description="Value that gets the low factor, as do all beyond it",
         default=0.0,
         precision=3,
         options=set(),
     )
     density_high: FloatProperty(
         name="High",
-        description=("The value that gets the high factor, as do all beyond it; may be below Low"),
+        description=(
+            "Value that gets the high factor, as do all values beyond it; may be below Low"
+        ),
         default=1.0,
         precision=3,
         options=set(),
     )
     factor_0: FloatProperty(
         name="Factor Low",
-        description="The spacing is multiplied by this where the value is low: 0, if not chosen",
+        description="Factor of the spacing where the value is low: at 0 without a custom range",
         default=1.0,
         min=0.05,
         max=5.0,
@@ -137,7 +126,7 @@ class DensitySettings:
     factor_1: FloatProperty(
         name="Factor High",
         description=(
-            "The spacing is multiplied by this where the value is high: 1, if not chosen. "
+            "Factor of the spacing where the value is high: at 1 without a custom range. "
             "0.5 is twice as dense"
         ),
         default=0.5,
@@ -151,12 +140,16 @@ class DensitySettings:
     )
     density_interpolation: EnumProperty(
         name="Interpolation",
-        description="How the factor goes from the low one to the high one",
+        description="How the factor changes between Low and High",
         items=(
             ("LINEAR", "Linear", "In proportion to the value"),
-            ("SMOOTH", "Smooth", "Slowly at both ends, so that the range shows no edge"),
-            ("CONSTANT", "Constant", "At once, in the middle of the range; strands crowd there"),
-            ("FREE", "Curve", "As drawn: to the right the value, up the way to the high factor"),
+            ("SMOOTH", "Smooth", "Flat at both ends, so that no edge shows"),
+            ("CONSTANT", "Constant", "A step in the middle of the range; strands crowd there"),
+            (
+                "FREE",
+                "Curve",
+                "Drawn by hand: to the right the value, upwards the share of Factor High",
+            ),
         ),
         default="LINEAR",
         options=set(),

@@ -71,7 +71,7 @@ class MEANDER_OT_bake_motion(_OnResult, bpy.types.Operator):
 
 
 class MEANDER_OT_bake_growth(_OnResult, bpy.types.Operator):
-    """Grow the curve anew from its seed, and write what it looks like on the way into the file"""
+    """Grow the curve again from its seed, and write the stages of its growth into the file"""
 
     bl_idname = "meander.bake_growth"
     bl_label = "Bake Growth"
@@ -92,7 +92,7 @@ class MEANDER_OT_bake_growth(_OnResult, bpy.types.Operator):
 
 
 class MEANDER_OT_clear_bake(_OnResult, bpy.types.Operator):
-    """Take the baked frames of this curve away and show the curve itself again"""
+    """Delete the baked frames of this curve, and show the curve itself again"""
 
     bl_idname = "meander.clear_bake"
     bl_label = "Delete Bake"

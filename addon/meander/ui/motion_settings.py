@@ -2,7 +2,7 @@
 """What a result is to do when its surface moves."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, IntProperty, PointerProperty
+from bpy.props import BoolProperty, PointerProperty
 
 from ..run import following
 
@@ -12,7 +12,7 @@ def _begin_again(settings: bpy.types.PropertyGroup, context: bpy.types.Context) 
     following.begin(settings.id_data, context)
 
 
-class MotionSettings:
+class FollowSettings:
     """Settings on a result, mixed into MeanderSettings."""
 
     follow: BoolProperty(
@@ -22,27 +22,6 @@ class MotionSettings:
             "for files that render elsewhere"
         ),
         default=False,
-        options=set(),
-        update=_begin_again,
-    )
-    motion: EnumProperty(
-        name="Motion",
-        description="What becomes of the curve when the surface changes its shape",
-        items=(
-            ("EVEN", "Keep Even", "The flow goes on: strands stay at the spacing"),
-            ("STICK", "Stick", "Points stay on their faces, as a texture does"),
-        ),
-        default="EVEN",
-        options=set(),
-        update=_begin_again,
-    )
-    motion_steps: IntProperty(
-        name="Steps",
-        description="Iterations for each frame; more keep the spacing through faster motion",
-        default=3,
-        min=1,
-        soft_max=20,
-        max=1000,
         options=set(),
         update=_begin_again,
     )

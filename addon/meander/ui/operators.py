@@ -2,8 +2,8 @@
 """The buttons: fill, stop, propose a spacing, show the gaps.
 
 In a window, filling is modal: the native library runs on a thread of its own, where no Python is,
-and a timer shows how the curve grows. execute() is the same run in one go, for scripts and for
-Blender without a window.
+and a timer shows how the curve grows. execute() is the same run without a
+window, for scripts and for Blender in the background.
 """
 
 from typing import Any
@@ -78,13 +78,13 @@ class MEANDER_OT_run(bpy.types.Operator):
     @classmethod
     def description(cls, _context: bpy.types.Context, options: Any) -> str:
         if options.restart:
-            return "Fill the surface anew from the seed, and replace this curve"
+            return "Fill the surface again from the seed, and replace this curve"
         return (
             "Grow a curve on the active mesh until it fills the surface at the spacing. "
             "On a curve made so before, go on from there"
         )
 
-    # -- without a window: one go --------------------------------------------------------------
+    # -- without a window: blocking --------------------------------------------------------------
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if not self._begin(context):
@@ -143,7 +143,7 @@ class MEANDER_OT_run(bpy.types.Operator):
         return True
 
     def _finish(self, context: bpy.types.Context, keep: bool) -> set[str]:
-        """The only way out: every exit of the operator ends here."""
+        """Every exit of the operator comes through here."""
         try:
             if keep:
                 result, figures = self._session.keep(context)
@@ -182,7 +182,7 @@ class MEANDER_OT_stop(bpy.types.Operator):
 
 
 class MEANDER_OT_propose_spacing(bpy.types.Operator):
-    """Set a spacing that suits the size of the surface and is done in seconds"""
+    """Set a spacing that suits the size of the surface and is filled in seconds"""
 
     bl_idname = "meander.propose_spacing"
     bl_label = "Propose Spacing"

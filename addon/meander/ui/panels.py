@@ -8,6 +8,7 @@ from bpy.props import FloatProperty
 
 from ..run import session
 from ..scene.settings import surface_of
+from .declared import rows
 from .operators import (
     MEANDER_OT_propose_spacing,
     MEANDER_OT_run,
@@ -110,10 +111,7 @@ class MEANDER_PT_options(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
-        layout.prop(settings, "preset")
-        layout.prop(settings, "medial_axis")
-        layout.prop(settings, "iteration_limit")
-        layout.prop(settings, "threads")
+        rows(layout, settings, "Options")
         layout.prop(settings, "use_bevel")
         row = layout.row()
         row.active = settings.use_bevel
@@ -157,7 +155,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
 def _gaps(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
     """How many, and the largest in units of half the spacing there: a row each, to fit."""
     if figures.gap_count < 0:
-        return (("Gaps", "Not sought"),)
+        return (("Gaps", "Not searched"),)
     if not figures.gap_count:
         return (("Gaps", "None"),)
     return (("Gaps", f"{figures.gap_count:,}"), ("Largest", f"{figures.largest_gap:.2f}"))

@@ -45,7 +45,7 @@ class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
     filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
     file_format: EnumProperty(
         name="Format",
-        description="Of the file",
+        description="Format of the file",
         items=(
             ("CSV", "CSV", "A row for every point"),
             ("JSON", "JSON", "A list of strands"),
@@ -56,20 +56,20 @@ class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
         description="Which points are written",
         items=(
             ("ALL", "All", "Every point of the curve"),
-            ("STEP", "By Step", "At equal ways along each strand"),
-            ("TOLERANCE", "By Tolerance", "As few as keep the straight way between them near"),
+            ("STEP", "By Step", "At equal arc lengths along each strand"),
+            ("TOLERANCE", "By Tolerance", "As few as keep the chords between them near the curve"),
         ),
     )
     step: FloatProperty(
         name="Step",
-        description="The most that two points are apart along the strand",
+        description="Largest arc length between two points",
         unit="LENGTH",
         default=0.01,
         min=1e-6,
     )
     tolerance: FloatProperty(
         name="Tolerance",
-        description="The most that the straight way between two points is away from the curve",
+        description="Largest distance of the chord between two points from the curve",
         unit="LENGTH",
         default=0.001,
         min=1e-9,

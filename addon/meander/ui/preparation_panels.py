@@ -9,12 +9,13 @@ from ..run import session
 from ..scene import refused_element
 from ..scene.errors import DataError
 from ..scene.settings import surface_of
+from .declared import row
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns
 
 
 class MEANDER_OT_select_problem(bpy.types.Operator):
-    """Select the element of the mesh because of which it was refused, in Edit Mode"""
+    """Select, in Edit Mode, the element because of which the mesh was refused"""
 
     bl_idname = "meander.select_problem"
     bl_label = "Select Problem"
@@ -54,7 +55,7 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
         bpy.ops.mesh.select_mode(type="VERT")
         bpy.ops.mesh.select_all(action="DESELECT")
         bpy.ops.object.mode_set(mode="OBJECT")
-        # Only now: switching modes makes the mesh's elements anew.
+        # Only now: switching modes recreates the elements of the mesh.
         mode, elements = refused_element.locate_problem(surface, depsgraph)
         for element in elements:
             element.select = True
@@ -87,8 +88,8 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
                 layout.prop_search(settings, "mask_group", surface, "vertex_groups")
                 layout.prop(settings, "mask_threshold")
             layout.prop(settings, "mask_inverted")
-        layout.prop(settings, "border_distance", text="Border Distance")
-        layout.prop(settings, "use_outline")
+        row(layout, settings, "border_distance")
+        row(layout, settings, "use_outline")
 
 
 class MEANDER_PT_repair(SubPanel, bpy.types.Panel):

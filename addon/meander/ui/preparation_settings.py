@@ -2,7 +2,7 @@
 """What is done to the mesh, and which part of it is filled, as settings on an object."""
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntVectorProperty, StringProperty
+from bpy.props import EnumProperty, IntVectorProperty, StringProperty
 
 from ..scene.attributes import mask_names
 
@@ -38,81 +38,6 @@ class PreparationSettings:
     mask_group: StringProperty(
         name="Group",
         description="Vertex group; what has less than the threshold is left out",
-        options=set(),
-    )
-    mask_threshold: FloatProperty(
-        name="Threshold",
-        description="The border runs where the weight is this, straight through faces",
-        default=0.5,
-        min=0.0,
-        max=1.0,
-        subtype="FACTOR",
-        options=set(),
-    )
-    mask_inverted: BoolProperty(
-        name="Invert",
-        description="Fill what would be left out, and leave out what would be filled",
-        default=False,
-        options=set(),
-    )
-    border_distance: FloatProperty(
-        name="Distance",
-        description=(
-            "Distance of the last strand from borders and holes, in spacings. "
-            "At 0 strands run along the border"
-        ),
-        default=0.5,
-        min=0.0,
-        max=2.0,
-        precision=2,
-        step=5,
-        options=set(),
-    )
-    use_outline: BoolProperty(
-        name="Outline First",
-        description=(
-            "Lay a fixed strand along every border at the border distance, and fill what is "
-            "left inside"
-        ),
-        default=False,
-        options=set(),
-    )
-    use_merge: BoolProperty(
-        name="Merge Close Vertices",
-        description="Take vertices that are very near each other as one; the mesh stays as it is",
-        default=False,
-        options=set(),
-    )
-    merge_distance: FloatProperty(
-        name="Distance",
-        description="Vertices this near to each other are one, in world units",
-        default=0.0001,
-        min=0.0,
-        soft_max=0.1,
-        precision=5,
-        step=1,
-        unit="LENGTH",
-        options=set(),
-    )
-    drop_degenerate: BoolProperty(
-        name="Dissolve Degenerate",
-        description="Do without faces that have no area or are there twice, instead of refusing",
-        default=False,
-        options=set(),
-    )
-    split_bow_ties: BoolProperty(
-        name="Split Bow-Ties",
-        description="Part faces that meet in one vertex only, instead of refusing the mesh",
-        default=False,
-        options=set(),
-    )
-    cut_non_manifold: BoolProperty(
-        name="Cut Non-Manifold Edges",
-        description=(
-            "Take edges with more than two faces as borders, where every sheet ends, instead of "
-            "refusing the mesh"
-        ),
-        default=False,
         options=set(),
     )
 

@@ -8,7 +8,6 @@ import bpy
 from bpy.props import (
     BoolProperty,
     CollectionProperty,
-    EnumProperty,
     FloatProperty,
     FloatVectorProperty,
     IntProperty,
@@ -18,11 +17,11 @@ from bpy.props import (
 
 from .alignment_settings import AlignmentSettings
 from .density_settings import DensitySettings
-from .motion_settings import MotionSettings
+from .motion_settings import FollowSettings
 from .preparation_settings import MeanderProblem, PreparationSettings
 from .result_settings import PointSettings, ProfileSettings
 from .strand_settings import StrandSettings
-from .term_settings import TermSettings
+from .table_settings import MotionSettings, TableSettings
 
 # What run() returns, as a user reads it.
 STOP_TEXTS = {
@@ -85,8 +84,9 @@ class MeanderSettings(
     AlignmentSettings,
     PreparationSettings,
     StrandSettings,
-    TermSettings,
+    TableSettings,
     MotionSettings,
+    FollowSettings,
     ProfileSettings,
     PointSettings,
     bpy.types.PropertyGroup,
@@ -110,70 +110,10 @@ class MeanderSettings(
         poll=_is_curve,
         options=set(),
     )
-    spacing: FloatProperty(
-        name="Spacing",
-        description=(
-            "Distance between neighbouring strands, in world units. "
-            "Half of it takes four times as long; 0 proposes one from the size of the surface"
-        ),
-        unit="LENGTH",
-        default=0.0,
-        min=0.0,
-        soft_max=10.0,
-        precision=3,
-        step=1,
-        options=set(),
-    )
     fixed_ends: BoolProperty(
         name="Fixed Ends",
         description="Keep the end points of open seed splines where they are",
         default=False,
-        options=set(),
-    )
-    preset: EnumProperty(
-        name="Preset",
-        description="Weights, step and stopping rule of the flow",
-        items=(
-            ("EVEN", "Even", "Evenly spaced, few hairpins, no gaps"),
-            ("FINEST", "Finest", "A third fewer hairpins than Even, in up to three times the time"),
-            ("PAPER", "Paper", "As published: faster, more winding, less even"),
-        ),
-        default="EVEN",
-        options=set(),
-    )
-    medial_axis: EnumProperty(
-        name="Distances",
-        description="How distances between strands are measured",
-        items=(
-            (
-                "EUCLIDEAN",
-                "Through Space",
-                "Fast. Strands on sheets that lie close together keep clear of each other",
-            ),
-            (
-                "GEODESIC",
-                "Along Surface",
-                "Fills both sides of thin parts and sheets that pass through each other; slower",
-            ),
-        ),
-        default="EUCLIDEAN",
-        options=set(),
-    )
-    iteration_limit: IntProperty(
-        name="Iteration Limit",
-        description="Stop after this many iterations at the latest; 0 leaves it to the preset",
-        default=0,
-        min=0,
-        soft_max=2000,
-        options=set(),
-    )
-    threads: IntProperty(
-        name="Threads",
-        description="Threads to compute with; 0 uses them all. The result is the same",
-        default=0,
-        min=0,
-        max=256,
-        soft_max=16,
         options=set(),
     )
     use_bevel: BoolProperty(

@@ -33,15 +33,6 @@ class StrandSettings:
         poll=_is_another,
         options=set(),
     )
-    seed_every_part: BoolProperty(
-        name="Fill Every Part",
-        description=(
-            "Give a small loop to each part of the mesh, and to each region between guides, that "
-            "the seed leaves out. Without a seed they all have one"
-        ),
-        default=False,
-        options=set(),
-    )
     guides: PointerProperty(
         type=bpy.types.Object,
         name="Guides",

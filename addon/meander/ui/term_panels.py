@@ -9,8 +9,9 @@ import bpy
 
 from ..scene import ramp
 from ..scene.density import choice_of
+from ..scene.flow_options import warnings_of
 from ..scene.settings import surface_of
-from ..scene.terms import warnings_of
+from .declared import rows
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns, notice
 
@@ -107,17 +108,7 @@ class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
-        layout.column(heading="Weights").prop(settings, "use_weights", text="Custom")
-        column = layout.column(align=True)
-        column.active = settings.use_weights
-        column.prop(settings, "length_weight")
-        column.prop(settings, "bending_weight")
-        column.prop(settings, "length_power", text="Power p")
-        column.prop(settings, "medial_power", text="Power q")
-        column = layout.column(align=True)
-        column.prop(settings, "segment_share", text="Segments")
-        column.prop(settings, "reach")
-        column.prop(settings, "start_spacing_factor", text="Start At")
+        rows(layout, settings, "Weights and Lengths", heading="Weights")
         for warning in warnings_of(settings):
             first, *others = textwrap.wrap(warning, _LINE)
             lines = layout.column(align=True)

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flags of the batch command and entries of its report, made from the table of options; no bpy."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from .. import core
+from ..model.option import Flag, Option, apply
+from ..model.options import OF_THE_FLOW, TABLE
+from . import values
+
+FLAGGED: tuple[tuple[Option, Flag], ...] = tuple(
+    (option, option.flag) for option in TABLE if option.flag is not None
+)
+
+
+def add_flags(parser: argparse._ActionsContainer, group: str = "") -> None:
+    """Adds the flags that stand under a heading of --help; those without one by default."""
+    for option, flag in FLAGGED:
+        if flag.group != group:
+            continue
+        if option.kind is bool:
+            parser.add_argument(flag.name, action="store_true", help=flag.help)
+            continue
+        given: dict[str, Any] = {"help": flag.help, "default": flag.default}
+        if option.kind is str:
+            given["choices"] = [name for name, _label, _tip in option.choices]
+        else:
+            given["type"] = values.reader(option.kind, flag.least, flag.greatest, flag.above)
+            given["metavar"] = flag.metavar
+        parser.add_argument(flag.name, required=flag.required, **given)
+
+
+def chosen(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What the flags say, in the units of the settings; None: not given."""
+    found: dict[str, Any] = {}
+    for option, flag in FLAGGED:
+        value = getattr(arguments, flag.destination)
+        if value is not None and flag.in_scene_units:
+            value = 2 * value / arguments.spacing
+        found[option.setting] = value
+    return found
+
+
+def flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
+    """The preset's options with what the flags say in their place."""
+    options = core.default_options(arguments.preset)
+    options.radius = arguments.spacing / 2
+    apply(OF_THE_FLOW, chosen(arguments), options)
+    for option, flag in FLAGGED:
+        value = getattr(arguments, flag.destination)
+        if option.field and flag.in_scene_units and value is not None:
+            setattr(options, option.field, value)  # to the last bit
+    return options
+
+
+def entries(arguments: argparse.Namespace, options: core.FlowOptions) -> dict[str, Any]:
+    """The entries of the report that are named as the flags are."""
+    return {
+        flag.entry: getattr(options, option.field)
+        if option.field
+        else getattr(arguments, flag.destination)
+        for option, flag in FLAGGED
+        if flag.entry
+    }

@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rows of the table of options that are about the surface, its fields and what it does."""
+
+from __future__ import annotations
+
+from .option import Flag, Option
+
+_DENSITY, _ALIGNMENT, _STRANDS = "Density", "Alignment", "Strands"
+_REGION, _REPAIR, _MOTION = "Region", "Mesh Repair", "Motion"
+_TERMS, _PART, _REPAIRS = "terms of the energy", "part to fill", "mesh repair"
+
+ROWS: tuple[Option, ...] = (
+    Option(
+        "density_smoothing",
+        "Smoothing",
+        "Radius over which the curvature is averaged, in half spacings; a larger one "
+        "ignores small features, 0 keeps every dent",
+        _DENSITY,
+        unit="r",
+        default=2.0,
+        least=0.0,
+        soft_greatest=10.0,
+        digits=1,
+        step=50,
+        flag=Flag(
+            "--density-smoothing",
+            "radius over which the curvature is averaged, in half spacings; default: 2",
+            "density",
+            "S",
+            least=0.0,
+        ),
+    ),
+    Option(
+        "alignment_weight",
+        "Weight",
+        "How strongly strands follow the directions; 1 is clearly visible, much larger values "
+        "make the spacing less even",
+        _ALIGNMENT,
+        default=1.0,
+        least=0.0,
+        greatest=1e6,
+        soft_greatest=5.0,
+        flag=Flag(
+            "--alignment",
+            "weight of the field of --direction; 0.5 to 1 steer, 4 rules; default: 1 with a field",
+            _TERMS,
+            "W",
+            least=0.0,
+        ),
+    ),
+    Option(
+        "align_across",
+        "Across",
+        "Run at right angles to the directions instead of along them",
+        _ALIGNMENT,
+        kind=bool,
+        default=False,
+        flag=Flag("--across", "lie across the field instead", _TERMS, entry="across"),
+    ),
+    Option(
+        "alignment_smoothing",
+        "Smoothing",
+        "Radius over which the curvature is averaged, in half spacings; a larger one "
+        "ignores small features, 0 keeps every dent",
+        _ALIGNMENT,
+        unit="r",
+        default=2.0,
+        least=0.0,
+        soft_greatest=10.0,
+        digits=1,
+        step=50,
+        flag=Flag(
+            "--direction-smoothing",
+            "radius over which the curvature is averaged, in half spacings; default: 2",
+            _TERMS,
+            "S",
+            least=0.0,
+        ),
+    ),
+    Option(
+        "seed_every_part",
+        "Fill Every Part",
+        "Give a small loop to each part of the mesh, and to each region between guides, that "
+        "the seed leaves out. Without a seed they all have one",
+        _STRANDS,
+        kind=bool,
+        default=False,
+        flag=Flag(
+            "--fill-every-part",
+            "small loops on parts of the mesh, and between guides, that the seed leaves out",
+            "strands",
+            entry="fill_every_part",
+        ),
+    ),
+    Option(
+        "mask_threshold",
+        "Threshold",
+        "Weight at which the border runs, cutting through faces",
+        _REGION,
+        unit="share",
+        default=0.5,
+        least=0.0,
+        greatest=1.0,
+        step=3,
+        flag=Flag(
+            "--mask-threshold",
+            "the least weight in --mask-group of what is filled; default: 0.5",
+            _PART,
+            "X",
+            least=0.0,
+            greatest=1.0,
+        ),
+    ),
+    Option(
+        "mask_inverted",
+        "Invert",
+        "Fill what would be left out, and leave out what would be filled",
+        _REGION,
+        kind=bool,
+        default=False,
+        flag=Flag("--mask-invert", "fill the rest instead", _PART),
+    ),
+    Option(
+        "use_outline",
+        "Outline First",
+        "Place a fixed strand along every border at the border distance first, and fill what "
+        "is left inside",
+        _REGION,
+        kind=bool,
+        default=False,
+        flag=Flag(
+            "--outline",
+            "place a fixed strand along every border at that distance first",
+            _PART,
+            entry="outline",
+        ),
+    ),
+    Option(
+        "use_merge",
+        "Merge Close Vertices",
+        "Treat vertices that are very close together as one; the mesh itself does not change",
+        _REPAIR,
+        kind=bool,
+        default=False,
+    ),
+    Option(
+        "merge_distance",
+        "Distance",
+        "Vertices closer together than this are one, in world units",
+        _REPAIR,
+        unit="length",
+        default=0.0001,
+        least=0.0,
+        soft_greatest=0.1,
+        digits=5,
+        step=1,
+        switch="use_merge",
+        flag=Flag(
+            "--merge-distance",
+            "vertices closer together than this become one",
+            _REPAIRS,
+            "D",
+            least=0.0,
+        ),
+    ),
+    Option(
+        "drop_degenerate",
+        "Dissolve Degenerate",
+        "Remove faces without area and duplicate faces, instead of refusing the mesh",
+        _REPAIR,
+        kind=bool,
+        default=False,
+        flag=Flag("--drop-degenerate", "dissolve faces without area", _REPAIRS),
+    ),
+    Option(
+        "split_bow_ties",
+        "Split Bow-Ties",
+        "Separate faces that meet in one vertex only, instead of refusing the mesh",
+        _REPAIR,
+        kind=bool,
+        default=False,
+        flag=Flag(
+            "--split-bow-ties", "separate fans of faces that meet in one vertex only", _REPAIRS
+        ),
+    ),
+    Option(
+        "cut_non_manifold",
+        "Cut Non-Manifold Edges",
+        "Treat edges with more than two faces as borders, at which every sheet ends, instead "
+        "of refusing the mesh",
+        _REPAIR,
+        kind=bool,
+        default=False,
+        flag=Flag("--cut-non-manifold", "edges with more than two faces become borders", _REPAIRS),
+    ),
+    Option(
+        "motion",
+        "Motion",
+        "What happens to the curve when the surface changes its shape",
+        _MOTION,
+        kind=str,
+        default="even",
+        choices=(
+            ("even", "Keep Even", "The flow continues, so that strands keep the spacing"),
+            ("stick", "Stick", "Points stay on their faces, as a texture would"),
+        ),
+        flag=Flag(
+            "--motion",
+            "baked frames keep the spacing, or their points stay on their faces",
+            "motion",
+            entry="motion",
+            default="even",
+        ),
+    ),
+    Option(
+        "motion_steps",
+        "Steps",
+        "Iterations per frame; more of them keep the spacing under faster motion",
+        _MOTION,
+        kind=int,
+        default=3,
+        least=1,
+        greatest=1000,
+        soft_greatest=20,
+        flag=Flag(
+            "--motion-steps",
+            "iterations for each frame; default: 3",
+            "motion",
+            "N",
+            least=1,
+            greatest=1000,
+            entry="motion_steps",
+            default=3,
+        ),
+    ),
+)

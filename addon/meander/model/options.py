@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table of the options: every row is a setting, a flag, an entry and a line in the documents.
+
+A new option of the flow is a field in the library and a row in flow_options. docs/options.md is
+made from the table by scripts/write_option_table.py.
+"""
+
+from __future__ import annotations
+
+from . import flow_options, input_options
+from .option import Option
+
+TABLE: tuple[Option, ...] = flow_options.ROWS + input_options.ROWS
+
+BY_SETTING: dict[str, Option] = {option.setting: option for option in TABLE}
+
+# What the flow itself is given, in the order in which it is put there.
+OF_THE_FLOW: tuple[Option, ...] = tuple(option for option in TABLE if option.field)
+
+
+def in_panel(panel: str) -> tuple[Option, ...]:
+    """The rows of a panel, by its label, from top to bottom."""
+    return tuple(option for option in TABLE if option.panel == panel)

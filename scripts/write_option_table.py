@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the table of docs/options.md from the one in the code and the library's defaults.
+
+    python3 scripts/write_option_table.py [--check]
+
+--check writes nothing, and fails when the page is not what would be written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "addon"))
+
+from meander import core  # noqa: E402
+from meander.model.option import Option  # noqa: E402
+from meander.model.options import TABLE  # noqa: E402
+
+PAGE = ROOT / "docs" / "options.md"
+BEGIN, END = "<!-- written by scripts/write_option_table.py -->", "<!-- to here -->"
+# Where 0 stands for the preset's own value: the field that has it, in the same unit.
+OF_THE_PRESET = {"max_radius": "max_radius_factor"}
+UNITS = {"length": "scene", "r": "r", "spacing": "spacings", "share": "", "": ""}
+
+
+def number(value: float) -> str:
+    return f"{value:.12g}"
+
+
+def shown(option: Option, value: object) -> str:
+    """A default as a reader knows it."""
+    if option.kind is bool:
+        return "on" if value else "off"
+    if option.kind is str:
+        return getattr(value, "name", str(value)).lower()
+    if option.zero_is_preset and value == 0:
+        return "its own"
+    return number(value)
+
+
+def defaults(option: Option) -> list[str]:
+    """Of the presets: what the library has, else what the setting has."""
+    if option.field in ("", "preset"):
+        return [shown(option, option.default)] * len(core.PRESETS)
+    field = OF_THE_PRESET.get(option.field, option.field)
+    found = (getattr(core.default_options(preset), field) for preset in core.PRESETS)
+    return [shown(option, value) for value in found]
+
+
+def span(option: Option) -> str:
+    if option.choices:
+        return ", ".join(name for name, _label, _tip in option.choices)
+    if option.least is None and option.greatest is None:
+        return ""
+    if option.greatest is None:
+        return f"{number(option.least)} or more"
+    return f"{number(option.least)} to {number(option.greatest)}"
+
+
+def line(option: Option) -> str:
+    flag = option.flag
+    flag_text = "" if flag is None else f"`{flag.name}{' ' + flag.metavar if flag.metavar else ''}`"
+    if flag is not None and flag.in_scene_units:
+        flag_text += ", in scene units"
+    of_presets = defaults(option)
+    same = len(set(of_presets)) == 1
+    default = (
+        of_presets[0]
+        if same
+        else ", ".join(
+            f"{value} ({preset})" for preset, value in zip(core.PRESETS, of_presets, strict=True)
+        )
+    )
+    cells = (
+        f"*{option.label}*",
+        option.panel,
+        f"`{option.setting}`",
+        flag_text,
+        UNITS[option.unit],
+        span(option),
+        default,
+        option.tip,
+    )
+    return "| " + " | ".join(cells) + " |"
+
+
+def table() -> str:
+    head = ("option", "panel", "setting", "flag", "unit", "range", "default", "what it does")
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + [line(option) for option in TABLE])
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
+    arguments = parser.parse_args()
+    text = PAGE.read_text(encoding="utf-8")
+    before, _, rest = text.partition(BEGIN)
+    _, _, after = rest.partition(END)
+    wanted = f"{before}{BEGIN}\n\n{table()}\n\n{END}{after}"
+    if arguments.check:
+        if text != wanted:
+            print(f"{PAGE} is out of date; run python3 scripts/write_option_table.py")
+            return 1
+        return 0
+    PAGE.write_text(wanted, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
