@@ -116,6 +116,189 @@ double medial_energy(const Radii& radii, double r, double q) {
   return 2 / q * r * r * (power(radii[0] / r, q) + power(radii[1] / r, q));
 }
 
+/// Calls term(k) for k from 0 to count - 1. A term adds to its node and to the next two at most: so that no two threads
+/// add to one node, the last two terms of every block follow when all threads are done.
+template <class Term>
+void for_terms(uint32_t count, ThreadPool& pool, const Term& term) {
+  pool.for_blocks(count, kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t k = begin; k + 2 < end; ++k) term(static_cast<uint32_t>(k));
+  });
+  for (uint32_t begin = 0; begin < count; begin += kBlock) {
+    const uint32_t end = std::min(begin + kBlock, count);
+    for (uint32_t k = end - std::min(end - begin, 2u); k < end; ++k) term(k);
+  }
+}
+
+/// The system of one strand while its terms are added up. Node k is counted within the strand; past the join of a
+/// closed strand, k is count or more, and its unknown is holonomy * z.
+struct Assembly {
+  const Curve& curve;
+  const Strand& strand;
+  const Frames& frames;
+  const NodeData<Radii>& radii;
+  const LocalMetric& metric;
+  const Weights& weights;
+  StrandSystem& system;
+  std::vector<Vec2> direction;  // u of segment k in the frame of node k
+  std::vector<double> factor;   // c of segment k, see energy.h; empty for a length power of 2
+
+  void begin(ThreadPool& pool);
+  void add_length(uint32_t k);
+  void add_field(uint32_t k);
+  void add_medial(uint32_t k);
+  void add_bending(uint32_t k);
+  void eliminate_fixed();
+
+ private:
+  uint32_t wrapped(uint32_t k) const { return k >= strand.count ? k - strand.count : k; }
+
+  /// Adds to the gradient of node k a vector of the frame that continues past the join.
+  void add_gradient(uint32_t k, Vec2 g) {
+    if (k >= strand.count) g = conj(system.holonomy) * g;
+    Vec2& right = system.right[wrapped(k)];
+    right = right - g;
+  }
+
+  /// Adds stiffness (v . (z_k - z_(k+1)))^2 / 2, v in the frame of node k.
+  void stiffen_along(uint32_t k, double stiffness, Vec2 v) {
+    system.diagonal_block[k].add(stiffness, v);
+    system.first_block[k].add(-stiffness, v);
+    system.diagonal_block[wrapped(k + 1)].add(stiffness, k + 1 >= strand.count ? conj(system.holonomy) * v : v);
+  }
+};
+
+void Assembly::begin(ThreadPool& pool) {
+  const uint32_t n = strand.count;
+  system.closed = strand.closed;
+  system.reset(n, pool);
+  direction.resize(n);
+  const Vec2 frame = carry_frames(curve, strand, pool, system.frame, direction);
+  // After the join the frame has become `frame` where the first node's was (1, 0).
+  system.holonomy = strand.closed ? unit(system.frame[0] * conj(frame)) : Vec2{1, 0};
+  if (weights.coupled()) {
+    system.diagonal_block.assign(n, Sym2{});
+    system.first_block.assign(n, Sym2{});
+  }
+  if (weights.length_power != 2) factor = power_factors(curve, strand, metric, weights.length_power);
+}
+
+/// Eq. 5, and eq. 13 for a length power other than 2: the length of segment k.
+void Assembly::add_length(uint32_t k) {
+  const uint32_t i = strand.first + k, j = strand.first + wrapped(k + 1);
+  const double l = segment_length(curve, i, metric.radius[i]);
+  const double scale = factor.empty() ? 1 : factor[k];
+  const double t = 0.5 * (weights.length[i] + weights.length[j]);
+  const double stiffness = 2 * std::max(t, tuning::kLeastLengthStiffness) / l * scale;
+  system.diagonal[k] += stiffness;
+  system.diagonal[wrapped(k + 1)] += stiffness;
+  system.first[k] += -stiffness;
+  add_gradient(k, -2 * t * scale * direction[k]);
+  add_gradient(k + 1, 2 * t * scale * direction[k]);
+  if (weights.length_power != 2) stiffen_along(k, (weights.length_power - 2) * stiffness, direction[k]);
+}
+
+/// Eq. 11: the length of segment k across the field.
+void Assembly::add_field(uint32_t k) {
+  const uint32_t i = strand.first + k, j = strand.first + wrapped(k + 1);
+  const double l = segment_length(curve, i, metric.radius[i]);
+  const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
+  const Vec2 there = weights.field[j] * conj(system.frame[wrapped(k + 1)]);
+  const Vec2 across = across_field(weights.field[i] * conj(system.frame[k]),
+                                   k + 1 >= strand.count ? system.holonomy * there : there);
+  const double pull = 2 * beta * dot(direction[k], across);
+  stiffen_along(k, 2 * beta / l, across);
+  add_gradient(k, -pull * across);
+  add_gradient(k + 1, pull * across);
+}
+
+/// Eq. 7, and eq. 13 for a medial power other than 2: node k between its two medial centres.
+void Assembly::add_medial(uint32_t k) {
+  const uint32_t i = strand.first + k, before = curve.previous(i);
+  const double r = metric.radius[i];
+  const double w = 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
+                          (before != kNone ? segment_length(curve, before, r) : 0));
+  const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
+  const Vec2 b = frames.bitangent2[i] * conj(system.frame[k]);
+  const MedialForce f = medial_force(radii[i], r, weights.medial_power);
+  if (weights.medial_blocks) {
+    const MedialStiffness m = medial_stiffness(radii[i], r, weights.medial_power);
+    system.diagonal[k] += 2 * alpha * w * m.along;
+    system.diagonal_block[k].add(2 * alpha * w * m.more_across, b);
+  } else {
+    system.diagonal[k] += 2 * alpha * w * f.stiffness;
+  }
+  add_gradient(k, -2 * alpha * w * f.pull * b);
+}
+
+/// Eq. 12: the turn at the node between segments k and k + 1, which nodes k, k + 1 and k + 2 decide.
+void Assembly::add_bending(uint32_t k) {
+  const uint32_t middle = wrapped(k + 1), i = strand.first + middle;
+  const double r = metric.radius[i];
+  const double l0 = segment_length(curve, strand.first + k, r), l1 = segment_length(curve, i, r);
+  const double stiffness = 2 * weights.bending[i] * r * r / (0.5 * (l0 + l1));
+  if (stiffness == 0) return;
+  const double c[3] = {1 / l0, -(1 / l0 + 1 / l1), 1 / l1};
+  // Past the join the direction is stored in the first node's frame.
+  const Vec2 u1 = k + 1 >= strand.count ? system.holonomy * direction[middle] : direction[middle];
+  const Vec2 turn = u1 - direction[k];
+  for (uint32_t a = 0; a < 3; ++a) {
+    add_gradient(k + a, stiffness * c[a] * turn);
+    system.diagonal[wrapped(k + a)] += stiffness * c[a] * c[a];
+  }
+  system.first[k] += stiffness * c[0] * c[1];
+  system.first[middle] += stiffness * c[1] * c[2];
+  system.second[k] += stiffness * c[0] * c[2];
+}
+
+/// z = 0 for fixed nodes.
+void Assembly::eliminate_fixed() {
+  const uint32_t n = strand.count;
+  const bool coupled = weights.coupled();
+  for (uint32_t k = 0; k < n; ++k) {
+    if (!curve.fixed[strand.first + k]) continue;
+    system.diagonal[k] = 1;
+    system.right[k] = Vec2{};
+    system.first[k] = system.second[k] = 0;
+    if (strand.closed || k >= 1) system.first[(k + n - 1) % n] = 0;
+    if (strand.closed || k >= 2) system.second[(k + 2 * n - 2) % n] = 0;
+    if (!coupled) continue;
+    system.diagonal_block[k] = system.first_block[k] = Sym2{};
+    if (strand.closed || k >= 1) system.first_block[(k + n - 1) % n] = Sym2{};
+  }
+}
+
+/// Length, medial axis and bending at a node (eqs. 1, 2, 12, 13 with a length power of 2).
+double energy_of_node(const Curve& curve, const Radii& radii, double r, const Weights& weights, uint32_t i) {
+  const uint32_t before = curve.previous(i);
+  const double l0 = before != kNone ? curve.shapes[before].length : 0;
+  const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
+  const double w = 0.5 * (l0 + l1);
+  const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
+  double sum = weights.length[i] * w + alpha * w * medial_energy(radii, r, weights.medial_power);
+  if (l0 > 0 && l1 > 0) {
+    const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
+    sum += weights.bending[i] * r * r * dot(turn, turn) / w;
+  }
+  return sum;
+}
+
+/// What eq. 13 adds to the length of a segment, whose factor is c, for a length power p other than 2.
+double power_energy_of_segment(const Curve& curve, const Weights& weights, double c, uint32_t i) {
+  const double t = 0.5 * (weights.length[i] + weights.length[curve.next(i)]);
+  return t * (2 / weights.length_power * c - 1) * curve.shapes[i].length;  // in place of t l
+}
+
+/// Eq. 11 for a segment.
+double field_energy_of_segment(const Curve& curve, const Weights& weights, uint32_t i) {
+  const uint32_t j = curve.next(i);
+  const PathShape& shape = curve.shapes[i];
+  const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
+  // The line at the end, carried back along the segment.
+  const Vec2 there = weights.field[j] * conj(shape.arriving) * shape.leaving;
+  const double across = dot(shape.leaving, across_field(weights.field[i], there));
+  return beta * shape.length * across * across;
+}
+
 }  // namespace
 
 void StrandSystem::reset(size_t n, ThreadPool& pool) {
@@ -136,129 +319,18 @@ void StrandSystem::reset(size_t n, ThreadPool& pool) {
 
 void assemble(const Curve& curve, const Strand& strand, const Frames& frames, const NodeData<Radii>& radii,
               const LocalMetric& metric, const Weights& weights, ThreadPool& pool, StrandSystem& system) {
-  const uint32_t n = strand.count, s = strand.first;
-  system.closed = strand.closed;
-  system.reset(n, pool);
-
-  // The frame of node k, and the direction u of segment k in it.
-  std::vector<Vec2> direction(n);
-  const Vec2 frame = carry_frames(curve, strand, pool, system.frame, direction);
-  // After the join the frame has become `frame` where the first node's was (1, 0).
-  system.holonomy = strand.closed ? unit(system.frame[0] * conj(frame)) : Vec2{1, 0};
-
-  // Terms of neighbours a and b = a + step; past the join b's unknown is holonomy * z.
-  const auto couple = [&](uint32_t k, uint32_t steps, double value) {
-    (steps == 1 ? system.first : system.second)[k] += value;
-  };
-  const auto wrapped = [&](uint32_t k) { return k >= n ? k - n : k; };
-  // Adds to the gradient of node k (unwrapped) a vector of the frame that continues past the join.
-  const auto add_gradient = [&](uint32_t k, Vec2 g) {
-    if (k >= n) g = conj(system.holonomy) * g;
-    Vec2& right = system.right[wrapped(k)];
-    right = right - g;
-  };
-
-  // A term adds to its node and to the next two at most. So that no two threads add to one node, the
-  // last two terms of every block follow when all threads are done.
-  const auto for_terms = [&](uint32_t count, const auto& term) {
-    pool.for_blocks(count, kBlock, [&](size_t, size_t begin, size_t end) {
-      for (size_t k = begin; k + 2 < end; ++k) term(static_cast<uint32_t>(k));
-    });
-    for (uint32_t begin = 0; begin < count; begin += kBlock) {
-      const uint32_t end = std::min(begin + kBlock, count);
-      for (uint32_t k = end - std::min(end - begin, 2u); k < end; ++k) term(k);
-    }
-  };
-
-  const bool coupled = weights.coupled();
-  if (coupled) {
-    system.diagonal_block.assign(n, Sym2{});
-    system.first_block.assign(n, Sym2{});
-  }
-  // Adds stiffness (v . (z_k - z_(k+1)))^2 / 2, v in the frame of node k.
-  const auto stiffen_along = [&](uint32_t k, double stiffness, Vec2 v) {
-    system.diagonal_block[k].add(stiffness, v);
-    system.first_block[k].add(-stiffness, v);
-    system.diagonal_block[wrapped(k + 1)].add(stiffness, k + 1 >= n ? conj(system.holonomy) * v : v);
-  };
-
-  const uint32_t segments = strand.segment_count();
-  const double p = weights.length_power;
-  const std::vector<double> factor = p != 2 ? power_factors(curve, strand, metric, p) : std::vector<double>{};
-  for_terms(segments, [&](uint32_t k) {
-    const uint32_t i = s + k, j = s + wrapped(k + 1);
-    const double l = segment_length(curve, i, metric.radius[i]);
-    const double scale = p != 2 ? factor[k] : 1;
-    const double t = 0.5 * (weights.length[i] + weights.length[j]);
-    const double stiffness = 2 * std::max(t, tuning::kLeastLengthStiffness) / l * scale;
-    system.diagonal[k] += stiffness;
-    system.diagonal[wrapped(k + 1)] += stiffness;
-    couple(k, 1, -stiffness);
-    add_gradient(k, -2 * t * scale * direction[k]);
-    add_gradient(k + 1, 2 * t * scale * direction[k]);
-    if (p != 2) stiffen_along(k, (p - 2) * stiffness, direction[k]);
-    if (weights.alignment.empty()) return;
-    const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
-    const Vec2 there = weights.field[j] * conj(system.frame[wrapped(k + 1)]);
-    const Vec2 across = across_field(weights.field[i] * conj(system.frame[k]),
-                                     k + 1 >= n ? system.holonomy * there : there);
-    const double pull = 2 * beta * dot(direction[k], across);
-    stiffen_along(k, 2 * beta / l, across);
-    add_gradient(k, -pull * across);
-    add_gradient(k + 1, pull * across);
+  Assembly assembly{curve, strand, frames, radii, metric, weights, system, {}, {}};
+  assembly.begin(pool);
+  const uint32_t n = strand.count, segments = strand.segment_count();
+  for_terms(segments, pool, [&](uint32_t k) {
+    assembly.add_length(k);
+    if (!weights.alignment.empty()) assembly.add_field(k);
   });
-
-  for_terms(n, [&](uint32_t k) {
-    const uint32_t i = s + k, before = curve.previous(i);
-    const double r = metric.radius[i];
-    const double w = 0.5 * ((curve.has_segment(i) ? segment_length(curve, i, r) : 0) +
-                            (before != kNone ? segment_length(curve, before, r) : 0));
-    const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
-    const Vec2 b = frames.bitangent2[i] * conj(system.frame[k]);
-    const MedialForce f = medial_force(radii[i], r, weights.medial_power);
-    if (weights.medial_blocks) {
-      const MedialStiffness m = medial_stiffness(radii[i], r, weights.medial_power);
-      system.diagonal[k] += 2 * alpha * w * m.along;
-      system.diagonal_block[k].add(2 * alpha * w * m.more_across, b);
-    } else {
-      system.diagonal[k] += 2 * alpha * w * f.stiffness;
-    }
-    add_gradient(k, -2 * alpha * w * f.pull * b);
-  });
-
-  // Bending at the node between segments k and k + 1, nodes k, k + 1, k + 2.
-  for_terms(strand.closed || segments == 0 ? segments : segments - 1, [&](uint32_t k) {
-    const uint32_t middle = wrapped(k + 1);
-    const uint32_t i = s + middle;
-    const double r = metric.radius[i];
-    const double l0 = segment_length(curve, s + k, r), l1 = segment_length(curve, i, r);
-    const double stiffness = 2 * weights.bending[i] * r * r / (0.5 * (l0 + l1));
-    if (stiffness == 0) return;
-    const double c[3] = {1 / l0, -(1 / l0 + 1 / l1), 1 / l1};
-    const uint32_t node[3] = {k, k + 1, k + 2};
-    // Past the join the direction is stored in the first node's frame.
-    const Vec2 u1 = k + 1 >= n ? system.holonomy * direction[middle] : direction[middle];
-    const Vec2 turn = u1 - direction[k];
-    for (int a = 0; a < 3; ++a) {
-      add_gradient(node[a], stiffness * c[a] * turn);
-      system.diagonal[wrapped(node[a])] += stiffness * c[a] * c[a];
-    }
-    couple(wrapped(k), 1, stiffness * c[0] * c[1]);
-    couple(middle, 1, stiffness * c[1] * c[2]);
-    couple(wrapped(k), 2, stiffness * c[0] * c[2]);
-  });
-
-  for (uint32_t k = 0; k < n; ++k) {
-    if (!curve.fixed[s + k]) continue;
-    system.diagonal[k] = 1;
-    system.right[k] = Vec2{};
-    system.first[k] = system.second[k] = 0;
-    if (strand.closed || k >= 1) system.first[(k + n - 1) % n] = 0;
-    if (strand.closed || k >= 2) system.second[(k + 2 * n - 2) % n] = 0;
-    if (!coupled) continue;
-    system.diagonal_block[k] = system.first_block[k] = Sym2{};
-    if (strand.closed || k >= 1) system.first_block[(k + n - 1) % n] = Sym2{};
-  }
+  for_terms(n, pool, [&](uint32_t k) { assembly.add_medial(k); });
+  // At the node between segments k and k + 1.
+  for_terms(strand.closed || segments == 0 ? segments : segments - 1, pool,
+            [&](uint32_t k) { assembly.add_bending(k); });
+  assembly.eliminate_fixed();
 }
 
 void add_end_term(const FreeEnd& end, uint32_t node, double local_radius, double medial_weight,
@@ -269,43 +341,20 @@ void add_end_term(const FreeEnd& end, uint32_t node, double local_radius, double
   system.right[node] = system.right[node] + stiffness * (pull * conj(system.frame[node]));
 }
 
-double energy(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
-              const Weights& weights, ThreadPool& pool) {
-  double sum = pool.sum(curve.size(), [&](size_t k) {
-    const auto i = static_cast<uint32_t>(k);
-    const uint32_t before = curve.previous(i);
-    const double r = metric.radius[i];
-    const double l0 = before != kNone ? curve.shapes[before].length : 0;
-    const double l1 = curve.has_segment(i) ? curve.shapes[i].length : 0;
-    const double w = 0.5 * (l0 + l1);
-    const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
-    double term = weights.length[i] * w + alpha * w * medial_energy(radii[i], r, weights.medial_power);
-    if (l0 > 0 && l1 > 0) {
-      const Vec2 turn = curve.shapes[i].leaving - curve.shapes[before].arriving;
-      term += weights.bending[i] * r * r * dot(turn, turn) / w;
-    }
-    return term;
+double energy(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, const Weights& weights,
+              ThreadPool& pool) {
+  double sum = pool.sum(curve.size(), [&](size_t i) {
+    return energy_of_node(curve, radii[i], metric.radius[i], weights, static_cast<uint32_t>(i));
   });
-  if (weights.length_power != 2) {
-    const double p = weights.length_power;
-    for (const Strand& strand : curve.strands) {
-      const std::vector<double> factor = power_factors(curve, strand, metric, p);
-      for (uint32_t k = 0; k < factor.size(); ++k) {
-        const uint32_t i = strand.first + k;
-        const double t = 0.5 * (weights.length[i] + weights.length[curve.next(i)]);
-        sum += t * (2 / p * factor[k] - 1) * curve.shapes[i].length;  // in place of t l
-      }
+  for (const Strand& strand : curve.strands) {
+    if (weights.length_power == 2) break;
+    const std::vector<double> factor = power_factors(curve, strand, metric, weights.length_power);
+    for (uint32_t k = 0; k < factor.size(); ++k) {
+      sum += power_energy_of_segment(curve, weights, factor[k], strand.first + k);
     }
   }
   for (uint32_t i = 0; i < curve.size() && !weights.alignment.empty(); ++i) {
-    if (!curve.has_segment(i)) continue;
-    const uint32_t j = curve.next(i);
-    const PathShape& shape = curve.shapes[i];
-    const double beta = 0.5 * (weights.alignment[i] + weights.alignment[j]);
-    // The line at the end, carried back along the segment.
-    const Vec2 there = weights.field[j] * conj(shape.arriving) * shape.leaving;
-    const double across = dot(shape.leaving, across_field(weights.field[i], there));
-    sum += beta * shape.length * across * across;
+    if (curve.has_segment(i)) sum += field_energy_of_segment(curve, weights, i);
   }
   return sum;
 }
