@@ -74,6 +74,32 @@ TEST_P(PhasesOf, FollowOneAnother) {
 
 INSTANTIATE_TEST_SUITE_P(SurfaceMovesEvery, PhasesOf, testing::Values(0, 3, 4));
 
+/// In any phase, and by any rule.
+TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
+  const Surface surface = make_surface(sphere(2));
+  Rng rng(4);
+  Curve curve;
+  ASSERT_TRUE(add_ring(surface, curve, random_point(surface, rng), 0.02, 12, 0.1, rng));
+  const LocalMetric metric = even_metric(curve, 0.01);
+  ThreadPool pool(1);
+  for (const StopRule rule : {StopRule::kSettled, StopRule::kPaper}) {
+    for (const double wanted : {0.0, 1e-3}) {
+      for (const double moved : {0.0, 1e-6}) {
+        Convergence convergence(rule, true, kHairpinRemoval);
+        IterationFigures figures{1, 0, wanted, moved, 1};
+        for (int k = 0; k < 4; ++k) convergence.note(surface, curve, metric, figures, pool);
+        EXPECT_FALSE(convergence.stalled());
+        convergence.note(surface, curve, metric, figures, pool);
+        EXPECT_EQ(convergence.stalled(), wanted > 0 && moved == 0);
+        EXPECT_FALSE(convergence.restarted(0).stalled());
+        figures.moved = 1;
+        convergence.note(surface, curve, metric, figures, pool);
+        EXPECT_FALSE(convergence.stalled());
+      }
+    }
+  }
+}
+
 /// A curve that fills the surface, but has seen no hairpin removal when the surface first moves, is only
 /// finished; a curve that does not fill it continues to grow.
 TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {

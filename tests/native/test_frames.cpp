@@ -7,6 +7,7 @@
 
 #include "medial/frames.h"
 #include "curve/retraction.h"
+#include "base/tuning.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -74,7 +75,7 @@ TEST(Looks, OfNodesThatHaveNotMovedStay) {
 
 /// Repeatedly: a cached direction is compared with the place where it was traced, not with the last iteration.
 TEST(Looks, EndWhereNodesMoveOrTurn) {
-  // Sine of the greatest angle, here and on faces a third of r wide: kRest r over the radius of the
+  // Sine of the greatest angle, here and on faces a third of r wide: tuning::kRest r over the radius of the
   // surface, and what the faces' edges add.
   constexpr double kMostOff = 0.06;
   for (const Mesh& mesh : {sphere(4), torus(60, 30)}) {
@@ -92,9 +93,9 @@ TEST(Looks, EndWhereNodesMoveOrTurn) {
       scene.find(&looks, frames);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         const Vec3 t = tangent_of(scene, frames, i);
-        bool rests = (frames.position[i] - looks[i].from).norm() <= kRest * kRadius;
+        bool rests = (frames.position[i] - looks[i].from).norm() <= tuning::kRest * kRadius;
         for (int side = 0; side < 2; ++side) {
-          rests = rests && std::abs(looks[i].outward[side].cast<double>().dot(t)) <= kTurn;
+          rests = rests && std::abs(looks[i].outward[side].cast<double>().dot(t)) <= tuning::kTurn;
         }
         ASSERT_EQ(frames.walked[i] == 0, rests) << "step " << step << " node " << i;
         ++(rests ? kept : walked);
@@ -123,7 +124,7 @@ TEST(Looks, EndWhereTheSpacingChanges) {
   for (const double factor : {0.9, 0.96, 1.04, 1.1}) {
     scene.radius = factor * kRadius;
     scene.find(&looks, frames);
-    const bool near = std::abs(1 / factor - 1) <= kRest;
+    const bool near = std::abs(1 / factor - 1) <= tuning::kRest;
     for (const uint8_t walked : frames.walked) EXPECT_EQ(walked == 0, near) << factor;
   }
 }

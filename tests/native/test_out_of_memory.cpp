@@ -3,6 +3,7 @@
 // Whichever allocation fails, in whichever thread: what was there stays intact, and the next call works.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <limits>
@@ -10,6 +11,7 @@
 
 #include "curve/crossings.h"
 #include "flow/flow.h"
+#include "flow/job.h"
 #include "curve/refinement.h"
 #include "test_curves.h"
 #include "test_seeds.h"
@@ -207,6 +209,88 @@ TEST(OutOfMemory, NothingIsThrownAcrossC) {
   });
   meander_flow_destroy(flow);
   meander_surface_destroy(surface);
+}
+
+/// What a caller can see of a flow, and what it goes on from.
+struct Seen {
+  double scale, radius;
+  std::vector<std::pair<uint32_t, Vec2>> nodes;
+  std::vector<double> lengths, radii, history;
+
+  explicit Seen(const Flow& flow) : scale(flow.surface().scale()), radius(flow.settings().radius) {
+    for (const SurfacePoint& p : flow.curve().nodes) nodes.push_back({p.face, p.b});
+    for (const PathShape& shape : flow.curve().shapes) lengths.push_back(shape.length);
+    for (const Radii& r : flow.radii()) radii.insert(radii.end(), r.begin(), r.end());
+    for (const IterationRecord& record : flow.history()) history.insert(history.end(), {record.length, record.energy});
+  }
+  bool operator==(const Seen& other) const {
+    return scale == other.scale && radius == other.radius && lengths == other.lengths && radii == other.radii &&
+           history == other.history && std::ranges::equal(nodes, other.nodes, [](const auto& a, const auto& b) {
+             return a.first == b.first && a.second.x == b.second.x && a.second.y == b.second.y;
+           });
+  }
+};
+
+/// A boundary, a density, a guide, and vertices that double the size of the surface.
+TEST(OutOfMemory, AFlowIsAsItWasWhereItsSurfaceCannotMove) {
+  const Mesh mesh = flat_grid(5);
+  auto surface = std::make_shared<const Surface>(make_surface(mesh));
+  const std::vector<Line> lines{{{{0.2, 0.5, 0}, {0.8, 0.5, 0}}, false, true, false}};
+  const SeedStrands seed = seed_of(lines, true);
+  std::vector<double> density(surface->vertex_count(), 1), moved = mesh.vertices;
+  density[0] = 2;
+  for (double& x : moved) x *= 2;
+  const auto flow_at = [&](int iterations) {
+    FlowSettings settings = checked_settings(options_of(0.3), *surface);
+    settings.threads = 2;
+    auto flow = std::make_unique<Flow>(surface, &seed, density, settings);
+    for (int k = 0; k < iterations; ++k) flow->step(kNeverCancelled);
+    return flow;
+  };
+  for (const int iterations : {6, 60}) {  // while it grows, and in the polish
+    const auto undisturbed = flow_at(iterations);
+    const Seen before(*undisturbed);
+    undisturbed->set_vertices(moved);
+    const Seen after(*undisturbed);
+    ASSERT_FALSE(before == after);
+    const auto flow = flow_at(iterations);
+    long failures = 0, n = 0;
+    for (; runs_out_of_memory(n, [&] { flow->set_vertices(moved); }); n += failures < 60 ? 1 : 7) {
+      ++failures;
+      ASSERT_TRUE(Seen(*flow) == before) << "allocation " << n;
+      ASSERT_EQ(&flow->surface(), surface.get());
+    }
+    EXPECT_GT(failures, 20);
+    EXPECT_TRUE(Seen(*flow) == after);
+    // What failed has left nothing behind that the next iterations would see.
+    for (int k = 0; k < 3; ++k) {
+      undisturbed->step(kNeverCancelled);
+      flow->step(kNeverCancelled);
+    }
+    EXPECT_TRUE(Seen(*flow) == Seen(*undisturbed));
+  }
+}
+
+TEST(OutOfMemory, ARunThatCannotStartIsNotRunning) {
+  auto surface = std::make_shared<const Surface>(make_surface(sphere(2)));
+  FlowSettings settings = checked_settings(options_of(0.3), *surface);
+  settings.iteration_limit = 1;
+  Flow flow(surface, nullptr, {}, settings);
+  flow.step(kNeverCancelled);  // at its limit, so that the run itself asks for nothing
+  long failures = 0;
+  for (long n = 0;; ++n) {
+    Job job;
+    if (!runs_out_of_memory(n, [&] { job.start(flow, nullptr); })) {
+      job.wait();
+      break;
+    }
+    ++failures;
+    ASSERT_FALSE(job.running()) << "allocation " << n;
+    ASSERT_FALSE(job.started()) << "allocation " << n;
+    job.start(flow, nullptr);
+    EXPECT_EQ(job.wait(), StopReason::kIterationLimit);
+  }
+  EXPECT_GT(failures, 3);
 }
 
 }  // namespace

@@ -16,6 +16,19 @@
 
 namespace meander::tuning {
 
+// ---- The first loops ------------------------------------------------------------------------------------------------
+
+/// The radius of a loop that is wider than the face it begins in, in r. Not measured.
+inline constexpr double kFirstLoop = 1.5;
+
+/// The outline of a face whose incircle is smaller than this, in r and as a share of its perimeter, has no room to move
+/// in: it would stay where it is for ever. "first_curve: Begin with a circle where the first face is a sliver".
+inline constexpr double kTightFace = 0.3, kSliverFace = 0.02;
+
+/// A circle is made no narrower than this, in r, to fit; beside guides it is at most so much of the distance to the
+/// nearest one. Not measured.
+inline constexpr double kNarrowestLoop = 0.01, kLoopShareOfRoom = 0.4;
+
 // ---- The metric at the nodes, and the boundary ----------------------------------------------------------------------
 
 /// In front of an empty strip wider than this, in spacings, the boundary pushes no harder than other strands do: they
@@ -29,6 +42,25 @@ inline constexpr double kBoundarySampling = 0.5;
 /// jumps, the slope at its start says nothing. Not measured; the diameter itself was ("flow: Measure a ball's whole
 /// diameter in the local r").
 inline constexpr double kLeastRadiusGrowth = -0.75, kMostRadiusGrowth = 3;
+
+// ---- The medial balls -----------------------------------------------------------------------------------------------
+
+/// Balls grow along the chord to where a geodesic arrives after this much of r: most of the distance to the centre of a
+/// ball of the wanted size. Farther, and strands on thin limbs come to lie too far apart; nearer, and those at creases
+/// come too close. Spot at twice the radius: near_target .81 in the mean, .80 with a whole r (docs/method.md).
+inline constexpr double kChord = 0.75;
+
+/// A node keeps its directions while it is no farther than this from where it found them, in r, and its strand has
+/// turned by less than this since, as a sine. Measured: docs/performance.md, "What stands still".
+inline constexpr double kRest = 0.05, kTurn = 0.1;
+
+/// What a ball falls short of at the boundary counts twice; below this share of the distance wanted, so many times
+/// again. "flow: Let the boundary push twice as hard ..." and "boundary_reach: Keep strands from corners ...".
+inline constexpr double kVeryNear = 0.7, kVeryNearPush = 6;
+
+/// What of the boundary is turned to a side of a node by less than this, as a cosine, does not limit its ball. Not
+/// measured.
+inline constexpr double kFacing = 0.5;
 
 // ---- Strands that see nothing ---------------------------------------------------------------------------------------
 
@@ -106,8 +138,8 @@ inline constexpr double kMostPowerAtStrips = 4;
 // ---- The step -------------------------------------------------------------------------------------------------------
 
 /// A node goes on by this share of its last step while hairpins are removed, and in the polish while segments are long.
-/// In growth it makes more hairpins; from 0.7 on in the polish a curve does not come to rest. Measured: docs/quality.md,
-/// "Nodes that go on".
+/// In growth it makes more hairpins; from 0.7 on in the polish a curve does not come to rest. Measured:
+/// docs/quality.md, on momentum.
 inline constexpr double kHairpinRemovalMomentum = 0.7, kPolishMomentum = 0.3;
 
 /// A node moves no more than this share of its medial radius on the side to which it moves, so that it cannot leap over
@@ -136,8 +168,7 @@ inline constexpr size_t kPaperIterations = 10;
 inline constexpr double kGrownLength = 0.02, kGrownClamped = 0.01;
 inline constexpr double kGrownForSure = 0.005;
 
-/// Iterations of the polish with long segments: as far as the picture comes to rest in (docs/quality.md, "Nodes that go
-/// on").
+/// Iterations of the polish with long segments: until the picture is at rest (docs/quality.md, on momentum).
 inline constexpr uint32_t kPolishIterations = 30;
 
 /// A curve has settled when its length changes by less than this share in a window, and the mean distance of its nodes
@@ -155,7 +186,7 @@ inline constexpr size_t kIdleIterations = 5;
 
 // ---- Progressive spacing (Fig. 25) ----------------------------------------------------------------------------------
 
-/// The wide curve is there when its length changes by less than this share in a window, or after as many iterations.
+/// The wide curve is complete when its length changes by less than this share in a window, or after as many iterations.
 /// Not measured.
 inline constexpr double kWideGrown = 0.02;
 inline constexpr size_t kWideIterations = 150;
@@ -166,5 +197,21 @@ inline constexpr double kShrinking = 0.99;
 
 /// The wide curve is one only if (2 r)^2 fits into the surface this many times. Not measured.
 inline constexpr double kWideTurns = 50;
+
+// ---- Progress, which changes no curve -------------------------------------------------------------------------------
+
+/// The length at which growth ends, over that of a curve that fills the surface. Measured on bunny and hand_closed at
+/// 1.5 times the radius of docs/performance.md and on spot: .83 to .88 in even, as are the next two.
+inline constexpr double kLengthWhenGrown = 0.85;
+
+/// The work of growth in iterations with long segments on a curve that fills the surface: 28 to 35.
+inline constexpr double kGrowthWork = 32;
+
+/// Iterations until the curve has settled: 21 in all three.
+inline constexpr double kFinishingIterations = 21;
+
+/// Where there is no polish, the share of the time until the curve is as long as at the end of growth; .25 to .3 in
+/// paper.
+inline constexpr double kUnpolishedGrowth = 0.3;
 
 }  // namespace meander::tuning

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "base/failure.h"
+#include "base/tuning.h"
 #include "curve/crossings.h"
 #include "curve/regions.h"
 #include "geodesic/geodesic_trace.h"
@@ -16,18 +17,8 @@
 namespace meander {
 namespace {
 
-constexpr double kWide = 1.5;    // radius of a loop, of r
 constexpr double kInset = 0.02;  // keeps the outline of a face off its edges
 constexpr uint32_t kRays = 24;
-
-/// The outline of a face whose incircle is smaller than this, in r and as a share of its perimeter, has
-/// no room to move in: it would stay where it is for ever.
-constexpr double kTight = 0.3, kSliver = 0.02;
-
-/// A circle beside guides may be this much narrower before its region counts as too small for one.
-constexpr double kNarrowest = 0.01;
-/// Of the distance to the nearest guide.
-constexpr double kShareOfRoom = 0.4;
 
 void add_node(Curve& curve, const SurfacePoint& p) {
   curve.nodes.push_back(p);
@@ -51,9 +42,9 @@ class Loops {
   /// The loop that a region is to have, where one fits; `r` is that at its middle.
   void add(const Region& region, double r, bool widen) {
     // Where the spacing is near the size of the surface a circle that wide would wrap round it.
-    double wide = std::min(kWide * r, 0.25);
+    double wide = std::min(tuning::kFirstLoop * r, 0.25);
     if (region.guided) {
-      for (wide = std::min(wide, kShareOfRoom * region.room); wide > kNarrowest * r; wide /= 2) {
+      for (wide = std::min(wide, tuning::kLoopShareOfRoom * region.room); wide > tuning::kNarrowestLoop * r; wide /= 2) {
         if (add_circle(region.middle, wide)) return;
       }
       return;
@@ -62,8 +53,8 @@ class Loops {
     double perimeter = 0;
     for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface_.corner(f, next_corner(k)) - surface_.corner(f, k));
     const double incircle = 2 * surface_.face_area(f) / perimeter;
-    const bool sliver = incircle < kTight * r && incircle < kSliver * perimeter;
-    for (; (widen && perimeter < 2 * std::numbers::pi * wide) || (sliver && wide > kNarrowest * r); wide /= 2) {
+    const bool sliver = incircle < tuning::kTightFace * r && incircle < tuning::kSliverFace * perimeter;
+    for (; (widen && perimeter < 2 * std::numbers::pi * wide) || (sliver && wide > tuning::kNarrowestLoop * r); wide /= 2) {
       if (add_circle(region.middle, wide)) return;
     }
     add_outline(f);

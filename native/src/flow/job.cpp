@@ -25,8 +25,13 @@ void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
     thread_ = std::thread([this, &flow] { work(flow, control_.get()); });
   } catch (const std::system_error&) {
     running_ = false;
+    control_.reset();
     throw Failure(FailureKind::kOutOfMemory,
                   "The system gives no thread for the run; close other programs or call meander_flow_run.");
+  } catch (...) {  // no memory for what the thread is to do
+    running_ = false;
+    control_.reset();
+    throw;
   }
 }
 

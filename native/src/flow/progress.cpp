@@ -2,11 +2,59 @@
 #include "flow/progress.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/tuning.h"
 
 namespace meander {
-double progress_of(const FlowSettings& settings, const ProgressFigures& figures) {
-  return std::min(1.0, std::max(figures.length/figures.expected_length, double(figures.iterations)/settings.iteration_limit));
+namespace {
+
+double cube(double x) { return x * x * x; }
+
+/// What growth costs as a function of the length, in units of that of a curve that fills the surface: long curves cost
+/// more an iteration, and grow more slowly.
+double share_of_growth(double length) {
+  return cube(std::min(1.0, length / tuning::kLengthWhenGrown));
 }
+
+/// Without a polish nothing but the length says how far a curve is. The last of it takes most of the time.
+double share_without_polish(double length) {
+  const double left = 1 - tuning::kLengthWhenGrown;
+  const double beyond = std::clamp((length - tuning::kLengthWhenGrown) / left, 0.0, 1.0);
+  const double until = tuning::kUnpolishedGrowth;
+  return until * share_of_growth(length) + (1 - until) * cube(beyond);
+}
+
+/// x while little is expected to be left, and then ever more slowly, so that it stays below 1.
+double slowed(double x) {
+  constexpr double kFrom = 0.9;
+  return x <= kFrom ? x : 1 - (1 - kFrom) * std::exp(-(x - kFrom) / (1 - kFrom));
+}
+
+/// The work of the phases of a flow with a polish, in iterations with long segments on a curve that fills the surface.
+double share_with_polish(const FlowSettings& settings, const ProgressFigures& figures) {
+  const double removal = settings.hairpin_removal_iterations, polish = tuning::kPolishIterations;
+  const double finishing = settings.growth_coarsening * tuning::kFinishingIterations;
+  const double cooling = settings.growth_coarsening * tuning::kCoolingIterations;
+  const double all = tuning::kGrowthWork + removal + polish + finishing + cooling;
+  const double age = figures.iterations_in_phase;
+  double done = tuning::kGrowthWork;
+  switch (figures.phase) {
+    case Phase::kGrowing: done *= share_of_growth(figures.length / figures.expected_length); break;
+    case Phase::kHairpinRemoval: done += std::min(age, removal); break;
+    case Phase::kPolishing: done += removal + std::min(age, polish); break;
+    case Phase::kFinishing: done += removal + polish + finishing * slowed(age / tuning::kFinishingIterations); break;
+    case Phase::kCooling: done = all - cooling + std::min(settings.growth_coarsening * age, cooling); break;
+  }
+  return done / all;
+}
+
+}  // namespace
+
+double progress_of(const FlowSettings& settings, const ProgressFigures& figures) {
+  const double work = settings.polish ? share_with_polish(settings, figures)
+                                      : share_without_polish(figures.length / figures.expected_length);
+  return std::clamp(std::max(work, static_cast<double>(figures.iterations) / settings.iteration_limit), 0.0, 1.0);
+}
+
 }  // namespace meander

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/tuning.h"
 #include "geodesic/geodesic_trace.h"
 
 namespace meander {
@@ -45,12 +46,6 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
   return samples;
 }
 
-/// Share of the distance wanted below which the boundary pushes harder yet, and how much.
-constexpr double kVeryNear = 0.7, kVeryNearPush = 6;
-
-/// What of the boundary is turned to a side of a node by less than this (as a cosine) is not in its way.
-constexpr double kFacing = 0.5;
-
 /// Twice the radius of the largest ball on this side that holds no point of a boundary which faces it,
 /// where that is less than `most`. Straight ahead it is the distance; a corner that juts out beside the
 /// way to the boundary is nearer than its end.
@@ -61,7 +56,7 @@ double way_to_corner(const BoundaryObstacle& boundary, const Vec3& x, const Vec3
   for (const uint32_t k : near) {
     const Vec3 d = boundary.samples()[k] - x;
     const double ahead = d.dot(outward);
-    const bool faces = -boundary.inward()[k].dot(outward) >= kFacing;
+    const bool faces = -boundary.inward()[k].dot(outward) >= tuning::kFacing;
     if (ahead > 0 && faces) way = std::min(way, d.squaredNorm() / ahead);
   }
   return way;
@@ -130,7 +125,8 @@ void compute_reach(const Surface& surface, const Curve& curve, const Frames& fra
       // they are very near, as at a corner, which pushes a few nodes only.
       const double lacking = rest - (way + beyond);
       if (rest > 0 && lacking > 0) {
-        r.driving = rest - 2 * lacking - kVeryNearPush * std::max(0.0, lacking - (1 - kVeryNear) * rest);
+        const double far_short = std::max(0.0, lacking - (1 - tuning::kVeryNear) * rest);
+        r.driving = rest - 2 * lacking - tuning::kVeryNearPush * far_short;
       } else {
         r.driving = r.radius;
       }

@@ -7,15 +7,11 @@
 
 #include <Eigen/Geometry>
 
+#include "base/tuning.h"
 #include "geodesic/geodesic_trace.h"
 
 namespace meander {
 namespace {
-
-/// The medial balls look to where a geodesic arrives after this much of the local r: the middle of the
-/// way to a ball's centre and a little beyond. Farther, and strands on thin limbs come to lie too far
-/// apart; nearer, and those at creases come too close.
-constexpr double kLook = 0.75;
 
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   const double n = v.norm();
@@ -67,12 +63,12 @@ class Tangents {
 
 /// Looks where `look` did, turned with the strand; false if it has moved too far.
 bool reuse_directions(const CachedDirections& look, uint32_t i, const Vec3& tangent, double r, Frames& frames) {
-  if (!(std::abs(static_cast<double>(look.radius) - r) <= kRest * r)) return false;
-  if (!((frames.position[i] - look.from).squaredNorm() <= kRest * r * kRest * r)) return false;
+  if (!(std::abs(static_cast<double>(look.radius) - r) <= tuning::kRest * r)) return false;
+  if (!((frames.position[i] - look.from).squaredNorm() <= tuning::kRest * r * tuning::kRest * r)) return false;
   for (uint32_t side = 0; side < 2; ++side) {
     const Vec3 outward = look.outward[side].cast<double>();
     const double turned = outward.dot(tangent);
-    if (!(std::abs(turned) <= kTurn)) return false;
+    if (!(std::abs(turned) <= tuning::kTurn)) return false;
     frames.outward[i][side] = (outward - turned * tangent).normalized();
     frames.to_boundary[i][side] = -1;
     frames.radius_slope[i][side] = static_cast<double>(look.radius_slope[side]);
@@ -120,7 +116,7 @@ void compute_frames(const Surface& surface, const Curve& curve, const LocalMetri
           frames.walked[i] = 0;
           continue;
         }
-        const double look = kLook * metric.radius[i];
+        const double look = tuning::kChord * metric.radius[i];
         walks.emplace_back(surface, curve.nodes[i], look * frames.bitangent2[i]);
         walks.emplace_back(surface, curve.nodes[i], -look * frames.bitangent2[i]);
         walking[count] = i;

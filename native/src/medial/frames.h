@@ -44,9 +44,9 @@ struct CachedDirections {
 
 /// Fills `frames`; `metric` is that of the nodes, `radius` is r.
 ///
-/// `looks`  per node, if not null: a node that is within kRest of where it looked then, and whose strand
-///          has not turned more than kTurn since, leads no geodesics but turns its old directions with
-///          its strand. What it finds then is off by an angle of the order of kRest, less where the
+/// `looks`  per node, if not null: a node that is within tuning::kRest of where it looked then, and whose strand
+///          has not turned more than tuning::kTurn since, leads no geodesics but turns its old directions with
+///          its strand. What it finds then is off by an angle of the order of tuning::kRest, less where the
 ///          surface is smooth. Nodes that saw the boundary always look again.
 void compute_frames(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
                     ThreadPool& pool, Frames& frames,
@@ -55,8 +55,5 @@ void compute_frames(const Surface& surface, const Curve& curve, const LocalMetri
 /// Takes note of where the nodes that have `walked` looked.
 void remember_directions(const Frames& frames, const LocalMetric& metric, ThreadPool& pool,
                          NodeData<CachedDirections>& looks);
-
-/// How far, in local r, a node may have moved, and how far (as a sine) its strand may have turned.
-inline constexpr double kRest = 0.05, kTurn = 0.1;
 
 }  // namespace meander

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run says of how far it has come.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "flow/progress.h"
+#include "test_seeds.h"
+
+namespace meander::test {
+namespace {
+
+FlowSettings with_polish() {
+  FlowSettings settings;
+  settings.polish = true;
+  settings.growth_coarsening = 2;
+  settings.hairpin_removal_iterations = 60;
+  settings.iteration_limit = 600;
+  return settings;
+}
+
+ProgressFigures at(Phase phase, uint32_t iterations_in_phase, double length) {
+  return {phase, iterations_in_phase, length, 1, 0};
+}
+
+TEST(Progress, RisesThroughAllPhases) {
+  const FlowSettings settings = with_polish();
+  double last = 0;
+  const auto rises = [&](const ProgressFigures& figures) {
+    const double progress = progress_of(settings, figures);
+    EXPECT_GE(progress, last);
+    EXPECT_LE(progress, 1);
+    last = progress;
+  };
+  EXPECT_EQ(progress_of(settings, at(Phase::kGrowing, 0, 0)), 0);
+  for (double length = 0; length < 1.3; length += 0.01) rises(at(Phase::kGrowing, 5, length));
+  for (const Phase phase : {Phase::kHairpinRemoval, Phase::kPolishing, Phase::kFinishing}) {
+    for (uint32_t k = 0; k < 200; ++k) {
+      const double before = last;
+      rises(at(phase, k, 1));
+      if (phase == Phase::kFinishing && k > 0 && k < 60) {
+        EXPECT_GT(last, before) << "it is to go on as long as the curve settles";
+      }
+    }
+  }
+  EXPECT_LT(last, 1) << "the curve has still to cool";
+  for (uint32_t k = 0; k <= 6; ++k) rises(at(Phase::kCooling, k, 1));
+  EXPECT_NEAR(last, 1, 1e-12);
+}
+
+TEST(Progress, IsNoLessThanTheShareOfTheLimit) {
+  FlowSettings settings = with_polish();
+  settings.iteration_limit = 40;
+  ProgressFigures figures = at(Phase::kGrowing, 30, 0.01);
+  figures.iterations = 30;
+  EXPECT_DOUBLE_EQ(progress_of(settings, figures), 0.75);
+  figures.iterations = 40;
+  EXPECT_EQ(progress_of(settings, figures), 1);
+}
+
+TEST(Progress, CountsTheIterationsThatAreAskedFor) {
+  FlowSettings settings = with_polish();
+  const double usual = progress_of(settings, at(Phase::kPolishing, 0, 1));
+  settings.hairpin_removal_iterations = 300;
+  EXPECT_GT(progress_of(settings, at(Phase::kPolishing, 0, 1)), usual);
+  EXPECT_LT(progress_of(settings, at(Phase::kHairpinRemoval, 60, 1)), usual);
+}
+
+/// In the middle of the work, counted in nodes, about half of it has been told.
+TEST(Progress, OfARunFollowsItsWork) {
+  constexpr double kOff = 0.2;  // of the whole, in the mean over the iterations
+  for (const uint32_t preset : {MEANDER_PRESET_EVEN, MEANDER_PRESET_PAPER}) {
+    for (const bool dense : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "preset " << preset << (dense ? ", density" : ""));
+      const auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
+      std::vector<double> density(dense ? surface->vertex_count() : 0);
+      for (uint32_t v = 0; v < density.size(); ++v) density[v] = surface->position(v).z() > 0 ? 4 : 1;
+      Flow flow(surface, nullptr, density, checked_settings(options_of(0.25, preset), *surface));
+      std::vector<double> told;
+      flow.run(kNeverCancelled, [&](double progress) { told.push_back(progress); });
+      ASSERT_EQ(told.size(), flow.history().size() + 1);
+      EXPECT_EQ(told.back(), 1);
+      EXPECT_LT(told.front(), 0.1);
+      double work = 0, done = 0, off = 0;
+      for (const IterationRecord& record : flow.history()) work += record.nodes;
+      for (size_t k = 0; k < flow.history().size(); ++k) {
+        done += flow.history()[k].nodes;
+        EXPECT_GE(told[k], k > 0 ? told[k - 1] : 0);
+        off += std::abs(told[k] - done / work) / static_cast<double>(flow.history().size());
+      }
+      EXPECT_LT(off, kOff);
+    }
+  }
+}
+
+TEST(Progress, IsOneAtTheEndOfARunThatThrows) {
+  const auto surface = std::make_shared<const Surface>(make_surface(sphere(2)));
+  Flow flow(surface, nullptr, {}, checked_settings(options_of(0.3), *surface));
+  int asked = 0;
+  double told = 0;
+  const auto fail = [&]() -> bool {
+    if (++asked == 8) throw std::runtime_error("no more");
+    return false;
+  };
+  EXPECT_THROW(flow.run(fail, [&](double progress) { told = progress; }), std::runtime_error);
+  EXPECT_EQ(told, 1);
+}
+
+}  // namespace
+}  // namespace meander::test
