@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is known of every point of the polylines: where on the surface, how far along, which way, how
+// What is known of every point of the polylines: where on the surface, how far along, in which direction, how
 // much room on both sides.
 #pragma once
 
@@ -22,7 +22,7 @@ struct PointArrays {
 };
 
 /// Fills the arrays for the present curve. radii: those of flow.radii(), which must be up to date, at
-/// the nodes, and between them in proportion to the way. `map` tells the caller's faces, or is null.
+/// the nodes, and between them in proportion to the arc length. `map` tells the caller's faces, or is null.
 void write_point_data(const Flow& flow, const MeshMap* map, const PointArrays& arrays);
 
 }  // namespace meander
