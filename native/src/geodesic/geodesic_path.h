@@ -34,8 +34,9 @@ class UnfoldedStrip {
   UnfoldedStrip(const Surface& surface, uint32_t face)
       : surface_(surface), first_{surface.corner(face, 0), surface.corner(face, 1), surface.corner(face, 2)} {}
 
-  /// Lays the next face beside the present one, which is left by a half-edge of it.
-  void cross(const Crossing& c) {
+  /// Lays the next face beside the present one, which is left by a half-edge of it. Inline: as a call it costs a
+  /// tenth more of what unfolding costs.
+  [[gnu::always_inline]] void cross(const Crossing& c) {
     constexpr uint32_t kRight = Strip::kRight, kLeft = Strip::kLeft;
     if (entry_ == kNone) {
       strip_.exit = c.e;

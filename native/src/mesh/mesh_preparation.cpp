@@ -76,7 +76,18 @@ class MeshPreparation {
     uint32_t corners;  // index into corner_weights_, or MeshMap::kWhole
   };
 
+  enum Side : uint8_t { kOut, kOn, kIn };
+  /// A mask along whose edge faces are cut; heights are those over its threshold.
+  struct Clip {
+    std::vector<double> height;                  // per vertex
+    std::vector<Side> side;                      // per vertex that was there before
+    std::unordered_map<uint64_t, uint32_t> cuts;  // vertex on an edge
+  };
+
   void measure();
+  std::vector<Side> sides_of_mask(const std::vector<double>& height) const;
+  uint32_t cut_edge(uint32_t a, uint32_t b, Clip& mask);
+  void clip_face(const Face& face, Clip& mask, std::vector<Face>& kept);
   Weights corner_weight(const Face& face, size_t k) const {
     if (face.corners != MeshMap::kWhole) return corner_weights_[face.corners][k];
     Weights w{};
@@ -89,6 +100,7 @@ class MeshPreparation {
   }
   void replace_vertices(DisjointSets& sets);
   void drop_doubled();
+  std::vector<uint32_t> flat_faces() const;
   bool dissolve_pass();
   /// Per edge, in order of the key: key and face.
   std::vector<std::pair<uint64_t, uint32_t>> edges() const;
@@ -197,18 +209,23 @@ void MeshPreparation::dissolve_degenerate() {
   drop_doubled();
 }
 
-/// Dissolves flat faces: a short edge becomes a vertex; a face with a corner on its longest edge is removed, and
-/// the face beyond that edge is divided at the corner. True if there was one.
-bool MeshPreparation::dissolve_pass() {
+std::vector<uint32_t> MeshPreparation::flat_faces() const {
   std::vector<uint32_t> flat;
-  const double limit = kFlat * diagonal_;
   for (uint32_t f = 0; f < faces_.size(); ++f) {
     const Triangle& v = faces_[f].v;
     const Vec3 a = positions_[v[1]] - positions_[v[0]], b = positions_[v[2]] - positions_[v[0]];
     const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
-    if (!(a.cross(b).norm() > limit * longest)) flat.push_back(f);
+    if (!(a.cross(b).norm() > kFlat * diagonal_ * longest)) flat.push_back(f);
   }
+  return flat;
+}
+
+/// Dissolves flat faces: a short edge becomes a vertex; a face with a corner on its longest edge is removed, and
+/// the face beyond that edge is divided at the corner. True if there was one.
+bool MeshPreparation::dissolve_pass() {
+  const std::vector<uint32_t> flat = flat_faces();
   if (flat.empty()) return false;
+  const double limit = kFlat * diagonal_;
   const auto edges = this->edges();
   std::vector<uint8_t> touched(faces_.size(), 0);
   std::vector<uint8_t> gone(faces_.size(), 0);
@@ -283,12 +300,9 @@ void MeshPreparation::drop_doubled() {
   faces_.resize(kept);
 }
 
-/// Cuts away the parts below the threshold, along straight lines across faces.
-void MeshPreparation::clip(std::span<const double> values, double threshold) {
-  std::vector<double> height(positions_.size());
-  for (size_t v = 0; v < height.size(); ++v) height[v] = values[v] - threshold;
-  // A vertex that the edge of the mask passes closely is taken to lie on it; its neighbours are then cut there.
-  enum Side : uint8_t { kOut, kOn, kIn };
+/// On which side of the mask's edge every vertex lies. A vertex that the edge passes closely is taken to lie on it;
+/// its neighbours are then cut there.
+std::vector<MeshPreparation::Side> MeshPreparation::sides_of_mask(const std::vector<double>& height) const {
   std::vector<Side> side(positions_.size());
   for (size_t v = 0; v < side.size(); ++v) side[v] = height[v] > 0 ? kIn : (height[v] < 0 ? kOut : kOn);
   const std::vector<Side> before = side;
@@ -301,28 +315,25 @@ void MeshPreparation::clip(std::span<const double> values, double threshold) {
       if (t > 1 - kSnap) side[b] = kOn;
     }
   }
-  std::unordered_map<uint64_t, uint32_t> cuts;
-  const auto cut = [&](uint32_t a, uint32_t b) {
-    const uint32_t low = std::min(a, b), high = std::max(a, b);
-    const auto [found, is_new] = cuts.try_emplace(edge_key(a, b), static_cast<uint32_t>(positions_.size()));
-    if (is_new) {
-      const double t = height[low] / (height[low] - height[high]);
-      positions_.push_back(positions_[low] + t * (positions_[high] - positions_[low]));
-      origins_.push_back({origins_[low].a, origins_[high].a, t});
-      at_mask_.push_back(1);
-    }
-    return found->second;
-  };
+  return side;
+}
+
+/// Cuts away the parts below the threshold, along straight lines across faces.
+void MeshPreparation::clip(std::span<const double> values, double threshold) {
+  Clip mask;
+  mask.height.resize(positions_.size());
+  for (size_t v = 0; v < mask.height.size(); ++v) mask.height[v] = values[v] - threshold;
+  mask.side = sides_of_mask(mask.height);
   std::vector<Face> kept;
   for (const Face& face : faces_) {
     size_t in = 0, out = 0;
+    double sum = 0;  // where all three corners lie on the edge, the middle decides
     for (const uint32_t v : face.v) {
-      in += side[v] == kIn;
-      out += side[v] == kOut;
+      in += mask.side[v] == kIn;
+      out += mask.side[v] == kOut;
+      sum += mask.height[v];
     }
-    // Where all three corners lie on the edge, the middle decides.
-    const double middle = height[face.v[0]] + height[face.v[1]] + height[face.v[2]];
-    if (out == 0 && (in > 0 || middle >= 0)) {
+    if (out == 0 && (in > 0 || sum >= 0)) {
       kept.push_back(face);
       continue;
     }
@@ -332,41 +343,55 @@ void MeshPreparation::clip(std::span<const double> values, double threshold) {
       continue;
     }
     ++counts_.clipped_faces;
-    // What is left, corner by corner: a triangle, or a quadrangle where two corners are in.
-    std::vector<uint32_t> corner;
-    std::vector<Weights> weight;
-    for (size_t k = 0; k < 3; ++k) {
-      const size_t next = (k + 1) % 3;
-      const uint32_t a = face.v[k], b = face.v[next];
-      if (side[a] != kOut) {
-        corner.push_back(a);
-        weight.push_back(corner_weight(face, k));
-      }
-      if ((side[a] == kIn && side[b] == kOut) || (side[a] == kOut && side[b] == kIn)) {
-        corner.push_back(cut(a, b));
-        const double t = height[a] / (height[a] - height[b]);
-        weight.push_back(between(corner_weight(face, k), corner_weight(face, next), t));
-      }
-    }
-    const auto add = [&](size_t i, size_t j, size_t k) {
-      kept.push_back(piece(face, {corner[i], corner[j], corner[k]}, {weight[i], weight[j], weight[k]}));
-    };
-    if (corner.size() == 3) {
-      add(0, 1, 2);
-      continue;
-    }
-    // The shorter diagonal; not quite, so that rounding does not decide between equal ones.
-    const double one = (positions_[corner[2]] - positions_[corner[0]]).norm();
-    const double two = (positions_[corner[3]] - positions_[corner[1]]).norm();
-    if (one <= 1.001 * two) {
-      add(0, 1, 2);
-      add(0, 2, 3);
-    } else {
-      add(1, 2, 3);
-      add(1, 3, 0);
-    }
+    clip_face(face, mask, kept);
   }
   faces_ = std::move(kept);
+}
+
+/// The vertex at which the mask's edge cuts the edge from a to b.
+uint32_t MeshPreparation::cut_edge(uint32_t a, uint32_t b, Clip& mask) {
+  const uint32_t low = std::min(a, b), high = std::max(a, b);
+  const auto [found, is_new] = mask.cuts.try_emplace(edge_key(a, b), static_cast<uint32_t>(positions_.size()));
+  if (is_new) {
+    const double t = mask.height[low] / (mask.height[low] - mask.height[high]);
+    positions_.push_back(positions_[low] + t * (positions_[high] - positions_[low]));
+    origins_.push_back({origins_[low].a, origins_[high].a, t});
+    at_mask_.push_back(1);
+  }
+  return found->second;
+}
+
+/// Adds what is left of a face, corner by corner: a triangle, or a quadrangle where two corners are in.
+void MeshPreparation::clip_face(const Face& face, Clip& mask, std::vector<Face>& kept) {
+  std::vector<uint32_t> corner;
+  std::vector<Weights> weight;
+  for (size_t k = 0; k < 3; ++k) {
+    const size_t next = (k + 1) % 3;
+    const uint32_t a = face.v[k], b = face.v[next];
+    if (mask.side[a] != kOut) {
+      corner.push_back(a);
+      weight.push_back(corner_weight(face, k));
+    }
+    if ((mask.side[a] == kIn && mask.side[b] == kOut) || (mask.side[a] == kOut && mask.side[b] == kIn)) {
+      corner.push_back(cut_edge(a, b, mask));
+      const double t = mask.height[a] / (mask.height[a] - mask.height[b]);
+      weight.push_back(between(corner_weight(face, k), corner_weight(face, next), t));
+    }
+  }
+  const auto add = [&](size_t i, size_t j, size_t k) {
+    kept.push_back(piece(face, {corner[i], corner[j], corner[k]}, {weight[i], weight[j], weight[k]}));
+  };
+  if (corner.size() == 3) return add(0, 1, 2);
+  // The shorter diagonal; not quite, so that rounding does not decide between equal ones.
+  const double one = (positions_[corner[2]] - positions_[corner[0]]).norm();
+  const double two = (positions_[corner[3]] - positions_[corner[1]]).norm();
+  if (one <= 1.001 * two) {
+    add(0, 1, 2);
+    add(0, 2, 3);
+  } else {
+    add(1, 2, 3);
+    add(1, 3, 0);
+  }
 }
 
 /// Gives every fan of faces at a vertex a vertex of its own: at edges with more than two faces when
