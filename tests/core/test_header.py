@@ -52,7 +52,7 @@ def test_the_module_in_use_is_made_from_this_header() -> None:
 
 def test_nothing_of_the_header_is_left_out() -> None:
     code = re.sub(r"/\*.*?\*/", "", TEXT, flags=re.DOTALL)
-    # Every use of the macro but its four definitions declares a function.
+    # Every use of the macro but its definitions declares a function.
     assert len(abi.PROTOTYPES) == len(re.findall(r"^MEANDER_API\b", code, re.MULTILINE))
     assert set(abi.STRUCTS) == set(re.findall(r"^typedef struct (\w+) \{", code, re.MULTILINE))
     for name, struct in abi.STRUCTS.items():
@@ -106,6 +106,12 @@ def test_what_is_not_understood_stops_the_build(new: str, complaint: str) -> Non
     assert TEXT.count(DECLARATION) == 1
     with pytest.raises(generate_abi.ParseError, match=re.escape(complaint)):
         module_of(TEXT.replace(DECLARATION, new))
+
+
+def test_the_document_lists_every_function() -> None:
+    document = (REPOSITORY / "docs/c-api.md").read_text(encoding="utf-8")
+    table = document.split("## All functions")[1].split("## ")[0]
+    assert sorted(re.findall(r"`(meander_\w+)`", table)) == sorted(abi.PROTOTYPES)
 
 
 # ------------------------------------------------------------------------------------------------

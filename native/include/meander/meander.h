@@ -55,8 +55,10 @@
 #define MEANDER_API __declspec(dllexport)
 #elif defined(_WIN32)
 #define MEANDER_API __declspec(dllimport)
-#else
+#elif defined(__GNUC__)
 #define MEANDER_API __attribute__((visibility("default")))
+#else
+#define MEANDER_API
 #endif
 
 /* The version of this header; meander_version() tells the library's. */
@@ -568,7 +570,8 @@ typedef struct meander_flow meander_flow;
 /* Places a seed on a surface, ready to flow.
  *
  * surface        not NULL; the flow keeps alive what it needs of it
- * seed           NULL: one small closed strand in the middle of the first face of every component
+ * seed           NULL: one small closed strand in the middle of the first face of every component; see
+ *                widen_loops
  * density        double[density_count], each > 0 and finite, or NULL for 1 everywhere: alpha(v) =
  *                density(v) alpha, so the local spacing is the spacing divided by sqrt(density); at
  *                most a factor of 10,000 between the least and the greatest, the local r nowhere above

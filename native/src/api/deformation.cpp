@@ -36,9 +36,10 @@ meander_status meander_flow_set_vertices(meander_flow* flow, const double* verti
     const MeshMap* map = flow->map.get();
     const size_t expected = caller_vertex_count(f.surface(), map);
     if (vertex_count != expected) {
-      throw Failure(FailureKind::kInvalidMesh, "The mesh has " + std::to_string(vertex_count) + " vertices now and had " +
-                                              std::to_string(expected) + " when the flow began; only their places may "
-                                              "change, so start a new flow.");
+      throw Failure(FailureKind::kInvalidMesh,
+                    "The mesh has " + std::to_string(vertex_count) + " vertices now and had " +
+                        std::to_string(expected) +
+                        " when the flow began; only their places may change, so start a new flow.");
     }
     f.set_vertices(surface_vertices(map, f.surface().vertex_count(), std::span(vertices, 3 * vertex_count)), map);
   });

@@ -117,7 +117,8 @@ std::vector<std::string> warnings_of(const meander_flow_options& o) {
     if (!(weight > most)) return;
     sentences.push_back(std::string("The ") + name + " is " + number(weight) + "; above " + number(most) + consequence);
   };
-  warn_above(o.length_weight, 5, "length weight", " the curve stays much wider than the spacing, or shrinks to nothing.");
+  warn_above(o.length_weight, 5, "length weight",
+             " the curve stays much wider than the spacing, or shrinks to nothing.");
   warn_above(o.bending_weight, 10, "bending weight",
              " the curve is too stiff to turn at the spacing and leaves gaps.");
   warn_above(o.alignment_weight, 5, "alignment weight",
