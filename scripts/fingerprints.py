@@ -214,7 +214,7 @@ def load_core(package: Path) -> ModuleType:
 
 
 def differing(found: dict[str, str], saved: Path, wanted: str) -> list[str]:
-    """The names of cases that differ from the saved ones: in the file's order, then in the run's."""
+    """The names of cases that are not as saved, in the order of the file, then of the run."""
     lines_of_file = saved.read_text().splitlines()
     before = {line.split()[0]: line for line in lines_of_file if line.strip()}
     names = [name for name in before if wanted in name]
