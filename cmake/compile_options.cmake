@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# meander_compile_options: how everything of ours is compiled. Headers of other projects come
-# through imported targets, which CMake passes as system headers, so their warnings stay silent.
+# meander_compile_options: how all of our code is compiled. Headers of other projects come through
+# imported targets, which CMake passes as system headers, so they cause no warnings.
 
 add_library(meander_compile_options INTERFACE)
 

@@ -18,9 +18,9 @@ target_include_directories(meander_core
          "${PROJECT_SOURCE_DIR}/native/src"
          "${generated_dir}")
 target_include_directories(meander_core SYSTEM PUBLIC "${OPENMESH_INCLUDE_DIR}")
-# EIGEN_MPL2_ONLY makes the few LGPL parts of Eigen an error instead of an accident.
-# Objects go into the shared library, which exports the C API; programs linked with the static one do not
-# import it.
+# EIGEN_MPL2_ONLY makes it an error to use one of the few LGPL parts of Eigen.
+# The objects go into the shared library, which exports the C API; programs linked with the static
+# library do not import it.
 target_compile_definitions(meander_core PUBLIC EIGEN_MPL2_ONLY PRIVATE MEANDER_BUILDING INTERFACE MEANDER_STATIC)
 target_link_libraries(meander_core
   PUBLIC Eigen3::Eigen nanoflann::nanoflann Threads::Threads meander_compile_options)
@@ -44,9 +44,9 @@ if(NOT MEANDER_SANITIZE)
   target_link_options(meander PRIVATE "LINKER:--no-undefined")
 endif()
 
-# The Python module that knows the C API comes from the header in every build, so that it always fits the
-# library that the same build makes. It stands among the add-on's sources, which cannot run without the
-# library either, and git ignores it as it does the library.
+# The Python module that declares the C API is generated from the header in every build, so it
+# always fits the library of the same build. It is placed among the add-on's sources, which cannot
+# run without the library either, and git ignores it as it does the library.
 add_custom_target(abi ALL
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/generate_abi.py"
           --header "${PROJECT_SOURCE_DIR}/native/include/meander/meander.h"

@@ -7,7 +7,7 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 
 file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/native/test_*.cpp")
-# What the tests share (meshes, brute-force checks) stands beside them under other names.
+# What the tests share (meshes, brute-force checks) is in headers beside them.
 file(GLOB test_support CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/native/*.cpp")
 if(test_sources)
   list(REMOVE_ITEM test_support ${test_sources})
@@ -24,7 +24,7 @@ foreach(test_source IN LISTS test_sources)
     PROPERTIES TIMEOUT 300)
 endforeach()
 
-# The header is C99: one C program runs a step through the shared library, as a stranger would.
+# The header is C99: one C program runs a step through the shared library, as a client would.
 add_executable(c99_step tests/native/c99_step.c)
 target_compile_options(c99_step PRIVATE -pedantic -Wall -Wextra -Werror)
 target_link_libraries(c99_step PRIVATE meander m)
@@ -33,7 +33,7 @@ if(MEANDER_SANITIZE)
 endif()
 add_test(NAME c99_step COMMAND c99_step "${PROJECT_VERSION}")
 
-# A program compiled against the first header of this ABI runs with the library of today.
+# A program compiled against the first header of this ABI runs with the present library.
 add_executable(abi2_client tests/native/abi2/client.c)
 target_compile_options(abi2_client PRIVATE -pedantic -Wall -Wextra -Werror)
 target_link_libraries(abi2_client PRIVATE meander)
@@ -42,8 +42,7 @@ if(MEANDER_SANITIZE)
 endif()
 add_test(NAME abi2_client COMMAND abi2_client)
 
-# The shared library exports what the header declares, nothing more and nothing less, and needs what
-# every system has.
+# The shared library exports exactly what the header declares, and needs only what every system has.
 add_test(NAME exported_symbols
   COMMAND ${CMAKE_COMMAND}
           "-DLIBRARY=$<TARGET_FILE:meander>"

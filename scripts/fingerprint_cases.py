@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What fingerprints.py runs: meshes and seeds made of numbers, and the cases made of those.
+"""What fingerprints.py runs: computed meshes and seeds, and the cases made of them.
 
 A mesh is vertices (n, 3) float64 and faces (m, 3) uint32; a seed is what core.Seed takes. Nothing
-here knows the library.
+here uses the library.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def tube(around: int = 26, along: int = 20, height: float = 4.0) -> Mesh:
 
 
 def blob(rings: int = 16, around: int = 24) -> Mesh:
-    """A closed surface of one sphere's topology with bumps of several sizes."""
+    """A closed surface with the topology of a sphere and bumps of several sizes."""
     theta = np.pi * np.arange(1, rings) / rings
     phi = 2 * np.pi * np.arange(around) / around
     t, p = (grid.ravel() for grid in np.meshgrid(theta, phi, indexing="ij"))
@@ -127,7 +127,7 @@ def faulty() -> Mesh:
 
 
 def bow_tie() -> Mesh:
-    """Two sheets that share one corner, every third face turned over."""
+    """Two sheets that share one corner, every third face flipped."""
     vertices, faces = sheet(8, 0.2)
     beyond = faces + np.uint32(len(vertices))
     beyond[faces == 0] = len(vertices) - 1
@@ -183,7 +183,7 @@ def guides() -> dict[str, Any]:
 
 @dataclass
 class Case:
-    """A run: a mesh with its options, and what else is given to it."""
+    """A run: a mesh, its options, and everything else that is given to it."""
 
     mesh: Callable[[], Mesh]
     radius: float

@@ -7,11 +7,11 @@
 
 A line is ``name sha256 nodes iterations stop_reason``; a case of fields or outlines has the number
 of values in place of nodes. The digest covers the polylines, nodes, guides, gaps, data of the
-points, statistics and history of a run, all but seconds. It holds for one machine with one numpy,
+points, statistics and history of a run, except times. It is valid for one machine with one numpy,
 which computes the meshes; it is the same for any number of threads.
 
 Runs go through the public names of `meander.core` only, so that the script also works on a checkout
-whose inside is arranged differently: `--package` names the add-on's folder.
+that is organised differently inside: `--package` names the add-on's folder.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from fingerprint_cases import CASES, Case, Mesh, blob, mask_of_disk, sheet, stra
 
 DEFAULT_PACKAGE = Path(__file__).resolve().parents[1] / "addon" / "meander"
 
-# An option that was renamed is the first of these names that there is.
+# A renamed option: the first of these names that exists.
 RENAMED = {"border_distance": ("border_distance", "boundary_distance")}
 
 # In this order. Figures that come later are left out, so that old fingerprints stay comparable.
@@ -74,7 +74,7 @@ class Digest:
 
 @dataclass(frozen=True)
 class Row:
-    """What is printed of a case."""
+    """What is printed for a case."""
 
     name: str
     digest: str
@@ -201,7 +201,7 @@ def rows(core: ModuleType, wanted: str, threads: int) -> Iterator[Row]:
 
 
 def load_core(package: Path) -> ModuleType:
-    """`meander.core` of an add-on's folder, whatever is installed."""
+    """`meander.core` of an add-on's folder, no matter what is installed."""
     if not (package / "__init__.py").is_file():
         sys.exit(f"fingerprints.py: {package} is not the folder of the add-on; see --package")
     spec = importlib.util.spec_from_file_location(
@@ -214,7 +214,7 @@ def load_core(package: Path) -> ModuleType:
 
 
 def differing(found: dict[str, str], saved: Path, wanted: str) -> list[str]:
-    """The names of cases that are not as saved, in the order of the file and then of the run."""
+    """The names of cases that are not as saved, in the order of the file, then of the run."""
     lines_of_file = saved.read_text().splitlines()
     before = {line.split()[0]: line for line in lines_of_file if line.strip()}
     names = [name for name in before if wanted in name]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the Python module that knows the C API, addon/meander/binding/abi.py, from meander.h.
+"""Writes the Python module that declares the C API, addon/meander/binding/abi.py, from meander.h.
 
-The module holds ctypes structs, enumerations, constants and prototypes, and nothing that is not in
-the header. The build makes it together with the library, so that the two cannot disagree. The
-parser knows the few forms of C that the header uses, and stops at anything else.
+The module contains ctypes structs, enumerations, constants and prototypes, and nothing that is not
+in the header. The build makes it together with the library, so the two cannot disagree. The parser
+knows the few forms of C that the header uses, and stops at anything else.
 
     generate_abi.py --header native/include/meander/meander.h --output addon/meander/binding/abi.py
 """
@@ -27,7 +27,7 @@ NUMBERS = {
     "uint64_t": "c_uint64",
 }
 
-# Preprocessor lines that say nothing to a binding, whole blocks of them.
+# Blocks of preprocessor lines that mean nothing to a binding.
 GUARD = re.compile(r"#ifndef MEANDER_H\n#define MEANDER_H\n(.*)#endif\s*\Z", re.DOTALL)
 API_MACRO = re.compile(r"#if defined\(MEANDER_STATIC\)\n.*?^#endif$", re.DOTALL | re.MULTILINE)
 EXTERN_C = re.compile(r'#ifdef __cplusplus\n(?:extern "C" \{|\})\n#endif\n')
@@ -37,7 +37,7 @@ TOKEN = re.compile(r"\s*([A-Za-z_]\w*|\d+|[{}();,=*\[\]])")
 
 
 class ParseError(Exception):
-    """What in the header is not understood."""
+    """Something in the header that the parser does not understand."""
 
 
 @dataclass(frozen=True)
@@ -329,7 +329,8 @@ def main() -> int:
         return 1
     output: Path = arguments.output
     if not output.is_file() or output.read_text(encoding="utf-8") != text:
-        # Written aside and renamed: a Blender that starts now finds the old one or the new one.
+        # Written under a temporary name and renamed: a Blender that starts now finds the old module
+        # or the new one, whole.
         unfinished = output.with_suffix(".py.part")
         unfinished.write_text(text, encoding="utf-8")
         unfinished.replace(output)

@@ -3,11 +3,11 @@
 #
 # install_dependencies.sh [--bpy VERSION]...
 #
-# Installs what building, running and testing need on Debian 12, as far as it is missing: Debian's
-# packages with apt-get (through sudo unless root), and for every --bpy a virtual environment
+# Installs what is missing for building, running and testing on Debian 12: Debian's packages with
+# apt-get (through sudo unless root), and for every --bpy a virtual environment
 # build/bpy-VERSION with Blender as a Python module, pytest, ruff and import-linter from the Python
 # index.
-# Runs again at no cost: nothing is fetched that is there.
+# Running it again costs nothing: it fetches only what is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -15,7 +15,7 @@ build_packages=(cmake ninja-build g++ python3
   libeigen3-dev libnanoflann-dev libopenmesh-dev libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
 blender_packages=(blender python3-numpy python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
-# What the wheel of Blender expects of the system and does not bring along.
+# Libraries that Blender's wheel expects from the system and does not include.
 bpy_packages=(ca-certificates python3-venv
   libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
 
@@ -49,7 +49,7 @@ if [ ${#missing[@]} -gt 0 ]; then
   echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
   "${as_root[@]}" apt-get update -qq
   # Only what is needed: recommended packages would more than double Blender's size. The log is
-  # shown when something goes wrong, and only then.
+  # shown only when something goes wrong.
   log=$(mktemp)
   if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq \
       --no-install-recommends "${missing[@]}" >"$log" 2>&1; then
@@ -63,13 +63,13 @@ fi
 for version in "${bpy_versions[@]}"; do
   venv="build/bpy-$version"
   packages=("bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*")
-  # The mark is made last, so that an interrupted installation starts over; it names the packages, so
-  # that what is added to them is installed where the others are.
+  # The mark is made last, so that an interrupted installation starts again; it names the packages,
+  # so that a package added to the list is installed where the others already are.
   if [ ! -e "$venv/.complete" ]; then
     echo "Installing bpy $version into $venv (about 1 GB)"
     rm -rf "$venv"
     mkdir -p build
-    # The system's Python by its full path: another one may come first on the PATH, and bpy needs 3.11.
+    # The system's Python by its full path: another may come first on the PATH, and bpy needs 3.11.
     /usr/bin/python3 -m venv "$venv"
   fi
   if [ "$(cat "$venv/.complete" 2>/dev/null)" != "${packages[*]}" ]; then

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs the add-on into one zip that holds one folder, the only shape that Blender 3.4 and the
-extensions of 4.2 and later both install.
+"""Packs the add-on into a zip that contains one folder, the only form that both Blender 3.4 and the
+extensions of 4.2 and later install.
 
-The same contents give the same bytes: entries are sorted, and carry a fixed time and fixed rights.
-Blender reads the add-on's version without running its code, so its copies are literals that nothing
-can derive; they are compared with the project's instead.
+The same contents give the same bytes: entries are sorted, and have a fixed time and permissions.
+Blender reads the add-on's version without running its code, so the copies of the version are
+literals, which cannot be derived; they are compared with the project's instead.
 """
 
 import argparse
@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any
 
 FOLDER = "meander"
-# The earliest time a zip can hold.
+# The earliest time that a zip can store.
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
-# Made by the build or by running, and never part of the sources.
+# Made by the build or by running the code, and never part of the sources.
 SKIPPED_FOLDERS = {"__pycache__", "native"}
 SKIPPED_SUFFIXES = {".pyc", ".pyo"}
 
@@ -68,12 +68,12 @@ def contents(addon: Path, native: list[Path], licences: list[Path]) -> dict[str,
 
 
 def write_zip(output: Path, files: dict[str, Path]) -> None:
-    # Written aside and renamed, so that a zip is always whole.
+    # Written under a temporary name and renamed, so that a zip is always whole.
     unfinished = output.with_suffix(".zip.part")
     with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        # With an entry of its own for the folder, Blender 3.4 removes the installed one first.
-        # Without, it writes into the files that are there: of a library in use that is a crash, and
-        # what the new version does not have any more would stay.
+        # If the folder has an entry of its own, Blender 3.4 removes the installed folder first. If
+        # not, it writes into the existing files: a library in use then crashes, and files that the
+        # new version does not have would stay.
         folder = zipfile.ZipInfo(f"{FOLDER}/", TIMESTAMP)
         folder.create_system = 3
         folder.external_attr = (0o40755 << 16) | 0x10
@@ -81,7 +81,7 @@ def write_zip(output: Path, files: dict[str, Path]) -> None:
         for name, path in sorted(files.items()):
             entry = zipfile.ZipInfo(name, TIMESTAMP)
             entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.create_system = 3  # Unix, whatever the machine: the rights below are Unix rights
+            entry.create_system = 3  # Unix, on any machine: the permissions below are Unix's
             entry.external_attr = (0o755 if path.suffix == ".so" else 0o644) << 16
             archive.writestr(entry, path.read_bytes())
     unfinished.replace(output)

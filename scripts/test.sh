@@ -5,9 +5,9 @@
 #
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
-# in both, one UI test in a window, the commands of the documents, the linter, and the rule of which
-# module may import which. Every suite runs whatever became of the others. Logs stay in build/logs;
-# the last line counts, and the exit code is 0 only when nothing failed.
+# in both, one UI test in a window, the commands of the documents, the linter, and the rule which
+# module may import which. Every suite runs, even if others fail. Logs stay in build/logs; the last
+# line counts the tests, and the exit code is 0 only when nothing failed.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -17,7 +17,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 
 bash scripts/install_dependencies.sh --bpy 4.5
-# Without these two there is nothing to test; everything else is built below, as a test by itself.
+# Without these two there is nothing to test; everything else is built below, as a test of its own.
 bash scripts/build.sh stage addon
 
 zip=$(ls -t build/meander-*.zip | head -n 1)
@@ -26,7 +26,7 @@ logs=build/logs
 rm -rf "$logs" build/profiles
 mkdir -p "$logs" build/profiles
 
-# Nothing of what the user keeps in Blender may be read or changed: every suite gets an empty home
+# None of the user's Blender settings may be read or changed: every suite gets an empty home
 # and an empty profile, 3.4 by three variables, 4.2 and later by BLENDER_USER_RESOURCES.
 profile() { # NAME: sets in_profile, the beginning of a command that runs in that profile
   local profile=$root/build/profiles/$1
@@ -53,7 +53,7 @@ by_time() {
 # too_slow NAME - those over the limit, if there is one
 too_slow() {
   [ -n "${MEANDER_TEST_LIMIT:-}" ] || return 0
-  # A suite that notes no times would look fast.
+  # A suite that records no times would look fast.
   if [ ! -s "$logs/$1.times" ]; then echo "$1 has noted no times"; fi
   by_time "$1" | awk -v limit="$MEANDER_TEST_LIMIT" '$1 > limit'
 }
@@ -78,7 +78,7 @@ run_counted() {
     passed=$(count_of passed "$log")
     failed=$(($(count_of failed "$log") + $(count_of 'errors?' "$log")))
   fi
-  # Neither a bad end nor a suite in which nothing ran may look like success.
+  # Neither a crash nor a suite in which nothing ran may look like success.
   if [ "$status" -eq 0 ] && [ $((passed + failed)) -eq 0 ]; then status="0, but no test ran"; fi
   if [ "$status" != 0 ] && [ "$failed" -eq 0 ]; then failed=1 passed=$((counts * passed)); fi
   slowest=$(by_time "$name" | sed -n '1s/^\([^ ]*\) /; slowest \1 s /p')
@@ -105,8 +105,8 @@ run_counted() {
     *) tail -n 60 "$log" ;;
   esac
 }
-# The seconds only end what hangs: they leave room for a machine a quarter as fast, on which nothing
-# is built yet.
+# The time limits only end what hangs: they leave room for a machine a quarter as fast, on which
+# nothing is built yet.
 export LIBGL_ALWAYS_SOFTWARE=1 # the same picture whether or not the machine has a graphics card
 
 check build 1800 bash scripts/build.sh
@@ -119,7 +119,7 @@ suite blender-3.4 600 "${in_profile[@]}" \
   blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
 profile blender-4.5
 suite blender-4.5 600 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
-# This one makes profiles of its own.
+# This suite makes its own profiles.
 suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
 profile ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances from the curve that are looked up once for many points, against those of single points.
+// Distances from the curve that are found once for many points, against those found for single points.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRadius = 0.02;
 
-/// Sizes that differ by less than this share are taken for equal in a climb.
+/// Sizes that differ by less than this share count as equal in a climb.
 constexpr double kEqual = 1e-9;
 
 struct Scene {

@@ -20,10 +20,10 @@ struct Arc {
 
 struct Graph {
   std::vector<Vec2> place;
-  std::vector<Arc> arcs;  // either way
+  std::vector<Arc> arcs;  // in both directions
 };
 
-/// Points of the unit square, joined at random where they are near; some are left alone.
+/// Points of the unit square, joined at random where they are close; some are left alone.
 Graph random_graph(uint64_t seed) {
   Rng rng(seed);
   Graph g;
