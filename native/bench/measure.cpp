@@ -70,15 +70,15 @@ class Session {
 
   void create(const Mesh& mesh, const meander_flow_options& options) {
     check(library_.surface_create(mesh.vertices[0].data(), mesh.vertices.size(),
-                                  mesh.faces[0].data(), mesh.faces.size(), nullptr, &surface_,
+                                  mesh.faces[0].data(), mesh.faces.size(), nullptr, &surface_, nullptr,
                                   &error_));
-    check(library_.flow_create(surface_, nullptr, nullptr, 0, &options, &flow_, &error_));
+    check(library_.flow_create(surface_, nullptr, nullptr, 0, &options, &flow_, nullptr, &error_));
   }
   void run() { check(library_.flow_run(flow_, nullptr, &error_)); }
   void step() { check(library_.flow_step(flow_, nullptr, &error_)); }
 
   void set_vertices(const std::vector<Point>& vertices) {
-    check(library_.flow_set_vertices(flow_, vertices[0].data(), vertices.size(), &error_));
+    check(library_.flow_set_vertices(flow_, vertices[0].data(), vertices.size(), nullptr, &error_));
   }
 
   meander_flow_statistics statistics() {

@@ -70,6 +70,7 @@ def test_types_are_those_of_the_header() -> None:
         ctypes.c_size_t,
         ctypes.POINTER(abi.FlowOptionsRecord),
         ctypes.POINTER(ctypes.c_void_p),  # meander_flow**
+        ctypes.c_void_p,  # meander_context*
         ctypes.POINTER(abi.ErrorRecord),
     )
     assert abi.PROTOTYPES["meander_version"] == (ctypes.c_char_p, ())

@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
   seed.closed = seed_closed;
 
   meander_surface* surface = NULL;
-  expect_ok(meander_surface_create(vertices, VERTICES, faces, FACES, NULL, &surface, &error), &error,
+  expect_ok(meander_surface_create(vertices, VERTICES, faces, FACES, NULL, &surface, NULL, &error), &error,
             "meander_surface_create");
   meander_flow_options options;
   expect_ok(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), &error,
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   options.iteration_limit = 20;
 
   meander_flow* flow = NULL;
-  expect_ok(meander_flow_create(surface, &seed, NULL, 0, &options, &flow, &error), &error,
+  expect_ok(meander_flow_create(surface, &seed, NULL, 0, &options, &flow, NULL, &error), &error,
             "meander_flow_create");
   meander_surface_destroy(surface); /* the flow keeps what it needs */
   expect_ok(meander_flow_step(flow, NULL, &error), &error, "meander_flow_step");
@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
   faces[5] = VERTICES;
   surface = NULL;
   const meander_status status =
-      meander_surface_create(vertices, VERTICES, faces, FACES, NULL, &surface, &error);
+      meander_surface_create(vertices, VERTICES, faces, FACES, NULL, &surface, NULL, &error);
   expect(status == MEANDER_STATUS_INVALID_MESH && surface == NULL, "a wrong index is refused");
   expect(error.element_kind == MEANDER_ELEMENT_FACE && error.element_index == 1,
          "the face with the wrong index is named");

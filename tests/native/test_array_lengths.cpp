@@ -27,7 +27,7 @@ class ArrayLengths : public testing::Test {
   meander_surface* create(const meander_surface_options* options) {
     meander_surface* surface = nullptr;
     status_ = meander_surface_create(mesh_.vertices.data(), mesh_.vertex_count(), mesh_.faces.data(),
-                                     mesh_.face_count(), options, &surface, &error_);
+                                     mesh_.face_count(), options, &surface, nullptr, &error_);
     EXPECT_EQ(surface != nullptr, status_ == MEANDER_STATUS_OK);
     return surface;
   }
@@ -35,7 +35,7 @@ class ArrayLengths : public testing::Test {
   std::string refusal(const meander_seed* seed, const double* density, size_t density_count) {
     meander_flow* flow = nullptr;
     const meander_status status =
-        meander_flow_create(surface_, seed, density, density_count, &options_, &flow, &error_);
+        meander_flow_create(surface_, seed, density, density_count, &options_, &flow, nullptr, &error_);
     EXPECT_EQ(flow != nullptr, status == MEANDER_STATUS_OK);
     meander_flow_destroy(flow);
     return status == MEANDER_STATUS_OK ? "" : error_.text;
@@ -164,7 +164,7 @@ TEST_F(ArrayLengths, AreUntouchedByACancelledCall) {
   const std::unique_ptr<meander_context, decltype(&meander_context_destroy)> context(new_context(),
                                                                                     &meander_context_destroy);
   meander_flow* flow = nullptr;
-  ASSERT_EQ(meander_flow_create(surface_, nullptr, nullptr, 0, &options_, &flow, &error_), MEANDER_STATUS_OK);
+  ASSERT_EQ(meander_flow_create(surface_, nullptr, nullptr, 0, &options_, &flow, nullptr, &error_), MEANDER_STATUS_OK);
   meander_context_cancel(context.get());
   const size_t count = mesh_.vertex_count();
   std::vector<double> values(3 * count, -5);
@@ -175,7 +175,13 @@ TEST_F(ArrayLengths, AreUntouchedByACancelledCall) {
   size_t points = 99, strands = 99, skipped = 99;
   auto statistics = prepared<meander_flow_statistics>();
   meander_context* const c = context.get();
+  meander_surface* no_surface = nullptr;
+  meander_flow* no_flow = nullptr;
   for (const meander_status status : {
+           meander_surface_create(mesh_.vertices.data(), count, mesh_.faces.data(), mesh_.face_count(), nullptr,
+                                  &no_surface, c, &error_),
+           meander_flow_create(surface_, nullptr, nullptr, 0, &options_, &no_flow, c, &error_),
+           meander_flow_set_vertices(flow, mesh_.vertices.data(), count, c, &error_),
            meander_surface_compute_curvature(surface_, MEANDER_CURVATURE_MEAN, 0, values.data(), count, c, &error_),
            meander_surface_compute_directions(surface_, MEANDER_DIRECTIONS_SMOOTH, 0, values.data(), count, c, &error_),
            meander_surface_compute_stroke_directions(surface_, mesh_.vertices.data(), 2, stroke, 1, values.data(),
@@ -190,6 +196,7 @@ TEST_F(ArrayLengths, AreUntouchedByACancelledCall) {
     EXPECT_EQ(status, MEANDER_STATUS_CANCELLED);
     EXPECT_EQ(error_.status, MEANDER_STATUS_CANCELLED);
   }
+  EXPECT_TRUE(no_surface == nullptr && no_flow == nullptr);
   EXPECT_EQ(values, std::vector<double>(3 * count, -5));
   EXPECT_EQ(faces, std::vector<uint32_t>(count, 7));
   EXPECT_EQ(offsets, std::vector<uint64_t>(9, 7));

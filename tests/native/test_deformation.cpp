@@ -32,10 +32,11 @@ FlowHandle make_flow(const Mesh& mesh, double spacing, uint32_t threads = 1, uin
   meander_surface* surface = nullptr;
   meander_flow* flow = nullptr;
   EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   nullptr, &surface, &error),
+                                   nullptr, &surface, nullptr, &error),
             MEANDER_STATUS_OK)
       << error.text;
-  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, &error), MEANDER_STATUS_OK) << error.text;
+  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, nullptr, &error), MEANDER_STATUS_OK)
+      << error.text;
   meander_surface_destroy(surface);
   return FlowHandle(flow);
 }
@@ -47,7 +48,7 @@ void step(const FlowHandle& flow, int times) {
 std::string set_vertices(const FlowHandle& flow, const std::vector<double>& vertices) {
   auto error = prepared<meander_error>();
   const meander_status status =
-      meander_flow_set_vertices(flow.get(), vertices.data(), vertices.size() / 3, &error);
+      meander_flow_set_vertices(flow.get(), vertices.data(), vertices.size() / 3, nullptr, &error);
   return status == MEANDER_STATUS_OK ? "" : error.text;
 }
 
@@ -397,8 +398,9 @@ TEST(Deformation, RefusesWithOneSentenceAndStaysAsItWas) {
   EXPECT_NE(set_vertices(flow, v).find("has no area"), std::string::npos);
   EXPECT_NE(set_vertices(flow, scaled(mesh, 0.1).vertices).find("below the spacing"), std::string::npos);
   EXPECT_NE(set_vertices(flow, scaled(mesh, 1e6).vertices).find("500 million"), std::string::npos);
-  EXPECT_EQ(meander_flow_set_vertices(nullptr, mesh.vertices.data(), 162, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
-  EXPECT_EQ(meander_flow_set_vertices(flow.get(), nullptr, 162, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_set_vertices(nullptr, mesh.vertices.data(), 162, nullptr, nullptr),
+            MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_set_vertices(flow.get(), nullptr, 162, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_TRUE(same_nodes(before, flow->flow->curve()));
   expect_valid(flow);
   ASSERT_EQ(meander_flow_start(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);

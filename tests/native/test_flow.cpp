@@ -240,10 +240,10 @@ Output run(const Mesh& mesh, double spacing, uint32_t preset, uint32_t threads, 
   options.radius = spacing / 2;
   options.threads = threads;
   EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
-                                   mesh.face_count(), nullptr, &surface, &error),
+                                   mesh.face_count(), nullptr, &surface, nullptr, &error),
             MEANDER_STATUS_OK)
       << error.text;
-  EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, &error), MEANDER_STATUS_OK)
+  EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, &error), MEANDER_STATUS_OK)
       << error.text;
   meander_surface_destroy(surface);
   for (int k = 0; k < steps; ++k) {

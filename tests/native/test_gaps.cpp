@@ -53,7 +53,7 @@ class FlowRun {
   FlowRun(const Mesh& mesh, double radius, const Strands* strands = nullptr, uint32_t threads = 2,
           const std::vector<double>& density = {}) {
     EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
-                                     mesh.face_count(), nullptr, &surface_, nullptr),
+                                     mesh.face_count(), nullptr, &surface_, nullptr, nullptr),
               MEANDER_STATUS_OK);
     meander_flow_options options;
     EXPECT_EQ(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), MEANDER_STATUS_OK);
@@ -74,7 +74,8 @@ class FlowRun {
     auto error = prepared<meander_error>();
     EXPECT_EQ(
         meander_flow_create(surface_, strands ? &seed : nullptr,
-                            density.empty() ? nullptr : density.data(), density.size(), &options, &flow_, &error),
+                            density.empty() ? nullptr : density.data(), density.size(), &options, &flow_,
+                            nullptr, &error),
         MEANDER_STATUS_OK)
         << error.text;
   }

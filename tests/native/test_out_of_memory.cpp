@@ -198,10 +198,10 @@ TEST(OutOfMemory, NothingIsThrownAcrossC) {
   preparation.split_bow_ties = 1;
   expect_status_and_sentence("surface", [&](meander_error* error) {
     return meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                  &preparation, &surface, error);
+                                  &preparation, &surface, nullptr, error);
   });
   expect_status_and_sentence("flow", [&](meander_error* error) {
-    return meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, error);
+    return meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, error);
   });
   expect_status_and_sentence("statistics", [&](meander_error* error) {
     auto statistics = prepared<meander_flow_statistics>();

@@ -33,9 +33,9 @@ Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* see
   meander_surface* surface = nullptr;
   meander_flow* flow = nullptr;
   EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   nullptr, &surface, nullptr),
+                                   nullptr, &surface, nullptr, nullptr),
             MEANDER_STATUS_OK);
-  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, nullptr), MEANDER_STATUS_OK);
+  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, nullptr, nullptr), MEANDER_STATUS_OK);
   for (int k = 0; k < steps; ++k) meander_flow_step(flow, nullptr, nullptr);
   Result r;
   size_t points = 0, strands = 0, count = 0, nodes = 0;

@@ -140,9 +140,9 @@ TEST(Structs, RecordsOfTheHistoryStandAsFarApartAsTheCallerSays) {
   auto options = prepared<meander_flow_options>();
   options.radius = 0.3;
   ASSERT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   nullptr, &surface, nullptr),
+                                   nullptr, &surface, nullptr, nullptr),
             MEANDER_STATUS_OK);
-  ASSERT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr), MEANDER_STATUS_OK);
+  ASSERT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, nullptr), MEANDER_STATUS_OK);
   for (int k = 0; k < 3; ++k) ASSERT_EQ(meander_flow_step(flow, nullptr, nullptr), MEANDER_STATUS_OK);
   std::vector<Wide> records(4, Wide{{}, 5});
   size_t count = 0;

@@ -48,7 +48,7 @@ class Draw {
   explicit Draw(uint64_t number) : rng_(number), mesh_(random_mesh(rng_)) {
     meander_surface* surface = nullptr;
     check(meander_surface_create(mesh_.vertices.data(), mesh_.vertex_count(), mesh_.faces.data(), mesh_.face_count(),
-                                 nullptr, &surface, &error_));
+                                 nullptr, &surface, nullptr, &error_));
     surface_.reset(surface);
     choose_options();
     if (maybe()) {
@@ -69,7 +69,8 @@ class Draw {
     seed.fixed = fixed_.data();
     meander_flow* flow = nullptr;
     check(meander_flow_create(surface_.get(), closed_.empty() ? nullptr : &seed,
-                              density_.empty() ? nullptr : density_.data(), density_.size(), &options_, &flow, &error_));
+                              density_.empty() ? nullptr : density_.data(), density_.size(), &options_, &flow,
+                              nullptr, &error_));
     FlowHandle handle(flow);
     if (flow && options_.alignment_weight > 0) {
       check(meander_flow_set_directions(flow, directions_.data(), mesh_.vertex_count(), across_, &error_));

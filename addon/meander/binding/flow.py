@@ -172,6 +172,7 @@ class Flow(Handle):
             0 if density_array is None else len(density_array),
             byref(record),
             byref(pointer),
+            None,
         )
         del seed_arrays
         super().__init__(pointer.value, library.meander_flow_destroy)
@@ -320,7 +321,7 @@ class Flow(Handle):
         """
         array = checked_array("vertices", vertices, np.float64, 3)
         with self._use() as pointer:
-            call(native().meander_flow_set_vertices, pointer, address_of(array), len(array))
+            call(native().meander_flow_set_vertices, pointer, address_of(array), len(array), None)
 
     def statistics(self) -> dict[str, Any]:
         """Figures of the present state, named as in meander_flow_statistics.

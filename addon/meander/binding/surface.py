@@ -129,6 +129,7 @@ class Surface(Handle):
             len(face_array),
             byref(record),
             byref(pointer),
+            None,
         )
         del arrays
         super().__init__(pointer.value, library.meander_surface_destroy)

@@ -235,6 +235,7 @@ MEANDER_API meander_status meander_surface_options_init(meander_surface_options*
  * options       NULL: the mesh as it is, by as many threads as the machine has. Its arrays are read
  *               during the call only
  * surface       receives the new surface; destroy it with meander_surface_destroy
+ * context       or NULL; asked before the work begins and after it
  *
  * Whatever the options do, everything else keeps speaking of the mesh as passed here: faces of nodes
  * and gaps, weights, errors, and arrays with one value for each vertex. A merged vertex has the
@@ -255,7 +256,8 @@ MEANDER_API meander_status meander_surface_options_init(meander_surface_options*
 MEANDER_API meander_status meander_surface_create(const double* vertices, size_t vertex_count,
                                                   const uint32_t* faces, size_t face_count,
                                                   const meander_surface_options* options,
-                                                  meander_surface** surface, meander_error* error);
+                                                  meander_surface** surface,
+                                                  meander_context* context, meander_error* error);
 
 /* Frees a surface; NULL is allowed. Flows made from it stay usable. */
 MEANDER_API void meander_surface_destroy(meander_surface* surface);
@@ -580,12 +582,14 @@ typedef struct meander_flow meander_flow;
  *                the mesh's diagonal, and at most 500 million nodes expected
  * density_count  the number of vertices passed to meander_surface_create; 0 for NULL
  * options        not NULL; prepared by meander_flow_options_init, radius chosen
- * flow           receives the new flow; destroy it with meander_flow_destroy */
+ * flow           receives the new flow; destroy it with meander_flow_destroy
+ * context        or NULL; asked before the work begins and after it */
 MEANDER_API meander_status meander_flow_create(const meander_surface* surface,
                                                const meander_seed* seed, const double* density,
                                                size_t density_count,
                                                const meander_flow_options* options,
-                                               meander_flow** flow, meander_error* error);
+                                               meander_flow** flow, meander_context* context,
+                                               meander_error* error);
 
 /* Frees a flow; NULL is allowed. A started run is cancelled and joined first, which takes an
  * iteration at most. */
@@ -729,13 +733,15 @@ MEANDER_API meander_status meander_flow_get_preview(meander_flow* flow, meander_
  * vertices      double[3 * vertex_count], finite, in the caller's units, in the order of
  *               meander_surface_create
  * vertex_count  the same as then
+ * context       or NULL; asked before the work begins
  *
  * Refused with MEANDER_STATUS_INVALID_MESH: another number of vertices, a coordinate that is not
  * finite, a face without area; with MEANDER_STATUS_INVALID_ARGUMENT: a surface smaller than the
  * spacing, or so large that the curve would need more than 500 million nodes. Whatever the failure,
  * the flow is then as before. */
 MEANDER_API meander_status meander_flow_set_vertices(meander_flow* flow, const double* vertices,
-                                                     size_t vertex_count, meander_error* error);
+                                                     size_t vertex_count, meander_context* context,
+                                                     meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: figures                                                                                */

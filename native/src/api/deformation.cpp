@@ -28,7 +28,7 @@ std::vector<double> surface_vertices(const MeshMap* map, size_t count, std::span
 }  // namespace
 
 meander_status meander_flow_set_vertices(meander_flow* flow, const double* vertices, size_t vertex_count,
-                                         meander_error* error) {
+                                         meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
     require(vertices || vertex_count == 0, "The vertices are NULL.");
@@ -41,6 +41,7 @@ meander_status meander_flow_set_vertices(meander_flow* flow, const double* verti
                         std::to_string(expected) +
                         " when the flow began; only their places may change, so start a new flow.");
     }
+    check_cancelled(context);
     f.set_vertices(surface_vertices(map, f.surface().vertex_count(), std::span(vertices, 3 * vertex_count)), map);
   });
 }

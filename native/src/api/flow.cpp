@@ -52,18 +52,20 @@ meander_stop_reason public_reason(StopReason reason) {
 
 meander_status meander_flow_create(const meander_surface* surface, const meander_seed* seed, const double* density,
                                    size_t density_count, const meander_flow_options* options, meander_flow** flow,
-                                   meander_error* error) {
+                                   meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require(surface != nullptr, "The surface is NULL.");
     require(flow != nullptr, "The pointer for the flow is NULL.");
     const FlowSettings settings = checked_settings(read_options(options), *surface->surface);
     const std::vector<double> densities = checked_density(density, density_count, *surface);
+    check_cancelled(context);
     check_size(*surface->surface, settings, densities, surface->map.get());
     SeedStrands strands;
     if (seed) strands = checked_seed(seed);
     auto made = std::make_unique<meander_flow>();
     made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings);
     made->map = surface->map;
+    check_cancelled(context);
     *flow = made.release();
   });
 }

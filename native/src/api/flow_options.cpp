@@ -92,7 +92,7 @@ void set_rules(const meander_flow_options& o, FlowSettings& s) {
   require_threads(o.threads);
   s.stop_rule = o.stop_rule == MEANDER_STOP_RULE_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_RULE_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
-  s.border_distance = o.boundary_distance;
+  s.boundary_distance = o.boundary_distance;
   s.medial_axis = o.medial_axis == MEANDER_MEDIAL_AXIS_GEODESIC ? MedialAxis::kGeodesic : MedialAxis::kEuclidean;
   s.iteration_limit = o.iteration_limit;
   s.threads = o.threads;

@@ -20,7 +20,7 @@ void require_mesh(const double* vertices, size_t vertex_count, const uint32_t* f
 
 meander_status meander_surface_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
                                       size_t face_count, const meander_surface_options* options,
-                                      meander_surface** surface, meander_error* error) {
+                                      meander_surface** surface, meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require(surface != nullptr, "The pointer for the surface is NULL.");
     require_mesh(vertices, vertex_count, faces, face_count);
@@ -29,7 +29,10 @@ meander_status meander_surface_create(const double* vertices, size_t vertex_coun
       require_struct(options);
       o = read_struct(options);
     }
-    *surface = prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o).release();
+    check_cancelled(context);
+    auto made = prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o);
+    check_cancelled(context);
+    *surface = made.release();
   });
 }
 

@@ -18,13 +18,13 @@ void find_local_metric(const Surface& surface, const Curve& curve, const RadiusF
   for (NodeData<double>* values : {&metric.radius, &metric.max_radius, &metric.overhang, &metric.least_rest}) {
     values->resize(curve.size());
   }
-  const bool narrow = rules.border_distance <= tuning::kWideStrip;
+  const bool narrow = rules.boundary_distance <= tuning::kWideStrip;
   pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double r = radius.at(surface, curve.nodes[i]);
       metric.radius[i] = r;
       metric.max_radius[i] = std::min(rules.clamp * r, rules.largest);
-      metric.overhang[i] = (1 - 2 * rules.border_distance) * r;
+      metric.overhang[i] = (1 - 2 * rules.boundary_distance) * r;
       metric.least_rest[i] = narrow ? r : 0;
     }
   });

@@ -26,7 +26,7 @@ struct LocalMetric {
 struct MetricRules {
   double clamp = 3;              ///< r_max in r
   double largest = 0;            ///< no r_max beyond this, in the surface's own unit
-  double border_distance = 0.5;  ///< of the last strand from the boundary, in local spacings
+  double boundary_distance = 0.5;  ///< of the last strand from the boundary, in local spacings
 };
 
 /// Finds the metric of all nodes, in the memory that it has.

@@ -19,7 +19,7 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
                       const FlowSettings& settings, ThreadPool& pool) {
   Domain domain(std::move(surface), density, settings);
   Curve curve = first_curve(*domain.surface, seed, domain.radius, settings.widen_loops, domain.boundary->tree(),
-                            2 * settings.border_distance, pool);
+                            2 * settings.boundary_distance, pool);
   return {settings, std::move(domain), std::move(curve), {}, {}};
 }
 
@@ -202,7 +202,7 @@ std::vector<Gap> Flow::gaps(double least_size) {
                                     state_.settings.medial_axis == MedialAxis::kGeodesic, pool_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
-  const double border = state_.settings.border_distance;
+  const double border = state_.settings.boundary_distance;
   if (border > 0.5 && !domain.boundary->empty()) {
     std::erase_if(gaps, [&](const Gap& gap) {
       const double r = gap.radius / gap.size;

@@ -7,7 +7,7 @@ namespace meander {
 
 void update_metric(FlowState& state, ThreadPool& pool) {
   const FlowSettings& s = state.settings;
-  const MetricRules rules{s.max_radius / s.radius, CurveBvh::kMostRadius, s.border_distance};
+  const MetricRules rules{s.max_radius / s.radius, CurveBvh::kMostRadius, s.boundary_distance};
   find_local_metric(*state.domain.surface, state.curve, state.domain.radius, rules, pool, state.metric);
 }
 

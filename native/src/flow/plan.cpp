@@ -30,7 +30,7 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase) {
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
   plan.reuse_directions = settings.stop_rule == StopRule::kSettled &&
-                          settings.medial_axis == MedialAxis::kEuclidean && settings.border_distance <= 0.5 &&
+                          settings.medial_axis == MedialAxis::kEuclidean && settings.boundary_distance <= 0.5 &&
                           phase != Phase::kCooling;
   return plan;
 }

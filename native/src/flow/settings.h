@@ -34,7 +34,7 @@ struct FlowSettings {
   bool widen_loops = false;
   StopRule stop_rule = StopRule::kSettled;
   BoundaryRule boundary_rule = BoundaryRule::kCentre;
-  double border_distance = 0.5;  ///< of the last strand from the boundary, in (local) spacings
+  double boundary_distance = 0.5;  ///< of the last strand from the boundary, in (local) spacings
   MedialAxis medial_axis = MedialAxis::kEuclidean;
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;

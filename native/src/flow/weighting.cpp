@@ -65,7 +65,7 @@ double push_along_field(const Weighting& w, size_t i, double push, double spacin
 /// would only crowd together there.
 bool in_strip(const Weighting& w, size_t i) {
   const Radii& felt = w.medial.felt_radii[i];
-  return w.settings().border_distance > 0.5 && std::min(felt[0], felt[1]) <= 0;
+  return w.settings().boundary_distance > 0.5 && std::min(felt[0], felt[1]) <= 0;
 }
 
 /// Fills the length weights: usual(i), but for places where something else is wanted whatever the phase.
@@ -120,7 +120,7 @@ void set_polish_terms(const Weighting& w) {
   const FlowSettings& s = w.settings();
   w.weights.medial = s.medial_weight;
   w.weights.medial_power = std::max(s.medial_power, s.polish_medial_power);
-  if (s.border_distance > 1) {
+  if (s.boundary_distance > 1) {
     w.weights.medial_power =
         std::max(s.medial_power, std::min(w.weights.medial_power, tuning::kMostPowerAtStrips));
   }

@@ -52,12 +52,12 @@ static void check_longer_structs(const meander_surface* surface) {
   options.known.radius = 0.2;
 
   options.unknown[2] = 1;
-  expect(meander_flow_create(surface, NULL, NULL, 0, &options.known, &flow, &error) ==
+  expect(meander_flow_create(surface, NULL, NULL, 0, &options.known, &flow, NULL, &error) ==
              MEANDER_STATUS_INVALID_ARGUMENT,
          "what the library does not know is refused");
   expect(flow == NULL && strstr(error.text, "meander_flow_options") != NULL, "the struct is named");
   options.unknown[2] = 0;
-  must(meander_flow_create(surface, NULL, NULL, 0, &options.known, &flow, &error), &error,
+  must(meander_flow_create(surface, NULL, NULL, 0, &options.known, &flow, NULL, &error), &error,
        "meander_flow_create");
 
   memset(&statistics, 0xff, sizeof statistics);
@@ -86,7 +86,7 @@ static void check_reserve(const meander_surface* surface) {
   options.radius = 0.2;
   /* The last one: the first may have a meaning by the time that this runs. */
   options.reserved[7] = 1;
-  expect(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, &error) ==
+  expect(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, NULL, &error) ==
              MEANDER_STATUS_INVALID_ARGUMENT,
          "a reserved field that is set is refused");
   expect(flow == NULL, "outputs are untouched");
@@ -97,7 +97,7 @@ static void check_sizes(void) {
   meander_flow_options options;
   memset(&error, 0, sizeof error);
   error.struct_size = 3;
-  expect(meander_surface_create(NULL, 0, NULL, 0, NULL, NULL, &error) ==
+  expect(meander_surface_create(NULL, 0, NULL, 0, NULL, NULL, NULL, &error) ==
              MEANDER_STATUS_INVALID_ARGUMENT,
          "NULL is refused");
   expect(error.text[0] == '\0', "an error that was not prepared receives nothing");
@@ -124,7 +124,7 @@ static void run_a_flow(const meander_surface* surface) {
        "meander_flow_options_init");
   options.radius = 0.2;
   options.iteration_limit = 12;
-  must(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, &error), &error,
+  must(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, NULL, &error), &error,
        "meander_flow_create");
   must(meander_flow_start(flow, context, &error), &error, "meander_flow_start");
   must(meander_flow_wait(flow, &error), &error, "meander_flow_wait");
@@ -173,7 +173,7 @@ int main(void) {
   must(meander_surface_options_init(&options, sizeof options), &error,
        "meander_surface_options_init");
   options.split_bow_ties = 1;
-  must(meander_surface_create(kTetrahedron, 4, kFaces, 4, &options, &surface, &error), &error,
+  must(meander_surface_create(kTetrahedron, 4, kFaces, 4, &options, &surface, NULL, &error), &error,
        "meander_surface_create");
   must(meander_surface_statistics_init(&statistics, sizeof statistics), &error,
        "meander_surface_statistics_init");

@@ -7,7 +7,7 @@
  *
  * Words: the surface has vertices, edges and faces; the curve has strands (connected components,
  * open or closed), nodes and segments; a segment is a geodesic path between two nodes, straight in
- * every face that it crosses. The radius r is half the wanted spacing of neighbouring strands.
+ * every face that it crosses. The radius r is half the spacing asked for between neighbouring strands.
  *
  *     meander_surface_create           mesh in; checked, copied, ready for any number of flows
  *     meander_surface_compute_...      its curvature and direction fields, for density and alignment
@@ -19,9 +19,9 @@
  *     meander_flow_get_polylines       curve out, at any time between steps
  *     meander_flow_find_gaps           where it leaves the surface empty
  *
- * Names.    A call named get_ copies what is already known. One named compute_ or find_ does work
- *           that grows with the mesh or the curve, anew in every call; it takes a context, so that
- *           it can be cancelled.
+ * Names.    A call named get_ copies what is already known. A call named compute_ or find_ does work
+ *           that grows with the mesh or the curve, and does it again in every call; it takes a
+ *           context, so that it can be cancelled.
  * Units.    Lengths are in the units of the vertices that the caller passed. Indices start at zero.
  * Memory.   The library keeps no pointer of the caller's after a call returns, and never hands out
  *           memory that the caller must free: outputs go into the caller's arrays, whose sizes a
@@ -118,8 +118,8 @@ enum {
   MEANDER_STATUS_INVALID_ARGUMENT = 1, /* a NULL, a size, an option out of its range */
   MEANDER_STATUS_INVALID_MESH = 2,     /* the mesh cannot be used; the element says where */
   MEANDER_STATUS_INVALID_SEED = 3,     /* off the surface, crossing or touching itself, too short */
-  MEANDER_STATUS_CANCELLED = 4,        /* the context was cancelled; everything is whole, and a flow
-                                          can go on */
+  MEANDER_STATUS_CANCELLED = 4,        /* the context was cancelled; everything is intact, and a flow
+                                          can continue */
   MEANDER_STATUS_OUT_OF_MEMORY = 5,
   MEANDER_STATUS_INTERNAL = 6          /* a defect of the library; the sentence says what to report */
 };
@@ -166,8 +166,8 @@ typedef struct meander_context meander_context;
  * context   receives it; destroy it with meander_context_destroy. Any thread. */
 MEANDER_API meander_status meander_context_create(meander_context** context, meander_error* error);
 
-/* Frees a context; NULL is allowed. No call may be using it, but for a run that was started with it:
- * that goes on, and only meander_flow_destroy can cancel it then. */
+/* Frees a context; NULL is allowed. No call may be using it, except a run that was started with it:
+ * that continues, and then only meander_flow_destroy can cancel it. */
 MEANDER_API void meander_context_destroy(meander_context* context);
 
 /* Asks every call that was given this context to return MEANDER_STATUS_CANCELLED soon: a flow within
@@ -179,11 +179,11 @@ MEANDER_API void meander_context_cancel(meander_context* context);
  * ignored. Any thread; no call may be using the context. */
 MEANDER_API void meander_context_reset(meander_context* context);
 
-/* How far the present run of a flow is, as a share of the work that is expected: in [0, 1], never
- * falling during one run, 1 when the run has ended for whatever reason. While the curve grows it
- * follows the length of the curve towards the length that is expected to fill the surface; in the
- * rest of the run it follows the iterations. Moved once an iteration, by meander_flow_run and by a
- * started run; 0 before the first run, after a reset, and for NULL. Any thread. */
+/* How far the present run of a flow is, as a share of the expected work: in [0, 1], never falling
+ * during one run, 1 when the run has ended for whatever reason. While the curve grows it follows the
+ * length of the curve towards the length that is expected to fill the surface; in the rest of the
+ * run it follows the iterations. Updated once an iteration, by meander_flow_run and by a started
+ * run; 0 before the first run, after a reset, and for NULL. Any thread. */
 MEANDER_API double meander_context_progress(const meander_context* context);
 
 /* ------------------------------------------------------------------------------------------ */
@@ -235,6 +235,7 @@ MEANDER_API meander_status meander_surface_options_init(meander_surface_options*
  * options       NULL: the mesh as it is, by as many threads as the machine has. Its arrays are read
  *               during the call only
  * surface       receives the new surface; destroy it with meander_surface_destroy
+ * context       or NULL; asked before the work begins and after it
  *
  * Whatever the options do, everything else keeps speaking of the mesh as passed here: faces of nodes
  * and gaps, weights, errors, and arrays with one value for each vertex. A merged vertex has the
@@ -255,7 +256,8 @@ MEANDER_API meander_status meander_surface_options_init(meander_surface_options*
 MEANDER_API meander_status meander_surface_create(const double* vertices, size_t vertex_count,
                                                   const uint32_t* faces, size_t face_count,
                                                   const meander_surface_options* options,
-                                                  meander_surface** surface, meander_error* error);
+                                                  meander_surface** surface,
+                                                  meander_context* context, meander_error* error);
 
 /* Frees a surface; NULL is allowed. Flows made from it stay usable. */
 MEANDER_API void meander_surface_destroy(meander_surface* surface);
@@ -340,7 +342,7 @@ enum {
 /* A field of lines on the surface, for meander_flow_set_directions.
  *
  * Curvature: principal directions (as in meander_surface_compute_curvature), averaged over the radius
- * `smoothing` along the surface. Where the surface bends equally in all directions they say nothing,
+ * `smoothing` along the surface. Where the surface bends equally in all directions they are undefined,
  * and the neighbourhood decides. Smooth: the least eigenvector of the connection Laplacian of line
  * fields, one for each component, by inverse power iteration; Knoppel, Crane, Pinkall, Schroder,
  * "Globally Optimal Direction Fields", ACM Trans. Graph. 32, 4 (2013). Among equally smooth fields, as
@@ -381,8 +383,8 @@ MEANDER_API meander_status meander_surface_compute_stroke_directions(
     size_t stroke_count, double* directions, size_t vertex_count, meander_context* context,
     meander_error* error);
 
-/* Finds lines along the boundary at a distance from it, to be guides of a seed: what grows then fills
- * the rest, and the boundary is outlined evenly.
+/* Finds lines along the boundary at a distance from it, to be guides of a seed: the other strands
+ * then fill the rest, and the boundary is outlined evenly.
  *
  * Stretches that come within half a spacing of another one are left out, since nothing fits between
  * them, and so are strands shorter than three spacings; a line that is interrupted in this manner
@@ -400,7 +402,8 @@ MEANDER_API meander_status meander_surface_compute_stroke_directions(
  * skipped_count    receives how many stretches and strands were left out; may be NULL
  * context          or NULL; asked before the work begins and every few milliseconds
  *
- * Two-call sizing as in meander_flow_get_polylines, but every call computes anew. Any thread. */
+ * Two-call sizing as in meander_flow_get_polylines, but every call computes the lines again. Any
+ * thread. */
 MEANDER_API meander_status meander_surface_find_outlines(
     const meander_surface* surface, double distance, double spacing, double* positions,
     size_t point_capacity, size_t* point_count, uint64_t* offsets, uint8_t* closed,
@@ -521,7 +524,7 @@ typedef struct meander_flow_options {
   double polish_length_gain;    /* radius in units of r, smoothed along the curve over 2 r; in [-10, 10]
                                    and [0, 100] */
   double polish_medial_power;   /* q of eq. 13 in the polish, in [2, 8]: larger values weigh the worst
-                                   gaps more; the force at the wanted radius is that of q = 2 */
+                                   gaps more; the force at a radius of r is that of q = 2 */
   meander_boundary_rule boundary_rule;
   meander_medial_axis medial_axis;
   meander_stop_rule stop_rule;
@@ -529,10 +532,11 @@ typedef struct meander_flow_options {
                                it is perturbed and made to grow */
   uint32_t widen_loops;     /* 1: the small closed strands of a flow without a seed, and of fill_regions,
                                begin as circles of radius 1.5 r where the face is smaller */
-  uint32_t hold_ends;       /* 1: free ends keep r from what lies ahead of them, or go on until they do */
-  uint32_t hairpin_removal_iterations; /* between growth and polish: for so long the fingers on the
-                               shortest runs between hairpins are drawn in, and others grow into the
-                               room, while every node goes on by a share of its last step; 0: none */
+  uint32_t hold_ends;       /* 1: free ends keep r from what lies ahead of them, or grow until they do */
+  uint32_t hairpin_removal_iterations; /* between growth and polish: in this many iterations the fingers
+                               on the shortest runs between hairpins are drawn in, and others grow
+                               into the room, while every node also repeats a share of its last step;
+                               0: none */
   uint32_t polish;          /* 1: close the gaps at the end with length weights that follow the spacing */
   uint32_t iteration_limit; /* of a run, counted over the life of the flow; at least 1 */
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
@@ -547,9 +551,9 @@ typedef struct meander_flow_options {
 MEANDER_API meander_status meander_flow_options_init(meander_flow_options* options,
                                                      size_t struct_size, meander_preset preset);
 
-/* What is allowed but seldom meant, one sentence each: segments so long that the spacing suffers
- * (segment_length above r / 2.5, Fig. 15), a clamp so small that the curve may not reach everywhere
- * (max_radius below 2 r, Fig. 19), weights and powers far beyond the useful.
+/* Warns of options that are allowed but rarely intended, one sentence each: segments so long that the
+ * spacing suffers (segment_length above r / 2.5, Fig. 15), a clamp so small that the curve may not
+ * reach everywhere (max_radius below 2 r, Fig. 19), weights and powers far beyond the useful range.
  *
  * options   as for meander_flow_create; a field out of its range gives no warning: creating refuses it
  * index     0 for the first warning
@@ -578,18 +582,20 @@ typedef struct meander_flow meander_flow;
  *                the mesh's diagonal, and at most 500 million nodes expected
  * density_count  the number of vertices passed to meander_surface_create; 0 for NULL
  * options        not NULL; prepared by meander_flow_options_init, radius chosen
- * flow           receives the new flow; destroy it with meander_flow_destroy */
+ * flow           receives the new flow; destroy it with meander_flow_destroy
+ * context        or NULL; asked before the work begins and after it */
 MEANDER_API meander_status meander_flow_create(const meander_surface* surface,
                                                const meander_seed* seed, const double* density,
                                                size_t density_count,
                                                const meander_flow_options* options,
-                                               meander_flow** flow, meander_error* error);
+                                               meander_flow** flow, meander_context* context,
+                                               meander_error* error);
 
 /* Frees a flow; NULL is allowed. A started run is cancelled and joined first, which takes an
  * iteration at most. */
 MEANDER_API void meander_flow_destroy(meander_flow* flow);
 
-/* How the curve shall lie to a field of lines. */
+/* How the curve is to lie relative to a field of lines. */
 typedef uint32_t meander_alignment;
 enum {
   MEANDER_ALIGNMENT_ALONG = 0, /* parallel to it */
@@ -601,8 +607,8 @@ enum {
  * iteration; a second call replaces the first.
  *
  * directions    double[3 * vertex_count]: a vector in space at every vertex, of any length and either
- *               sign; only its part in the surface counts. 0 0 0, NaN or infinite: no wish there. NULL:
- *               takes a field back
+ *               sign; only its part in the surface counts. 0 0 0, NaN or infinite: no preference there.
+ *               NULL: takes a field back
  * vertex_count  as passed to meander_surface_create; 0 for NULL
  * alignment     MEANDER_ALIGNMENT_...
  *
@@ -635,7 +641,7 @@ MEANDER_API meander_status meander_flow_run(meander_flow* flow, meander_context*
 /* Why a run of a flow ends. */
 typedef uint32_t meander_stop_reason;
 enum {
-  MEANDER_STOP_REASON_RUNNING = 0, /* it would go on */
+  MEANDER_STOP_REASON_RUNNING = 0, /* it would continue */
   MEANDER_STOP_REASON_CONVERGED = 1,
   MEANDER_STOP_REASON_ITERATION_LIMIT = 2,
   MEANDER_STOP_REASON_STALLED = 3, /* every step is blocked by crossings and nothing moves any more */
@@ -658,7 +664,7 @@ MEANDER_API meander_stop_reason meander_flow_stop_reason(const meander_flow* flo
  * MEANDER_STATUS_INVALID_ARGUMENT. Afterwards it can be started again.
  *
  * context   NULL, or a context, which cancels the run and shows its progress
- * returns   what keeps the run from beginning; what happens in it is for meander_flow_wait to tell */
+ * returns   what keeps the run from beginning; meander_flow_wait reports what happens in it */
 MEANDER_API meander_status meander_flow_start(meander_flow* flow, meander_context* context,
                                               meander_error* error);
 
@@ -691,8 +697,8 @@ typedef struct meander_preview {
 MEANDER_API meander_status meander_preview_init(meander_preview* preview, size_t struct_size);
 
 /* The newest copy of the curve of a started run, until meander_flow_wait. The run makes one at the
- * start, and then one after its present iteration whenever the last one has been taken out, so that a
- * run nobody watches copies nothing. Never waits for an iteration, only for a copy.
+ * start, and then one after its present iteration whenever the last one has been taken out, so a run
+ * that nobody watches copies nothing. Never waits for an iteration, only for a copy.
  *
  * preview   prepared by meander_preview_init; receives the figures of the copy
  * others    as in meander_flow_get_polylines, with the same two-call sizing
@@ -711,29 +717,31 @@ MEANDER_API meander_status meander_flow_get_preview(meander_flow* flow, meander_
 /* Flow: a surface that moves                                                                   */
 
 /* Moves the vertices of the flow's surface, for a mesh that is animated: the faces stay as they were
- * passed to meander_surface_create, the places of their corners change (section 5, Fig. 20). Nodes ride
- * on their faces with the same weights of the corners, fixed ones too; segments become straight again,
- * but for those of guides, whose lines stay as drawn and are cut further where they stretch; nothing
- * crosses, and strands are as seeded. r and all other lengths stay what they are in the caller's
- * units, as does the density at every vertex, so a surface that grows gets a longer curve in the steps
- * that follow. A few of them, two or three a frame, keep the spacing even.
+ * passed to meander_surface_create, and their corners move (section 5, Fig. 20). Nodes, fixed ones
+ * too, stay on their faces with the same weights of the corners. Segments become straight again,
+ * except those of guides, whose lines stay as drawn and are cut further where they stretch. Nothing
+ * crosses, and strands are as seeded. r and all other lengths stay the same in the caller's units, as
+ * does the density at every vertex, so a surface that grows gets a longer curve in the steps that
+ * follow. A few of them, two or three a frame, keep the spacing even.
  *
- * A curve that fills its surface goes on in the polish, with the weights that close gaps, and never
- * grows from scratch; one that is still growing goes on growing. Whether it has converged is found out
- * anew, and the iteration limit counts from here.
+ * A curve that fills its surface continues in the polish, with the weights that close gaps, and never
+ * grows from scratch; one that is still growing continues to grow. Convergence is judged from here
+ * on, and the iteration limit counts from here.
  *
  * The meander_surface that the flow was created on, and other flows on it, stay as they are.
  *
  * vertices      double[3 * vertex_count], finite, in the caller's units, in the order of
  *               meander_surface_create
  * vertex_count  the same as then
+ * context       or NULL; asked before the work begins
  *
  * Refused with MEANDER_STATUS_INVALID_MESH: another number of vertices, a coordinate that is not
  * finite, a face without area; with MEANDER_STATUS_INVALID_ARGUMENT: a surface smaller than the
  * spacing, or so large that the curve would need more than 500 million nodes. Whatever the failure,
  * the flow is then as before. */
 MEANDER_API meander_status meander_flow_set_vertices(meander_flow* flow, const double* vertices,
-                                                     size_t vertex_count, meander_error* error);
+                                                     size_t vertex_count, meander_context* context,
+                                                     meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: figures                                                                                */
@@ -746,7 +754,7 @@ typedef struct meander_flow_statistics {
   uint32_t strands;
   uint32_t closed_strands;
   uint32_t crossings;        /* pairs of pieces that cross now, counted afresh; 0 */
-  uint32_t polishing;        /* 1 once the flow closes its last gaps */
+  uint32_t polishing;        /* 1 after growth, in hairpin removal and the polish */
   uint32_t guides;           /* strands that are guides */
   uint32_t empty_components; /* of the surface, on which no strand grows */
   double length;          /* of the curve */
@@ -882,14 +890,14 @@ MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, d
 /* Flow: gaps                                                                                   */
 
 /* Finds the places that the present curve leaves empty, the largest first. The size of a place is its
- * straight distance from the curve in units of the local r: 1 between strands at the wanted spacing.
+ * straight distance from the curve in units of the local r: 1 between strands at the spacing asked for.
  * Every gap is a local maximum of it, and where it lies on the boundary also a maximum along the
  * boundary; no gap's position lies within the radius of a larger one. A long furrow that is too wide
  * gives a row of gaps.
  *
  * The search starts from the nodes' medial balls and from the middles of faces, so it also sees parts
- * of the surface that no strand has reached. Their sizes are lower bounds where a place is larger than
- * r_max. With MEANDER_MEDIAL_AXIS_EUCLIDEAN it does not see the far side of a sheet thinner than r: the
+ * of the surface that no strand has reached. Where a place is larger than r_max its size is a lower
+ * bound. With MEANDER_MEDIAL_AXIS_EUCLIDEAN it does not see the far side of a sheet thinner than r: the
  * strands of one side cover both. With MEANDER_MEDIAL_AXIS_GEODESIC only what is connected to a place
  * within its ball covers it, and where strands of another sheet are near, sizes end at 3. Where
  * boundary_distance keeps a strip along the boundary empty, only what lies farther from the curve than
@@ -905,8 +913,8 @@ MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, d
  * count       receives the number of gaps; when it exceeds capacity nothing is copied
  * context     or NULL; asked before the work begins and after it
  *
- * Two-call sizing as in meander_flow_get_polylines, but every call searches anew: it costs one medial
- * axis and a few nearest-point queries a node and face. The curve stays as it is. */
+ * Two-call sizing as in meander_flow_get_polylines, but every call searches again: it costs one
+ * medial axis and a few nearest-point queries a node and face. The curve stays as it is. */
 MEANDER_API meander_status meander_flow_find_gaps(meander_flow* flow, double least_size,
                                                   double* positions, double* radii, double* sizes,
                                                   uint32_t* faces, size_t capacity, size_t* count,
