@@ -99,7 +99,7 @@ std::vector<FreeEnd> find_free_ends(const Surface& surface, const Curve& curve, 
       if (rule == BoundaryRule::kObstacle) {
         const double reach = with_slack(ball.radius());
         boundary.tree().within(ball.centre(ball.radius()), reach * reach, near);
-        for (const uint32_t k : near) ball.keep_out(boundary.samples()[k]);
+        for (const uint32_t sample : near) ball.keep_out(boundary.samples()[sample]);
       }
       end.radius = ball.radius();
     }
