@@ -3,7 +3,6 @@
 // The regions into which guides divide a surface: what grows in one never reaches another.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "base/point_tree.h"
@@ -24,21 +23,14 @@ struct Region {
 /// A component without guides is one region, and its place the middle of its first face, or of the one
 /// farthest from the boundary where that lies in a strip to be left empty. Elsewhere
 /// samples of faces and edges, about r / 2 apart and at least as far from all guides, are joined where
-/// the straight way between them meets none: what hangs together is a region, so that gaps which no
+/// a straight line between them meets none: what hangs together is a region, so that gaps which no
 /// strand would go through are closed. Its place is the first sample that lies 2.5 r away from all
 /// guides, or else the farthest. What is narrower than the samples is left out: the guides cover it.
 /// `radius` is r.
 ///
-/// `boundary`, `border`   points of the boundary, or null, and the distance from it, in local radii, that
+/// `boundary`, `border_width`   points of the boundary, or null, and the distance from it, in local radii, that
 ///                        strands keep: no place lies nearer, so that strips along it stay empty
 std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const RadiusField& radius,
-                                 const PointTree* boundary = nullptr, double border = 0);
-
-/// Places to pass on a short way between two points that meets no guide, without the two; nothing where
-/// guides part them, or leave less than a spacing between them. The way leads over the same samples, so
-/// it keeps r / 2 from guides but at its ends.
-std::optional<std::vector<SurfacePoint>> way_round_guides(const Surface& surface, const Curve& curve,
-                                                          const RadiusField& radius,
-                                                          const SurfacePoint& from, const SurfacePoint& to);
+                                 const PointTree* boundary = nullptr, double border_width = 0);
 
 }  // namespace meander

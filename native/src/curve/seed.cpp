@@ -7,7 +7,7 @@
 #include "base/failure.h"
 #include "base/front_search.h"
 #include "curve/crossings.h"
-#include "curve/regions.h"
+#include "curve/path_around_guides.h"
 #include "mesh/radius_field.h"
 #include "mesh/closest_point.h"
 
@@ -57,9 +57,7 @@ bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to
 }
 
 size_t strand_of(const SeedStrands& seed, size_t point) {
-  size_t s = 0;
-  while (seed.offsets[s + 1] <= point) ++s;
-  return s;
+  return static_cast<size_t>(std::ranges::upper_bound(seed.offsets, point) - seed.offsets.begin()) - 1;
 }
 
 void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed) {
@@ -75,56 +73,67 @@ bool is_stroke(const Curve& curve, const Strand& strand) {
          curve.fixed[strand.first + 1];
 }
 
-/// Leads strokes round the guides that the shortest way between their ends meets. `point_of_node` gives
-/// every node of the curve the seed's point.
-void lead_round_guides(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool,
-                       Curve& curve, std::vector<size_t>& point_of_node) {
-  if (!curve.has_guides()) return;
-  CrossingTest test;
-  std::vector<uint8_t> meets(curve.size(), 0);
+/// Strokes whose straight path meets a guide.
+struct Blocked {
+  std::vector<uint8_t> at;          // per node: 1 where such a stroke begins
+  std::vector<uint8_t> components;  // 1 for those that hold one
   bool any = false;
+};
+
+Blocked find_blocked(const Surface& surface, const Curve& curve, ThreadPool& pool) {
+  Blocked blocked{std::vector<uint8_t>(curve.size(), 0), std::vector<uint8_t>(surface.component_count(), 0)};
+  CrossingTest test;
   for (const auto& [first, second] : test.find(surface, curve, pool)) {
     for (const auto& [a, b] : {std::pair{first, second}, {second, first}}) {
-      const auto strand = std::ranges::find_if(curve.strands, [&](const Strand& s) { return s.first == a; });
-      if (!curve.on_guide(b) || strand == curve.strands.end() || !is_stroke(curve, *strand)) continue;
-      meets[a] = 1;
-      any = true;
+      if (!curve.on_guide(b)) continue;
+      const auto strand = std::ranges::lower_bound(curve.strands, a, {}, &Strand::first);
+      if (strand == curve.strands.end() || strand->first != a || !is_stroke(curve, *strand)) continue;
+      blocked.at[a] = 1;
+      blocked.components[surface.component(curve.nodes[a].face)] = 1;
+      blocked.any = true;
     }
   }
-  if (!any) return;
+  return blocked;
+}
+
+[[noreturn]] void refuse_stroke(const SeedStrands& seed, size_t a, size_t b) {
+  throw Failure(FailureKind::kInvalidSeed,
+                "Strand " + std::to_string(strand_of(seed, a)) + " of the seed cannot reach from point " +
+                    std::to_string(a) + " to point " + std::to_string(b) +
+                    ", because guides part the two or leave too little room between them; open the guides, or "
+                    "move both points to the same side of them.",
+                ElementKind::kSeedPoint, static_cast<uint32_t>(a), static_cast<uint32_t>(b));
+}
+
+/// Leads strokes around the guides that the shortest path between their ends meets. `point_of_node` gives
+/// every node of the curve the seed's point.
+void lead_around_guides(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool,
+                        Curve& curve, std::vector<size_t>& point_of_node) {
+  if (!curve.has_guides()) return;
+  const Blocked blocked = find_blocked(surface, curve, pool);
+  if (!blocked.any) return;
+  const GuideSamples samples(surface, curve, radius, blocked.components);
   Curve led;
   std::vector<size_t> points;
-  PathShortener shortener(surface);
   for (const Strand& strand : curve.strands) {
     const uint32_t first = led.size();
-    const auto take = [&](uint32_t i) {
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
       add_node(led, curve.nodes[i], curve.fixed[i]);
       led.paths.back() = curve.paths[i];
       led.shapes.back() = curve.shapes[i];
       points.push_back(point_of_node[i]);
-    };
-    for (uint32_t i = strand.first; i < strand.end(); ++i) {
-      take(i);
-      if (!meets[i]) continue;
-      const size_t a = point_of_node[i], b = point_of_node[i + 1];
-      const auto way = way_round_guides(surface, curve, radius, curve.nodes[i], curve.nodes[i + 1]);
-      if (!way) {
-        throw Failure(FailureKind::kInvalidSeed,
-                      "Strand " + std::to_string(strand_of(seed, a)) + " of the seed cannot reach from point " +
-                          std::to_string(a) + " to point " + std::to_string(b) +
-                          ", because guides part the two or leave too little room between them; open the guides, or "
-                          "move both points to the same side of them.",
-                      ElementKind::kSeedPoint, static_cast<uint32_t>(a), static_cast<uint32_t>(b));
-      }
-      for (const SurfacePoint& p : *way) {
+      if (!blocked.at[i]) continue;
+      const auto around = path_around_guides(surface, samples, curve.nodes[i], curve.nodes[i + 1]);
+      if (!around) refuse_stroke(seed, point_of_node[i], point_of_node[i + 1]);
+      for (const SurfacePoint& p : *around) {
         add_node(led, p, 0);
-        points.push_back(a);
+        points.push_back(point_of_node[i]);
       }
-      led.strands.push_back({first, led.size() - first + 1, false, false});
     }
-    if (!meets[strand.first]) led.strands.push_back({first, strand.count, strand.closed, strand.guide});
+    led.strands.push_back({first, led.size() - first, strand.closed, strand.guide});
   }
   led.link();
+  PathShortener shortener(surface);
   for (uint32_t i = 0, s = 0; i < led.size(); ++i) {
     while (i >= led.strands[s].end()) ++s;
     const uint32_t j = led.next(i);
@@ -136,51 +145,47 @@ void lead_round_guides(const Surface& surface, const SeedStrands& seed, const Ra
   point_of_node = std::move(points);
 }
 
-}  // namespace
-
-Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool) {
-  const ClosestPoint closest(surface);
-  Curve curve;
-  std::vector<size_t> point_of_node;
-  for (size_t s = 0; s + 1 < seed.offsets.size(); ++s) {
-    const bool closed = seed.closed[s] != 0, guide = !seed.guides.empty() && seed.guides[s];
-    Strand strand{curve.size(), 0, closed, guide};
-    for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
-      const auto hit = closest(surface.to_inside(seed.points[i]));
-      const double r = radius.at(surface, hit.point);
-      if (!(hit.distance <= r)) {
-        refuse("Seed point " + std::to_string(i) + " is " + number(hit.distance / r) +
-                   " radii away from the surface (at most 1 is allowed); move the seed onto the surface.",
-               i);
-      }
-      const uint8_t fixed = guide || (!seed.fixed.empty() && seed.fixed[i]);
-      // A point drawn twice in a row is one node.
-      if (curve.size() > strand.first) {
-        if (same(curve.nodes.back(), hit.point)) {
-          curve.fixed.back() |= fixed;
-          continue;
-        }
-      }
-      add_node(curve, hit.point, fixed);
-      point_of_node.push_back(i);
+/// Appends what of one strand of the seed the surface has near to it.
+void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, const RadiusField& radius,
+                    const ClosestPoint& closest, Curve& curve, std::vector<size_t>& point_of_node) {
+  const bool closed = seed.closed[s] != 0, guide = !seed.guides.empty() && seed.guides[s];
+  Strand strand{curve.size(), 0, closed, guide};
+  for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
+    const auto hit = closest(surface.to_inside(seed.points[i]));
+    const double r = radius.at(surface, hit.point);
+    if (!(hit.distance <= r)) {
+      refuse("Seed point " + std::to_string(i) + " is " + number(hit.distance / r) +
+                 " radii away from the surface (at most 1 is allowed); move the seed onto the surface.",
+             i);
     }
-    if (closed && curve.size() > strand.first + 1 && same(curve.nodes.back(), curve.nodes[strand.first])) {
-      curve.fixed[strand.first] |= curve.fixed.back();
-      curve.nodes.pop_back();
-      curve.fixed.pop_back();
-      curve.paths.pop_back();
-      curve.shapes.pop_back();
-      point_of_node.pop_back();
+    const uint8_t fixed = guide || (!seed.fixed.empty() && seed.fixed[i]);
+    // A point drawn twice in a row is one node.
+    if (curve.size() > strand.first && same(curve.nodes.back(), hit.point)) {
+      curve.fixed.back() |= fixed;
+      continue;
     }
-    strand.count = curve.size() - strand.first;
-    if (strand.count < (closed ? 3u : 2u)) {
-      refuse("Strand " + std::to_string(s) + " of the seed has " + std::to_string(strand.count) +
-                 " different points; a closed strand needs at least 3 and an open one 2.",
-             seed.offsets[s]);
-    }
-    curve.strands.push_back(strand);
+    add_node(curve, hit.point, fixed);
+    point_of_node.push_back(i);
   }
-  curve.link();
+  if (closed && curve.size() > strand.first + 1 && same(curve.nodes.back(), curve.nodes[strand.first])) {
+    curve.fixed[strand.first] |= curve.fixed.back();
+    curve.nodes.pop_back();
+    curve.fixed.pop_back();
+    curve.paths.pop_back();
+    curve.shapes.pop_back();
+    point_of_node.pop_back();
+  }
+  strand.count = curve.size() - strand.first;
+  if (strand.count < (closed ? 3u : 2u)) {
+    refuse("Strand " + std::to_string(s) + " of the seed has " + std::to_string(strand.count) +
+               " different points; a closed strand needs at least 3 and an open one 2.",
+           seed.offsets[s]);
+  }
+  curve.strands.push_back(strand);
+}
+
+/// Joins the nodes of all strands by shortest paths.
+void join_nodes(const Surface& surface, const std::vector<size_t>& point_of_node, Curve& curve) {
   PathShortener shortener(surface);
   for (uint32_t i = 0; i < curve.size(); ++i) {
     const uint32_t j = curve.next(i);
@@ -193,24 +198,41 @@ Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusFiel
     }
     curve.shapes[i] = shortener.shorten(curve.nodes[i], curve.nodes[j], curve.paths[i]);
   }
-  lead_round_guides(surface, seed, radius, pool, curve, point_of_node);
+}
+
+void refuse_crossings(const Surface& surface, const SeedStrands& seed, const Curve& curve,
+                      const std::vector<size_t>& point_of_node, ThreadPool& pool) {
   CrossingTest test;
   const auto pairs = test.find(surface, curve, pool);
-  if (!pairs.empty()) {
-    auto [first, second] = pairs[0];
-    if (curve.on_guide(first)) std::swap(first, second);
-    const size_t a = point_of_node[first], b = point_of_node[second];
-    const std::string points = std::to_string(a) + " and " + std::to_string(b);
-    std::string sentence = "The seed crosses or touches itself between points " + points +
-                           " (segments after them, on the surface); untangle it there.";
-    if (curve.on_guide(second)) {
-      sentence = "Strand " + std::to_string(strand_of(seed, a)) + " of the seed crosses or touches strand " +
-                 std::to_string(strand_of(seed, b)) + ", a guide, between points " + points +
-                 " (segments after them, on the surface); move one of the two, or shorten it.";
-    }
-    throw Failure(FailureKind::kInvalidSeed, sentence, ElementKind::kSeedPoint, static_cast<uint32_t>(a),
-                  static_cast<uint32_t>(b));
+  if (pairs.empty()) return;
+  auto [first, second] = pairs[0];
+  if (curve.on_guide(first)) std::swap(first, second);
+  const size_t a = point_of_node[first], b = point_of_node[second];
+  const std::string points = std::to_string(a) + " and " + std::to_string(b);
+  std::string sentence = "The seed crosses or touches itself between points " + points +
+                         " (segments after them, on the surface); untangle it there.";
+  if (curve.on_guide(second)) {
+    sentence = "Strand " + std::to_string(strand_of(seed, a)) + " of the seed crosses or touches strand " +
+               std::to_string(strand_of(seed, b)) + ", a guide, between points " + points +
+               " (segments after them, on the surface); move one of the two, or shorten it.";
   }
+  throw Failure(FailureKind::kInvalidSeed, sentence, ElementKind::kSeedPoint, static_cast<uint32_t>(a),
+                static_cast<uint32_t>(b));
+}
+
+}  // namespace
+
+Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool) {
+  const ClosestPoint closest(surface);
+  Curve curve;
+  std::vector<size_t> point_of_node;
+  for (size_t s = 0; s + 1 < seed.offsets.size(); ++s) {
+    project_strand(surface, seed, s, radius, closest, curve, point_of_node);
+  }
+  curve.link();
+  join_nodes(surface, point_of_node, curve);
+  lead_around_guides(surface, seed, radius, pool, curve, point_of_node);
+  refuse_crossings(surface, seed, curve, point_of_node, pool);
   return curve;
 }
 

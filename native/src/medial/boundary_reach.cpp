@@ -23,8 +23,8 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
   const auto side_of = [&](HalfEdge e) {
     const uint32_t f = face_of(e), k = corner_of(e);
     const Triangle& t = surface.face(f);
-    const Vec3 way = surface.position(t[next_corner(k)]) - surface.position(t[k]);
-    return Side{t[k], t[next_corner(k)], surface.face_normal(f).cross(way).normalized()};
+    const Vec3 along = surface.position(t[next_corner(k)]) - surface.position(t[k]);
+    return Side{t[k], t[next_corner(k)], surface.face_normal(f).cross(along).normalized()};
   };
   std::vector<Vec3> at_vertex(surface.boundary().empty() ? 0 : surface.vertex_count(), Vec3::Zero());
   for (const HalfEdge e : surface.boundary()) {
@@ -48,19 +48,108 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
 
 /// Twice the radius of the largest ball on this side that holds no point of a boundary which faces it,
 /// where that is less than `most`. Straight ahead it is the distance; a corner that juts out beside the
-/// way to the boundary is nearer than its end.
-double way_to_corner(const BoundaryObstacle& boundary, const Vec3& x, const Vec3& outward, double most,
-                     std::vector<uint32_t>& near) {
-  double way = most;
+/// path to the boundary is nearer than its end.
+double distance_to_corner(const BoundaryObstacle& boundary, const Vec3& x, const Vec3& outward, double most,
+                          std::vector<uint32_t>& near) {
+  double distance = most;
   boundary.tree().within(x, most * most, near);
   for (const uint32_t k : near) {
     const Vec3 d = boundary.samples()[k] - x;
     const double ahead = d.dot(outward);
     const bool faces = -boundary.inward()[k].dot(outward) >= tuning::kFacing;
-    if (ahead > 0 && faces) way = std::min(way, d.squaredNorm() / ahead);
+    if (ahead > 0 && faces) distance = std::min(distance, d.squaredNorm() / ahead);
   }
-  return way;
+  return distance;
 }
+
+/// The reach of some nodes after another, with the scratch memory of one thread.
+class ReachFinder {
+ public:
+  ReachFinder(const Surface& surface, const Curve& curve, const Frames& frames, const BoundaryObstacle& boundary,
+              BoundaryRule rule, MedialAxis axis, const LocalMetric& metric)
+      : surface_(surface), curve_(curve), frames_(frames), boundary_(boundary), rule_(rule), axis_(axis),
+        metric_(metric) {}
+
+  void find(uint32_t begin, uint32_t end, NodeData<Reach>& reach) {
+    sides_.clear();
+    for (uint32_t i = begin; i < end; ++i) {
+      const double most = metric_.max_radius[i];
+      reach[i].fill({most, most, most});
+      // A geodesic that ends at the boundary is no shorter than the straight line to there, and leaves a sample
+      // beside it.
+      const double far = std::max(farthest(i), rest(i)) + boundary_.step();
+      if (boundary_.empty() || !boundary_.tree().any_within(frames_.position[i], far * far)) continue;
+      for (uint32_t side = 0; side < 2; ++side) sides_.push_back({i, side, frames_.to_boundary[i][side]});
+    }
+    walk_to_boundary();
+    for (const Side& side : sides_) reach[side.node][side.side] = reach_of(side);
+  }
+
+ private:
+  struct Side {
+    uint32_t node, side;
+    double distance;  // to the boundary; infinite where it is too far to matter, negative until it is known
+  };
+
+  double beyond(uint32_t i) const { return rule_ == BoundaryRule::kCentre ? metric_.overhang[i] : 0; }
+  double rest(uint32_t i) const { return rule_ == BoundaryRule::kCentre ? metric_.least_rest[i] : 0; }
+  /// The boundary matters up to this distance.
+  double farthest(uint32_t i) const { return metric_.max_radius[i] + std::max(0.0, -beyond(i)); }
+
+  /// Leads the geodesics whose distances are not known yet, in turns.
+  void walk_to_boundary() {
+    std::vector<GeodesicWalk> walks;
+    std::array<Side*, kTogether> walking;
+    walks.reserve(kTogether);
+    for (auto side = sides_.begin(); side != sides_.end();) {
+      walks.clear();
+      for (; side != sides_.end() && walks.size() < kTogether; ++side) {
+        if (side->distance >= 0) continue;
+        const Vec2 direction = (side->side == 0 ? 1.0 : -1.0) * frames_.bitangent2[side->node];
+        walking[walks.size()] = &*side;
+        walks.emplace_back(surface_, curve_.nodes[side->node], farthest(side->node) * direction);
+      }
+      lead_together(walks, [](size_t) {});
+      for (size_t k = 0; k < walks.size(); ++k) {
+        walking[k]->distance = walks[k].hit_boundary() ? walks[k].length() : std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+
+  ReachOfSide reach_of(const Side& side) {
+    const uint32_t i = side.node;
+    const double most = metric_.max_radius[i], least = rest(i);
+    double distance = side.distance;
+    if (axis_ == MedialAxis::kEuclidean && least > 0) {
+      const double corner =
+          distance_to_corner(boundary_, frames_.position[i], frames_.outward[i][side.side], least, near_);
+      if (corner < least) distance = std::min(distance, corner);
+    }
+    ReachOfSide r;
+    r.radius = std::clamp(distance + beyond(i), 0.0, most);
+    r.centre = std::min(most, distance);
+    r.driving = r.radius;
+    // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
+    // boundaries would else settle at half of their distance from each other. And harder yet where
+    // they are very near, as at a corner, which pushes a few nodes only.
+    const double lacking = least - (distance + beyond(i));
+    if (least > 0 && lacking > 0) {
+      const double far_short = std::max(0.0, lacking - (1 - tuning::kVeryNear) * least);
+      r.driving = least - 2 * lacking - tuning::kVeryNearPush * far_short;
+    }
+    return r;
+  }
+
+  const Surface& surface_;
+  const Curve& curve_;
+  const Frames& frames_;
+  const BoundaryObstacle& boundary_;
+  BoundaryRule rule_;
+  MedialAxis axis_;
+  const LocalMetric& metric_;
+  std::vector<Side> sides_;  // that the boundary may be near to
+  std::vector<uint32_t> near_;
+};
 
 }  // namespace
 
@@ -70,67 +159,11 @@ BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
 void compute_reach(const Surface& surface, const Curve& curve, const Frames& frames,
                    const BoundaryObstacle& boundary, BoundaryRule rule, MedialAxis axis,
                    const LocalMetric& metric, ThreadPool& pool, NodeData<Reach>& reach) {
-  const uint32_t n = curve.size();
-  const auto beyond_of = [&](uint32_t i) { return rule == BoundaryRule::kCentre ? metric.overhang[i] : 0; };
-  const auto rest_of = [&](uint32_t i) { return rule == BoundaryRule::kCentre ? metric.least_rest[i] : 0; };
-  const auto look_of = [&](uint32_t i) { return metric.max_radius[i] + std::max(0.0, -beyond_of(i)); };
-  reach.resize(n);
+  reach.resize(curve.size());
   constexpr size_t kBlock = 512;
-  pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-    struct Way {
-      uint32_t node, side;
-      double length;  // to the boundary; infinite where it is too far to matter, negative until it is known
-    };
-    std::vector<Way> ways;
-    std::vector<uint32_t> near;
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      const double most = metric.max_radius[i];
-      reach[i].fill({most, most, most});
-      // A way that ends at the boundary is no shorter than the straight line to there, and leaves a sample
-      // beside it.
-      const double far = std::max(look_of(i), rest_of(i)) + boundary.step();
-      if (boundary.empty() || !boundary.tree().any_within(frames.position[i], far * far)) continue;
-      for (uint32_t side = 0; side < 2; ++side) ways.push_back({i, side, frames.to_boundary[i][side]});
-    }
-
-    std::vector<GeodesicWalk> walks;
-    std::array<Way*, kTogether> walking;
-    walks.reserve(kTogether);
-    for (auto way = ways.begin(); way != ways.end();) {
-      walks.clear();
-      for (; way != ways.end() && walks.size() < kTogether; ++way) {
-        if (way->length >= 0) continue;
-        const Vec2 direction = (way->side == 0 ? 1.0 : -1.0) * frames.bitangent2[way->node];
-        walking[walks.size()] = &*way;
-        walks.emplace_back(surface, curve.nodes[way->node], look_of(way->node) * direction);
-      }
-      lead_together(walks, [](size_t) {});
-      for (size_t k = 0; k < walks.size(); ++k) {
-        walking[k]->length = walks[k].hit_boundary() ? walks[k].length() : std::numeric_limits<double>::infinity();
-      }
-    }
-
-    for (const auto& [i, side, length] : ways) {
-      const double beyond = beyond_of(i), rest = rest_of(i), most = metric.max_radius[i];
-      double way = length;
-      if (axis == MedialAxis::kEuclidean && rest > 0) {
-        const double corner = way_to_corner(boundary, frames.position[i], frames.outward[i][side], rest, near);
-        if (corner < rest) way = std::min(way, corner);
-      }
-      ReachOfSide& r = reach[i][side];
-      r.radius = std::clamp(way + beyond, 0.0, most);
-      r.centre = std::min(most, way);
-      // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
-      // boundaries would else settle at half of their distance from each other. And harder yet where
-      // they are very near, as at a corner, which pushes a few nodes only.
-      const double lacking = rest - (way + beyond);
-      if (rest > 0 && lacking > 0) {
-        const double far_short = std::max(0.0, lacking - (1 - tuning::kVeryNear) * rest);
-        r.driving = rest - 2 * lacking - tuning::kVeryNearPush * far_short;
-      } else {
-        r.driving = r.radius;
-      }
-    }
+  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    ReachFinder(surface, curve, frames, boundary, rule, axis, metric)
+        .find(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), reach);
   });
 }
 

@@ -55,9 +55,9 @@ struct ReachOfSide {
 /// On the side of the bitangent, and on the other.
 using Reach = std::array<ReachOfSide, 2>;
 
-/// The reach of all nodes. The way to the boundary is that along the surface in the direction of the
+/// The reach of all nodes. The distance to the boundary is that along the surface in the direction of the
 /// bitangent; where balls are straight, and the boundary nearer than `least_rest`, corners of it that jut
-/// out beside that way count as well.
+/// out beside that geodesic count as well.
 ///
 /// `metric`  clamps of at most CurveBvh::kMostRadius. In `driving`, what a ball that ends at the boundary falls
 ///           short of its least_rest counts twice, and more where it is far short. Under

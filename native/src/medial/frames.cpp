@@ -44,15 +44,17 @@ class Tangents {
   Vec3 operator()(uint32_t i) {
     const uint32_t before = curve_.previous(i), after = curve_.next(i);
     Vec3 tangent = Vec3::Zero();
-    if (before != kNone) tangent += before == before_ ? ahead_ : way(before, i);
+    if (before != kNone) tangent += before == before_ ? ahead_ : direction(before, i);
     before_ = i;
-    ahead_ = after != kNone ? way(i, after) : Vec3::Zero();
+    ahead_ = after != kNone ? direction(i, after) : Vec3::Zero();
     tangent += ahead_;
     return unit_or_else(tangent, [&] { return surface_.to_space(curve_.nodes[i].face, frames_.tangent[i]); });
   }
 
  private:
-  Vec3 way(uint32_t i, uint32_t j) const { return unit_or(frames_.position[j] - frames_.position[i], Vec3::Zero()); }
+  Vec3 direction(uint32_t i, uint32_t j) const {
+    return unit_or(frames_.position[j] - frames_.position[i], Vec3::Zero());
+  }
 
   const Surface& surface_;
   const Curve& curve_;
@@ -61,26 +63,93 @@ class Tangents {
   Vec3 ahead_ = Vec3::Zero();
 };
 
-/// Looks where `look` did, turned with the strand; false if it has moved too far.
-bool reuse_directions(const CachedDirections& look, uint32_t i, const Vec3& tangent, double r, Frames& frames) {
-  if (!(std::abs(static_cast<double>(look.radius) - r) <= tuning::kRest * r)) return false;
-  if (!((frames.position[i] - look.from).squaredNorm() <= tuning::kRest * r * tuning::kRest * r)) return false;
+/// Turns cached directions with the strand; false if the node has moved, or the strand has turned, too far.
+bool reuse_directions(const CachedDirections& cached, uint32_t i, const Vec3& tangent, double r, Frames& frames) {
+  if (!(std::abs(static_cast<double>(cached.radius) - r) <= tuning::kRest * r)) return false;
+  if (!((frames.position[i] - cached.from).squaredNorm() <= tuning::kRest * r * tuning::kRest * r)) return false;
   for (uint32_t side = 0; side < 2; ++side) {
-    const Vec3 outward = look.outward[side].cast<double>();
+    const Vec3 outward = cached.outward[side].cast<double>();
     const double turned = outward.dot(tangent);
     if (!(std::abs(turned) <= tuning::kTurn)) return false;
     frames.outward[i][side] = (outward - turned * tangent).normalized();
     frames.to_boundary[i][side] = -1;
-    frames.radius_slope[i][side] = static_cast<double>(look.radius_slope[side]);
+    frames.radius_slope[i][side] = static_cast<double>(cached.radius_slope[side]);
   }
   return true;
 }
 
+/// Leads the geodesics to both sides of some nodes together, and finds the directions of their medial balls.
+class DirectionWalks {
+ public:
+  DirectionWalks(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
+                 Frames& frames)
+      : surface_(surface), curve_(curve), metric_(metric), radius_(radius), frames_(frames) {
+    walks_.reserve(2 * kTogether);
+  }
+
+  bool full() const { return count_ == kTogether; }
+  void add(uint32_t node, const Vec3& tangent) {
+    const double length = tuning::kChord * metric_.radius[node];
+    walks_.emplace_back(surface_, curve_.nodes[node], length * frames_.bitangent2[node]);
+    walks_.emplace_back(surface_, curve_.nodes[node], -length * frames_.bitangent2[node]);
+    nodes_[count_] = node;
+    tangents_[count_++] = tangent;
+  }
+
+  /// Fills the frames of the nodes that were added, and forgets them.
+  void finish() {
+    lead_together(walks_, [](size_t) {});
+    // On a fine mesh these wait for memory; in loops of their own they do so together.
+    for (size_t w = 0; w < walks_.size(); ++w) {
+      ends_[w] = walks_[w].end();
+      corners_[w] = surface_.face(ends_[w].face);
+    }
+    for (size_t w = 0; w < walks_.size(); ++w) {
+      arrived_[w] = position(surface_, corners_[w], ends_[w]);
+      arrived_radius_[w] = radius_.at(corners_[w], ends_[w]);
+    }
+    for (uint32_t k = 0; k < count_; ++k) {
+      for (uint32_t side = 0; side < 2; ++side) find_direction(k, side);
+    }
+    walks_.clear();
+    count_ = 0;
+  }
+
+ private:
+  void find_direction(uint32_t k, uint32_t side) {
+    const uint32_t node = nodes_[k], w = 2 * k + side;
+    const GeodesicWalk& walk = walks_[w];
+    const double length = walk.length();
+    const auto face_direction = [&]() -> Vec3 {
+      return surface_.to_space(curve_.nodes[node].face, (side == 0 ? 1.0 : -1.0) * frames_.bitangent2[node]);
+    };
+    Vec3 chord =
+        walk.crossed() ? unit_or_else(arrived_[w] - frames_.position[node], face_direction) : face_direction();
+    chord -= chord.dot(tangents_[k]) * tangents_[k];
+    frames_.outward[node][side] = unit_or_else(chord, face_direction);
+    frames_.to_boundary[node][side] = walk.hit_boundary() ? length : -1;
+    frames_.radius_slope[node][side] = length > 0 ? (arrived_radius_[w] - metric_.radius[node]) / length : 0;
+  }
+
+  const Surface& surface_;
+  const Curve& curve_;
+  const LocalMetric& metric_;
+  const RadiusField& radius_;
+  Frames& frames_;
+  uint32_t count_ = 0;
+  std::vector<GeodesicWalk> walks_;  // two for every node
+  std::array<uint32_t, kTogether> nodes_;
+  std::array<Vec3, kTogether> tangents_;
+  std::array<SurfacePoint, 2 * kTogether> ends_;
+  std::array<Triangle, 2 * kTogether> corners_;
+  std::array<Vec3, 2 * kTogether> arrived_;
+  std::array<double, 2 * kTogether> arrived_radius_;
+};
+
 }  // namespace
 
 void compute_frames(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
-                    ThreadPool& pool, Frames& frames,
-                    const NodeData<CachedDirections>* looks) {
+                    ThreadPool& pool, Frames& frames, const NodeData<CachedDirections>* cached) {
   const uint32_t n = curve.size();
   frames.position.resize(n);
   frames.tangent.resize(n);
@@ -95,77 +164,37 @@ void compute_frames(const Surface& surface, const Curve& curve, const LocalMetri
   });
   pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
     Tangents tangent_in_space(surface, curve, frames);
-    std::vector<GeodesicWalk> walks;
-    walks.reserve(2 * kTogether);
-    std::array<uint32_t, kTogether> walking;
-    std::array<Vec3, kTogether> tangents;
-    std::array<SurfacePoint, 2 * kTogether> ends;
-    std::array<Triangle, 2 * kTogether> corners;
-    std::array<Vec3, 2 * kTogether> arrived;
-    std::array<double, 2 * kTogether> arrived_radius;
-    for (uint32_t i = static_cast<uint32_t>(begin); i < end;) {
-      walks.clear();
-      uint32_t count = 0;
-      for (; i < end && count < kTogether; ++i) {
-        if (i + kTogether < end) surface.fetch_face(curve.nodes[i + kTogether].face);
-        const Vec2 t = flat_tangent(curve, i);
-        frames.tangent[i] = t;
-        frames.bitangent2[i] = Vec2{0, -1} * t;
-        const Vec3 tangent = tangent_in_space(i);
-        if (looks && reuse_directions((*looks)[i], i, tangent, metric.radius[i], frames)) {
-          frames.walked[i] = 0;
-          continue;
-        }
-        const double look = tuning::kChord * metric.radius[i];
-        walks.emplace_back(surface, curve.nodes[i], look * frames.bitangent2[i]);
-        walks.emplace_back(surface, curve.nodes[i], -look * frames.bitangent2[i]);
-        walking[count] = i;
-        tangents[count++] = tangent;
-      }
-      lead_together(walks, [](size_t) {});
-      // On a fine mesh these wait for memory; in loops of their own they do so together.
-      for (size_t w = 0; w < walks.size(); ++w) {
-        ends[w] = walks[w].end();
-        corners[w] = surface.face(ends[w].face);
-      }
-      for (size_t w = 0; w < walks.size(); ++w) {
-        arrived[w] = position(surface, corners[w], ends[w]);
-        arrived_radius[w] = radius.at(corners[w], ends[w]);
-      }
-      for (uint32_t k = 0; k < count; ++k) {
-        const uint32_t at = walking[k], face = curve.nodes[at].face;
-        const Vec3 &x = frames.position[at], &tangent = tangents[k];
-        for (uint32_t side = 0; side < 2; ++side) {
-          const GeodesicWalk& walk = walks[2 * k + side];
-          const double length = walk.length();
-          const auto face_direction = [&]() -> Vec3 {
-            return surface.to_space(face, (side == 0 ? 1.0 : -1.0) * frames.bitangent2[at]);
-          };
-          Vec3 chord =
-              walk.crossed() ? unit_or_else(arrived[2 * k + side] - x, face_direction) : face_direction();
-          chord -= chord.dot(tangent) * tangent;
-          frames.outward[at][side] = unit_or_else(chord, face_direction);
-          frames.to_boundary[at][side] = walk.hit_boundary() ? length : -1;
-          frames.radius_slope[at][side] = length > 0 ? (arrived_radius[2 * k + side] - metric.radius[at]) / length : 0;
-        }
+    DirectionWalks walks(surface, curve, metric, radius, frames);
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
+      if (i + kTogether < end) surface.fetch_face(curve.nodes[i + kTogether].face);
+      const Vec2 t = flat_tangent(curve, i);
+      frames.tangent[i] = t;
+      frames.bitangent2[i] = Vec2{0, -1} * t;
+      const Vec3 tangent = tangent_in_space(i);
+      if (cached && reuse_directions((*cached)[i], i, tangent, metric.radius[i], frames)) {
+        frames.walked[i] = 0;
+      } else {
+        walks.add(i, tangent);
+        if (walks.full()) walks.finish();
       }
     }
+    walks.finish();
   });
 }
 
 void remember_directions(const Frames& frames, const LocalMetric& metric, ThreadPool& pool,
-                         NodeData<CachedDirections>& looks) {
-  looks.resize(frames.position.size());
-  pool.for_blocks(looks.size(), 2048, [&](size_t, size_t begin, size_t end) {
+                         NodeData<CachedDirections>& cached) {
+  cached.resize(frames.position.size());
+  pool.for_blocks(cached.size(), 2048, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (!frames.walked[i]) continue;
-      CachedDirections& look = looks[i];
-      look.from = frames.position[i];
-      look.radius = static_cast<float>(metric.radius[i]);
+      CachedDirections& known = cached[i];
+      known.from = frames.position[i];
+      known.radius = static_cast<float>(metric.radius[i]);
       for (size_t side = 0; side < 2; ++side) {
-        look.outward[side] = frames.outward[i][side].cast<float>();
-        look.radius_slope[side] = static_cast<float>(frames.radius_slope[i][side]);
-        if (frames.to_boundary[i][side] >= 0) look.radius = 0;
+        known.outward[side] = frames.outward[i][side].cast<float>();
+        known.radius_slope[side] = static_cast<float>(frames.radius_slope[i][side]);
+        if (frames.to_boundary[i][side] >= 0) known.radius = 0;
       }
     }
   });

@@ -38,7 +38,7 @@ struct MedialState {
 /// Finds frames, reach and radii of the curve (section 3.2.2), in the memory that `state` has. Another measure of
 /// distance gets its place here.
 ///
-/// `cached`  what nodes at rest need not look for again, see compute_frames; may be null
+/// `cached`  directions of nodes at rest, see compute_frames; may be null
 /// `radii`   in: of an earlier state, which only save time, or empty; out: the medial radii, in the surface's unit
 void find_medial_state(const MedialScene& scene, const NodeData<CachedDirections>* cached, ThreadPool& pool,
                        MedialState& state, NodeData<Radii>& radii);
