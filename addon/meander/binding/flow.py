@@ -137,6 +137,7 @@ class Flow(Handle):
     seed      a Seed, or None: one small closed strand per component
     density   (vertex count of the surface,) float64, each > 0, or None for 1 everywhere: the
               local spacing is the spacing divided by sqrt(density)
+    context   where it is cancelled, a MeanderError of the status CANCELLED is raised
 
     Raises MeanderError for options out of range, a density of the wrong length or sign, and a seed
     that is off the surface, crosses or touches itself, or is too short.
@@ -150,6 +151,7 @@ class Flow(Handle):
         options: FlowOptions,
         seed: Seed | None = None,
         density: ArrayLike | None = None,
+        context: Context | None = None,
     ) -> None:
         density_array = None
         if density is not None:
@@ -164,16 +166,17 @@ class Flow(Handle):
         record = options_record(options)
         library = native()
         pointer = c_void_p()
-        call(
-            library.meander_flow_create,
-            surface._alive(),
-            None if start is None else byref(start),
-            address_of(density_array),
-            0 if density_array is None else len(density_array),
-            byref(record),
-            byref(pointer),
-            None,
-        )
+        with pointer_of(context) as cancelling:
+            call(
+                library.meander_flow_create,
+                surface._alive(),
+                None if start is None else byref(start),
+                address_of(density_array),
+                0 if density_array is None else len(density_array),
+                byref(record),
+                byref(pointer),
+                cancelling,
+            )
         del seed_arrays
         super().__init__(pointer.value, library.meander_flow_destroy)
         self._busy = threading.Lock()

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .abi import SurfaceOptionsRecord, SurfaceStatisticsRecord
 from .choices import CURVATURES, DIRECTIONS
+from .context import Context, pointer_of
 from .native_library import (
     Handle,
     MeanderError,
@@ -94,6 +95,7 @@ class Surface(Handle):
     faces     (m, 3) uint32, zero-based, each below n
     options   how to prepare a mesh with faults, and which part of it to take; None: as it is
     threads   for a large mesh, at most 256; 0: as many as the machine has; the result is the same
+    context   where it is cancelled, a MeanderError of the status CANCELLED is raised
 
     Whatever the options do, nodes, gaps, errors and densities speak of the vertices and faces that
     were passed here.
@@ -112,6 +114,7 @@ class Surface(Handle):
         faces: ArrayLike,
         options: SurfaceOptions | None = None,
         threads: int = 0,
+        context: Context | None = None,
     ) -> None:
         vertex_array = checked_array("vertices", vertices, np.float64, 3)
         face_array = checked_array("faces", faces, np.uint32, 3)
@@ -121,16 +124,17 @@ class Surface(Handle):
             SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
         )
         record.threads = int(threads)
-        call(
-            library.meander_surface_create,
-            address_of(vertex_array),
-            len(vertex_array),
-            address_of(face_array),
-            len(face_array),
-            byref(record),
-            byref(pointer),
-            None,
-        )
+        with pointer_of(context) as cancelling:
+            call(
+                library.meander_surface_create,
+                address_of(vertex_array),
+                len(vertex_array),
+                address_of(face_array),
+                len(face_array),
+                byref(record),
+                byref(pointer),
+                cancelling,
+            )
         del arrays
         super().__init__(pointer.value, library.meander_surface_destroy)
         self.vertex_count = len(vertex_array)
@@ -148,12 +152,14 @@ class Surface(Handle):
         # The C name has changed since; reports keep the first one.
         return {_FIGURES.get(name, name): value for name, value in figures_of(record).items()}
 
-    def outlines(self, distance: float, spacing: float) -> tuple[Seed, int]:
+    def outlines(
+        self, distance: float, spacing: float, context: Context | None = None
+    ) -> tuple[Seed, int]:
         """Lines along the boundary at a distance from it, as guides for a seed.
 
         Returns them, none for a closed surface, and how many stretches were left out because
         nothing fits there; see meander_surface_find_outlines. Raises MeanderError for lengths out
-        of range.
+        of range, and a few milliseconds after `context` has been cancelled.
         """
         function = native().meander_surface_find_outlines
         points, strands, skipped = c_size_t(), c_size_t(), c_size_t()
@@ -162,21 +168,22 @@ class Surface(Handle):
             positions = np.empty((point_room, 3))
             offsets = np.zeros(strand_room + 1, dtype=np.uint64)
             closed = np.empty(strand_room, dtype=np.uint8)
-            call(
-                function,
-                self._alive(),
-                float(distance),
-                float(spacing),
-                address_of(positions),
-                point_room,
-                byref(points),
-                address_of(offsets),
-                address_of(closed),
-                strand_room,
-                byref(strands),
-                byref(skipped),
-                None,
-            )
+            with pointer_of(context) as cancelling:
+                call(
+                    function,
+                    self._alive(),
+                    float(distance),
+                    float(spacing),
+                    address_of(positions),
+                    point_room,
+                    byref(points),
+                    address_of(offsets),
+                    address_of(closed),
+                    strand_room,
+                    byref(strands),
+                    byref(skipped),
+                    cancelling,
+                )
             if points.value <= point_room and strands.value <= strand_room:
                 break
             point_room, strand_room = points.value, strands.value

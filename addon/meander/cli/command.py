@@ -19,7 +19,7 @@ from .grown import grown_of
 from .input import Input
 from .reading import need_bpy, read_input
 from .values import BadInput
-from .watching import run, summary
+from .watching import interruptible, run, summary
 from .writing import echo, write_outputs
 
 
@@ -38,7 +38,7 @@ def _process(argv: Sequence[str]) -> None:
         print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
     opened = _open(given)
     with opened.flow as flow:
-        reason = run(flow, options.iteration_limit, arguments.quiet)
+        reason = run(flow, arguments.quiet)
         figures = flow.statistics() | {"stop_reason": reason}
         record = report.build_report(
             core.library_version(),
@@ -65,7 +65,7 @@ def _process(argv: Sequence[str]) -> None:
 def _open(given: Input) -> Opened:
     """Opens the flow; an error names elements as the user counts them."""
     try:
-        return open_flow(given.problem)
+        return interruptible(lambda context: open_flow(given.problem, context))
     except core.MeanderError as refusal:
         named = refusal
         if given.surface_object is not None:

@@ -3,19 +3,61 @@
 
 from __future__ import annotations
 
+import threading
 import time
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 from .. import core
 
-# A line of progress for every so many iterations, or seconds.
-_PROGRESS_ITERATIONS = 10
+# A line of progress for every so much of the run, or so many seconds.
+_PROGRESS_SHARE = 0.1
 _PROGRESS_SECONDS = 10.0
 # The longest time between two polls of a run, in seconds.
 _LONGEST_PAUSE = 0.1
 
 
-def run(flow: core.Flow, iteration_limit: int, quiet: bool) -> str:
+_Result = TypeVar("_Result")
+
+
+def interruptible(work: Callable[[core.Context], _Result]) -> _Result:
+    """Does work that the library may take long for, and returns what it returns.
+
+    work   on a thread of its own, so that this one hears an interruption from the keyboard, which
+           cancels the context that it is given. Not for what touches Blender's data
+
+    Raises what the work raises, and an interruption once the work has ended.
+    """
+    results: list[_Result] = []
+    errors: list[BaseException] = []
+    done = threading.Event()
+
+    def do() -> None:
+        try:
+            results.append(work(context))
+        except BaseException as error:
+            errors.append(error)
+        finally:
+            done.set()
+
+    with core.Context() as context:
+        thread = threading.Thread(target=do, name="meander opens a flow")
+        try:
+            thread.start()
+            # Not thread.join(): Python 3.11 takes a thread for ended whose join was interrupted.
+            while not done.wait(_LONGEST_PAUSE):
+                pass
+        except BaseException:  # also while the thread starts
+            context.cancel()
+            if thread.ident is not None:
+                done.wait()
+            raise
+    if errors:
+        raise errors[0]
+    return results[0]
+
+
+def run(flow: core.Flow, quiet: bool) -> str:
     """Runs the flow to its end and returns the stop reason.
 
     The library runs it on a thread of its own, so that this one can print and hear an interruption;
@@ -23,7 +65,6 @@ def run(flow: core.Flow, iteration_limit: int, quiet: bool) -> str:
     """
     started = time.monotonic()
     printed, printed_at = 0.0, started
-    interval = _PROGRESS_ITERATIONS / iteration_limit
     pause = 0.001
     with core.Context() as context:
         flow.start(context)
@@ -32,13 +73,9 @@ def run(flow: core.Flow, iteration_limit: int, quiet: bool) -> str:
                 time.sleep(pause)
                 pause = min(2 * pause, _LONGEST_PAUSE)  # a short run is not waited for
                 progress, now = context.progress, time.monotonic()
-                due = progress >= printed + interval or now >= printed_at + _PROGRESS_SECONDS
+                due = progress >= printed + _PROGRESS_SHARE or now >= printed_at + _PROGRESS_SECONDS
                 if due and not quiet and flow.running:
-                    print(
-                        f"meander: {progress:.1%} of at most {iteration_limit} iterations after "
-                        f"{now - started:.1f} s",
-                        flush=True,
-                    )
+                    print(f"meander: {progress:.0%} after {now - started:.1f} s", flush=True)
                     printed, printed_at = progress, now
         except BaseException:  # an interruption from the keyboard, above all
             context.cancel()

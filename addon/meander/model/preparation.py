@@ -65,13 +65,18 @@ def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
 
 
 def outlined(
-    seed: core.Seed | None, surface: core.Surface, distance: float, spacing: float
+    seed: core.Seed | None,
+    surface: core.Surface,
+    distance: float,
+    spacing: float,
+    context: core.Context | None = None,
 ) -> tuple[core.Seed | None, int]:
     """The seed with outlines along the border as guides behind it, and how many had no room.
 
     distance, spacing   in the surface's units
+    context             stops the search where it is cancelled, with a core.MeanderError
     """
-    outlines, skipped = surface.outlines(distance, spacing)
+    outlines, skipped = surface.outlines(distance, spacing, context)
     count = len(outlines.closed)
     if not count:
         return seed, skipped

@@ -61,23 +61,25 @@ class Opened:
     figures: dict[str, Any]
 
 
-def open_flow(problem: Problem) -> Opened:
+def open_flow(problem: Problem, context: core.Context | None = None) -> Opened:
     """Makes surface, density, outlines, flow and directions of a problem, in this order.
 
     The one place where a run begins: the operator, the batch command and the followers of surfaces
-    in motion all come through here. Raises core.MeanderError.
+    in motion all come through here. Raises core.MeanderError, of the status CANCELLED where
+    `context` has been cancelled meanwhile.
     """
     options = problem.options
     with core.Surface(
-        problem.vertices, problem.faces, problem.surface_options, options.threads
+        problem.vertices, problem.faces, problem.surface_options, options.threads, context
     ) as surface:
         figures = surface.statistics()
         density = _evaluated(problem.density, surface)
         seed = problem.seed
         if problem.outline:
-            seed, skipped = outlined(seed, surface, problem.outline, 2.0 * options.radius)
+            spacing = 2.0 * options.radius
+            seed, skipped = outlined(seed, surface, problem.outline, spacing, context)
             figures["skipped_outlines"] = skipped
-        flow = core.Flow(surface, options, seed, density)
+        flow = core.Flow(surface, options, seed, density, context)
         try:
             directions = _evaluated(problem.directions, surface)
             if directions is not None:
