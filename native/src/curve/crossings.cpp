@@ -134,7 +134,8 @@ bool touch(const Piece& p, const Piece& q) {
 }
 
 /// Marks the faces that changed segments run through.
-void CrossingTest::mark(const Surface& surface, const Curve& curve, ThreadPool& pool, const std::vector<uint8_t>& changed) {
+void CrossingTest::mark(const Surface& surface, const Curve& curve, ThreadPool& pool,
+                        const std::vector<uint8_t>& changed) {
   for (std::vector<uint32_t>& faces : marked_faces_) {
     for (const uint32_t f : faces) marked_[f] = 0;
     faces.clear();

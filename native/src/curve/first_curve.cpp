@@ -43,8 +43,10 @@ class Loops {
   void add(const Region& region, double r, bool widen) {
     // Where the spacing is near the size of the surface a circle that wide would wrap round it.
     double wide = std::min(tuning::kFirstLoop * r, 0.25);
+    const double narrowest = tuning::kNarrowestLoop * r;
     if (region.guided) {
-      for (wide = std::min(wide, tuning::kLoopShareOfRoom * region.room); wide > tuning::kNarrowestLoop * r; wide /= 2) {
+      wide = std::min(wide, tuning::kLoopShareOfRoom * region.room);
+      for (; wide > narrowest; wide /= 2) {
         if (add_circle(region.middle, wide)) return;
       }
       return;
@@ -54,7 +56,7 @@ class Loops {
     for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface_.corner(f, next_corner(k)) - surface_.corner(f, k));
     const double incircle = 2 * surface_.face_area(f) / perimeter;
     const bool sliver = incircle < tuning::kTightFace * r && incircle < tuning::kSliverFace * perimeter;
-    for (; (widen && perimeter < 2 * std::numbers::pi * wide) || (sliver && wide > tuning::kNarrowestLoop * r); wide /= 2) {
+    for (; (widen && perimeter < 2 * std::numbers::pi * wide) || (sliver && wide > narrowest); wide /= 2) {
       if (add_circle(region.middle, wide)) return;
     }
     add_outline(f);

@@ -13,30 +13,30 @@ namespace {
 /// Nodes that a thread takes at a time.
 constexpr size_t kBlock = 2048;
 
-/// Way along a strand, in units of the local r, and turning up to a node; a closed strand goes round
-/// for ever, so nodes are numbered before the first and after the last as well.
+/// Arc length along a strand, in units of the local r, and turning up to a node. A closed strand has no end,
+/// so nodes are numbered before the first and after the last as well.
 class Course {
  public:
   Course(const Curve& curve, const Strand& strand, const LocalMetric& metric, ThreadPool& pool)
-      : closed_(strand.closed), count_(strand.count), way_(strand.count + 1, 0), turn_(strand.count + 1, 0) {
+      : closed_(strand.closed), count_(strand.count), arc_length_(strand.count + 1, 0), turn_(strand.count + 1, 0) {
     pool.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k) {
         const uint32_t i = strand.first + static_cast<uint32_t>(k), before = curve.previous(i);
         if (!curve.has_segment(i)) continue;
-        way_[k + 1] = curve.shapes[i].length / metric.radius[i];
+        arc_length_[k + 1] = curve.shapes[i].length / metric.radius[i];
         if (before == kNone) continue;
         const Vec2 t = curve.shapes[i].leaving * conj(curve.shapes[before].arriving);
         turn_[k + 1] = std::atan2(t.y, t.x);
       }
     });
-    std::partial_sum(way_.begin(), way_.end(), way_.begin());
+    std::partial_sum(arc_length_.begin(), arc_length_.end(), arc_length_.begin());
     std::partial_sum(turn_.begin(), turn_.end(), turn_.begin());
   }
 
   int64_t begin() const { return closed_ ? -count_ : 0; }
   int64_t end() const { return closed_ ? 2 * count_ : count_; }
-  double total() const { return way_[static_cast<size_t>(count_)]; }
-  double way(int64_t k) const { return at(way_, k); }
+  double total() const { return arc_length_[static_cast<size_t>(count_)]; }
+  double arc_length(int64_t k) const { return at(arc_length_, k); }
   /// Sum of the turns at the nodes before k.
   double turn(int64_t k) const { return at(turn_, k); }
 
@@ -45,7 +45,7 @@ class Course {
     int64_t low = begin(), high = end();
     while (low < high) {
       const int64_t middle = low + (high - low) / 2;
-      if (way(middle) < place) {
+      if (arc_length(middle) < place) {
         low = middle + 1;
       } else {
         high = middle;
@@ -63,18 +63,19 @@ class Course {
 
   bool closed_;
   int64_t count_;
-  std::vector<double> way_, turn_;
+  std::vector<double> arc_length_, turn_;
 };
 
 std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool& pool) {
   // Turning within half a window to both sides of every node.
   std::vector<double> turning(strand.count);
   pool.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
-    int64_t first = course.first_after(course.way(static_cast<int64_t>(begin)) - tuning::kHairpinWindow / 2), last = first;
+    const double start = course.arc_length(static_cast<int64_t>(begin));
+    int64_t first = course.first_after(start - tuning::kHairpinWindow / 2), last = first;
     for (auto k = static_cast<int64_t>(begin); k < static_cast<int64_t>(end); ++k) {
-      const double place = course.way(k);
-      while (first < k && course.way(first) < place - tuning::kHairpinWindow / 2) ++first;
-      while (last < course.end() && course.way(last) < place + tuning::kHairpinWindow / 2) ++last;
+      const double place = course.arc_length(k);
+      while (first < k && course.arc_length(first) < place - tuning::kHairpinWindow / 2) ++first;
+      while (last < course.end() && course.arc_length(last) < place + tuning::kHairpinWindow / 2) ++last;
       turning[static_cast<size_t>(k)] = course.turn(last) - course.turn(first);
     }
   });
@@ -87,7 +88,7 @@ std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool
     if (!turns(k) || (has_before && turns(k + strand.count - 1))) continue;
     int64_t end = k;
     while (end < (strand.closed ? k + strand.count : int64_t{strand.count}) && turns(end)) ++end;
-    hairpins.push_back({0.5 * (course.way(k) + course.way(end - 1)), side});
+    hairpins.push_back({0.5 * (course.arc_length(k) + course.arc_length(end - 1)), side});
   }
   return hairpins;
 }

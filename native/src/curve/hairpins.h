@@ -4,8 +4,8 @@
 //
 // Nearly all uneven spacing lies beside hairpins, and no local force removes one: a finger may grow
 // or shrink by any length at the same energy, since straight strands are pulled alike from both
-// sides. So they have to be sorted out along the strand. Two neighbouring hairpins that turn opposite
-// ways bound a run that lies, with the strand before and after it, three times side by side (an S
+// sides. So they have to be sorted out along the strand. Two neighbouring hairpins that turn to opposite
+// sides bound a run that lies, with the strand before and after it, three times side by side (an S
 // pulled long). When the run has shrunk to nothing both hairpins are gone.
 #pragma once
 
@@ -18,7 +18,7 @@
 namespace meander {
 
 struct Hairpin {
-  double at = 0;  ///< way along the strand from its first node, in units of the local r
+  double at = 0;  ///< arc length along the strand from its first node, in units of the local r
   int side = 1;   ///< 1 turns left, -1 right
 };
 
@@ -27,7 +27,7 @@ std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand, con
                                    ThreadPool& pool);
 
 /// Marks (1, others 0) the nodes of the shortest runs, the `share` of all, between two hairpins that
-/// turn opposite ways, with 2 r beyond them.
+/// turn to opposite sides, with 2 r beyond them.
 NodeData<uint8_t> mark_short_runs(const Curve& curve, const LocalMetric& metric, double share,
                                      ThreadPool& pool);
 

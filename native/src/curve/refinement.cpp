@@ -150,10 +150,9 @@ void Refinement::make(const Surface& surface, const Curve& curve, Change& change
   }
 }
 
-/// Fills next_ with what stays and what is changed. The paths of segments that do not change are moved
-/// there, not copied: give_back() undoes it.
-void Refinement::lay_out(Curve& curve, ThreadPool& pool) {
-  // Where the nodes of the strands and of the changes come to be.
+/// Finds where the nodes of the strands and of the changes come to be; fills next_.strands and places_, and returns
+/// the number of nodes.
+uint32_t Refinement::find_places(const Curve& curve) {
   places_.resize(changes_.size());
   next_.strands = curve.strands;
   uint32_t shift = 0;  // modulo 2^32
@@ -167,50 +166,64 @@ void Refinement::lay_out(Curve& curve, ThreadPool& pool) {
     strand.first += before;
     strand.count += shift - before;
   }
-  const uint32_t count = curve.size() + shift;
+  return curve.size() + shift;
+}
+
+void Refinement::put_node(uint32_t place, const SurfacePoint& node, uint8_t fixed, uint32_t origin) {
+  next_.nodes[place] = node;
+  next_.fixed[place] = fixed;
+  origin_[place] = origin;
+}
+
+/// Puts what replaces segment change.from, without the node where it begins.
+void Refinement::put_change(const Curve& curve, const Change& change, uint32_t place) {
+  for (uint32_t p = 0; p < change.segments; ++p) {
+    if (p > 0) put_node(place + p, new_nodes_[change.slot + p], curve.on_guide(change.from), change.from);
+    next_.paths[place + p].swap(new_paths_[change.slot + p]);
+    next_.shapes[place + p] = new_shapes_[change.slot + p];
+    changed_[place + p] = 1;
+  }
+}
+
+/// Puts the old nodes begin to end - 1 and the segments after them.
+void Refinement::put_block(Curve& curve, uint32_t begin, uint32_t end) {
+  uint32_t i = begin;
+  auto next = static_cast<size_t>(std::ranges::lower_bound(changes_, i, {}, &Change::from) - changes_.begin());
+  // What comes before the next change is as far from its old place as that is.
+  const auto place_of = [&](uint32_t node) {
+    return next < changes_.size() ? places_[next] - (changes_[next].from - node)
+                                  : next_.size() - (curve.size() - node);
+  };
+  if (next > 0 && changes_[next - 1].removed() && curve.next(changes_[next - 1].from) == i) ++i;
+  while (i < end) {
+    const uint32_t place = place_of(i);
+    put_node(place, curve.nodes[i], curve.fixed[i], i);
+    if (next < changes_.size() && changes_[next].from == i) {
+      put_change(curve, changes_[next], place);
+      i += 1 + changes_[next].removed();
+      ++next;
+      continue;
+    }
+    next_.paths[place].swap(curve.paths[i]);
+    next_.shapes[place] = curve.shapes[i];
+    changed_[place] = 0;
+    ++i;
+  }
+}
+
+/// Fills next_ with what stays and what is changed. The paths of segments that do not change are moved
+/// there, not copied: give_back() undoes it.
+void Refinement::lay_out(Curve& curve, ThreadPool& pool) {
+  const uint32_t count = find_places(curve);
   next_.nodes.resize(count);
   next_.fixed.resize(count);
   next_.paths.resize(count);
   next_.shapes.resize(count);
   origin_.resize(count);
   changed_.resize(count);
-
-  const auto put = [&](uint32_t place, const SurfacePoint& node, uint8_t fixed, uint32_t origin) {
-    next_.nodes[place] = node;
-    next_.fixed[place] = fixed;
-    origin_[place] = origin;
-  };
-  const auto put_change = [&](const Change& change, uint32_t place) {
-    for (uint32_t p = 0; p < change.segments; ++p) {
-      if (p > 0) put(place + p, new_nodes_[change.slot + p], curve.on_guide(change.from), change.from);
-      next_.paths[place + p].swap(new_paths_[change.slot + p]);
-      next_.shapes[place + p] = new_shapes_[change.slot + p];
-      changed_[place + p] = 1;
-    }
-  };
   // Nothing below may fail half-way, so what for_blocks would have to allocate is here.
   const std::function<void(size_t, size_t, size_t)> fill = [&](size_t, size_t begin, size_t end) {
-    auto i = static_cast<uint32_t>(begin);
-    auto next = static_cast<size_t>(std::ranges::lower_bound(changes_, i, {}, &Change::from) - changes_.begin());
-    // What comes before the next change is as far from its old place as that is.
-    const auto place_of = [&](uint32_t node) {
-      return next < changes_.size() ? places_[next] - (changes_[next].from - node) : count - (curve.size() - node);
-    };
-    if (next > 0 && changes_[next - 1].removed() && curve.next(changes_[next - 1].from) == i) ++i;
-    while (i < end) {
-      const uint32_t place = place_of(i);
-      put(place, curve.nodes[i], curve.fixed[i], i);
-      if (next < changes_.size() && changes_[next].from == i) {
-        put_change(changes_[next], place);
-        i += 1 + changes_[next].removed();
-        ++next;
-        continue;
-      }
-      next_.paths[place].swap(curve.paths[i]);
-      next_.shapes[place] = curve.shapes[i];
-      changed_[place] = 0;
-      ++i;
-    }
+    put_block(curve, static_cast<uint32_t>(begin), static_cast<uint32_t>(end));
   };
   lent_ = true;
   pool.for_blocks(curve.size(), kBlock, fill);

@@ -40,6 +40,10 @@ class Refinement {
   uint32_t parts_of(const Curve& curve, const NodeData<double>& target, uint32_t i) const;
   void choose(const Curve& curve, const NodeData<double>& target, ThreadPool& pool);
   void make(const Surface& surface, const Curve& curve, Change& change, PathShortener& shortener);
+  uint32_t find_places(const Curve& curve);
+  void put_node(uint32_t place, const SurfacePoint& node, uint8_t fixed, uint32_t origin);
+  void put_change(const Curve& curve, const Change& change, uint32_t place);
+  void put_block(Curve& curve, uint32_t begin, uint32_t end);
   void lay_out(Curve& curve, ThreadPool& pool);
   bool propose(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool);
   void give_back(Curve& curve);

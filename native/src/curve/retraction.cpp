@@ -22,7 +22,7 @@ constexpr uint32_t kAhead = 4;
 constexpr size_t kFar = 4;
 
 /// A guess that ends farther from its goal than this share of its length, or whose length changes by more
-/// when it is pulled straight, is none: on thin limbs it might lead round the other side.
+/// when it is pulled straight, is none: on thin limbs it might lead around the other side.
 constexpr double kAstray = 0.25;
 
 /// Walks that a guess may take, each aimed by what the one before has missed.
@@ -114,8 +114,8 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const NodeDat
 
 /// Joins the moved nodes again. Where they have walked over many faces the new segment is first guessed: a
 /// straight walk costs the faces that it crosses, while a path that follows its ends is led over all the
-/// vertices that they have passed by. A guess might come to the same place by another way round a handle
-/// or a hole, so there must be none.
+/// vertices that they have passed by. A guess might come to the same place by another path around a handle
+/// or a hole, so the surface must have none.
 void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
                            const std::vector<uint8_t>* only, ThreadPool& pool) {
   const bool may_guess = surface.simply_connected();
@@ -151,7 +151,7 @@ void Retraction::guess(const Surface& surface, const Curve& old, const NodeData<
                        std::span<const uint32_t> segments, PathShortener& shortener) {
   std::vector<GeodesicWalk> walks;
   walks.reserve(kTogether);
-  std::array<Vec2, kTogether> way;  // of every walk
+  std::array<Vec2, kTogether> displacements;  // of every walk
   while (!segments.empty()) {
     const auto together = segments.first(std::min<size_t>(kTogether, segments.size()));
     segments = segments.subspan(together.size());
@@ -159,15 +159,15 @@ void Retraction::guess(const Surface& surface, const Curve& old, const NodeData<
     for (const uint32_t i : together) surface.fetch_face(next_.nodes[i].face);
     for (const uint32_t i : together) {
       next_.paths[i].clear();
-      way[walks.size()] = chord(surface, old, displacement, i);
-      walks.emplace_back(surface, next_.nodes[i], way[walks.size()]);
+      displacements[walks.size()] = chord(surface, old, displacement, i);
+      walks.emplace_back(surface, next_.nodes[i], displacements[walks.size()]);
     }
     lead_together(walks, [&](size_t k) { next_.paths[together[k]].push_back(walks[k].crossing()); });
     for (size_t k = 0; k < together.size(); ++k) {
       const uint32_t i = together[k], j = old.next(i);
       const SurfacePoint &start = next_.nodes[i], &goal = next_.nodes[j];
       Path& path = next_.paths[i];
-      std::optional<PathShape> shape = aim(surface, start, goal, way[k], walks[k], path, shortener);
+      std::optional<PathShape> shape = aim(surface, start, goal, displacements[k], walks[k], path, shortener);
       if (!shape) {
         path = old.paths[i];
         shape = shortener.follow(start, goal, traces_[i], traces_[j], path);
@@ -177,14 +177,14 @@ void Retraction::guess(const Surface& surface, const Curve& old, const NodeData<
   }
 }
 
-/// Makes a shortest path to `goal` of a walk by `way` from `start`, and of its `path`; where the surface bends
-/// on the way, so that the walk ends elsewhere, it is aimed again by what it has missed. Nothing, and
+/// Makes a shortest path to `goal` of a walk by `displacement` from `start`, and of its `path`; where the
+/// surface bends in between, so that the walk ends elsewhere, it is aimed again by what it has missed. Nothing, and
 /// `path` is anything then, if that leads nowhere.
 std::optional<PathShape> Retraction::aim(const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal,
-                                         Vec2 way, const GeodesicWalk& first, Path& path,
+                                         Vec2 displacement, const GeodesicWalk& first, Path& path,
                                          PathShortener& shortener) {
   std::optional<GeodesicWalk> again;
-  Vec2 aimed = way;
+  Vec2 aimed = displacement;
   for (int shot = 1;; ++shot) {
     const GeodesicWalk& walk = again ? *again : first;
     const SurfacePoint end = walk.end();
@@ -196,14 +196,14 @@ std::optional<PathShape> Retraction::aim(const Surface& surface, const SurfacePo
     }
     if (shot == kShots) return std::nullopt;
     aimed = aimed + surface.to_plane(end.face, missed) * conj(walk.direction()) * unit(aimed);
-    if (!(norm(aimed - way) <= norm(way))) return std::nullopt;
+    if (!(norm(aimed - displacement) <= norm(displacement))) return std::nullopt;
     again.emplace(surface, start, aimed);
     path.clear();
     while (again->step()) path.push_back(again->crossing());
   }
 }
 
-/// The way from a moved node to the next one, in the plane of its new face, as it is where the surface is
+/// The straight line from a moved node to the next one, in the plane of its new face, as it is where the surface is
 /// flat between the old segment and the new one.
 Vec2 Retraction::chord(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
                        uint32_t i) const {
@@ -216,8 +216,8 @@ Vec2 Retraction::chord(const Surface& surface, const Curve& old, const NodeData<
   return trace.carried(shape.length * shape.leaving + step_there - step_here);
 }
 
-/// Marks the nodes of a strand up to `reach` beyond a marked one, both ways: two walks each way round,
-/// since what starts before the join goes on after it.
+/// Marks the nodes of a strand up to `reach` beyond a marked one, in both directions: twice around a closed
+/// strand in each, since what starts before the join goes on after it.
 void Retraction::spread(const Strand& strand, uint32_t reach) {
   if (reach == 0) return;
   const uint32_t rounds = strand.closed ? 2 : 1;

@@ -30,8 +30,8 @@ class Retraction {
   /// Nodes that do not move, and the segments between them, are kept to the last bit; that the old
   /// curve has no crossings therefore guarantees an end.
   /// Returns how far along the surface every node has really gone; valid until the next call.
-  const NodeData<double>& move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement, ThreadPool& pool,
-                               MoveSeconds& seconds);
+  const NodeData<double>& move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement,
+                               ThreadPool& pool, MoveSeconds& seconds);
 
   /// Makes every segment, but those of guides, a shortest geodesic again between nodes that stay, after the
   /// surface has moved under `curve`, whose shapes are those of its paths as they are. It has no crossings and
@@ -48,7 +48,8 @@ class Retraction {
   void guess(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
              std::span<const uint32_t> segments, PathShortener& shortener);
   static std::optional<PathShape> aim(const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal,
-                                      Vec2 way, const GeodesicWalk& first, Path& path, PathShortener& shortener);
+                                      Vec2 displacement, const GeodesicWalk& first, Path& path,
+                                      PathShortener& shortener);
   Vec2 chord(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement, uint32_t i) const;
   void spread(const Strand& strand, uint32_t reach);
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);

@@ -45,7 +45,7 @@ float rounded_up(double v) {
 }
 
 /// Trees of fewer runs are built before a thread is awake.
-constexpr uint32_t kWorthATeam = 128;
+constexpr uint32_t kWorthThreads = 128;
 
 /// Coordinates below 8 and three subtractions, squares and sums in single precision err by less than
 /// this in a distance, so a box that a ball of this much more misses is missed by the ball.
@@ -102,7 +102,7 @@ void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool) 
   });
   nodes_.clear();
   nodes_.reserve(count / 2 + 4);
-  if (count > 0) add_branch(nodes_, 0, count, count > kWorthATeam ? &pool : nullptr);
+  if (count > 0) add_branch(nodes_, 0, count, count > kWorthThreads ? &pool : nullptr);
 }
 
 /// Puts the runs that come first along the widest axis before `middle`.
@@ -183,6 +183,32 @@ uint32_t CurveBvh::add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t
   return at;
 }
 
+/// Shrinks a ball until no point of a run is in it; true if it had to.
+inline bool CurveBvh::shrinks_to(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+                                 uint32_t* touched) const {
+  const size_t first = size_t{run} * kRun, end = std::min<size_t>(first + kRun, points_.size());
+  bool smaller = false;
+  for (size_t i = first; i < end; ++i) {
+    const double ux = point(i).x() - x.x(), uy = point(i).y() - x.y(), uz = point(i).z() - x.z();
+    const double squared = ux * ux + uy * uy + uz * uz;
+    const double ahead = ux * b.x() + uy * b.y() + uz * b.z();
+    if (touched) {
+      // Of points that limit the ball alike the first is the one, in whatever order they come.
+      constexpr double kRounding = 1 + 1e-14;
+      if (!(ahead > 0) || !(squared <= 2 * radius * ahead * kRounding)) continue;
+      const double r = squared / (2 * ahead);
+      if (!(r < radius || (r == radius && *touched != UINT32_MAX && i < *touched))) continue;
+      smaller = smaller || r < radius;
+      radius = r;
+      *touched = static_cast<uint32_t>(i);
+    } else if (squared < 2 * radius * ahead) {
+      radius = squared / (2 * ahead);
+      smaller = true;
+    }
+  }
+  return smaller;
+}
+
 double CurveBvh::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                              uint32_t* touched) const {
   if (touched) *touched = UINT32_MAX;
@@ -202,27 +228,7 @@ double CurveBvh::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b
     const Place place = stack[--top];
     if (place.distance >= ball.squared) continue;
     if (place.id & kLeaf) {
-      const size_t first = size_t{place.id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_.size());
-      bool smaller = false;
-      for (size_t i = first; i < end; ++i) {
-        const double ux = point(i).x() - x.x(), uy = point(i).y() - x.y(), uz = point(i).z() - x.z();
-        const double squared = ux * ux + uy * uy + uz * uz;
-        const double ahead = ux * b.x() + uy * b.y() + uz * b.z();
-        if (touched) {
-          // Of points that limit the ball alike the first is the one, in whatever order they come.
-          constexpr double kRounding = 1 + 1e-14;
-          if (!(ahead > 0) || !(squared <= 2 * radius * ahead * kRounding)) continue;
-          const double r = squared / (2 * ahead);
-          if (!(r < radius || (r == radius && *touched != UINT32_MAX && i < *touched))) continue;
-          smaller = smaller || r < radius;
-          radius = r;
-          *touched = static_cast<uint32_t>(i);
-        } else if (squared < 2 * radius * ahead) {
-          radius = squared / (2 * ahead);
-          smaller = true;
-        }
-      }
-      if (smaller) {
+      if (shrinks_to(place.id & ~kLeaf, x, b, radius, touched)) {
         ball = Ball(x, b, radius);
         // Distances from the old centre say nothing of the new ball.
         for (int k = 0; k < top; ++k) stack[k].distance = 0;
@@ -281,7 +287,7 @@ bool CurveBvh::runs_near(const Box& box, Candidates& found) const {
   return true;
 }
 
-/// The largest ball as far as these runs limit it. `limiting` is a run to look at first, the one that
+/// The largest ball as far as these runs limit it. `limiting` is a run to visit first, the one that
 /// limited the ball beside this one, and receives the one that limits this; UINT32_MAX for none.
 double CurveBvh::largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
                                    double most, uint32_t& limiting) const {

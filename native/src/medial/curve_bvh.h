@@ -43,7 +43,7 @@ class CurveBvh {
                       uint32_t* touched = nullptr) const;
 
   /// largest_ball for the points first .. last - 1 themselves, on both sides of each, in a third of the
-  /// time: neighbours on the curve look for what limits them among the same few runs, which one walk
+  /// time: neighbours on the curve find what limits them among the same few runs, which one walk
   /// finds for all of them.
   ///
   /// `b`      per point, directions of its two balls
@@ -79,6 +79,8 @@ class CurveBvh {
     uint32_t run[kMost];
     uint32_t count;
   };
+  bool shrinks_to(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+                  uint32_t* touched) const;
   bool runs_near(const Box& box, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                             uint32_t& limiting) const;

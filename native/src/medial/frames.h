@@ -25,9 +25,8 @@ struct Frames {
   /// tuning::kChord local r (the centre of a ball of the wanted size is at 1), less the part of it that lies
   /// along the strand. That needs no normals, so noise in them does not matter.
   NodeData<std::array<Vec3, 2>> outward;
-  /// How far the geodesic along +-B came before the boundary stopped it, at most tuning::kChord
-  /// local r; negative where
-  /// it was not stopped.
+  /// How far the geodesic along +-B came before the boundary stopped it, at most tuning::kChord local r;
+  /// negative where it was not stopped.
   NodeData<std::array<double, 2>> to_boundary;
   /// How fast the local r grows along that geodesic: its change per length. 0 without density.
   NodeData<std::array<double, 2>> radius_slope;
@@ -45,10 +44,10 @@ struct CachedDirections {
 
 /// Fills `frames`; `metric` is that of the nodes, `radius` is r.
 ///
-/// `cached`  directions per node, or null: a node within tuning::kRest of where its directions were found, and whose strand
-///           has not turned by more than tuning::kTurn since, leads no geodesics but turns them with its strand. They are
-///           then off by an angle of the order of tuning::kRest, less where the surface is smooth. Nodes whose geodesics met
-///           the boundary always lead them again.
+/// `cached`  directions per node, or null: a node within tuning::kRest of where its directions were found, and whose
+///           strand has not turned by more than tuning::kTurn since, leads no geodesics but turns them with its
+///           strand. They are then off by an angle of the order of tuning::kRest, less where the surface is smooth.
+///           Nodes whose geodesics met the boundary always lead them again.
 void compute_frames(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
                     ThreadPool& pool, Frames& frames, const NodeData<CachedDirections>* cached = nullptr);
 

@@ -90,8 +90,8 @@ std::vector<FreeEnd> find_free_ends(const Surface& surface, const Curve& curve, 
       double most = metric.max_radius[i];
       if (rule == BoundaryRule::kCentre && !boundary.empty()) {
         scratch.clear();
-        const Trace way = trace_geodesic(surface, node, (most - metric.overhang[i]) * end.ahead, scratch);
-        if (way.hit_boundary) most = std::clamp(way.length + metric.overhang[i], 0.0, most);
+        const Trace to_boundary = trace_geodesic(surface, node, (most - metric.overhang[i]) * end.ahead, scratch);
+        if (to_boundary.hit_boundary) most = std::clamp(to_boundary.length + metric.overhang[i], 0.0, most);
       }
       scratch.clear();
       BallAhead ball(frames.position[i], outward, most);

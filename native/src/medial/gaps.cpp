@@ -44,7 +44,7 @@ Gap climb(const Emptiness& emptiness, Gap gap) {
   const double finest = kFinestStep * emptiness.local_radius(gap.centre);
   const double eighth = 2 * std::numbers::pi / kDirections;
   const Vec2 turn{std::cos(eighth), std::sin(eighth)};
-  // Other directions after every failure, so that a crease or the boundary does not hide the way.
+  // Other directions after every failure, so that neither a crease nor the boundary hides where the size grows.
   const Vec2 offset{std::cos(0.382 * eighth), std::sin(0.382 * eighth)};
   Vec2 direction{1, 0};
   double step = 0.25 * gap.radius;
@@ -70,7 +70,7 @@ Gap climb(const Emptiness& emptiness, Gap gap) {
 }
 
 /// The largest first, without those whose centre is within `share` radii of a larger one, and
-/// with `along_surface` on a face that looks the same way.
+/// with `along_surface` on a face that is turned to the same side.
 std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, double share, bool along_surface) {
   const auto face_each_other = [&](const Gap& a, const Gap& b) {
     return surface.face_normal(a.centre.face).dot(surface.face_normal(b.centre.face)) < 0;

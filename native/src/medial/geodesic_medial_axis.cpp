@@ -28,7 +28,7 @@ constexpr int kMostShots = 6;
 constexpr double kLost = 0.7;
 
 /// Balls larger than this many r are seen only while a curve grows, and fine faces make the search in them
-/// dear: there straight paths that a shot finds are all that counts.
+/// expensive: there straight paths that a shot finds are all that counts.
 constexpr double kLarge = 3;
 
 /// A ball in space that holds this many nodes is hardly ever empty on the surface.
@@ -57,13 +57,14 @@ class Balls {
   Balls(const Surface& surface, const Obstacles& obstacles, const CurveBvh& tree)
       : surface_(surface), obstacles_(obstacles), tree_(tree), distance_(surface) {}
 
-  /// The radius of the largest empty ball that starts at a node towards `way` (unit, in the plane of its
-  /// face). `outward` is about the direction of its centre in space, `usual` about the radius to be
+  /// The radius of the largest empty ball that starts at a node along `direction` (unit, in the plane
+  /// of its face). `outward` is about the direction of its centre in space, `usual` about the radius to be
   /// expected where that misleads, `last` that of an earlier state, or 0.
-  double largest(uint32_t node, Vec2 way, const Vec3& outward, const ReachOfSide& reach, double usual, double last) {
+  double largest(uint32_t node, Vec2 direction, const Vec3& outward, const ReachOfSide& reach, double usual,
+                 double last) {
     node_ = node;
-    way_ = way;
-    ray_.reset(surface_, obstacles_.points[node], way);
+    direction_ = direction;
+    ray_.reset(surface_, obstacles_.points[node], direction);
     large_ = kLarge * usual * (1 + kEmpty);
     const double most = std::min(reach.radius, reach.centre);
     const double radius = largest_on_surface(outward, most, usual, last);
@@ -71,8 +72,8 @@ class Balls {
   }
 
  private:
-  /// Where the centre of a ball is, and in which direction (unit, in the plane of its face) the way from
-  /// the node arrives there.
+  /// Where the centre of a ball is, and in which direction (unit, in the plane of its face) the geodesic
+  /// from the node arrives there.
   struct Centre {
     FlatPoint point;
     Vec2 arriving;
@@ -85,7 +86,7 @@ class Balls {
 
   Centre centre(double radius) {
     const Landing landing = ray_.at(radius);
-    return {landing.end, conj(landing.turn) * way_};
+    return {landing.end, conj(landing.turn) * direction_};
   }
 
   double largest_on_surface(const Vec3& outward, double most, double usual, double last) {
@@ -126,7 +127,7 @@ class Balls {
   }
 
   /// Measures what was found along the surface: all of it, or only the nearest, and then others as far as
-  /// they come to light on the way. A shot does for a point that is reached on hardly more than the
+  /// they come to light in between. A shot does for a point that is reached on hardly more than the
   /// chord: no path is shorter.
   void measure_inside(const Centre& c, double reach, bool nearest_only) {
     const bool large = reach > large_;
@@ -242,21 +243,21 @@ class Balls {
     const FlatPoint& aim = obstacles_.points[point];
     const Vec3& goal = obstacles_.positions[point];
     const Vec3 chord = goal - position(surface_, from);
-    Vec2 way = chord.norm() * unit(surface_.to_plane(from.face, chord));
+    Vec2 line = chord.norm() * unit(surface_.to_plane(from.face, chord));
     for (int shot = 0; shot < kMostShots; ++shot) {
-      const Landing landing = walk_straight(surface_, from, way);
+      const Landing landing = walk_straight(surface_, from, line);
       if (landing.hit_boundary) return std::nullopt;
       const FlatPoint& end = landing.end;
       const Vec2 missing = end.face == aim.face ? aim.place - end.place
                                                 : surface_.to_plane(end.face, goal - position(surface_, end));
-      const double length = norm(way), left = norm(missing);
+      const double length = norm(line), left = norm(missing);
       if (!(left <= kLost * length)) return std::nullopt;
-      way = way + landing.turn * missing;
+      line = line + landing.turn * missing;
       if (left > kClose * length) continue;
-      if (end.face == aim.face) return Sight{norm(way), unit(way)};
+      if (end.face == aim.face) return Sight{norm(line), unit(line)};
       // Near in space is not yet near on the surface.
       const FlatPoint rest = walk_straight(surface_, end, missing).end;
-      if (rest.face == aim.face && norm(aim.place - rest.place) <= kClose * left) return Sight{norm(way), unit(way)};
+      if (rest.face == aim.face && norm(aim.place - rest.place) <= kClose * left) return Sight{norm(line), unit(line)};
     }
     return std::nullopt;
   }
@@ -276,7 +277,7 @@ class Balls {
   GeodesicDistance distance_;
   StraightRay ray_;
   uint32_t node_ = 0;
-  Vec2 way_;
+  Vec2 direction_;
   double large_ = 0;
   std::vector<uint32_t> inside_;
   std::vector<GeodesicDistance::Target> targets_;
@@ -310,10 +311,10 @@ void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, co
     Balls balls(surface, obstacles, tree);
     for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
       for (size_t side = 0; side < 2; ++side) {
-        const Vec2 way = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
+        const Vec2 direction = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
         double& radius = radii[i][side];
         radius = reach[i][side].radius > 0
-                     ? balls.largest(i, way, frames.outward[i][side], reach[i][side], metric.radius[i], radius)
+                     ? balls.largest(i, direction, frames.outward[i][side], reach[i][side], metric.radius[i], radius)
                      : 0;
       }
     }
