@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from ..run import following, session
+from ..scene import identity
 from . import (
     motion_panel,
     operators,
@@ -17,6 +18,7 @@ from . import (
 
 # Panels name their parent, so the main one comes before its sub-panels.
 _MODULES = (
+    identity,
     settings,
     session,
     following,
