@@ -13,7 +13,8 @@ from .pace import Pace
 
 TICKS_PER_SECOND = 15
 
-KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
+# Over a 3D view; elsewhere keys do what they always do.
+KEYS = "Enter: Stop and Keep    Esc: Cancel"
 # Of the share that drawing may have where the processors draw, for the sidebar between pictures.
 PANEL_SHARE = 0.15
 # Nobody reads the status bar and the sidebar faster than they change, in seconds.
