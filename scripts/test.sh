@@ -5,7 +5,7 @@
 #
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
-# in both, one UI test in a window, the commands of the documents, the linter, and the rule which
+# in both, UI tests in a window, the commands of the documents, the linter, and the rule which
 # module may import which. Every suite runs, even if others fail. Logs stay in build/logs; the last
 # line counts the tests, and the exit code is 0 only when nothing failed.
 #
@@ -122,11 +122,12 @@ suite blender-4.5 600 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
 # This suite makes its own profiles.
 suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
   /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
+in_window=(xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp"
+  blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800
+  --python-exit-code 1 --python)
 profile ui
-suite ui 300 "${in_profile[@]}" \
-  xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" \
-  blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
-  --python-exit-code 1 --python tests/ui/run.py
+suite ui 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/run.py
+suite ui-lost 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/nothing_lost.py
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
 check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .

@@ -38,3 +38,12 @@ def empty_scene() -> Iterator[None]:
     from meander.run import session
 
     assert session.current() is None
+
+
+@pytest.fixture
+def windowed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Lets a run be watched in background: by watched_runs.begin() and tick_until()."""
+    from meander.run import session
+    from watched_runs import FakeWindow
+
+    monkeypatch.setattr(session, "Window", FakeWindow)

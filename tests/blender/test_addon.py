@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 from types import SimpleNamespace
@@ -10,10 +11,11 @@ from types import SimpleNamespace
 import bpy
 import meander
 import pytest
-from meander.run import session
+from meander.run import estimates, session
 from meander.run.plan import plan_run
 from meander.ui import panels, term_panels
 from scenes import activate, cube, fill, poly_curve, sphere
+from watched_runs import begin, tick_until
 
 
 class Layout:
@@ -177,9 +179,31 @@ def test_panel_while_running(monkeypatch):
     assert bpy.ops.meander.stop.poll()
 
 
+def test_panel_after_esc(windowed):
+    surface = sphere()
+    running = begin(surface, 0.05)
+    tick_until(running, lambda: running.latest and running.latest.iterations > 0)
+    running.suspend()
+    shown = draw(panels.MEANDER_PT_main)
+    assert "Fill with Curve" in shown
+    assert [text for text in shown if text.startswith("Resume at ")]
+    surface.meander.spacing = 0.2
+    assert not [text for text in draw(panels.MEANDER_PT_main) if text.startswith("Resume")]
+
+
+def test_panel_says_what_to_expect():
+    surface = cube()
+    surface.meander.spacing = 0.1
+    estimates.measure(surface)
+    (line,) = (text for text in draw(panels.MEANDER_PT_main) if "points" in text)
+    assert re.fullmatch(r"[\d,]+ points, \d+ \w+, \d+ MB", line), line
+    # The sidebar of Blender's default width has room for so many characters.
+    assert len(line) < 33
+
+
 def test_menu_entry():
     assert bpy.ops.meander.run.get_rna_type().name == "Fill with Curve"
     assert any(
-        getattr(entry, "__module__", "") == "meander.ui.operators"
+        getattr(entry, "__module__", "") == "meander.ui.run_operators"
         for entry in bpy.types.VIEW3D_MT_object._dyn_ui_initialize()
     )

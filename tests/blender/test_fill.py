@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from meander import core
 from meander.run import session
-from meander.run.plan import plan_run
 from meander.run.preview import Preview
 from meander.scene import errors
 from scenes import (
@@ -30,6 +29,7 @@ from scenes import (
     sphere,
     world_splines,
 )
+from watched_runs import FakeWindow, begin, tick_until
 
 # Small surfaces have few strands; 1 is parallel strands at the spacing.
 PACKING = pytest.approx(1.0, abs=0.15)
@@ -263,48 +263,6 @@ def test_undo_takes_the_curve_away():
 # -- a run in pieces, as a window makes it ---------------------------------------------------------
 
 
-class FakeWindow:
-    """In background there is no window to lend a timer and a status bar."""
-
-    def __init__(self, _context) -> None:
-        self.texts: list[str | None] = []
-
-    def picture_due(self) -> bool:
-        return True
-
-    def picture_given(self) -> None:
-        pass
-
-    def text_due(self, with_picture: bool) -> bool:
-        return with_picture
-
-    def show(self, _context, text: str, _progress: float) -> None:
-        self.texts.append(text)
-
-    def give_back(self) -> None:
-        self.texts.append(None)
-
-
-@pytest.fixture
-def windowed(monkeypatch) -> None:
-    monkeypatch.setattr(session, "Window", FakeWindow)
-
-
-def begin(thing: bpy.types.Object, spacing: float) -> session.Session:
-    activate(thing)
-    thing.meander.spacing = spacing
-    running = session.Session(plan_run(bpy.context))
-    running.start(bpy.context)
-    return running
-
-
-def tick_until(running: session.Session, condition) -> None:
-    end = time.monotonic() + 20.0
-    while running.tick(bpy.context) and not condition():
-        assert time.monotonic() < end
-        time.sleep(0.02)
-
-
 def test_watching_changes_nothing(windowed):
     surface = sphere()
     alone = fill(surface, 0.15, iteration_limit=0)
@@ -373,20 +331,6 @@ def test_a_cancelled_run_leaves_no_trace(windowed):
     running.end()  # harmless
 
 
-def test_a_cancelled_continuation_gives_the_splines_back(windowed):
-    surface = sphere()
-    result = fill(surface, 0.2, iteration_limit=10)
-    before, data, points = counts(), result.data, world_splines(result)[0][0]
-    running = begin(result, 0.05)
-    tick_until(running, lambda: running.shown_points > 0)
-    assert result.data != data and not result.data.splines
-    running.end()
-    assert counts() == before
-    assert result.data == data
-    assert np.array_equal(world_splines(result)[0][0], points)
-    assert result.data.bevel_depth == pytest.approx(0.04)
-
-
 def test_stop_keeps_what_has_grown(windowed):
     running = begin(sphere(), 0.05)
     tick_until(running, lambda: running.latest and running.latest.iterations > 0)
@@ -408,21 +352,6 @@ def test_stopping_at_once_keeps_the_seed(windowed):
     running.end()
     assert len(result.data.splines) == 1 and len(result.data.splines[0].points) >= 3
     assert figures["crossings"] == 0
-
-
-def test_a_file_saved_meanwhile_has_the_curve_that_is_continued(windowed, tmp_path):
-    result = fill(sphere(), 0.2, iteration_limit=10)
-    data, points = result.data, world_splines(result)[0][0]
-    running = begin(result, 0.05)
-    tick_until(running, lambda: running.shown_points > 0)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "while.blend"), copy=True)
-    assert result.data == data
-    with bpy.data.libraries.load(str(tmp_path / "while.blend")) as (_there, here):
-        here.objects = [result.name]
-    assert np.array_equal(world_splines(here.objects[0])[0][0], points)
-    tick_until(running, lambda: result.data != data)
-    running.end()
-    assert result.data == data and np.array_equal(world_splines(result)[0][0], points)
 
 
 @pytest.mark.parametrize("victim", ["surface", "result"])

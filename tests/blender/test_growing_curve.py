@@ -42,7 +42,7 @@ def test_segments_join_the_points_of_each_strand(counts, closed):
 
 def test_what_is_shown_lies_above_the_surface_and_goes_away():
     surface = sphere()
-    curve = GrowingCurve(lambda: surface, bpy.context.scene.name, np.eye(4))
+    curve = GrowingCurve(lambda: surface, lambda: bpy.context.scene, np.eye(4))
     lines = polylines([6, 4], [True, False])
     curve.show(lines, 0.25)
     assert curve.point_count == 10

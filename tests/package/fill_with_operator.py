@@ -85,11 +85,17 @@ def main(report: str) -> None:
         raise SystemExit(f"the operator returned {result}")
     (curve,) = set(bpy.data.objects) - before
 
+    # Of the whole package, whatever Blender calls it here.
+    preferences = bpy.context.preferences.addons[module].preferences
+    preferences.most_points += 1
+    limit = sys.modules[f"{module}.ui.preferences"]._limit("most_points")
+
     tree = BVHTree.FromObject(surface, bpy.context.evaluated_depsgraph_get())
     splines = curve.data.splines
     found = {
         "addon": str(Path(sys.modules[module].__file__).parent),
         "libraries": loaded_libraries(),
+        "limits": [preferences.most_points, limit],
         "cyclic": [spline.use_cyclic_u for spline in splines],
         "length": sum(length_of(spline) for spline in splines),
         "seed_length": seed_length,

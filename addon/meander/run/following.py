@@ -14,19 +14,18 @@ from ..scene.errors import DataError
 from ..scene.meshes import surface_now
 from . import session
 from .followers import Follower, follower_of
-from .plan import Key
 
-# Followers of the results that follow, by name and library: what they know is not in the file, and
-# whatever may have changed it (undo, another file) makes new ones necessary.
-_followers: dict[Key, Follower] = {}
+# Followers of the results that follow, by full name, which says the library too: what they know is
+# not in the file, and whatever may have changed it (undo, another file) makes new ones necessary.
+_followers: dict[str, Follower] = {}
 # Why a result does not follow, for the panel.
-_problems: dict[Key, str] = {}
+_problems: dict[str, str] = {}
 _rendering = False
 
 
 def problem_of(result: bpy.types.Object) -> str | None:
     """Why a result does not follow, as a sentence; None while it does."""
-    return _problems.get(Key.of(result))
+    return _problems.get(result.name_full)
 
 
 def forget() -> None:
@@ -37,7 +36,7 @@ def forget() -> None:
 
 def begin(result: bpy.types.Object, context: bpy.types.Context) -> None:
     """Starts or stops following, as the settings say; the curve fits the present frame."""
-    key = Key.of(result)
+    key = result.name_full
     _followers.pop(key, None)
     _problems.pop(key, None)
     settings = result.meander
@@ -65,7 +64,7 @@ def _on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
         surface = result.meander.surface
         if surface is None or result.library or result.data.library or result.mode != "OBJECT":
             continue
-        key = Key.of(result)
+        key = result.name_full
         try:
             if key not in _followers:
                 _followers[key] = follower_of(result, scene, depsgraph)

@@ -32,16 +32,19 @@ def segments_of(polylines: core.Polylines) -> np.ndarray:
 class GrowingCurve:
     """Lines over the views of a scene, from show() to remove().
 
-    find     gives the surface, or None when it is gone
-    scene    name of the scene
-    matrix   world matrix of the surface when the curve was computed
+    find         gives the surface, or None when it is gone
+    find_scene   likewise
+    matrix       world matrix of the surface when the curve was computed
     """
 
     def __init__(
-        self, find: Callable[[], bpy.types.Object | None], scene: str, matrix: np.ndarray
+        self,
+        find: Callable[[], bpy.types.Object | None],
+        find_scene: Callable[[], bpy.types.Scene | None],
+        matrix: np.ndarray,
     ) -> None:
         self._find = find
-        self._scene = scene
+        self._find_scene = find_scene
         self._inverse = Matrix(np.linalg.inv(matrix).tolist())
         self._positions = np.empty((0, 3), dtype=np.float32)
         self._segments = np.empty((0, 2), dtype=np.int32)
@@ -74,7 +77,7 @@ class GrowingCurve:
     def _draw(self) -> None:
         context = bpy.context
         surface = self._find()
-        if surface is None or context.scene.name != self._scene or not len(self._segments):
+        if surface is None or context.scene != self._find_scene() or not len(self._segments):
             return
         space = context.space_data
         if space is None or (space.local_view is not None and not surface.local_view_get(space)):

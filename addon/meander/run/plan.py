@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a run needs to know of the scene, read once when it begins.
 
-A plan keeps names and arrays, never references to Blender's data: those die with undo, with
+A plan keeps keys and arrays, never references to Blender's data: those die with undo, with
 deletion and with a new file.
 """
 
@@ -21,25 +21,11 @@ from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
+from ..scene.identity import Key
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import surface_of
 from ..scene.transforms import world_matrix
-
-
-@dataclass(frozen=True)
-class Key:
-    """How to find an object again: a name, and the library that a linked one comes from."""
-
-    name: str
-    library: str | None
-
-    @classmethod
-    def of(cls, object: bpy.types.Object) -> Key:
-        return cls(object.name, object.library.filepath if object.library else None)
-
-    def find(self) -> bpy.types.Object | None:
-        return bpy.data.objects.get((self.name, self.library))
 
 
 @dataclass(frozen=True)
@@ -115,9 +101,9 @@ def plan_of(
             alignment.kind,
             outline,
         ),
-        surface=Key.of(surface),
-        settings=Key.of(active),
-        result=Key.of(active) if active is not surface else None,
+        surface=Key(surface),
+        settings=Key(active),
+        result=Key(active) if active is not surface else None,
         matrix=world_matrix(surface.evaluated_get(depsgraph)),
         spacing=spacing,
         bevel_depth=settings.bevel_share * spacing if settings.use_bevel else 0.0,

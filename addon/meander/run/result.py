@@ -49,11 +49,15 @@ def write_result(
     distance = merge_distance(radius, stepper.density)
     kept = kept_points(snapshot.polylines, distance)
     curve = thinned(snapshot.polylines, distance)
+    earlier = plan.result.find() if plan.result else None
+    if earlier is not None and earlier.mode == "EDIT":
+        # Leaving Edit Mode later would write the points that it holds over the new ones.
+        bpy.ops.object.mode_set(mode="OBJECT")
     result = write_curve(
         curve,
         surface,
         plan.name,
-        curve_object=plan.result.find() if plan.result else None,
+        curve_object=earlier,
         matrix=plan.matrix,
         bevel_depth=plan.bevel_depth,
     )
@@ -110,7 +114,10 @@ def _store(
     for target in targets:
         if target.library is not None:  # linked objects cannot be changed
             continue
-        target.meander.spacing = plan.spacing
+        # A result tells what it was made with. A surface has the user's choice for the next run,
+        # which may be another one by now; only the proposed spacing he has yet to see.
+        if target == result or not target.meander.spacing:
+            target.meander.spacing = plan.spacing
         figures = target.meander.figures
         figures.stop_reason = stop_reason
         figures.nodes = int(statistics["nodes"])

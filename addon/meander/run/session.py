@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One run as Blender sees it: begun, shown while it grows, kept or taken back.
 
-A session keeps names and arrays, never references to Blender's data: those die with undo, with
-deletion and with a new file.
+A session keeps keys and arrays, never references to Blender's data: those die with undo, with
+deletion and with a new file. Until keep() it changes nothing that an undo step or a file could
+hold.
 """
 
 from __future__ import annotations
@@ -18,10 +19,13 @@ from ..model import strands
 from ..scene import refused_element
 from ..scene.errors import DataError
 from ..scene.meshes import in_polygons
+from . import estimates, suspended
+from .meaning import meaning_of
 from .plan import Plan
 from .preview import Preview
 from .result import preparation_text, write_result
 from .stepper import Snapshot, Stepper
+from .suspended import SuspendedRun
 from .window import Window
 
 # A copy of the curve that may have waited for longer than this, in seconds, since it was made, is
@@ -36,10 +40,19 @@ class Session:
     not. Without: stepper.run(), then keep(). In any case, and last: end().
     """
 
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.stepper = Stepper(plan.problem)
-        self.latest: Snapshot | None = None
+    def __init__(self, plan: Plan, suspended_run: SuspendedRun | None = None) -> None:
+        """plan            what to do
+        suspended_run   the run of this plan that goes on; None: it begins
+        """
+        if suspended_run is None:
+            self.plan, self.stepper = plan, Stepper(plan.problem)
+            self.latest: Snapshot | None = None
+            self._meaning = meaning_of(plan.settings.find())
+        else:
+            self.plan, self.stepper = suspended_run.plan, suspended_run.stepper
+            self.latest = suspended_run.latest
+            self._meaning = suspended_run.meaning
+        suspended.drop()  # a run that begins takes the place of the one before it
         self._shown = True  # whether the view has what is in `latest`
         self._polled = 0.0  # when a copy of the curve was last asked for
         self._skipped = False  # whether a tick has passed since
@@ -53,7 +66,7 @@ class Session:
         """Begins the run, which goes on by itself, with a timer for tick()."""
         global _current
         _current = self
-        self._preview = Preview(self.plan, context.scene.name)
+        self._preview = Preview(self.plan, context.scene)
         self._window = Window(context)
         self.stepper.start()
         self._polled = time.perf_counter()
@@ -66,6 +79,7 @@ class Session:
         self._check_alive()
         if self.stop_wanted:
             self.stepper.cancel()
+        self._preview.keep_result_out()
         picture_due = self._window.picture_due()
         text_due = self._window.text_due(picture_due)
         # The run stands still while it makes a copy, so none is asked for in vain.
@@ -107,11 +121,6 @@ class Session:
         """How many points the curve has that the views show."""
         return self._preview.point_count if self._preview is not None else 0
 
-    def restore_result(self) -> None:
-        """Gives a result that is continued its curve back, until the next picture."""
-        if self._preview is not None:
-            self._preview.restore_result()
-
     def remember_problem(self, context: bpy.types.Context, error: Exception) -> None:
         """Keeps the element that an error names with the surface, for Select Problem."""
         surface = self.plan.surface.find()
@@ -137,13 +146,21 @@ class Session:
         self._check_alive()
         if self._preview is not None:
             self._preview.end()
-        return write_result(context, self.plan, self.stepper, outcome), outcome[1]
+        result = write_result(context, self.plan, self.stepper, outcome)
+        _snapshot, figures, stop_reason = outcome
+        if stop_reason == "converged" and self.plan.result is None:
+            options = self.plan.problem.options
+            estimates.speeds.learn(options, figures["nodes"], figures["seconds_total"])
+        return result, figures
+
+    def suspend(self) -> None:
+        """Ends the run without a result, and keeps it so that it can go on later."""
+        self.end()
+        if self.stepper.resumable and self._meaning is not None:
+            suspended.keep(SuspendedRun(self.plan, self.stepper, self.latest, self._meaning))
 
     def end(self) -> None:
-        """Ends the run, gives back what it borrowed, and takes away what keep() has not kept.
-
-        May be called at any time and more than once.
-        """
+        """Ends the run and gives back what it borrowed. May be called at any time, and again."""
         global _current
         if self.ended:
             return
@@ -174,7 +191,7 @@ def current() -> Session | None:
 
 
 def end_current() -> None:
-    """Ends the running session, if there is one, and restores what was there before it."""
+    """Ends the running session, if there is one."""
     if _current is not None:
         _current.end()
 
@@ -184,18 +201,10 @@ def _before_load(*_arguments: object) -> None:
     end_current()
 
 
-@persistent
-def _before_save(*_arguments: object) -> None:
-    if _current is not None:
-        _current.restore_result()  # what is saved is the curve, not the emptied one
-
-
 def register() -> None:
     bpy.app.handlers.load_pre.append(_before_load)
-    bpy.app.handlers.save_pre.append(_before_save)
 
 
 def unregister() -> None:
     end_current()
     bpy.app.handlers.load_pre.remove(_before_load)
-    bpy.app.handlers.save_pre.remove(_before_save)

@@ -58,10 +58,11 @@ class Stepper:
     def start(self) -> None:
         """Prepares the surface and begins the run, which goes on by itself.
 
-        What goes wrong is for result() to raise: the run has then ended at once.
+        One that has been cancelled goes on from where it was, to the same curve as if it had never
+        been. What goes wrong is for result() to raise: the run has then ended at once.
         """
         try:
-            self._prepare()
+            self._begin()
             self._flow.start(self._context)
             self._started = True
         except Exception as error:
@@ -70,10 +71,17 @@ class Stepper:
     def run(self) -> None:
         """The whole run; returns when it has ended."""
         try:
-            self._prepare()
+            self._begin()
             self._stop_reason = self._flow.run(self._context)
         except Exception as error:
             self._error = error
+
+    def _begin(self) -> None:
+        if self._flow is None:
+            self._prepare()
+        else:
+            self._context.reset()
+            self._stop_reason = "running"
 
     def _prepare(self) -> None:
         problem = self.problem
@@ -93,6 +101,11 @@ class Stepper:
         if self._started:
             return not self._flow.running
         return self._error is not None or self._stop_reason != "running"
+
+    @property
+    def resumable(self) -> bool:
+        """Whether the run has been cancelled, and can be started again to go on."""
+        return not self._started and self._error is None and self._stop_reason == "cancelled"
 
     def poll(self) -> Snapshot | None:
         """The newest copy of the curve, once; None while there is none. Never waits.

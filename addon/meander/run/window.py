@@ -8,11 +8,13 @@ import time
 
 import bpy
 
+from ..scene.identity import Key, number_of
 from .pace import Pace
 
 TICKS_PER_SECOND = 15
 
-KEYS = "Enter: Stop and Keep    Esc or Right Mouse: Cancel"
+# Over a 3D view; elsewhere keys do what they always do.
+KEYS = "Enter: Stop and Keep    Esc: Cancel"
 # Of the share that drawing may have where the processors draw, for the sidebar between pictures.
 PANEL_SHARE = 0.15
 # Nobody reads the status bar and the sidebar faster than they change, in seconds.
@@ -29,7 +31,7 @@ class Window:
     def __init__(self, context: bpy.types.Context) -> None:
         manager = context.window_manager
         self._timer = manager.event_timer_add(1.0 / TICKS_PER_SECOND, window=context.window)
-        self._workspaces: set[str] = set()
+        self._workspaces: dict[int, Key] = {}
         self._shown = ("", "")
         self._text_shown = 0.0  # when
         self._software = _draws_by_software()
@@ -70,14 +72,15 @@ class Window:
     def show(self, context: bpy.types.Context, text: str, progress: float) -> None:
         """Shows how far the run is, in the status bar and in panels."""
         # The text belongs to the workspace in front, and the user may change to another.
-        self._workspaces.add(context.workspace.name)
-        shown = (context.workspace.name, text)
+        workspace = context.workspace
+        self._workspaces.setdefault(number_of(workspace), Key(workspace))
+        shown = (workspace.name, text)
         if shown == self._shown:
             return
         self._shown = shown
         self._text_shown = time.perf_counter()
         context.window_manager.progress_update(100.0 * progress)
-        context.workspace.status_text_set(f"{text}    |    {KEYS}")
+        workspace.status_text_set(f"{text}    |    {KEYS}")
         self._redraw("UI")
         if not self._paces["WINDOW"].waiting:
             self._paces["UI"].asked(self._text_shown)
@@ -90,8 +93,8 @@ class Window:
             self._smooth(self._smoothing)
         context.window_manager.event_timer_remove(self._timer)
         context.window_manager.progress_end()
-        for name in self._workspaces:
-            workspace = bpy.data.workspaces.get(name)
+        for key in self._workspaces.values():
+            workspace = key.find()
             if workspace is not None:
                 with context.temp_override(workspace=workspace):
                     workspace.status_text_set(None)

@@ -57,10 +57,12 @@ def write_splines(curve: bpy.types.Curve, polylines: core.Polylines, matrix: np.
     curve.use_fill_caps = True
     curve.use_path = False  # else each update measures the whole curve for an animation
     curve.bevel_resolution = 2
-    curve.splines.clear()
+    # What can go wrong comes first: the curve keeps its splines until there are new ones.
     positions = to_local(polylines.positions, matrix).astype(np.float32)
     offsets = np.asarray(polylines.offsets, dtype=np.int64)
-    for begin, end, closed in zip(offsets[:-1], offsets[1:], polylines.closed, strict=True):
+    strands = list(zip(offsets[:-1], offsets[1:], polylines.closed, strict=True))
+    curve.splines.clear()
+    for begin, end, closed in strands:
         count = int(end - begin)
         spline = curve.splines.new("POLY")
         spline.points.add(count - 1)

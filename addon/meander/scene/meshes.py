@@ -125,10 +125,13 @@ def area_of(vertices: np.ndarray, faces: np.ndarray) -> float:
 
 
 def proposed_spacing(vertices: np.ndarray, faces: np.ndarray) -> float:
-    """A spacing that shows the shape and takes seconds: 1/30 of the side of a square of the same
-    area, rounded to two digits."""
-    spacing = np.sqrt(area_of(vertices, faces)) / 30.0
-    return float(f"{spacing:.1e}")
+    """A spacing that shows the shape and takes seconds; see spacing_for()."""
+    return spacing_for(area_of(vertices, faces))
+
+
+def spacing_for(area: float) -> float:
+    """1/30 of the side of a square of this area, rounded to two digits."""
+    return float(f"{np.sqrt(area) / 30.0:.1e}")
 
 
 def loose_edge_count(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> int:

@@ -6,15 +6,12 @@ from __future__ import annotations
 import bpy
 from bpy.props import FloatProperty
 
-from ..run import session
+from ..model.estimate import described
+from ..run import estimates, session, suspended
 from ..scene.settings import surface_of
 from .declared import rows
-from .operators import (
-    MEANDER_OT_propose_spacing,
-    MEANDER_OT_run,
-    MEANDER_OT_show_gaps,
-    MEANDER_OT_stop,
-)
+from .operators import MEANDER_OT_propose_spacing, MEANDER_OT_show_gaps
+from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
 from .settings import STOP_TEXTS, MeanderFigures, MeanderSettings
 from .sidebar import ORDER, Sidebar, SubPanel, columns
 
@@ -66,6 +63,11 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         layout.operator_context = "INVOKE_DEFAULT"
         column = layout.column(align=True)
         column.scale_y = 1.4
+        kept = suspended.run_of(active)
+        if kept is not None:
+            # What has its whole length is still being made even.
+            text = f"Resume at {min(100.0 * kept.progress, 99.0):.0f} %"
+            column.operator(MEANDER_OT_resume.bl_idname, text=text, icon="PLAY")
         if _is_result(active):
             column.operator(MEANDER_OT_run.bl_idname, text="Continue", icon="PLAY")
             column.operator(
@@ -75,6 +77,11 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             column.operator(MEANDER_OT_run.bl_idname, icon="PLAY")
         if active.meander.spacing == 0.0:
             layout.label(text="Spacing 0: automatic", icon="INFO")
+        # The same row from the first moment on, so that the panel does not jump.
+        estimate = estimates.shown(active)
+        row = layout.row()
+        row.active = False
+        row.label(text=described(estimate) if estimate is not None else "")
 
     def _draw_progress(
         self, layout: bpy.types.UILayout, context: bpy.types.Context, running: session.Session

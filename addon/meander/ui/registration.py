@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
-from ..run import following, session
+from ..run import estimates, following, session, suspended
+from ..scene import changes, identity
 from . import (
     motion_panel,
     operators,
     panels,
     points_panel,
+    preferences,
     preparation_panels,
+    run_operators,
     settings,
     strand_panel,
     term_panels,
@@ -17,9 +20,15 @@ from . import (
 
 # Panels name their parent, so the main one comes before its sub-panels.
 _MODULES = (
+    identity,
+    changes,
+    preferences,
     settings,
     session,
+    suspended,
+    estimates,
     following,
+    run_operators,
     operators,
     panels,
     term_panels,

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The run that was ended last without a result, so that it can go on from where it was.
+
+It is kept, with its flow and the memory of that, until another run begins, the surface or the
+settings change so that it would be another curve, a file is opened, or the add-on goes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from ..scene.transforms import to_local
+from .meaning import Meaning, meaning_of
+from .plan import Plan
+from .stepper import Snapshot, Stepper
+
+
+@dataclass(frozen=True)
+class SuspendedRun:
+    plan: Plan
+    stepper: Stepper
+    latest: Snapshot | None
+    meaning: Meaning  # when the run began
+
+    @property
+    def progress(self) -> float:
+        """How much of its expected length the curve has, in [0, 1]."""
+        return self.latest.progress if self.latest is not None else 0.0
+
+
+_suspended: SuspendedRun | None = None
+
+
+def keep(run: SuspendedRun) -> None:
+    """Keeps a run that has been cancelled, instead of the one before it."""
+    global _suspended
+    _suspended = run
+
+
+def drop() -> None:
+    """Forgets the run that is kept and frees its memory. Does nothing when there is none."""
+    global _suspended
+    _suspended = None
+
+
+def run_of(active: bpy.types.Object | None) -> SuspendedRun | None:
+    """The run that can go on with this object active; drops it when it means another curve now.
+
+    Cheap, for panels and polls.
+    """
+    kept = _suspended
+    if kept is None or active is None or kept.plan.settings.find() != active:
+        return None
+    if kept.plan.surface.find() is None or not kept.meaning.same_as(meaning_of(active)):
+        drop()
+        return None
+    return kept
+
+
+def taken(now: Plan) -> SuspendedRun | None:
+    """Hands out the run that is kept, if it is still what `now` plans; it is kept no longer.
+
+    now   a new plan for the same object, whose choices of looks the run takes over
+    """
+    kept = _suspended
+    drop()
+    if kept is None or not _same_problem(kept.plan, now):
+        return None
+    plan = replace(
+        kept.plan,
+        bevel_depth=now.bevel_depth,
+        materials=now.materials,
+        flat=now.flat,
+        radius_follows=now.radius_follows,
+        points_as=now.points_as,
+    )
+    return replace(kept, plan=plan)
+
+
+def _same_problem(one: Plan, other: Plan) -> bool:
+    """Whether two plans have the same faces, points in the surface's own space, and density.
+
+    What Meaning cannot see, such as the pixels of an image.
+    """
+    mine, theirs = one.problem, other.problem
+    if not np.array_equal(mine.faces, theirs.faces):
+        return False
+    points, others = to_local(mine.vertices, one.matrix), to_local(theirs.vertices, other.matrix)
+    if points.shape != others.shape:
+        return False
+    extent = float(np.ptp(points, axis=0).max())
+    if np.abs(points - others).max() > 1e-5 * extent:  # stored in single precision
+        return False
+    if isinstance(mine.density, np.ndarray) and isinstance(theirs.density, np.ndarray):
+        return np.array_equal(mine.density, theirs.density)
+    return (mine.density is None) == (theirs.density is None)
+
+
+@persistent
+def _before_load(*_arguments: object) -> None:
+    drop()
+
+
+def register() -> None:
+    bpy.app.handlers.load_pre.append(_before_load)
+
+
+def unregister() -> None:
+    bpy.app.handlers.load_pre.remove(_before_load)
+    drop()

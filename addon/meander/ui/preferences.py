@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The preferences of the add-on: from which size on a run asks before it begins."""
+
+from __future__ import annotations
+
+import bpy
+from bpy.props import IntProperty
+
+from ..model.estimate import Estimate
+
+# "meander" as an add-on of 3.4, "bl_ext.user_default.meander" as an extension.
+PACKAGE = __package__.rpartition(".")[0]
+
+
+class MeanderPreferences(bpy.types.AddonPreferences):
+    bl_idname = PACKAGE
+
+    most_points: IntProperty(
+        name="Points",
+        description=(
+            "Ask before a run whose curve has more points than this; "
+            "views and undo grow slow with them. 0 never asks"
+        ),
+        default=500_000,
+        min=0,
+        soft_max=10_000_000,
+    )
+    most_memory: IntProperty(
+        name="Memory (MB)",
+        description="Ask before a run that needs more memory than this. 0 never asks",
+        default=2000,
+        min=0,
+        soft_max=100_000,
+    )
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.label(text="Ask before a run that needs more than")
+        row = layout.row()
+        row.prop(self, "most_points")
+        row.prop(self, "most_memory")
+
+
+def is_large(estimate: Estimate) -> bool:
+    """Whether a run of this size is to ask first."""
+    points, megabytes = _limit("most_points"), _limit("most_memory")
+    return 0 < points < estimate.points or 0 < megabytes < estimate.memory / 1e6
+
+
+def _limit(name: str) -> int:
+    """As the user has set it; the default where the package is registered but not installed."""
+    addon = bpy.context.preferences.addons.get(PACKAGE)
+    if addon is not None and addon.preferences is not None:
+        return getattr(addon.preferences, name)
+    return MeanderPreferences.bl_rna.properties[name].default
+
+
+def register() -> None:
+    bpy.utils.register_class(MeanderPreferences)
+
+
+def unregister() -> None:
+    bpy.utils.unregister_class(MeanderPreferences)

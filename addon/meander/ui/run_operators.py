@@ -1,0 +1,304 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons that grow a curve: Fill with Curve, the question before a large run, Resume, Stop.
+
+In a window, filling is modal: the native library runs on a thread of its own, where no Python is,
+and a timer shows how the curve grows. execute() is the same run without a window, for scripts and
+for Blender in the background.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+from bpy.props import BoolProperty, StringProperty
+
+from .. import core
+from ..model import strands
+from ..model.estimate import described
+from ..run import estimates, session, suspended
+from ..run.plan import Plan, plan_run
+from ..scene.errors import DataError
+from ..scene.settings import surface_of
+from .preferences import is_large
+
+# Weight painting uses the same undo as Object Mode, and is where densities come from. Undo in the
+# edit and sculpt modes knows nothing of new objects.
+_MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
+
+
+def sentence_of(error: Exception) -> str:
+    """The error's text as a sentence of its own: Blender shows it without any context."""
+    text = str(error)
+    return text[:1].upper() + text[1:]
+
+
+def _summary(figures: dict[str, Any]) -> str:
+    return (
+        f"{figures['nodes']:,} nodes after {figures['iterations']} iterations, "
+        f"spacing {figures['spacing_median']:.4g} in the median, "
+        f"{figures['seconds_total']:.1f} s"
+    )
+
+
+def _poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    if session.current() is not None:
+        cls.poll_message_set("A curve is growing already")
+        return False
+    if context.mode not in _MODES:
+        cls.poll_message_set("Works in Object Mode and Weight Paint")
+        return False
+    if surface_of(context.active_object) is None:
+        cls.poll_message_set("Choose a mesh to fill, or a curve that Meander has made")
+        return False
+    return True
+
+
+def _over_view(context: bpy.types.Context, event: bpy.types.Event) -> bool:
+    """Whether the mouse is over a 3D view; the context of a modal operator is where it began."""
+    return any(
+        area.type == "VIEW_3D"
+        and 0 <= event.mouse_x - area.x < area.width
+        and 0 <= event.mouse_y - area.y < area.height
+        for area in context.window.screen.areas
+    )
+
+
+class _Watched:
+    """A run in a window: a background run, and a timer that shows it.
+
+    Enter and Esc are taken over a 3D view only. Everything else goes on to whoever it is meant for,
+    undo too: the run follows its objects, and changes no data until its end.
+    """
+
+    _session: session.Session
+
+    def _watch(self, context: bpy.types.Context) -> set[str]:
+        self._session.start(context)
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        if self._session.ended:  # by unregister or a new file
+            return {"CANCELLED"}
+        if event.value == "PRESS" and _over_view(context, event):
+            if event.type == "ESC":
+                return self._finish(context, keep=False)
+            if event.type in {"RET", "NUMPAD_ENTER"}:
+                self._session.stop_wanted = True
+                return {"RUNNING_MODAL"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        try:
+            going = self._session.tick(context)
+        except DataError as error:
+            self.report({"ERROR"}, sentence_of(error))
+            return self._finish(context, keep=False)
+        except BaseException:
+            # A defect of ours must not leave a timer and a run behind.
+            self._finish(context, keep=False)
+            raise
+        if not going:
+            return self._finish(context, keep=True)
+        return {"PASS_THROUGH"}
+
+    def cancel(self, context: bpy.types.Context) -> None:
+        """Called by Blender when it closes the window or the file under a run."""
+        self._finish(context, keep=False)
+
+    def _finish(self, context: bpy.types.Context, keep: bool) -> set[str]:
+        """Every exit of the operator comes through here."""
+        try:
+            if keep:
+                result, figures = self._session.keep(context)
+                done = self._session.preparation_text()
+                self.report(
+                    {"INFO"}, f"{result.name}: {_summary(figures)}" + (f"; {done}" if done else "")
+                )
+                if figures["empty_components"]:
+                    self.report({"WARNING"}, strands.empty_parts(figures["empty_components"]))
+                return {"FINISHED"}
+            self._session.suspend()
+        except (DataError, core.MeanderError) as error:
+            self.report({"ERROR"}, sentence_of(error))
+            self._session.remember_problem(context, error)
+        finally:
+            self._session.end()
+        return {"CANCELLED"}
+
+
+class MEANDER_OT_run(_Watched, bpy.types.Operator):
+    """Grow a curve on the active mesh until it fills the surface at the spacing"""
+
+    bl_idname = "meander.run"
+    bl_label = "Fill with Curve"
+    bl_options = {"REGISTER", "UNDO"}
+
+    restart: BoolProperty(
+        name="Start Over",
+        description="Start from the seed again instead of going on from the curve",
+        default=False,
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
+    asked: BoolProperty(
+        name="Asked",
+        description="Begin without asking, however large the run is",
+        default=False,
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _poll_run(cls, context)
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, options: Any) -> str:
+        if options.restart:
+            return "Fill the surface again from the seed, and replace this curve"
+        return (
+            "Grow a curve on the active mesh until it fills the surface at the spacing. "
+            "On a curve made so before, go on from there"
+        )
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        repeated = self.options.is_repeat or self.options.is_repeat_last
+        if repeated and not bpy.app.background and context.window is not None:
+            # Repeat Last and the like execute. What Blender repeats stays in its list, so it cannot
+            # be modal itself; it begins another one.
+            bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart)
+            return {"CANCELLED"}
+        plan = self._planned(context)
+        if plan is None:
+            return {"CANCELLED"}
+        self._session = session.Session(plan)
+        self._session.stepper.run()
+        return self._finish(context, keep=True)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        plan = self._planned(context)
+        if plan is None or not self.asked and self._asks(plan):
+            return {"CANCELLED"}
+        self._session = session.Session(plan)
+        return self._watch(context)
+
+    def _planned(self, context: bpy.types.Context) -> Plan | None:
+        try:
+            return plan_run(context, self.restart)
+        except (DataError, core.MeanderError) as error:
+            self.report({"ERROR"}, sentence_of(error))
+            return None
+
+    def _asks(self, plan: Plan) -> bool:
+        """Whether the run is so large that the user is asked; he then begins it, or does not."""
+        try:
+            estimate = estimates.of_plan(plan)
+        except core.MeanderError:  # which the run will report
+            return False
+        if not is_large(estimate):
+            return False
+        bpy.ops.meander.ask_run(
+            "INVOKE_DEFAULT", restart=self.restart, figures=described(estimate)
+        )
+        return True
+
+
+class MEANDER_OT_ask_run(bpy.types.Operator):
+    """Begin a run that is larger than the preferences allow without asking"""
+
+    bl_idname = "meander.ask_run"
+    bl_label = "Fill with a Large Curve?"
+    bl_options = {"INTERNAL"}
+
+    restart: BoolProperty(options={"HIDDEN", "SKIP_SAVE"})
+    figures: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        words = {} if bpy.app.version < (4, 1) else {"confirm_text": "Fill"}
+        return context.window_manager.invoke_props_dialog(self, width=340, **words)
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        column = self.layout.column()
+        column.label(text=f"About {self.figures}", icon="QUESTION")
+        column.label(text="A wider spacing needs less", icon="BLANK1")
+
+    def execute(self, _context: bpy.types.Context) -> set[str]:
+        bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart, asked=True)
+        return {"FINISHED"}
+
+
+class MEANDER_OT_resume(_Watched, bpy.types.Operator):
+    """Let the run that was ended last go on from where it was"""
+
+    bl_idname = "meander.resume"
+    bl_label = "Resume"
+    bl_options = {"UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if not _poll_run(cls, context):
+            return False
+        if suspended.run_of(context.active_object) is None:
+            cls.poll_message_set("No run on this object was ended before its time")
+            return False
+        return True
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        if not self._begin(context):
+            return {"CANCELLED"}
+        self._session.stepper.run()
+        return self._finish(context, keep=True)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        return self._watch(context) if self._begin(context) else {"CANCELLED"}
+
+    def _begin(self, context: bpy.types.Context) -> bool:
+        try:
+            plan = plan_run(context)
+            run = suspended.taken(plan)
+            if run is None:
+                raise DataError("The surface has changed since; fill it again")
+        except (DataError, core.MeanderError) as error:
+            self.report({"ERROR"}, sentence_of(error))
+            return False
+        self._session = session.Session(run.plan, run)
+        return True
+
+
+class MEANDER_OT_stop(bpy.types.Operator):
+    """Stop growing and keep the curve as it is now"""
+
+    bl_idname = "meander.stop"
+    bl_label = "Stop"
+    bl_options = {"INTERNAL"}
+
+    @classmethod
+    def poll(cls, _context: bpy.types.Context) -> bool:
+        if session.current() is None:
+            cls.poll_message_set("No curve is growing")
+            return False
+        return True
+
+    def execute(self, _context: bpy.types.Context) -> set[str]:
+        session.current().stop_wanted = True
+        return {"FINISHED"}
+
+
+def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    self.layout.separator()
+    self.layout.operator_context = "INVOKE_DEFAULT"
+    self.layout.operator(MEANDER_OT_run.bl_idname, icon="MOD_CURVE")
+
+
+_CLASSES = (MEANDER_OT_run, MEANDER_OT_ask_run, MEANDER_OT_resume, MEANDER_OT_stop)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.VIEW3D_MT_object.append(_menu)
+
+
+def unregister() -> None:
+    bpy.types.VIEW3D_MT_object.remove(_menu)
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script: whatever a user does while a curve grows, in a window; started like run.py."""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import bpy
+
+HERE = Path(__file__).resolve().parent
+# Another add-on folder can be tried with the same story.
+ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
+sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
+
+from meander.run import estimates, session, suspended  # noqa: E402
+from stage import (  # noqa: E402
+    COARSE,
+    FINE,
+    RESULT,
+    SURFACE,
+    assert_nothing_left_over,
+    build_scene,
+    changed_share,
+    choose_spacing,
+    click,
+    ended,
+    key,
+    look_at_surface,
+    middle_of,
+    picture,
+    press_run,
+    show_panel,
+    shown_points,
+    splines_of,
+    state,
+    status_texts,
+    step,
+    tell,
+    until,
+    window_override,
+)
+
+# So fine that no run comes to its end while it is watched.
+ENDLESS = 0.02
+
+
+def activate(name: str) -> None:
+    for thing in bpy.data.objects:
+        thing.select_set(thing.name == name)
+    bpy.context.view_layer.objects.active = bpy.data.objects[name]
+
+
+def grows() -> Iterator[float]:
+    """Until the run has made another iteration."""
+    assert not ended(), "the run has ended"
+    latest = session.current().latest
+    begun = latest.iterations if latest else -1
+    yield from until(
+        lambda: ended() or (session.current().latest or latest).iterations > begun,
+        20.0,
+        "another iteration",
+    )
+    assert not ended(), "the run has ended"
+
+
+def press_resume() -> None:
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.resume("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
+
+
+def splines_in_file(path: str) -> list[bytes]:
+    with bpy.data.libraries.load(path) as (_there, here):
+        here.objects = [RESULT]
+    splines = splines_of(here.objects[0].name)
+    bpy.data.objects.remove(here.objects[0])
+    return splines
+
+
+def story() -> Iterator[float]:
+    yield 1.0
+    build_scene()
+    yield 0.5
+    look_at_surface()
+    yield from show_panel()
+    choose_spacing(COARSE)
+    yield from until(
+        lambda: estimates.shown(bpy.context.active_object) is not None, 5.0, "an estimate"
+    )
+    measured = estimates.shown(bpy.context.active_object)
+    yield 0.5
+    picture("5_estimate")
+    press_run()
+    yield from until(ended, 60.0, "the end of the run")
+    yield 0.3
+    points = sum(len(spline.points) for spline in bpy.data.objects[RESULT].data.splines)
+    assert 0.8 < measured.points / points < 1.25, (measured, points)
+    picture("5_result")
+
+    step("what happens during a run has its undo steps, which hold the whole result")
+    former = splines_of(RESULT)
+    choose_spacing(FINE)
+    press_run()
+    yield from until(lambda: shown_points() > 0, 10.0, "a first curve")
+    yield from grows()
+    picture("5_continued")
+    assert changed_share("5_result", "5_continued") > 0.02
+    key("A")  # selects everything
+    yield from grows()
+    assert len(bpy.context.selected_objects) > 1
+    assert splines_of(RESULT) == former
+    with tempfile.TemporaryDirectory() as folder:
+        path = f"{folder}/during.blend"
+        bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+        assert splines_in_file(path) == former
+    for shift in (False, True, False, True):
+        key("Z", ctrl=True, shift=shift)
+        yield from grows()
+        assert (len(bpy.context.selected_objects) > 1) == shift, "undo is for the scene"
+        assert splines_of(RESULT) == former
+    key("RET")
+    yield from until(ended, 20.0, "the end after Enter")
+    assert_nothing_left_over()
+    latter = splines_of(RESULT)
+    assert latter != former
+    for shift, expected in ((False, former), (True, latter), (False, former), (False, former)):
+        key("Z", ctrl=True, shift=shift)
+        yield 0.7
+        assert splines_of(RESULT) == expected, f"redo {shift}"
+    for _ in range(2):
+        key("Z", ctrl=True, shift=True)
+        yield 0.7
+    assert splines_of(RESULT) == latter
+
+    step("a right-click does what it always does, and Esc belongs to who is under the mouse")
+    activate(SURFACE)
+    choose_spacing(ENDLESS)
+    before = state()
+    press_run()
+    yield from until(lambda: shown_points() > 0, 10.0, "a first curve")
+    assert "Right" not in status_texts[-1], status_texts[-1]
+    for place in (middle_of("OUTLINER"), middle_of("PROPERTIES"), middle_of("VIEW_3D")):
+        click(*place, button="RIGHTMOUSE")
+        yield 0.5
+        assert not ended(), "a right-click has ended the run"
+        key("ESC", at=place)  # closes the menu
+        yield 0.5
+        assert not ended(), "Esc has ended the run instead of closing a menu"
+    for area in ("OUTLINER", "PROPERTIES", "DOPESHEET_EDITOR"):
+        place = middle_of(area)
+        click(*place, button="MIDDLEMOUSE")
+        key("ESC", at=place)
+        yield 0.3
+        assert not ended(), f"Esc over {area} has ended the run"
+    yield from grows()
+
+    step("Esc in the view ends a run, and Resume goes on with it")
+    key("ESC", at=middle_of("VIEW_3D"))
+    yield from until(ended, 10.0, "the end after Esc")
+    assert_nothing_left_over()
+    assert state() == before
+    kept = suspended.run_of(bpy.data.objects[SURFACE])
+    assert kept is not None and kept.latest.iterations > 0
+    yield 0.5
+    picture("5_resume")
+    begun = kept.latest.iterations
+    press_resume()
+    yield from until(lambda: shown_points() > 0, 10.0, "the curve again")
+    assert session.current().latest.iterations >= begun
+    yield from grows()
+    key("Z", ctrl=True)
+    yield from grows()
+    key("ESC", at=middle_of("VIEW_3D"))
+    yield from until(ended, 10.0, "the end after Esc")
+    activate(SURFACE)
+    bpy.data.objects[SURFACE].meander.spacing = COARSE
+    yield 0.5
+    assert suspended.run_of(bpy.data.objects[SURFACE]) is None
+    picture("5_changed")
+
+    step("a run follows its objects when they are renamed")
+    choose_spacing(ENDLESS)
+    press_run()
+    yield from until(lambda: shown_points() > 0, 10.0, "a first curve")
+    bpy.data.objects[SURFACE].name = "Monkey"
+    bpy.ops.ed.undo_push(message="Rename")
+    yield from grows()
+    key("Z", ctrl=True)
+    yield from grows()
+    key("Z", ctrl=True, shift=True)
+    yield from grows()
+    assert "Monkey" in bpy.data.objects
+    key("RET")
+    yield from until(ended, 20.0, "the end after Enter")
+    result = bpy.context.view_layer.objects.active
+    assert result.type == "CURVE" and result.meander.surface.name == "Monkey"
+
+    step("Repeat Last is a modal run")
+    activate("Monkey")
+    choose_spacing(ENDLESS)
+    key("R", shift=True)
+    yield from until(lambda: session.current() is not None, 5.0, "a run after Shift+R")
+    yield from until(lambda: shown_points() > 0, 10.0, "a first curve")
+    yield from grows()
+    key("ESC")
+    yield from until(ended, 10.0, "the end after Esc")
+
+    step("a large run asks first")
+    choose_spacing(0.004)
+    yield 1.0
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.run("INVOKE_DEFAULT") == {"CANCELLED"}
+    assert session.current() is None
+    yield 0.7
+    picture("5_question")
+    place = middle_of("VIEW_3D")
+    key("ESC", at=place)
+    yield 0.5
+    assert session.current() is None
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.run("INVOKE_DEFAULT") == {"CANCELLED"}
+    yield 0.7
+    key("RET", at=place)
+    yield from until(lambda: session.current() is not None, 10.0, "a run after OK")
+    yield from until(lambda: shown_points() > 0, 20.0, "a first curve")
+    key("ESC", at=place)
+    yield from until(ended, 20.0, "the end after Esc")
+
+
+tell(story())

@@ -1,0 +1,322 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the stories in a window share: the window, real keys, a scene, and who tells them.
+
+A story is a generator that a timer of Blender's advances: each `yield` lets the window live for the
+seconds it names. It leaves pictures of what it saw in build/ui and ends with exit code 0 or 7.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import bpy
+import meander
+import numpy as np
+import processor_time
+from meander.run import session
+from meander.ui import panels
+
+ROOT = Path(__file__).resolve().parents[2]
+PICTURES = ROOT / "build" / "ui"
+
+# A story takes 30 s on a quiet machine, most of it computing. This is for one that is busy or far
+# slower, and lets the story tell where it stands before scripts/test.sh ends it.
+TIME_LIMIT = 250.0
+SURFACE = "Suzanne"
+# Fine enough for a run that is still going when it is looked at, and coarse enough for one second.
+FINE, COARSE = 0.04, 0.12
+RESULT = "Suzanne Meander"
+
+status_texts: list[str | None] = []
+panel_draws = 0
+last_session: session.Session | None = None
+
+
+# ------------------------------------------------------------------------------------------------
+# The window
+
+
+def window_override() -> dict:
+    window = bpy.context.window_manager.windows[0]
+    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
+    sidebar = next(region for region in area.regions if region.type == "UI")
+    return {"window": window, "area": area, "region": sidebar}
+
+
+IN_VIEW = (400, 400)
+
+
+def key(kind: str, at: tuple[int, int] = IN_VIEW, **modifiers: bool) -> None:
+    window = bpy.context.window_manager.windows[0]
+    for value in ("PRESS", "RELEASE"):
+        window.event_simulate(type=kind, value=value, x=at[0], y=at[1], **modifiers)
+
+
+def click(x: int, y: int, button: str = "LEFTMOUSE") -> None:
+    window = bpy.context.window_manager.windows[0]
+    window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
+    for value in ("PRESS", "RELEASE"):
+        window.event_simulate(type=button, value=value, x=x, y=y)
+
+
+def middle_of(area_type: str) -> tuple[int, int]:
+    """A place in the main region of an editor."""
+    window = bpy.context.window_manager.windows[0]
+    area = next(area for area in window.screen.areas if area.type == area_type)
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    return region.x + region.width // 2, region.y + region.height // 2
+
+
+def picture(name: str) -> None:
+    window = bpy.context.window_manager.windows[0]
+    with bpy.context.temp_override(window=window):
+        bpy.ops.screen.screenshot(filepath=str(PICTURES / f"{name}.png"))
+
+
+def press_run(restart: bool = False) -> None:
+    """As the button does: from the sidebar's region, by INVOKE_DEFAULT."""
+    global last_session
+    with bpy.context.temp_override(**window_override()):
+        outcome = bpy.ops.meander.run("INVOKE_DEFAULT", restart=restart)
+        assert outcome == {"RUNNING_MODAL"}, outcome
+        assert not bpy.ops.meander.run.poll(), "a second run must wait"
+    last_session = session.current()
+    assert not last_session.stepper.finished
+    assert_no_python_thread()
+
+
+def show_panel() -> Iterator[float]:
+    """Opens the sidebar and clicks its tabs until the panel is drawn."""
+    override = window_override()
+    override["area"].spaces.active.show_region_ui = True
+    yield 0.5
+    sidebar = window_override()["region"]
+    x = sidebar.x + sidebar.width - 9
+    for y in range(sidebar.y + sidebar.height - 100, sidebar.y + 100, -30):
+        if panel_draws:
+            break
+        click(x, y)
+        yield 0.2
+    assert panel_draws, "the panel was not drawn: no tab of the sidebar shows it"
+
+
+# ------------------------------------------------------------------------------------------------
+# The scene
+
+
+def build_scene() -> None:
+    for thing in list(bpy.data.objects):
+        if thing.type == "MESH":
+            bpy.data.objects.remove(thing)
+    bpy.ops.mesh.primitive_monkey_add(size=2.0)
+    suzanne = bpy.context.active_object
+    suzanne.modifiers.new("Subdivision", "SUBSURF").levels = 2
+    suzanne.scale = (1.0, 1.2, 0.9)
+    bpy.ops.object.shade_smooth()
+    choose_spacing(FINE)
+
+
+def choose_spacing(spacing: float) -> None:
+    bpy.context.view_layer.objects.active.meander.spacing = spacing
+    bpy.ops.ed.undo_push(message="Spacing")
+
+
+def look_at_surface() -> None:
+    override = window_override()
+    override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
+    with bpy.context.temp_override(**override):
+        bpy.ops.view3d.view_axis(type="FRONT")
+        bpy.ops.view3d.view_selected()
+        bpy.ops.view3d.view_orbit(angle=0.4, type="ORBITLEFT")
+
+
+def splines_of(name: str) -> list[bytes]:
+    splines = []
+    for spline in bpy.data.objects[name].data.splines:
+        points = np.empty(4 * len(spline.points), dtype=np.float32)
+        spline.points.foreach_get("co", points)
+        splines.append(points.tobytes() + bytes([spline.use_cyclic_u]))
+    return splines
+
+
+def state() -> dict:
+    """What a cancelled run must leave as it was."""
+    active = bpy.context.view_layer.objects.active
+    return {
+        "objects": sorted(bpy.data.objects.keys()),
+        "curves": sorted(bpy.data.curves.keys()),
+        "meshes": sorted(bpy.data.meshes.keys()),
+        "active": active.name if active else None,
+        "selected": sorted(thing.name for thing in bpy.data.objects if thing.select_get()),
+        "spacing": [(thing.name, thing.meander.spacing) for thing in bpy.data.objects],
+        "splines": {
+            thing.name: (thing.data.name, thing.data.bevel_depth, splines_of(thing.name))
+            for thing in bpy.data.objects
+            if thing.type == "CURVE"
+        },
+    }
+
+
+def point_count() -> int:
+    """Of the result, once there is one."""
+    thing = bpy.data.objects.get(RESULT)
+    return sum(len(spline.points) for spline in thing.data.splines) if thing else 0
+
+
+def shown_points() -> int:
+    """Of the growing curve, as the views have it."""
+    running = session.current()
+    return running.shown_points if running is not None else 0
+
+
+def changed_share(one: str, other: str) -> float:
+    """How much of the 3D view is another in two pictures; the sidebar and headers are left out."""
+    area = window_override()["area"]
+    view = next(region for region in area.regions if region.type == "WINDOW")
+    sidebar = window_override()["region"]
+    pixels = []
+    for name in (one, other):
+        image = bpy.data.images.load(str(PICTURES / f"{name}.png"))
+        everything = np.empty(len(image.pixels), dtype=np.float32)
+        image.pixels.foreach_get(everything)
+        everything = everything.reshape(image.size[1], image.size[0], 4)
+        pixels.append(everything[view.y : view.y + view.height - 80, view.x : sidebar.x, :3])
+        bpy.data.images.remove(image)
+    return float((np.abs(pixels[0] - pixels[1]).max(axis=2) > 0.1).mean())
+
+
+def assert_no_python_thread() -> None:
+    """Blender 3.4 crashes now and then when operators run beside a Python thread that computes."""
+    assert threading.enumerate() == [threading.main_thread()], threading.enumerate()
+
+
+def assert_nothing_left_over() -> None:
+    assert session.current() is None
+    assert last_session is not None and last_session.stepper.finished
+    assert_no_python_thread()
+    assert status_texts and status_texts[-1] is None, status_texts[-3:]
+    assert bpy.context.preferences.system.viewport_aa == smoothing  # off while drawing is slow
+
+
+# How many timer events the window gets: none, once a run has given its own back.
+timer_events = 0
+
+
+class TEST_OT_count_timers(bpy.types.Operator):
+    bl_idname = "test.count_timers"
+    bl_label = "Count Timer Events"
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        global timer_events
+        timer_events = 0
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, _context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        global timer_events
+        if event.type == "TIMER":
+            timer_events += 1
+        return {"FINISHED"} if event.type == "F13" else {"PASS_THROUGH"}
+
+
+def assert_no_timer() -> Iterator[float]:
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.test.count_timers("INVOKE_DEFAULT")
+    yield 1.0
+    key("F13")
+    yield 0.2
+    # A timer of ours would have come ten times; one or two may be Blender's own.
+    assert timer_events < 4, f"{timer_events} timer events in a second"
+
+
+def until(condition: Callable[[], bool], seconds: float, what: str) -> Iterator[float]:
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, f"not within {seconds} s: {what}"
+        yield 0.05
+
+
+def ended() -> bool:
+    return session.current() is None
+
+
+def grown_to(points: int) -> Callable[[], bool]:
+    return lambda: shown_points() >= points or ended()
+
+
+# ------------------------------------------------------------------------------------------------
+# The teller
+
+passed: list[str] = []
+present_step = "the window opens"
+begin, step_begin = time.monotonic(), processor_time.spent()
+smoothing = bpy.context.preferences.system.viewport_aa
+
+
+def step(name: str) -> None:
+    global present_step, step_begin
+    passed.append(present_step)
+    processor_time.note(present_step, processor_time.spent() - step_begin)
+    step_begin = processor_time.spent()
+    print(f"[{time.monotonic() - begin:5.1f} s] ok: {present_step}", flush=True)
+    present_step = name
+
+
+def finish(failed: int) -> None:
+    # os._exit, since an Esc press alone would already make Blender's own exit code 1.
+    print(f"{len(passed)} passed, {failed} failed", flush=True)
+    sys.stderr.flush()
+    os._exit(7 if failed else 0)
+
+
+def tell(story: Iterator[float]) -> None:
+    """Tells a story from its beginning; the process ends with it."""
+
+    def further() -> float:
+        try:
+            assert time.monotonic() - begin < TIME_LIMIT, f"not done within {TIME_LIMIT} s"
+            return next(story)
+        except StopIteration:
+            step("")
+            finish(0)
+        except BaseException:
+            traceback.print_exc()
+            print(f"FAILED: {present_step}", flush=True)
+            try:
+                picture("failed")
+            except RuntimeError as error:
+                print(f"no picture: {error}", flush=True)
+            finish(1)
+
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    bpy.context.preferences.view.show_splash = False
+    spy()
+    meander.register()
+    bpy.utils.register_class(TEST_OT_count_timers)
+    bpy.app.timers.register(further, first_interval=0.5, persistent=True)
+
+
+def spy() -> None:
+    """Notes the status texts and whether the panel is drawn; neither can be asked for."""
+    original_status = bpy.types.WorkSpace.status_text_set
+
+    def status_text_set(self: bpy.types.WorkSpace, text: str | None) -> None:
+        status_texts.append(text)
+        original_status(self, text)
+
+    bpy.types.WorkSpace.status_text_set = status_text_set
+
+    original_draw = panels.MEANDER_PT_main.draw
+
+    def draw(self: bpy.types.Panel, context: bpy.types.Context) -> None:
+        global panel_draws
+        panel_draws += 1
+        original_draw(self, context)
+
+    panels.MEANDER_PT_main.draw = draw
