@@ -125,8 +125,9 @@ class Gaps:
 # ------------------------------------------------------------------------------------------------
 # Flow
 
-# Room for gaps that is offered at once: asking for the number first would search twice.
-_GAP_ROOM = 256
+# Room for gaps that is offered at once, since every call searches anew: more than most surfaces
+# have even halfway through a run. Memory that is not filled costs nothing.
+_GAP_ROOM = 1 << 16
 
 
 class Flow(Handle):
