@@ -41,9 +41,9 @@ def add_vectors(thing: bpy.types.Object, name: str, vector) -> None:
 
 
 def share_along(curve, direction) -> float:
-    way = np.diff(curve.points, axis=0)
-    length = np.linalg.norm(way, axis=1)
-    return length[np.abs(way @ np.array(direction)) > 0.95 * length].sum() / length.sum()
+    chord = np.diff(curve.points, axis=0)
+    length = np.linalg.norm(chord, axis=1)
+    return length[np.abs(chord @ np.array(direction)) > 0.95 * length].sum() / length.sum()
 
 
 def test_an_attribute_turns_with_its_object(run):

@@ -30,9 +30,9 @@ def test_files_hold_the_curve_with_normals(tmp_path: Path) -> None:
     ) == {"FINISHED"}
     with (tmp_path / "few.csv").open() as file:
         rows = list(csv.DictReader(file))
-    ways = [float(row["arc_length"]) for row in rows if row["strand"] == "0"]
-    assert 0.09 < ways[1] <= 0.1
-    assert np.allclose(np.diff(ways), ways[1])
+    arc_lengths = [float(row["arc_length"]) for row in rows if row["strand"] == "0"]
+    assert 0.09 < arc_lengths[1] <= 0.1
+    assert np.allclose(np.diff(arc_lengths), arc_lengths[1])
 
 
 def test_mesh_has_the_attributes() -> None:
@@ -53,9 +53,9 @@ def test_mesh_has_the_attributes() -> None:
     weights = values("weights", "float", 3)
     rebuilt = np.einsum("nk,nkj->nj", weights, vertices[faces[triangles]])
     assert np.allclose(rebuilt, points, atol=0.005)
-    ways = values("arc_length", "float", 1)[:, 0]
+    arc_lengths = values("arc_length", "float", 1)[:, 0]
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    assert np.allclose(np.diff(ways), steps, atol=1e-5)
+    assert np.allclose(np.diff(arc_lengths), steps, atol=1e-5)
     normals, tangents = values("surface_normal", "float", 3), values("tangent", "float", 3)
     assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-5)
     assert np.abs((normals * tangents).sum(axis=1)).max() < 0.3

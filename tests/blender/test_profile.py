@@ -54,8 +54,8 @@ def test_the_profile_has_x_along_the_normal(shape, cyclic: bool) -> None:
     normals = points + 0.4 * rng.standard_normal(points.shape) + [0.1, 2.0, 0.3]
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     thing = _dressed(points, normals, cyclic)
-    way = profile.directions(points, cyclic)
-    square = normals - (normals * way).sum(axis=1, keepdims=True) * way
+    tangents = profile.directions(points, cyclic)
+    square = normals - (normals * tangents).sum(axis=1, keepdims=True) * tangents
     square /= np.linalg.norm(square, axis=1, keepdims=True)
 
     # A profile from its origin along X shows where X goes, sign and all.
@@ -77,7 +77,7 @@ def test_the_profile_has_x_along_the_normal(shape, cyclic: bool) -> None:
     ribs = mesh[:, 1] - mesh[:, 0]
     ribs /= np.linalg.norm(ribs, axis=1, keepdims=True)
     assert np.abs((ribs * square).sum(axis=1)).max() < 2e-3
-    assert np.abs((ribs * way).sum(axis=1)).max() < 2e-3
+    assert np.abs((ribs * tangents).sum(axis=1)).max() < 2e-3
 
 
 def test_a_result_lies_flat_on_its_surface() -> None:

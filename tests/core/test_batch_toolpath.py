@@ -43,9 +43,9 @@ def test_step_and_tolerance_give_the_same_curve(square: Path) -> None:
         sum(strand["length"] for strand in whole)
     )
     assert [strand["closed"] for strand in stepped] == [strand["closed"] for strand in whole]
-    ways = np.diff(stepped[0]["arc_lengths"])
-    assert np.allclose(ways, ways[0])
-    assert ways[0] <= 0.05
+    steps = np.diff(stepped[0]["arc_lengths"])
+    assert np.allclose(steps, steps[0])
+    assert steps[0] <= 0.05
     assert 3 <= len(rows) < sum(len(strand["points"]) for strand in whole)
     assert np.allclose(np.abs([float(row["nz"]) for row in rows]), 1.0)
     assert all(0.01 < float(row["r_plus"]) < 0.5 for row in rows)

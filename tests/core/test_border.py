@@ -22,12 +22,12 @@ def distances(points: np.ndarray, curve: core.Polylines) -> np.ndarray:
         curve.offsets[:-1], curve.offsets[1:], curve.closed, strict=True
     ):
         following[end - 1], joined[end - 1] = first, closed
-    begin, way = begin[joined], (begin[following[joined]] - begin[joined])
-    squares = np.maximum((way * way).sum(axis=1), 1e-300)
+    begin, along = begin[joined], (begin[following[joined]] - begin[joined])
+    squares = np.maximum((along * along).sum(axis=1), 1e-300)
     result = np.empty(len(points))
     for k, point in enumerate(points):
-        share = np.clip(((point - begin) * way).sum(axis=1) / squares, 0.0, 1.0)
-        result[k] = np.linalg.norm(begin + share[:, None] * way - point, axis=1).min()
+        share = np.clip(((point - begin) * along).sum(axis=1) / squares, 0.0, 1.0)
+        result[k] = np.linalg.norm(begin + share[:, None] * along - point, axis=1).min()
     return result
 
 
@@ -94,9 +94,9 @@ def border_edges(faces: np.ndarray) -> np.ndarray:
 
 def distance_from_border(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     edges = border_edges(faces)
-    begin, way = vertices[edges[:, 0]], vertices[edges[:, 1]] - vertices[edges[:, 0]]
-    share = ((points[:, None] - begin) * way).sum(axis=2) / (way * way).sum(axis=1)
-    nearest = begin + np.clip(share, 0.0, 1.0)[:, :, None] * way
+    begin, along = vertices[edges[:, 0]], vertices[edges[:, 1]] - vertices[edges[:, 0]]
+    share = ((points[:, None] - begin) * along).sum(axis=2) / (along * along).sum(axis=1)
+    nearest = begin + np.clip(share, 0.0, 1.0)[:, :, None] * along
     return np.linalg.norm(nearest - points[:, None], axis=2).min(axis=1)
 
 

@@ -190,7 +190,7 @@ def _draw_options(random: np.random.Generator, r: float, tags: set) -> core.Flow
         options.boundary_rule = core.BoundaryRule.CENTRE
     if draw("obstacle", 0.08):  # refused with a border distance other than the usual
         options.boundary_rule = core.BoundaryRule.OBSTACLE
-    if draw("ripening", 0.3):
+    if draw("hairpin removal", 0.3):
         options.ripening_iterations = 3
     if draw("no polish", 0.15):
         options.polish = False

@@ -69,8 +69,8 @@ def test_guides_ride_along_and_are_cut_as_finely_as_the_surface_stretches():
         curve = flow.polylines()
         first = curve.positions[curve.offsets[0] : curve.offsets[1]]
         for stretch in (1.3, 2.0, 3.0):
-            way = np.array([1.0, 1.0, stretch])
-            flow.set_vertices(vertices * way)
+            factors = np.array([1.0, 1.0, stretch])
+            flow.set_vertices(vertices * factors)
             for _ in range(5):
                 flow.step()
             assert flow.statistics()["crossings"] == 0
@@ -78,7 +78,7 @@ def test_guides_ride_along_and_are_cut_as_finely_as_the_surface_stretches():
             moved = curve.positions[curve.offsets[0] : curve.offsets[1]]
             lengths = np.linalg.norm(np.diff(moved, axis=0), axis=1)
             assert lengths.max() < 2.01 * 0.05
-            distance = np.linalg.norm(moved[None] - (first * way)[:, None], axis=2).min(axis=1)
+            distance = np.linalg.norm(moved[None] - (first * factors)[:, None], axis=2).min(axis=1)
             assert distance.max() < 1e-6  # where it was drawn it still is
         # Nothing grows nearer to it than to itself.
         rest = curve.positions[curve.offsets[1] :]

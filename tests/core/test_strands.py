@@ -99,8 +99,8 @@ def test_guides_stay_and_are_told_from_what_grows() -> None:
         assert (figures["guides"], figures["strands"], figures["crossings"]) == (1, 2, 0)
         assert flow.nodes().fixed[: len(before)].sum() > 5
     line = np.array(BAR)
-    way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
-    away = before - line[0] - np.outer((before - line[0]) @ way, way)
+    direction = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
+    away = before - line[0] - np.outer((before - line[0]) @ direction, direction)
     assert np.abs(away).max() < 1e-8
 
 
@@ -173,8 +173,8 @@ def test_a_stroke_is_led_round_guides(cells: int) -> None:
     result = grow(geometry.grid(cells), 0.03, strands.assembled([drawn, fence]))
     figures = result.statistics
     assert (figures["guides"], figures["strands"], figures["crossings"]) == (2, 3, 0)
-    way = strand(result.curve, 0)
-    assert np.abs(way[[0, -1]] - [begin, end]).max() < 1e-8
+    stroke = strand(result.curve, 0)
+    assert np.abs(stroke[[0, -1]] - [begin, end]).max() < 1e-8
     # It had to leave the hook at its open side, and fills what it comes to.
     assert figures["length"] > 0.8 * 1 / 0.06
     samples = geometry.samples_of(*result.curve[::2], result.curve.closed, 0.01)

@@ -56,9 +56,9 @@ def resampled(curve: core.Polylines, step: float) -> NDArray[np.float64]:
 def aligned_share(curve: core.Polylines, direction: tuple, degrees: float = 15) -> float:
     """The share of the length that lies within an angle of a direction."""
     points = np.vstack([curve.positions, curve.positions[:1]])
-    way = np.diff(points, axis=0)
-    length = np.linalg.norm(way, axis=1)
-    near = np.abs(way @ np.array(direction)) >= np.cos(np.radians(degrees)) * length
+    chord = np.diff(points, axis=0)
+    length = np.linalg.norm(chord, axis=1)
+    near = np.abs(chord @ np.array(direction)) >= np.cos(np.radians(degrees)) * length
     return length[near].sum() / length.sum()
 
 
@@ -76,9 +76,9 @@ def corners(curve: core.Polylines) -> int:
     """Turns of more than 60 degrees within an arc length of r."""
     r = SPACING / 2
     points = resampled(curve, 0.1 * r)
-    way = np.roll(points, -2, axis=0) - points
-    way /= np.linalg.norm(way, axis=1)[:, None]
-    over = (way * np.roll(way, -10, axis=0)).sum(axis=1) < 0.5
+    chord = np.roll(points, -2, axis=0) - points
+    chord /= np.linalg.norm(chord, axis=1)[:, None]
+    over = (chord * np.roll(chord, -10, axis=0)).sum(axis=1) < 0.5
     return int(np.sum(over & ~np.roll(over, 1)))
 
 

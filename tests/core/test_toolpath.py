@@ -38,10 +38,10 @@ def _farthest(points, path, closed):
     """The greatest distance of points from a polyline, pair by pair."""
     begin, end = _pieces(path, closed)
     begin = begin[: len(end)]
-    way = end - begin
-    square = np.maximum((way**2).sum(axis=1), 1e-300)
-    share = np.clip(((points[:, None] - begin) * way).sum(axis=2) / square, 0.0, 1.0)
-    nearest = begin + share[..., None] * way
+    piece = end - begin
+    square = np.maximum((piece**2).sum(axis=1), 1e-300)
+    share = np.clip(((points[:, None] - begin) * piece).sum(axis=2) / square, 0.0, 1.0)
+    nearest = begin + share[..., None] * piece
     return np.linalg.norm(points[:, None] - nearest, axis=2).min(axis=1).max()
 
 
@@ -52,8 +52,10 @@ def test_steps_are_equal_and_on_the_polyline(step):
     ):
         assert strand.closed == whole.closed
         assert _farthest(strand.points, whole.points, whole.closed) < 1e-12
-        ways = np.append(strand.arc_lengths, strand.length) if strand.closed else strand.arc_lengths
-        gaps = np.diff(ways)
+        arc_lengths = strand.arc_lengths
+        if strand.closed:
+            arc_lengths = np.append(arc_lengths, strand.length)
+        gaps = np.diff(arc_lengths)
         assert np.allclose(gaps, gaps[0])
         assert gaps[0] <= step * (1.0 + 1e-9)
         least = 3 if strand.closed else 1
@@ -151,11 +153,11 @@ def test_resampling_keeps_to_the_triangles_and_blends_the_room():
             assert np.allclose(strand.weights.sum(axis=1), 1.0)
             assert strand.radii.shape == (len(strand.points), 2)
     for given, strand in zip(whole, stepped, strict=True):
-        # In proportion to the way, against numpy's own interpolation.
-        ways = np.append(given.arc_lengths, given.length)
+        # In proportion to the arc length, against numpy's own interpolation.
+        places = np.append(given.arc_lengths, given.length)
         for side in range(2):
             values = np.append(given.radii[:, side], given.radii[0, side])
-            assert np.allclose(strand.radii[:, side], np.interp(strand.arc_lengths, ways, values))
+            assert np.allclose(strand.radii[:, side], np.interp(strand.arc_lengths, places, values))
     assert np.array_equal(np.vstack([strand.radii for strand in whole]), data.radii)
 
 

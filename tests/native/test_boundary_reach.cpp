@@ -32,7 +32,7 @@ struct Scene {
   }
 
   /// The distance along the surface, infinite where the boundary is farther than `most`.
-  double way(uint32_t node, size_t side, double most) const {
+  double distance(uint32_t node, size_t side, double most) const {
     Path path;
     const Trace trace =
         trace_geodesic(surface, curve.nodes[node], (side == 0 ? most : -most) * frames.bitangent2[node], path);
@@ -41,7 +41,7 @@ struct Scene {
 
   /// |d|^2 over the part of d that is ahead: twice the radius of the ball that touches the sample at d. Only
   /// for samples that face the node, within 60 degrees.
-  double way_to_corners(uint32_t node, size_t side) const {
+  double distance_to_corners(uint32_t node, size_t side) const {
     double least = std::numeric_limits<double>::infinity();
     for (size_t k = 0; k < boundary.samples().size(); ++k) {
       const Vec3 d = boundary.samples()[k] - frames.position[node];
@@ -72,7 +72,7 @@ TEST(Reach, IsTheClampWhereThereIsNoBoundary) {
 }
 
 /// However few the samples that tell that the boundary is near: of a square's edges their ends only.
-TEST(Reach, IsTheWayToTheBoundary) {
+TEST(Reach, IsTheDistanceToTheBoundary) {
   for (const auto& [mesh, step] :
        {std::pair{grid_with_hole(9), 0.01}, {grid_with_hole(9), 1.0}, {flat_grid(1, 0), 1.0}}) {
     const Scene scene(mesh, 40, step);
@@ -80,16 +80,16 @@ TEST(Reach, IsTheWayToTheBoundary) {
       const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kGeodesic, kMost, overhang, 0);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         for (size_t side = 0; side < 2; ++side) {
-          const double way = scene.way(i, side, 1);
-          EXPECT_NEAR(reach[i][side].radius, std::clamp(way + overhang, 0.0, kMost), kRounding);
-          EXPECT_NEAR(reach[i][side].centre, std::min(kMost, way), kRounding);
+          const double distance = scene.distance(i, side, 1);
+          EXPECT_NEAR(reach[i][side].radius, std::clamp(distance + overhang, 0.0, kMost), kRounding);
+          EXPECT_NEAR(reach[i][side].centre, std::min(kMost, distance), kRounding);
         }
       }
     }
   }
 }
 
-TEST(Reach, OfAnObstacleIsTheWayAlone) {
+TEST(Reach, OfAnObstacleIsTheDistanceAlone) {
   const Scene scene(grid_with_hole(9));
   const NodeData<Reach> plain = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, 0);
   const NodeData<Reach> walls =
@@ -117,16 +117,16 @@ TEST(Reach, SamplesKnowTheWayIntoTheSurface) {
 }
 
 /// A strand that runs into the boundary has room on both sides: the boundary ahead does not face them.
-TEST(Reach, OfAStrandThatRunsIntoTheBoundaryIsTheWayAlone) {
+TEST(Reach, OfAStrandThatRunsIntoTheBoundaryIsTheDistanceAlone) {
   const Scene scene(flat_grid(9));
   const NodeData<Reach> reach =
       scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, Scene::kRadius);
   int nodes = 0;
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
-    const double way = std::min(scene.way(i, 0, 1), scene.way(i, 1, 1));
+    const double distance = std::min(scene.distance(i, 0, 1), scene.distance(i, 1, 1));
     const double nearest =
         std::sqrt(scene.boundary.tree().nearest(scene.frames.position[i])->squared_distance);
-    if (nearest > 0.5 * Scene::kRadius || way < kMost) continue;
+    if (nearest > 0.5 * Scene::kRadius || distance < kMost) continue;
     ++nodes;
     for (size_t side = 0; side < 2; ++side) EXPECT_EQ(reach[i][side].radius, kMost);
   }
@@ -155,17 +155,17 @@ TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
   std::vector<std::array<double, 2>> felt;  // the distance, and what drives
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) {
-      const double straight = scene.way(i, side, 1), corner = scene.way_to_corners(i, side);
-      const double way = corner < rest ? std::min(straight, corner) : straight;
+      const double straight = scene.distance(i, side, 1), corner = scene.distance_to_corners(i, side);
+      const double distance = corner < rest ? std::min(straight, corner) : straight;
       const double driving = reach[i][side].driving;
-      EXPECT_NEAR(reach[i][side].radius, std::min(kMost, way), kRounding);
-      if (way >= rest) {
+      EXPECT_NEAR(reach[i][side].radius, std::min(kMost, distance), kRounding);
+      if (distance >= rest) {
         EXPECT_EQ(driving, reach[i][side].radius);
         continue;
       }
       corners += corner < straight - 0.1 * rest;
-      EXPECT_LT(driving, way);
-      felt.push_back({way, driving});
+      EXPECT_LT(driving, distance);
+      felt.push_back({distance, driving});
     }
   }
   EXPECT_GT(corners, 5);

@@ -30,11 +30,11 @@ Vec3 random_direction(Rng& rng) { return Vec3(rng.in(-1, 1), rng.in(-1, 1), rng.
 /// Points of a curve that winds at random: some consecutive, some not.
 std::vector<Vec3> winding(size_t count, double step, Rng& rng) {
   std::vector<Vec3> points;
-  Vec3 at(0, 0, 0), way = random_direction(rng);
+  Vec3 at(0, 0, 0), direction = random_direction(rng);
   for (size_t i = 0; i < count; ++i) {
     if (i % 37 == 0) at = Vec3(rng.in(-0.5, 0.5), rng.in(-0.5, 0.5), rng.in(-0.1, 0.1));
-    way = (way + 0.3 * random_direction(rng)).normalized();
-    at = (at + step * way).cwiseMax(-1).cwiseMin(1);
+    direction = (direction + 0.3 * random_direction(rng)).normalized();
+    at = (at + step * direction).cwiseMax(-1).cwiseMin(1);
     points.push_back(at);
   }
   return points;

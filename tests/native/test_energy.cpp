@@ -111,15 +111,15 @@ TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
             return sum;
           };
           for (uint32_t k = 0; k < strand.count; ++k) {
-            const Vec2 way = s.rng.direction();
+            const Vec2 direction = s.rng.direction();
             const double step = kStep * s.metric.radius[strand.first + k] * 0.1;
-            const double ahead = literal(k, step * way), behind = literal(k, -step * way);
+            const double ahead = literal(k, step * direction), behind = literal(k, -step * direction);
             const double here = literal(k, {});
             const double slope = (ahead - behind) / (2 * step);
-            EXPECT_NEAR(-dot(system.right[k], way), slope, kDifference * (1 + std::abs(slope)));
+            EXPECT_NEAR(-dot(system.right[k], direction), slope, kDifference * (1 + std::abs(slope)));
             const Sym2& m = system.diagonal_block[k];
-            const double curvature = system.diagonal[k] + m.xx * way.x * way.x +
-                                     2 * m.xy * way.x * way.y + m.yy * way.y * way.y;
+            const double curvature = system.diagonal[k] + m.xx * direction.x * direction.x +
+                                     2 * m.xy * direction.x * direction.y + m.yy * direction.y * direction.y;
             EXPECT_NEAR(curvature, (ahead + behind - 2 * here) / (step * step),
                         3e-3 * std::abs(curvature));
           }
@@ -165,12 +165,12 @@ TEST(Energy, DerivativeIsTheSystemsRightHandSide) {
       assemble(s.curve, strand, s.frames, s.radii, s.metric, s.weights, s.pool, system);
       for (uint32_t k = 0; k < strand.count; ++k) {
         const uint32_t i = strand.first + k;
-        const Vec2 way = s.rng.direction();
+        const Vec2 direction = s.rng.direction();
         Eigen::VectorXd d = Eigen::VectorXd::Zero(3 * s.curve.size());
         d.segment<3>(3 * i) =
-            kStep * s.surface.to_space(s.curve.nodes[i].face, system.frame[k] * way);
+            kStep * s.surface.to_space(s.curve.nodes[i].face, system.frame[k] * direction);
         const double slope = (model.energy(d) - model.energy(-d)) / (2 * kStep);
-        EXPECT_NEAR(-dot(system.right[k], way), slope, kDifference * (1 + std::abs(slope)));
+        EXPECT_NEAR(-dot(system.right[k], direction), slope, kDifference * (1 + std::abs(slope)));
       }
     }
   }

@@ -388,7 +388,7 @@ std::vector<Vec3> positions_of(const Flow& flow) {
   return positions;
 }
 
-TEST(FlowToTheEnd, RipensKeepsItsInvariantsAndEndsStill) {
+TEST(FlowToTheEnd, RemovesHairpinsKeepsItsInvariantsAndEndsStill) {
   const Mesh mesh = torus(24, 12);
   const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
   FlowSettings settings = settings_of(MEANDER_PRESET_FINEST, *surface, spacing_for(*surface, 150));

@@ -19,13 +19,13 @@ constexpr double kSinglePrecision = 1e-6;  // in which directions are cached
 struct Scene {
   explicit Scene(const Mesh& mesh) : surface(make_surface(mesh)) {}
 
-  void find(const NodeData<CachedDirections>* looks, Frames& frames) {
+  void find(const NodeData<CachedDirections>* cached, Frames& frames) {
     metric = even_metric(curve, radius);
-    compute_frames(surface, curve, metric, RadiusField(radius), pool, frames, looks);
+    compute_frames(surface, curve, metric, RadiusField(radius), pool, frames, cached);
   }
 
   /// Moves every node by up to `most`.
-  void stir(double most, Rng& rng) {
+  void perturb(double most, Rng& rng) {
     NodeData<Vec2> displacement(curve.size());
     for (Vec2& d : displacement) d = rng.in(0, most) * rng.direction();
     MoveSeconds seconds;
@@ -51,16 +51,16 @@ void add_rings(Scene& scene, Rng& rng) {
   for (int k = 0; k < 6; ++k) add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.08, 40, 0, rng);
 }
 
-TEST(Looks, OfNodesThatHaveNotMovedStay) {
+TEST(CachedDirections, OfNodesThatHaveNotMovedStay) {
   for (const Mesh& mesh : {sphere(3), torus(20, 10), cube(), with_noise(sphere(2), 0.3, 5)}) {
     Scene scene(mesh);
     Rng rng(41);
     add_rings(scene, rng);
     Frames first, again;
-    NodeData<CachedDirections> looks;
+    NodeData<CachedDirections> cached;
     scene.find(nullptr, first);
-    remember_directions(first, scene.metric, scene.pool, looks);
-    scene.find(&looks, again);
+    remember_directions(first, scene.metric, scene.pool, cached);
+    scene.find(&cached, again);
     for (uint32_t i = 0; i < scene.curve.size(); ++i) {
       EXPECT_TRUE(first.walked[i]);
       EXPECT_FALSE(again.walked[i]);
@@ -74,7 +74,7 @@ TEST(Looks, OfNodesThatHaveNotMovedStay) {
 }
 
 /// Repeatedly: a cached direction is compared with the place where it was traced, not with the last iteration.
-TEST(Looks, EndWhereNodesMoveOrTurn) {
+TEST(CachedDirections, EndWhereNodesMoveOrTurn) {
   // Sine of the greatest angle, here and on faces a third of r wide: tuning::kRest r over the radius of the
   // surface, and what the faces' edges add.
   constexpr double kMostOff = 0.06;
@@ -83,19 +83,19 @@ TEST(Looks, EndWhereNodesMoveOrTurn) {
     Rng rng(42);
     add_rings(scene, rng);
     Frames frames, exact;
-    NodeData<CachedDirections> looks;
+    NodeData<CachedDirections> cached;
     scene.find(nullptr, frames);
-    remember_directions(frames, scene.metric, scene.pool, looks);
+    remember_directions(frames, scene.metric, scene.pool, cached);
     size_t kept = 0, walked = 0;
     for (int step = 0; step < 12; ++step) {
-      scene.stir((step % 3 == 2 ? 0.1 : 0.002) * kRadius, rng);
+      scene.perturb((step % 3 == 2 ? 0.1 : 0.002) * kRadius, rng);
       scene.find(nullptr, exact);
-      scene.find(&looks, frames);
+      scene.find(&cached, frames);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         const Vec3 t = tangent_of(scene, frames, i);
-        bool rests = (frames.position[i] - looks[i].from).norm() <= tuning::kRest * kRadius;
+        bool rests = (frames.position[i] - cached[i].from).norm() <= tuning::kRest * kRadius;
         for (int side = 0; side < 2; ++side) {
-          rests = rests && std::abs(looks[i].outward[side].cast<double>().dot(t)) <= tuning::kTurn;
+          rests = rests && std::abs(cached[i].outward[side].cast<double>().dot(t)) <= tuning::kTurn;
         }
         ASSERT_EQ(frames.walked[i] == 0, rests) << "step " << step << " node " << i;
         ++(rests ? kept : walked);
@@ -106,30 +106,30 @@ TEST(Looks, EndWhereNodesMoveOrTurn) {
           EXPECT_LT((outward - exact.outward[i][side]).norm(), rests ? kMostOff : 1e-300);
         }
       }
-      remember_directions(frames, scene.metric, scene.pool, looks);
+      remember_directions(frames, scene.metric, scene.pool, cached);
     }
     EXPECT_GT(kept, 500u);
     EXPECT_GT(walked, 500u);
   }
 }
 
-TEST(Looks, EndWhereTheSpacingChanges) {
+TEST(CachedDirections, EndWhereTheSpacingChanges) {
   Scene scene(sphere(3));
   Rng rng(43);
   add_rings(scene, rng);
   Frames frames;
-  NodeData<CachedDirections> looks;
+  NodeData<CachedDirections> cached;
   scene.find(nullptr, frames);
-  remember_directions(frames, scene.metric, scene.pool, looks);
+  remember_directions(frames, scene.metric, scene.pool, cached);
   for (const double factor : {0.9, 0.96, 1.04, 1.1}) {
     scene.radius = factor * kRadius;
-    scene.find(&looks, frames);
+    scene.find(&cached, frames);
     const bool near = std::abs(1 / factor - 1) <= tuning::kRest;
     for (const uint8_t walked : frames.walked) EXPECT_EQ(walked == 0, near) << factor;
   }
 }
 
-TEST(Looks, AreNotKeptAtTheBoundary) {
+TEST(CachedDirections, AreNotKeptAtTheBoundary) {
   Scene scene(flat_grid(6));
   Rng rng(44);
   for (int k = 0; k < 200 && scene.curve.strands.size() < 12; ++k) {
@@ -137,10 +137,10 @@ TEST(Looks, AreNotKeptAtTheBoundary) {
     if (!add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.03, 20, 0, rng)) scene.curve = before;
   }
   Frames first, again;
-  NodeData<CachedDirections> looks;
+  NodeData<CachedDirections> cached;
   scene.find(nullptr, first);
-  remember_directions(first, scene.metric, scene.pool, looks);
-  scene.find(&looks, again);
+  remember_directions(first, scene.metric, scene.pool, cached);
+  scene.find(&cached, again);
   size_t at_boundary = 0;
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
     const bool sees = first.to_boundary[i][0] >= 0 || first.to_boundary[i][1] >= 0;

@@ -37,11 +37,11 @@ Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
 }
 
 /// The radius of the ball through p, by bisection: balls that are tangent at a node are nested.
-double through(const Unrolled& unrolled, const SurfacePoint& x, Vec2 way, const SurfacePoint& p, double most) {
+double through(const Unrolled& unrolled, const SurfacePoint& x, Vec2 direction, const SurfacePoint& p, double most) {
   const Surface& s = unrolled.surface();
   const auto holds = [&](double radius) {
     Path path;
-    const double d = unrolled.distance(trace_geodesic(s, x, radius * way, path).end, p);
+    const double d = unrolled.distance(trace_geodesic(s, x, radius * direction, path).end, p);
     return d >= 0 && d < radius;
   };
   if (!holds(most)) return most;
@@ -85,13 +85,14 @@ TEST(GeodesicMedialAxis, IsThatOfTheUnrolledSurface) {
     for (uint32_t i = 0; i < curve.size(); ++i) {
       if (!unrolled->holds_round(curve.nodes[i], reach)) continue;
       for (int side = 0; side < 2; ++side) {
-        const Vec2 way = (side == 0 ? 1.0 : -1.0) * result.frames.bitangent2[i];
+        const Vec2 direction = (side == 0 ? 1.0 : -1.0) * result.frames.bitangent2[i];
         // The ball's centre may stop at the boundary.
         Path path;
-        const Trace trace = trace_geodesic(s, curve.nodes[i], setting.most * way, path);
+        const Trace trace = trace_geodesic(s, curve.nodes[i], setting.most * direction, path);
         double expected = trace.length;
         for (uint32_t p = 0; p < curve.size(); ++p) {
-          if (p != i) expected = std::min(expected, through(*unrolled, curve.nodes[i], way, curve.nodes[p], expected));
+          if (p == i) continue;
+          expected = std::min(expected, through(*unrolled, curve.nodes[i], direction, curve.nodes[p], expected));
         }
         const double radius = result.geodesic[i][side];
         EXPECT_NEAR(radius, expected, kShare * expected) << "node " << i << " side " << side;
@@ -120,10 +121,10 @@ TEST(GeodesicMedialAxis, IsTheEuclideanOneOnAPlane) {
         for (int side = 0; side < 2; ++side) {
           // A geodesic ball's centre stays on the surface; between samples of the boundary a Euclidean
           // one slips out.
-          const Vec2 way = (side == 0 ? 1.0 : -1.0) * result.frames.bitangent2[i];
+          const Vec2 direction = (side == 0 ? 1.0 : -1.0) * result.frames.bitangent2[i];
           Path path;
           if (rule == BoundaryRule::kObstacle &&
-              trace_geodesic(s, curve.nodes[i], result.euclidean[i][side] * way, path).hit_boundary) {
+              trace_geodesic(s, curve.nodes[i], result.euclidean[i][side] * direction, path).hit_boundary) {
             continue;
           }
           EXPECT_NEAR(result.geodesic[i][side], result.euclidean[i][side], kRounding * setting.most)
@@ -209,11 +210,11 @@ TEST(GeodesicMedialAxis, BallsAreEmptyAndTouchOnCurvedSurfaces) {
     for (uint32_t i = 0; i < curve.size(); ++i) {
       for (int side = 0; side < 2; ++side) {
         const double radius = result.geodesic[i][side];
-        const Vec2 way = (side == 0 ? 1.0 : -1.0) * result.frames.bitangent2[i];
+        const Vec2 direction = (side == 0 ? 1.0 : -1.0) * result.frames.bitangent2[i];
         Path path;
-        const Trace trace = trace_geodesic(s, curve.nodes[i], radius * way, path);
+        const Trace trace = trace_geodesic(s, curve.nodes[i], radius * direction, path);
         path.clear();
-        const bool stopped = trace_geodesic(s, curve.nodes[i], 1.01 * radius * way, path).hit_boundary;
+        const bool stopped = trace_geodesic(s, curve.nodes[i], 1.01 * radius * direction, path).hit_boundary;
         std::vector<GeodesicDistance::Target> targets;
         for (uint32_t p = 0; p < curve.size(); ++p) {
           if (p == i) continue;

@@ -41,10 +41,10 @@ TEST(Trace, IsAStraightLineOnAFoldedSquare) {
     for (int k = 0; k < 300; ++k) {
       const SurfacePoint start = random_point(s, rng);
       const Vec2 along = rng.direction();
-      const Vec2 way = rng.in(0, 0.8) * along;  // inside units are the diagonal of the box
-      const double wanted = norm(way);
+      const Vec2 displacement = rng.in(0, 0.8) * along;  // inside units are the diagonal of the box
+      const double wanted = norm(displacement);
       Path path;
-      const Trace trace = trace_geodesic(s, start, way, path);
+      const Trace trace = trace_geodesic(s, start, displacement, path);
       ASSERT_TRUE(chains(s, start.face, trace.end.face, path));
       ASSERT_TRUE(inside_face(s, trace.end));
 
@@ -90,10 +90,10 @@ TEST(Trace, HasTheLengthAskedForOnAnySurface) {
     Rng rng(12);
     for (int k = 0; k < 200; ++k) {
       const SurfacePoint start = random_point(s, rng);
-      const Vec2 way = rng.in(0, 2) * rng.direction();
-      const double wanted = norm(way);
+      const Vec2 displacement = rng.in(0, 2) * rng.direction();
+      const double wanted = norm(displacement);
       Path path;
-      const Trace trace = trace_geodesic(s, start, way, path);
+      const Trace trace = trace_geodesic(s, start, displacement, path);
       ASSERT_TRUE(chains(s, start.face, trace.end.face, path));
       EXPECT_FALSE(trace.hit_boundary);
       EXPECT_EQ(trace.length, wanted);
@@ -132,14 +132,14 @@ TEST(Trace, IsAHelixOnACylinder) {
   // Three times around while climbing half the height, in the plane of face 0: its first edge runs
   // around.
   const double climb = 0.5 * kHeight;
-  const Vec2 way = (1 / s.scale()) * Vec2{3 * around, climb};
+  const Vec2 displacement = (1 / s.scale()) * Vec2{3 * around, climb};
   Path path;
-  const Trace trace = trace_geodesic(s, start, way, path);
+  const Trace trace = trace_geodesic(s, start, displacement, path);
   ASSERT_FALSE(trace.hit_boundary);
   const Vec3 from = position(s, start), to = position(s, trace.end);
   const double tolerance = kGridRounding * static_cast<double>(path.size());
   EXPECT_NEAR((to - from - Vec3(0, 0, climb / s.scale())).norm(), 0, tolerance);
-  EXPECT_EQ(trace.length, norm(way));
+  EXPECT_EQ(trace.length, norm(displacement));
 }
 
 TEST(Trace, DoesNotDependOnTheMeshesScale) {
@@ -148,9 +148,9 @@ TEST(Trace, DoesNotDependOnTheMeshesScale) {
     Rng rng(14);
     for (int k = 0; k < 50; ++k) {
       const SurfacePoint start = random_point(a, rng);
-      const Vec2 way = rng.in(0, 1) * rng.direction();
+      const Vec2 displacement = rng.in(0, 1) * rng.direction();
       Path pa, pb;
-      const Trace ta = trace_geodesic(a, start, way, pa), tb = trace_geodesic(b, start, way, pb);
+      const Trace ta = trace_geodesic(a, start, displacement, pa), tb = trace_geodesic(b, start, displacement, pb);
       EXPECT_TRUE(same_bytes(ta.end, tb.end));
       ASSERT_EQ(pa.size(), pb.size());
       for (size_t c = 0; c < pa.size(); ++c) EXPECT_EQ(pa[c].t, pb[c].t);

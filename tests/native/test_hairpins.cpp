@@ -150,13 +150,13 @@ TEST(Hairpins, TheShortestRunIsMarkedWithItsTurns) {
   const auto hairpins = hairpins_of(curve);
   ASSERT_EQ(hairpins.size(), 4u);
   const auto marked = marked_of(curve, 0.34);  // one of three
-  double way = 0;
+  double arc_length = 0;
   for (uint32_t i = 0; i < curve.size(); ++i) {
-    const bool in = way > hairpins[1].at - 1.99 && way < hairpins[2].at + 1.99;
-    const bool out = way < hairpins[1].at - 2.01 || way > hairpins[2].at + 2.01;
-    if (in) { EXPECT_EQ(marked[i], 1) << "at " << way; }
-    if (out) { EXPECT_EQ(marked[i], 0) << "at " << way; }
-    if (curve.has_segment(i)) way += curve.shapes[i].length / kRadius;
+    const bool in = arc_length > hairpins[1].at - 1.99 && arc_length < hairpins[2].at + 1.99;
+    const bool out = arc_length < hairpins[1].at - 2.01 || arc_length > hairpins[2].at + 2.01;
+    if (in) { EXPECT_EQ(marked[i], 1) << "at " << arc_length; }
+    if (out) { EXPECT_EQ(marked[i], 0) << "at " << arc_length; }
+    if (curve.has_segment(i)) arc_length += curve.shapes[i].length / kRadius;
   }
 }
 

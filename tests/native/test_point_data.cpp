@@ -108,9 +108,9 @@ void check(const Mesh& mesh, const Result& r) {
   }
   for (size_t s = 0; s < r.closed.size(); ++s) {
     const size_t begin = r.offsets[s], end = r.offsets[s + 1];
-    double way = 0;
+    double arc_length = 0;
     for (size_t p = begin; p < end; ++p) {
-      EXPECT_NEAR(r.arc[p], way, 1e-9);
+      EXPECT_NEAR(r.arc[p], arc_length, 1e-9);
       Vec3 sum = Vec3::Zero();
       if (p > begin || r.closed[s]) {
         sum += (r.at(r.positions, p) - r.at(r.positions, p > begin ? p - 1 : end - 1)).normalized();
@@ -121,7 +121,7 @@ void check(const Mesh& mesh, const Result& r) {
       if (sum.norm() > 1e-6) {
         EXPECT_GT(r.at(r.tangents, p).dot(sum.normalized()), 1 - 1e-9);
       }
-      if (p + 1 < end) way += (r.at(r.positions, p + 1) - r.at(r.positions, p)).norm();
+      if (p + 1 < end) arc_length += (r.at(r.positions, p + 1) - r.at(r.positions, p)).norm();
     }
   }
   // The nodes are among the points, in order, with the radii that they have; between two of them

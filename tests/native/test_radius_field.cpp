@@ -58,15 +58,15 @@ TEST(LocalMetric, FollowsFromTheRadius) {
   Curve curve;
   add_walk(s, curve, random_point(s, rng), 0.05, 30, 0.5, rng);
   ThreadPool pool(2);
-  for (const double border : {0.2, 0.5, 1.0, 1.5}) {
+  for (const double boundary_distance : {0.2, 0.5, 1.0, 1.5}) {
     LocalMetric metric;
-    find_local_metric(s, curve, radius, {3, 0.2, border}, pool, metric);
+    find_local_metric(s, curve, radius, {3, 0.2, boundary_distance}, pool, metric);
     for (uint32_t i = 0; i < curve.size(); ++i) {
       const double r = radius.at(s, curve.nodes[i]);
       EXPECT_EQ(metric.radius[i], r);
       EXPECT_EQ(metric.max_radius[i], std::min(3 * r, 0.2));
-      EXPECT_NEAR(metric.overhang[i], r - 2 * border * r, kRounding);
-      EXPECT_EQ(metric.least_rest[i], border > 1 ? 0 : r);
+      EXPECT_NEAR(metric.overhang[i], r - 2 * boundary_distance * r, kRounding);
+      EXPECT_EQ(metric.least_rest[i], boundary_distance > 1 ? 0 : r);
     }
   }
 }

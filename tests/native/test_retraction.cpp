@@ -180,7 +180,7 @@ TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
   }
 }
 
-TEST(Move, IsTheSameForAnyTeam) {
+TEST(Move, IsTheSameForAnyNumberOfThreads) {
   const Surface s = make_surface(sphere(2));
   Rng rng(74);
   const Curve old = random_curve(s, 8, rng);

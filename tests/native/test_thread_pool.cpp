@@ -15,9 +15,9 @@
 namespace meander::test {
 namespace {
 
-class TeamOf : public testing::TestWithParam<unsigned> {};
+class ThreadPoolOf : public testing::TestWithParam<unsigned> {};
 
-TEST_P(TeamOf, RunsEveryBlockOnceWithTheSameBounds) {
+TEST_P(ThreadPoolOf, RunsEveryBlockOnceWithTheSameBounds) {
   ThreadPool pool(GetParam());
   for (const size_t count : {size_t{0}, size_t{1}, size_t{7}, size_t{8}, size_t{9}, size_t{1000}}) {
     for (const size_t grain : {size_t{1}, size_t{8}, size_t{2000}}) {
@@ -40,7 +40,7 @@ TEST_P(TeamOf, RunsEveryBlockOnceWithTheSameBounds) {
   }
 }
 
-TEST_P(TeamOf, ThrowsWhatABodyThrewAndWorksAfterwards) {
+TEST_P(ThreadPoolOf, ThrowsWhatABodyThrewAndWorksAfterwards) {
   ThreadPool pool(GetParam());
   for (int round = 0; round < 20; ++round) {
     const auto body = [](size_t block, size_t, size_t) {
@@ -67,17 +67,17 @@ void expect_rounds(unsigned threads, int rounds, const Between& between) {
   for (const int v : values) EXPECT_EQ(v, rounds);
 }
 
-TEST_P(TeamOf, MakesManyShortRounds) {
+TEST_P(ThreadPoolOf, MakesManyShortRounds) {
   expect_rounds(GetParam(), 2000, [](int) {});
 }
 
-TEST_P(TeamOf, WakesUpAfterAPause) {
+TEST_P(ThreadPoolOf, WakesUpAfterAPause) {
   expect_rounds(GetParam(), 50, [](int round) {
     std::this_thread::sleep_for(std::chrono::microseconds(40 * (round % 8)));  // some fall asleep in between
   });
 }
 
-TEST_P(TeamOf, AddsUpTheSameNumberOnAnyThreads) {
+TEST_P(ThreadPoolOf, AddsUpTheSameNumberOnAnyThreads) {
   ThreadPool pool(GetParam()), alone(1);
   for (const size_t count : {size_t{0}, size_t{3}, size_t{100'000}}) {
     const auto term = [](size_t i) { return 1 / (1.0 + static_cast<double>(i)); };
@@ -88,7 +88,7 @@ TEST_P(TeamOf, AddsUpTheSameNumberOnAnyThreads) {
   }
 }
 
-TEST_P(TeamOf, TakesTheBlocksOfAThreadThatIsHeldUp) {
+TEST_P(ThreadPoolOf, TakesTheBlocksOfAThreadThatIsHeldUp) {
   constexpr size_t kBlocks = 12;
   ThreadPool pool(GetParam());
   if (pool.size() == 1) return;  // there is no other thread
@@ -106,7 +106,7 @@ TEST_P(TeamOf, TakesTheBlocksOfAThreadThatIsHeldUp) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, TeamOf, testing::Values(1u, 2u, 3u, 16u));
+INSTANTIATE_TEST_SUITE_P(Threads, ThreadPoolOf, testing::Values(1u, 2u, 3u, 16u));
 
 TEST(ThreadPool, CountsTheCaller) {
   EXPECT_EQ(ThreadPool(1).size(), 1u);
