@@ -12,9 +12,17 @@ SOURCES = Path(__file__).resolve().parents[2] / "native" / "src"
 
 # In the order of the data; docs/architecture.md says what each is for.
 ROOMS = ("base", "mesh", "geodesic", "curve", "medial", "model", "flow", "api")
-INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
-# Not a room: the public header and the one that CMake makes belong to the border alone.
-BORDER = {"meander/meander.h": "api", "version.h": "api"}
+# In quotes, or in angle brackets where what is named could be ours.
+OURS = "|".join((*ROOMS, "meander"))
+INCLUDE = re.compile(rf'^\s*#\s*include\s+(?:"([^"]+)"|<((?:{OURS})/[^>]+)>)', re.MULTILINE)
+# Not a room: the public header and the one that CMake makes belong to api alone.
+OF_API = {"meander/meander.h": "api", "version.h": "api"}
+
+
+def included_by(file: Path) -> list[str]:
+    """What of the library a file includes, as it is written there."""
+    found = INCLUDE.findall(file.read_text(encoding="utf-8"))
+    return [quoted or angled for quoted, angled in found]
 
 
 def wrong_includes(sources: Path) -> list[str]:
@@ -26,8 +34,8 @@ def wrong_includes(sources: Path) -> list[str]:
         if len(place.parts) != 2 or room not in ROOMS:
             wrong.append(f"{place} stands in no room")
             continue
-        for name in INCLUDE.findall(file.read_text(encoding="utf-8")):
-            target = BORDER.get(name, name.split("/")[0])
+        for name in included_by(file):
+            target = OF_API.get(name, name.split("/")[0])
             if target not in ROOMS:
                 wrong.append(f"{place} includes {name}, which names no room")
             elif ROOMS.index(target) > ROOMS.index(room):
@@ -37,10 +45,7 @@ def wrong_includes(sources: Path) -> list[str]:
 
 def headers_in_a_circle(sources: Path) -> list[str]:
     """The headers that lead into a circle."""
-    includes = {
-        str(p.relative_to(sources)): set(INCLUDE.findall(p.read_text(encoding="utf-8")))
-        for p in sources.rglob("*.h")
-    }
+    includes = {str(p.relative_to(sources)): set(included_by(p)) for p in sources.rglob("*.h")}
     # What includes nothing that is left is in no circle, and neither is what only includes such.
     while free := {name for name, used in includes.items() if not used & includes.keys()}:
         includes = {name: used for name, used in includes.items() if name not in free}
@@ -72,6 +77,15 @@ def test_a_wrong_include_is_found(tmp_path, file, include, complaint):
     (found,) = wrong_includes(tmp_path)
     assert file in found
     assert complaint in found
+
+
+@pytest.mark.parametrize("include", ["flow/flow.h", "meander/meander.h"])
+def test_angle_brackets_hide_nothing(tmp_path, include):
+    (tmp_path / "mesh").mkdir()
+    path = tmp_path / "mesh" / "surface.h"
+    path.write_text(f"#include <vector>\n#include <{include}>\n", encoding="utf-8")
+    (found,) = wrong_includes(tmp_path)
+    assert f"includes {include} from a later room" in found
 
 
 def test_a_circle_is_found(tmp_path):
