@@ -185,8 +185,7 @@ TEST(Deformation, LinesOfAFieldRide) {
   const Mesh mesh = tube();
   const Mesh moved = bent(mesh, 5, 0.5 * kPi, 1.5);
   const Surface a = make_surface(mesh), b = make_surface(moved);
-  std::vector<Vec3> along(mesh.vertex_count());
-  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) along[v] = Vec3(0, 0, 1);
+  const VertexData<Vec3> along(mesh.vertex_count(), Vec3(0, 0, 1));
   LineField field(a, along, false);
   field.ride(a, b);
   for (uint32_t f = 0; f < b.face_count(); ++f) {

@@ -79,8 +79,8 @@ TEST(Emptiness, NearbyIsThatOfSinglePoints) {
 
 TEST(Emptiness, NearbyIsThatOfSinglePointsUnderADensity) {
   const Mesh mesh = bumpy_grid(12);
-  std::vector<double> density;
-  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) density.push_back(1 + 8 * mesh.at(v).x());
+  VertexData<double> density(mesh.vertex_count());
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) density[v] = 1 + 8 * mesh.at(v).x();
   const Scene scene(mesh, RadiusField(2 * kRadius, density));
   for (const bool along_surface : {false, true}) expect_same_as_single_points(scene, along_surface);
 }

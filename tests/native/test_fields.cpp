@@ -69,7 +69,7 @@ TEST(Curvature, SmoothedKeepsItsIntegralAndFlattens) {
   for (uint32_t f = 0; f < s.face_count(); ++f) {
     for (const uint32_t v : s.face(f)) area[v] += s.face_area(f) / 3;
   }
-  const auto moments = [&](const std::vector<double>& x) {
+  const auto moments = [&](const VertexData<double>& x) {
     double sum = 0, square = 0;
     for (size_t v = 0; v < x.size(); ++v) {
       sum += area[v] * x[v];
@@ -110,7 +110,7 @@ TEST(Directions, SmoothestOnFlatSheetsAreParallel) {
   Mesh upright = grid(
       5, 0.2, [](double x, double y) { return Vec3(0.3 * x, 0, 0.3 * y); }, no_hole);
   const Surface s = make_surface(joined(flat_grid(8), upright, 3));
-  const std::vector<Vec3> d = smoothest_directions(s);
+  const VertexData<Vec3> d = smoothest_directions(s);
   for (const size_t first : {size_t{0}, size_t{81}}) {
     for (size_t v = first; v < (first == 0 ? 81 : d.size()); ++v) {
       EXPECT_NEAR(d[v].norm(), 1, kRounding);
@@ -123,7 +123,7 @@ TEST(Directions, SmoothestOnFlatSheetsAreParallel) {
 TEST(Directions, SmoothestOnATorusHaveNoSingularity) {
   constexpr double kStraight = 1e-3;
   const Surface s = make_surface(torus(kAround, kAcross, kBig, kSmall));
-  const std::vector<Vec3> d = smoothest_directions(s);
+  const VertexData<Vec3> d = smoothest_directions(s);
   for (uint32_t v = 0; v < d.size(); ++v) EXPECT_NEAR(std::abs(d[v].dot(TorusPoint(v).along)), 1, kStraight);
 }
 
@@ -146,7 +146,7 @@ TEST(Directions, FollowStrokes) {
     arc.push_back(inside(0.9 - 0.7 * std::sin(a), 0.2 + 0.7 * std::cos(a)));
   }
   const Stroke strokes[] = {arc, line};
-  const std::vector<Vec3> d = extended_directions(s, strokes);
+  const VertexData<Vec3> d = extended_directions(s, strokes);
   const auto nearest = [&](double x, double y) {
     uint32_t best = 0;
     for (uint32_t v = 0; v < s.vertex_count(); ++v) {
@@ -167,7 +167,7 @@ TEST(Directions, StayAwayFromComponentsWithoutStrokes) {
   const Surface s = make_surface(joined(flat_grid(4), flat_grid(4), 3));
   const std::vector<Vec3> line{s.to_inside({0.1, 0.5, 0}), s.to_inside({0.9, 0.6, 0})};
   const Stroke strokes[] = {line};
-  const std::vector<Vec3> d = extended_directions(s, strokes);
+  const VertexData<Vec3> d = extended_directions(s, strokes);
   for (size_t v = 0; v < 25; ++v) EXPECT_NEAR(d[v].norm(), 1, 1e-9);
   for (size_t v = 25; v < 50; ++v) EXPECT_EQ(d[v].norm(), 0);
 }
@@ -176,10 +176,10 @@ TEST(LineField, HasNoSignAndNoLength) {
   constexpr double kRounding = 1e-12;
   Rng rng(9);
   const Surface s = make_surface(bumpy_grid(6));
-  std::vector<Vec3> one, other;
+  VertexData<Vec3> one(s.vertex_count(), Vec3::Zero()), other = one;
   for (uint32_t v = 0; v < s.vertex_count(); ++v) {
-    one.emplace_back(rng.in(-1, 1), rng.in(-1, 1), rng.in(-1, 1));
-    other.push_back((v % 2 == 0 ? -1 : 1) * std::pow(10, rng.in(-150, 150)) * one.back());
+    one[v] = Vec3(rng.in(-1, 1), rng.in(-1, 1), rng.in(-1, 1));
+    other[v] = (v % 2 == 0 ? -1 : 1) * std::pow(10, rng.in(-150, 150)) * one[v];
   }
   const LineField a(s, one, false), b(s, other, false), across(s, one, true);
   for (int k = 0; k < 200; ++k) {
@@ -195,7 +195,7 @@ TEST(LineField, HasNoSignAndNoLength) {
 TEST(LineField, WishesForNothingWhereVectorsAreMissing) {
   const Surface s = make_surface(flat_grid(2, 0));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Vec3> d(s.vertex_count(), Vec3(nan, 0, 0));
+  VertexData<Vec3> d(s.vertex_count(), Vec3(nan, 0, 0));
   d[0] = Vec3::Zero();
   d[1] = Vec3(0, 0, 1);  // normal to the surface
   EXPECT_TRUE(LineField(s, d, false).empty());

@@ -344,9 +344,9 @@ TEST(FlowUnderADensity, StrandsInMetricDistanceAreAtRest) {
   const Mesh mesh = flat_grid(16);
   const auto surface = std::make_shared<const Surface>(mesh.vertices, mesh.faces);
   const double low = 0.02, slope = 0.08;  // r = low + slope x
-  std::vector<double> density;
-  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    density.push_back(std::pow(low / (low + slope * mesh.at(v).x()), 2));
+  VertexData<double> density(mesh.vertex_count());
+  for (uint32_t v = 0; v < density.size(); ++v) {
+    density[v] = std::pow(low / (low + slope * mesh.at(v).x()), 2);
   }
   SeedStrands seed;
   seed.offsets.push_back(0);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Prepared meshes: maps back to the caller's mesh, areas that are preserved, the same result at every scale.
-#include "mesh/mesh_preparation.h"
 #include "base/thread_pool.h"
+#include "mesh/mesh_preparation.h"
 
 #include <gtest/gtest.h>
 
-#include "base/failure.h"
 #include "mesh/mesh_check.h"
 #include "test_meshes.h"
 
@@ -63,7 +62,7 @@ TEST(Prepare, ClippingCutsAStraightLineAcrossEveryFace) {
   EXPECT_EQ(checked.component_count, 1u);
   EXPECT_GT(prepared.counts.clipped_faces, 0u);
   // Within a tenth of an edge, the most by which the cut moves to a vertex.
-  const std::vector<double> value = prepared.map.of_vertices(z);
+  const VertexData<double> value = prepared.map.of_vertices(z);
   double longest = 0;
   for (size_t f = 0; f < mesh.faces.size(); f += 3) {
     longest = std::max(longest, (mesh.at(mesh.faces[f]) - mesh.at(mesh.faces[f + 1])).norm());

@@ -10,9 +10,9 @@
 #include <new>
 
 #include "curve/crossings.h"
+#include "curve/refinement.h"
 #include "flow/flow.h"
 #include "flow/job.h"
-#include "curve/refinement.h"
 #include "test_curves.h"
 #include "test_seeds.h"
 
@@ -237,7 +237,8 @@ TEST(OutOfMemory, AFlowIsAsItWasWhereItsSurfaceCannotMove) {
   auto surface = std::make_shared<const Surface>(make_surface(mesh));
   const std::vector<Line> lines{{{{0.2, 0.5, 0}, {0.8, 0.5, 0}}, false, true, false}};
   const SeedStrands seed = seed_of(lines, true);
-  std::vector<double> density(surface->vertex_count(), 1), moved = mesh.vertices;
+  VertexData<double> density(surface->vertex_count(), 1);
+  std::vector<double> moved = mesh.vertices;
   density[0] = 2;
   for (double& x : moved) x *= 2;
   const auto flow_at = [&](int iterations) {

@@ -77,7 +77,7 @@ TEST(Progress, OfARunFollowsItsWork) {
     for (const bool dense : {false, true}) {
       SCOPED_TRACE(testing::Message() << "preset " << preset << (dense ? ", density" : ""));
       const auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
-      std::vector<double> density(dense ? surface->vertex_count() : 0);
+      VertexData<double> density(dense ? surface->vertex_count() : 0);
       for (uint32_t v = 0; v < density.size(); ++v) density[v] = surface->position(v).z() > 0 ? 4 : 1;
       Flow flow(surface, nullptr, density, checked_settings(options_of(0.25, preset), *surface));
       std::vector<double> told;

@@ -16,7 +16,7 @@ constexpr double kRounding = 1e-12;  // relative, of a few products
 TEST(RadiusField, IsLinearBetweenVertices) {
   const Surface s = make_surface(sphere(2));
   Rng rng(5);
-  std::vector<double> density(s.vertex_count());
+  VertexData<double> density(s.vertex_count());
   for (double& a : density) a = rng.in(0.1, 10);
   const RadiusField even(0.03), varying(0.03, density);
   EXPECT_FALSE(even.varies());
@@ -36,7 +36,7 @@ TEST(RadiusField, IsLinearBetweenVertices) {
 }
 
 TEST(RadiusField, MultiplesAndNewUnits) {
-  const std::vector<double> density{1, 4};
+  const VertexData<double> density(std::vector<double>{1, 4});
   const RadiusField field(0.1, density);
   RadiusField other(1);
   other.set_multiple(field, 3);
@@ -52,7 +52,7 @@ TEST(RadiusField, MultiplesAndNewUnits) {
 TEST(LocalMetric, FollowsFromTheRadius) {
   const Surface s = make_surface(flat_grid(6));
   Rng rng(6);
-  std::vector<double> density(s.vertex_count());
+  VertexData<double> density(s.vertex_count());
   for (double& a : density) a = rng.in(0.1, 10);
   const RadiusField radius(0.05, density);
   Curve curve;

@@ -156,9 +156,10 @@ TEST(Strands, KeepEverythingInRandomCompany) {
     if (rng() < 0.3) o.boundary_rule = MEANDER_BOUNDARY_RULE_OBSTACLE;
     if (rng() < 0.3) o.bending_weight = rng.in(0, 2);
     if (rng() < 0.3) o.length_weight = rng.in(0, 1);
-    std::vector<double> density;
+    VertexData<double> density;
     if (rng() < 0.3) {
-      for (size_t v = 0; v < surface->vertex_count(); ++v) density.push_back(rng.in(0.7, 2));
+      density.resize(surface->vertex_count());
+      for (double& a : density) a = rng.in(0.7, 2);
     }
     std::vector<Line> lines;
     for (uint32_t k = 1 + rng.below(5); k > 0; --k) lines.push_back(random_line(*surface, rng, spacing));

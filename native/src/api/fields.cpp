@@ -38,7 +38,7 @@ void for_caller_vertices(const Surface& surface, const MeshMap* map, Give&& give
   }
 }
 
-void write(const Surface& surface, const MeshMap* map, const std::vector<Vec3>& directions, double* out) {
+void write(const Surface& surface, const MeshMap* map, const VertexData<Vec3>& directions, double* out) {
   std::fill_n(out, 3 * caller_vertex_count(surface, map), 0.0);
   for_caller_vertices(surface, map, [&](uint32_t theirs, uint32_t v) {
     std::copy_n(directions[v].data(), 3, out + 3 * size_t{theirs});
@@ -73,7 +73,7 @@ meander_status meander_surface_compute_curvature(const meander_surface* surface,
     const bool gaussian = kind == MEANDER_CURVATURE_GAUSSIAN || kind == MEANDER_CURVATURE_ABSOLUTE_GAUSSIAN;
     const double unit = gaussian ? 1 / (s.scale() * s.scale()) : 1 / s.scale();
     check_cancelled(context);
-    const std::vector<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius);
+    const VertexData<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius);
     check_cancelled(context);
     std::fill_n(values, vertex_count, 0.0);
     for_caller_vertices(s, map, [&](uint32_t theirs, uint32_t v) { values[theirs] = x[v] * unit; });
@@ -91,7 +91,7 @@ meander_status meander_surface_compute_directions(const meander_surface* surface
     require_vertices(vertex_count, s, map, directions);
     const double radius = checked_smoothing(smoothing, s);
     check_cancelled(context);
-    const std::vector<Vec3> found = kind == MEANDER_DIRECTIONS_SMOOTH
+    const VertexData<Vec3> found = kind == MEANDER_DIRECTIONS_SMOOTH
                                         ? smoothest_directions(s)
                                         : principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius);
     check_cancelled(context);
@@ -118,7 +118,7 @@ meander_status meander_surface_compute_stroke_directions(const meander_surface* 
       strokes.push_back(std::span(inside).subspan(ends[g], ends[g + 1] - ends[g]));
     }
     check_cancelled(context);
-    const std::vector<Vec3> found = extended_directions(s, strokes);
+    const VertexData<Vec3> found = extended_directions(s, strokes);
     check_cancelled(context);
     write(s, map, found, directions);
   });
@@ -137,11 +137,11 @@ meander_status meander_flow_set_directions(meander_flow* flow, const double* dir
     }
     const Surface& s = f.surface();
     require_vertices(vertex_count, s, flow->map.get(), directions);
-    std::vector<Vec3> vectors;
+    VertexData<Vec3> vectors(s.vertex_count(), Vec3::Zero());
     for (uint32_t v = 0; v < s.vertex_count(); ++v) {
       // Lines have no sign, so where an edge has been cut the nearer end speaks.
       const double* d = directions + 3 * size_t{caller_vertex(flow->map.get(), v)};
-      vectors.emplace_back(d[0], d[1], d[2]);
+      vectors[v] = Vec3(d[0], d[1], d[2]);
     }
     LineField field(s, vectors, alignment == MEANDER_ALIGNMENT_ACROSS);
     require(!field.empty(), "No vertex has a direction in the surface; give a vector other than 0 0 0 to some.");

@@ -14,7 +14,7 @@ namespace {
 
 /// Refuses what would not fit the mesh or the machine: a curve has about one node for every 1.4 h of
 /// its length, area / (2 r), and both lengths shrink with the root of the density.
-void check_size(const Surface& surface, const FlowSettings& s, const std::vector<double>& density,
+void check_size(const Surface& surface, const FlowSettings& s, const VertexData<double>& density,
                 const MeshMap* map) {
   constexpr double kMostNodes = 5e8;
   double nodes = 0;
@@ -57,7 +57,7 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     require(surface != nullptr, "The surface is NULL.");
     require(flow != nullptr, "The pointer for the flow is NULL.");
     const FlowSettings settings = checked_settings(read_options(options), *surface->surface);
-    const std::vector<double> densities = checked_density(density, density_count, *surface);
+    const VertexData<double> densities = checked_density(density, density_count, *surface);
     check_cancelled(context);
     check_size(*surface->surface, settings, densities, surface->map.get());
     SeedStrands strands;

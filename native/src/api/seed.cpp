@@ -37,7 +37,7 @@ SeedStrands checked_seed(const meander_seed* given) {
   return strands;
 }
 
-std::vector<double> checked_density(const double* density, size_t count, const meander_surface& surface) {
+VertexData<double> checked_density(const double* density, size_t count, const meander_surface& surface) {
   const size_t wanted = caller_vertex_count(*surface.surface, surface.map.get());
   if (count != (density ? wanted : 0)) {
     refuse("The density has " + std::to_string(count) + " values; it must have one for each of the " +
@@ -56,7 +56,7 @@ std::vector<double> checked_density(const double* density, size_t count, const m
   if (most > 1e4 * least) {
     refuse("The density varies by a factor of " + number(most / least) + "; at most 10000 is allowed.");
   }
-  return surface_values(surface.map.get(), {density, density + count});
+  return surface_values(surface.map.get(), {density, count});
 }
 
 }  // namespace meander

@@ -3,17 +3,16 @@
 // What a flow starts from: strands and density, as the caller passes them.
 #pragma once
 
-#include <vector>
-
 #include "api/handles.h"
 #include "curve/seed.h"
+#include "mesh/vertex_data.h"
 
 namespace meander {
 
 /// The strands of a seed; throws Failure.
 SeedStrands checked_seed(const meander_seed* given);
 
-/// One value for each vertex of the surface, or none; throws Failure.
-std::vector<double> checked_density(const double* density, size_t count, const meander_surface& surface);
+/// The density at the vertices of the surface, or none; throws Failure.
+VertexData<double> checked_density(const double* density, size_t count, const meander_surface& surface);
 
 }  // namespace meander

@@ -25,7 +25,7 @@ double filling_length(const Surface& surface, const RadiusField& radius) {
 
 }  // namespace
 
-Domain::Domain(std::shared_ptr<const Surface> where, std::span<const double> density, const FlowSettings& settings)
+Domain::Domain(std::shared_ptr<const Surface> where, const VertexData<double>& density, const FlowSettings& settings)
     : surface(std::move(where)),
       wanted_radius(settings.radius, density),
       radius(wanted_radius),

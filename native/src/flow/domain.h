@@ -8,7 +8,6 @@
 
 #include "flow/settings.h"
 #include "mesh/line_field.h"
-#include "mesh/mesh_map.h"
 #include "mesh/normal_field.h"
 #include "mesh/radius_field.h"
 
@@ -17,8 +16,8 @@ namespace meander {
 /// A surface with the functions on it that drive a flow. All lengths are in the surface's own unit. Owns what it
 /// holds; other flows may share the surface.
 struct Domain {
-  /// `density` one positive value for every vertex, or none.
-  Domain(std::shared_ptr<const Surface> surface, std::span<const double> density, const FlowSettings& settings);
+  /// `density` positive, or empty: 1 everywhere.
+  Domain(std::shared_ptr<const Surface> surface, const VertexData<double>& density, const FlowSettings& settings);
 
   /// The same on a surface that has moved. `settings` are those on that surface, `old_radius` was r before.
   Domain moved_to(std::shared_ptr<const Surface> surface, double old_radius, const FlowSettings& settings) const;

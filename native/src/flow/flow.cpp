@@ -15,7 +15,7 @@
 namespace meander {
 namespace {
 
-FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed, std::span<const double> density,
+FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
                       const FlowSettings& settings, ThreadPool& pool) {
   Domain domain(std::move(surface), density, settings);
   Curve curve = first_curve(*domain.surface, seed, domain.radius, settings.widen_loops, domain.boundary->tree(),
@@ -25,7 +25,7 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
 
 }  // namespace
 
-Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, std::span<const double> density,
+Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
            const FlowSettings& settings)
     : pool_(settings.threads),
       state_(first_state(std::move(surface), seed, density, settings, pool_)),
@@ -202,13 +202,13 @@ std::vector<Gap> Flow::gaps(double least_size) {
                                     state_.settings.medial_axis == MedialAxis::kGeodesic, pool_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
-  const double border = state_.settings.boundary_distance;
-  if (border > 0.5 && !domain.boundary->empty()) {
+  const double kept = state_.settings.boundary_distance;
+  if (kept > 0.5 && !domain.boundary->empty()) {
     std::erase_if(gaps, [&](const Gap& gap) {
       const double r = gap.radius / gap.size;
       const double to_boundary =
           std::sqrt(domain.boundary->tree().nearest(position(surface(), gap.centre))->squared_distance);
-      const double wanted = std::max(0.0, (2 * border - 1) * r - to_boundary);
+      const double wanted = std::max(0.0, (2 * kept - 1) * r - to_boundary);
       return gap.radius - wanted < least_size * r;
     });
   }

@@ -26,8 +26,8 @@ namespace meander {
 /// One thread at a time may use it, but for what says otherwise.
 class Flow {
  public:
-  /// `seed` null: face loops. `density` per vertex, or empty. Throws Failure.
-  Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, std::span<const double> density,
+  /// `seed` null: face loops. `density`: positive; empty: 1 everywhere. Throws Failure.
+  Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
        const FlowSettings& settings);
 
   /// The lines that alignment_weight refers to; before the first iteration.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/fields.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -110,7 +109,7 @@ void require_success(const LineSolver& solver) {
 
 }  // namespace
 
-std::vector<double> curvature(const Surface& surface, CurvatureKind kind, double radius) {
+VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double radius) {
   const VertexGeometry g(surface);
   Functions x = Functions::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
   if (kind == CurvatureKind::kGaussian || kind == CurvatureKind::kAbsoluteGaussian) {
@@ -125,10 +124,10 @@ std::vector<double> curvature(const Surface& surface, CurvatureKind kind, double
   }
   if (kind == CurvatureKind::kAbsoluteGaussian || kind == CurvatureKind::kAbsoluteMean) x = x.cwiseAbs();
   x = g.smoothed(x, kDiffusion * radius);
-  return {x.begin(), x.end()};
+  return VertexData<double>(std::vector<double>(x.begin(), x.end()));
 }
 
-std::vector<Vec3> principal_directions(const Surface& surface, bool most, double radius) {
+VertexData<Vec3> principal_directions(const Surface& surface, bool most, double radius) {
   const VertexGeometry g(surface);
   const Lines least = least_bending(g, radius);
   // Where the surface bends equally in all directions only rounding would be left.
@@ -136,7 +135,7 @@ std::vector<Vec3> principal_directions(const Surface& surface, bool most, double
   return g.to_space(most ? Lines(-least) : least, kNothing * mean_size(least));
 }
 
-std::vector<Vec3> smoothest_directions(const Surface& surface) {
+VertexData<Vec3> smoothest_directions(const Surface& surface) {
   constexpr int kMostIterations = 100;
   constexpr double kSettled = 1e-6;  // change of a field of square mean 1
   const VertexGeometry g(surface);
@@ -169,7 +168,7 @@ std::vector<Vec3> smoothest_directions(const Surface& surface) {
   return g.to_space(x, 1e-9);
 }
 
-std::vector<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes) {
+VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes) {
   // How much stiffer a stroke of the length of an edge is than the field around it.
   constexpr double kStiffness = 30;
   const VertexGeometry g(surface);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Functions and direction fields of a surface, one value a vertex: curvature, principal directions, the
+// Functions and direction fields of a surface at its vertices: curvature, principal directions, the
 // smoothest field of lines, and the field that continues strokes.
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "mesh/surface.h"
+#include "mesh/vertex_data.h"
 
 namespace meander {
 
@@ -15,20 +15,20 @@ enum class CurvatureKind { kGaussian, kMean, kAbsoluteGaussian, kAbsoluteMean, k
 
 /// Lengths are in the surface's own unit. `radius`: the distance that is averaged over, 0 for none.
 /// Gaussian: angle defect over area. Mean: dihedral angles, Cohen-Steiner and Morvan 2003.
-std::vector<double> curvature(const Surface& surface, CurvatureKind kind, double radius);
+VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double radius);
 
 /// Unit tangent vectors, or zero, along which the surface bends least, or most, in absolute value.
-std::vector<Vec3> principal_directions(const Surface& surface, bool most, double radius);
+VertexData<Vec3> principal_directions(const Surface& surface, bool most, double radius);
 
 /// The smoothest field of lines of each component: the least eigenvector of its connection Laplacian
 /// (Knoppel, Crane, Pinkall, Schroder, "Globally Optimal Direction Fields", 2013).
-std::vector<Vec3> smoothest_directions(const Surface& surface);
+VertexData<Vec3> smoothest_directions(const Surface& surface);
 
 /// A polyline in space close to the surface, whose direction the field is to take there.
 using Stroke = std::span<const Vec3>;
 
 /// The smoothest field of lines that is parallel to the strokes where they run; zero on components
 /// without a stroke.
-std::vector<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes);
+VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes);
 
 }  // namespace meander

@@ -17,7 +17,7 @@ Vec2 square_root(Vec2 square) {
   return {0.5 * square.y / y, y};
 }
 
-LineField::LineField(const Surface& surface, std::span<const Vec3> directions, bool across) {
+LineField::LineField(const Surface& surface, const VertexData<Vec3>& directions, bool across) {
   // Almost perpendicular to its face: what is left of a vector in the face's plane means nothing.
   constexpr double kLeastTangential = 1e-3;
   std::vector<Vec2> square(3 * surface.face_count());

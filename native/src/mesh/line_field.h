@@ -3,10 +3,10 @@
 // The field of lines on the surface that the curve is to follow (eq. 11).
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "mesh/surface_point.h"
+#include "mesh/vertex_data.h"
 
 namespace meander {
 
@@ -20,9 +20,9 @@ class LineField {
  public:
   LineField() = default;
 
-  /// One vector in space for each vertex, of any length; no direction where it is zero or not finite.
+  /// Vectors in space, of any length; no direction where it is zero or not finite.
   /// `across`: the lines at right angles to them.
-  LineField(const Surface& surface, std::span<const Vec3> directions, bool across);
+  LineField(const Surface& surface, const VertexData<Vec3>& directions, bool across);
 
   /// Carries the lines along when the corners of the faces move; both surfaces have the same faces.
   void ride(const Surface& from, const Surface& to);

@@ -13,8 +13,8 @@ MeshMap::Weights MeshMap::weights(uint32_t f, const Weights& w) const {
   return sum;
 }
 
-std::vector<double> MeshMap::of_vertices(std::span<const double> values) const {
-  std::vector<double> result(vertices_.size());
+VertexData<double> MeshMap::of_vertices(std::span<const double> values) const {
+  VertexData<double> result(vertices_.size());
   for (size_t v = 0; v < result.size(); ++v) {
     const VertexOrigin& o = vertices_[v];
     result[v] = o.t == 0 ? values[o.a] : (1 - o.t) * values[o.a] + o.t * values[o.b];

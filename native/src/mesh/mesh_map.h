@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "mesh/vertex_data.h"
+
 namespace meander {
 
 /// From the prepared mesh back to the caller's.
@@ -32,8 +34,8 @@ class MeshMap {
   /// Weights of the corners of the caller's face, from those of prepared face f.
   Weights weights(uint32_t f, const Weights& w) const;
 
-  /// A value for every prepared vertex, from the caller's.
-  std::vector<double> of_vertices(std::span<const double> values) const;
+  /// The values of the prepared vertices; `values` has one for every vertex of the caller's.
+  VertexData<double> of_vertices(std::span<const double> values) const;
 
  private:
   friend class MeshPreparation;

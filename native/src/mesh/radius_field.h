@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "mesh/surface_point.h"
 #include "mesh/vertex_data.h"
@@ -21,7 +20,7 @@ class RadiusField {
 
   /// radius / sqrt(density), with a positive density for every vertex (section 4, "density"); the same everywhere
   /// where there is none.
-  RadiusField(double radius, std::span<const double> density) : everywhere_(radius), at_vertex_(density.size()) {
+  RadiusField(double radius, const VertexData<double>& density) : everywhere_(radius), at_vertex_(density.size()) {
     for (size_t v = 0; v < density.size(); ++v) at_vertex_[v] = radius / std::sqrt(density[v]);
   }
 

@@ -134,8 +134,8 @@ Complex VertexGeometry::line_along(uint32_t v, const Vec3& direction) const {
   return size > 1e-12 * direction.squaredNorm() && used(v) ? z * z / size : Complex(0);
 }
 
-std::vector<Vec3> VertexGeometry::to_space(const Lines& lines, double least) const {
-  std::vector<Vec3> out(surface_.vertex_count(), Vec3::Zero());
+VertexData<Vec3> VertexGeometry::to_space(const Lines& lines, double least) const {
+  VertexData<Vec3> out(surface_.vertex_count(), Vec3::Zero());
   for (uint32_t v = 0; v < out.size(); ++v) {
     const Complex line = lines[index(v)];
     if (used(v) && std::abs(line) > least) out[v] = to_space(v, 0.5 * std::arg(line));

@@ -10,6 +10,7 @@
 #include <Eigen/SparseCore>
 
 #include "mesh/surface.h"
+#include "mesh/vertex_data.h"
 
 namespace meander {
 
@@ -38,8 +39,8 @@ class VertexGeometry {
   Vec3 to_space(uint32_t v, double angle) const;
   /// The square of the part of a vector in space that is tangential at v, of length 1; or 0.
   Complex line_along(uint32_t v, const Vec3& direction) const;
-  /// Per vertex the unit vector that a line stands for; zero where it is not longer than `least`.
-  std::vector<Vec3> to_space(const Lines& lines, double least) const;
+  /// The unit vectors that lines stand for; zero where a line is not longer than `least`.
+  VertexData<Vec3> to_space(const Lines& lines, double least) const;
 
   /// Solves (area + length^2 L) x = area x0, one implicit step of diffusion (Desbrun et al. 1999):
   /// averages over about 2 `length`.
