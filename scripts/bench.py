@@ -144,7 +144,7 @@ def means_of(rows: list[dict]) -> list[dict]:
     return means
 
 
-def main() -> None:
+def parsed_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -165,7 +165,11 @@ def main() -> None:
         parser.error("one build or two")
     if given.repeat < 1:
         parser.error("--repeat wants a positive number")
+    return given
 
+
+def main() -> None:
+    given = parsed_arguments()
     folders = [path for path in given.builds if path.is_dir()]
     beside = folders[-1] if folders else Path(__file__).resolve().parents[1] / "build"
     names = ["new"] if len(given.builds) == 1 else ["old", "new"]

@@ -2,6 +2,7 @@
 #include "cases.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "shapes.h"
 
@@ -37,74 +38,93 @@ Mesh subdivided(Mesh mesh, int times) {
 
 std::string thousands(double nodes) { return std::to_string(static_cast<int>(nodes / 1000)) + "k"; }
 
+/// Adds cases of one kind after another to a list.
+class CaseList {
+ public:
+  CaseList(const std::string& folder, uint32_t threads) : folder_(folder), threads_(threads) {}
+
+  void add_models() {
+    for (const Model& m : kModels) {
+      if (has(m.name)) add("models", m.name, m.radius, model(m.name));
+    }
+  }
+
+  void add_generated() {
+    add("generated", "icosphere", 0.05, [] { return icosphere(4); });
+    add("generated", "bumpy_sphere", 0.05, [] { return bumpy_sphere(5); });
+    add("generated", "generated_torus", 0.05, [] { return torus(96, 48); });
+    add("generated", "square", 0.0125, [] { return square(64); });
+  }
+
+  /// The same shape with more faces, and flat sides without any more.
+  void add_meshes() {
+    for (int times = 0; times <= 2; ++times) {
+      const std::string suffix = "_x" + std::to_string(1 << 2 * times);
+      add("mesh", "bumpy_sphere" + suffix, 0.05, [times] { return subdivided(bumpy_sphere(4), times); });
+      for (const Model& m : kModels) {
+        const std::string name = m.name;
+        if ((name == "bunny" || name == "spot") && has(m.name)) {
+          add("mesh", name + suffix, m.radius, model(m.name, times));
+        }
+      }
+    }
+    add("mesh", "cube_12", 0.06, [] { return cube({1, 1, 1}); });
+    add("mesh", "cube_12000", 0.06, [] { return cube({30, 30, 35}); });
+  }
+
+  void add_scaling() {
+    const std::string name = has("bunny") ? "bunny" : "bumpy_sphere";
+    const std::function<Mesh()> mesh =
+        has("bunny") ? std::function<Mesh()>(model("bunny")) : [] { return bumpy_sphere(4); };
+    for (const double nodes : kScalingNodes) {
+      for (const char* preset : kPresets) {
+        cases_.push_back({"scaling", name + "_" + thousands(nodes), preset, threads_, 0, nodes, mesh, true});
+      }
+    }
+  }
+
+  void add_threads() {
+    for (const char* preset : kPresets) {
+      for (const uint32_t t : {1u, 2u}) {
+        if (has("stuffedtoy")) {
+          cases_.push_back({"threads", "stuffedtoy", preset, t, 0.005957, 0, model("stuffedtoy"), false});
+        } else {
+          cases_.push_back({"threads", "bumpy_sphere", preset, t, 0.025, 0, [] { return bumpy_sphere(5); }, false});
+        }
+      }
+    }
+  }
+
+  std::vector<Case> take() { return std::move(cases_); }
+
+ private:
+  void add(const char* group, const std::string& name, double radius, const std::function<Mesh()>& mesh) {
+    for (const char* preset : kPresets) {
+      cases_.push_back({group, name, preset, threads_, radius, 0, mesh, false});
+    }
+  }
+  std::string file(const char* name) const { return folder_ + "/" + name + ".obj"; }
+  bool has(const char* name) const { return !folder_.empty() && std::filesystem::exists(file(name)); }
+  std::function<Mesh()> model(const char* name, int times = 0) const {
+    return [path = file(name), times] { return subdivided(read_obj(path), times); };
+  }
+
+  static constexpr const char* kPresets[] = {"even", "paper"};
+  std::string folder_;
+  uint32_t threads_;
+  std::vector<Case> cases_;
+};
+
 }  // namespace
 
 std::vector<Case> all_cases(const std::string& folder, uint32_t threads) {
-  std::vector<Case> cases;
-  const auto add = [&](const char* group, const std::string& name, double radius,
-                       const std::function<Mesh()>& mesh) {
-    for (const char* preset : {"even", "paper"}) {
-      cases.push_back({group, name, preset, threads, radius, 0, mesh, false});
-    }
-  };
-  const auto model_file = [&](const char* name) { return folder + "/" + name + ".obj"; };
-  const auto has = [&](const char* name) {
-    return !folder.empty() && std::filesystem::exists(model_file(name));
-  };
-  const auto model = [&](const char* name, int times = 0) {
-    return [path = model_file(name), times] { return subdivided(read_obj(path), times); };
-  };
-
-  for (const Model& m : kModels) {
-    if (has(m.name)) add("models", m.name, m.radius, model(m.name));
-  }
-
-  add("generated", "icosphere", 0.05, [] { return icosphere(4); });
-  add("generated", "bumpy_sphere", 0.05, [] { return bumpy_sphere(5); });
-  add("generated", "generated_torus", 0.05, [] { return torus(96, 48); });
-  add("generated", "square", 0.0125, [] { return square(64); });
-
-  // The same shape with more faces, and flat sides without any more.
-  for (int times = 0; times <= 2; ++times) {
-    const std::string suffix = "_x" + std::to_string(1 << 2 * times);
-    add("mesh", "bumpy_sphere" + suffix, 0.05,
-        [times] { return subdivided(bumpy_sphere(4), times); });
-    for (const Model& m : kModels) {
-      const std::string name = m.name;
-      if ((name == "bunny" || name == "spot") && has(m.name)) {
-        add("mesh", name + suffix, m.radius, model(m.name, times));
-      }
-    }
-  }
-  add("mesh", "cube_12", 0.06, [] { return cube({1, 1, 1}); });
-  add("mesh", "cube_12000", 0.06, [] { return cube({30, 30, 35}); });
-
-  const auto add_scaling = [&](const char* name, const std::function<Mesh()>& mesh) {
-    for (const double nodes : kScalingNodes) {
-      for (const char* preset : {"even", "paper"}) {
-        cases.push_back({"scaling", std::string(name) + "_" + thousands(nodes), preset, threads, 0,
-                         nodes, mesh, true});
-      }
-    }
-  };
-  if (has("bunny")) {
-    add_scaling("bunny", model("bunny"));
-  } else {
-    add_scaling("bumpy_sphere", [] { return bumpy_sphere(4); });
-  }
-
-  for (const char* preset : {"even", "paper"}) {
-    for (const uint32_t t : {1u, 2u}) {
-      if (has("stuffedtoy")) {
-        cases.push_back(
-            {"threads", "stuffedtoy", preset, t, 0.005957, 0, model("stuffedtoy"), false});
-      } else {
-        cases.push_back({"threads", "bumpy_sphere", preset, t, 0.025, 0,
-                         [] { return bumpy_sphere(5); }, false});
-      }
-    }
-  }
-  return cases;
+  CaseList cases(folder, threads);
+  cases.add_models();
+  cases.add_generated();
+  cases.add_meshes();
+  cases.add_scaling();
+  cases.add_threads();
+  return cases.take();
 }
 
 }  // namespace meander::bench

@@ -163,14 +163,14 @@ void eliminate(const StrandSystem& a, Chunk& chunk, std::vector<Vec2>& x) {
   }
 }
 
-/// The unknowns of the pairs: the Schur complement of the chunks, Hermitian and positive definite.
-std::vector<Vec2> solve_pairs(const StrandSystem& a, const std::vector<Chunk>& chunks, const std::vector<Vec2>& x) {
-  const size_t pairs = a.closed ? chunks.size() : chunks.size() - 1;
-  const auto count = static_cast<Eigen::Index>(2 * pairs);
-  Eigen::MatrixXcd schur = Eigen::MatrixXcd::Zero(count, count);
-  Eigen::VectorXcd right(count);
-  const auto row = [](size_t pair, int k) { return static_cast<Eigen::Index>(2 * pair) + k; };
-  const auto number = [](Vec2 v) { return Complex(v.x, v.y); };
+/// The first unknown of a pair, or its second (`k` 1), in the system of all pairs.
+Eigen::Index row(size_t pair, int k) { return static_cast<Eigen::Index>(2 * pair) + k; }
+
+Complex number(Vec2 v) { return {v.x, v.y}; }
+
+/// What couples the two nodes of every pair, as if there were no chunks between the pairs.
+void add_pairs(const StrandSystem& a, const std::vector<Chunk>& chunks, size_t pairs, Eigen::MatrixXcd& schur,
+               Eigen::VectorXcd& right) {
   for (size_t s = 0; s < pairs; ++s) {
     const size_t p = chunks[s].end;
     for (int k = 0; k < 2; ++k) {
@@ -179,6 +179,15 @@ std::vector<Vec2> solve_pairs(const StrandSystem& a, const std::vector<Chunk>& c
     }
     schur(row(s, 0), row(s, 1)) = schur(row(s, 1), row(s, 0)) = a.first[p];
   }
+}
+
+/// The unknowns of the pairs: the Schur complement of the chunks, Hermitian and positive definite.
+std::vector<Vec2> solve_pairs(const StrandSystem& a, const std::vector<Chunk>& chunks, const std::vector<Vec2>& x) {
+  const size_t pairs = a.closed ? chunks.size() : chunks.size() - 1;
+  const auto count = static_cast<Eigen::Index>(2 * pairs);
+  Eigen::MatrixXcd schur = Eigen::MatrixXcd::Zero(count, count);
+  Eigen::VectorXcd right(count);
+  add_pairs(a, chunks, pairs, schur, right);
   for (size_t c = 0; c < chunks.size(); ++c) {
     const Chunk& chunk = chunks[c];
     const size_t before = (c + chunks.size() - 1) % chunks.size();
