@@ -3,9 +3,8 @@
 // What the boundary leaves of the balls, against the distance to it and every point of it.
 #include <gtest/gtest.h>
 
-#include "medial/boundary_reach.h"
 #include "geodesic/geodesic_trace.h"
-#include "medial/medial_axis.h"
+#include "medial/boundary_reach.h"
 #include "test_curves.h"
 
 namespace meander::test {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "medial/frames.h"
-#include "curve/retraction.h"
 #include "base/tuning.h"
+#include "curve/retraction.h"
+#include "medial/frames.h"
 #include "test_curves.h"
 
 namespace meander::test {

@@ -3,13 +3,13 @@
 // Free ends of open strands: they keep their distance from what is ahead, and fill what is empty there.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
 
 #include "geodesic/geodesic_trace.h"
 #include "medial/free_ends.h"
+#include "model/energy.h"
 #include "test_seeds.h"
 
 namespace meander::test {

@@ -3,7 +3,6 @@
 // The front search against costs that are relaxed until nothing changes.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "curve/regions.h"
 #include "base/segment_distance.h"
+#include "curve/regions.h"
 #include "test_seeds.h"
 
 namespace meander::test {

@@ -5,13 +5,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <numbers>
 #include <random>
-#include <span>
 #include <vector>
 
 #include "mesh/surface.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "base/failure.h"
 #include "geodesic/boundary_distance.h"

@@ -10,6 +10,7 @@
 
 #include "api/flow_options.h"
 #include "api_structs.h"
+#include "flow/flow.h"
 #include "test_curves.h"
 
 namespace meander::test {

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 from .. import core
 
-# A line of progress for every so much of the run, or so many seconds.
+# A line of progress after each such share of the run, or after this many seconds.
 _PROGRESS_SHARE = 0.1
 _PROGRESS_SECONDS = 10.0
 # The longest time between two polls of a run, in seconds.

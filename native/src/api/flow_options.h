@@ -3,7 +3,9 @@
 // The options of a flow.
 #pragma once
 
-#include "api/handles.h"
+#include "flow/settings.h"
+#include "meander/meander.h"
+#include "mesh/surface.h"
 
 namespace meander {
 

@@ -4,7 +4,6 @@
 // status and a sentence.
 #pragma once
 
-#include <exception>
 #include <string>
 #include <type_traits>
 

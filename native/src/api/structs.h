@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The caller's structs, which may be shorter or longer than the library's own: they cross the border by
-// these functions only, and inside all are as the library knows them.
+// The caller's structs, which may be shorter or longer than the library's own: they are read and written
+// by these functions only, and inside all are as the library knows them.
 #pragma once
 
 #include <algorithm>

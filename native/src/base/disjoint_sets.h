@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// DisjointSets of numbers that are joined two at a time (union-find).
+// Sets of numbers without a common member, which are joined two at a time (union-find).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace meander {
 
-/// 0 .. n - 1, each alone at first. A group is named by its lowest member, so that names do not depend
+/// 0 .. n - 1, each alone at first. A set is named by its lowest member, so that names do not depend
 /// on the order of joining.
 class DisjointSets {
  public:

@@ -141,12 +141,12 @@ class Loops {
 }  // namespace
 
 Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusField& radius, bool widen,
-                  const PointTree& boundary, double border, ThreadPool& pool) {
+                  const PointTree& boundary, double strip_width, ThreadPool& pool) {
   Curve curve;
   if (seed) curve = lay_seed(surface, *seed, radius, pool);
   if (!seed || seed->loops) {
     Loops loops(surface, curve, pool);
-    for (const Region& region : find_regions(surface, curve, radius, &boundary, border)) {
+    for (const Region& region : find_regions(surface, curve, radius, &boundary, strip_width)) {
       if (!region.growing) loops.add(region, radius.at(surface, region.middle), widen);
     }
     curve.link();

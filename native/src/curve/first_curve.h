@@ -3,8 +3,6 @@
 // The curve that a flow starts from: the caller's strands, and small loops where there are none.
 #pragma once
 
-#include <vector>
-
 #include "base/point_tree.h"
 #include "base/thread_pool.h"
 #include "curve/curve.h"
@@ -22,10 +20,10 @@ namespace meander {
 /// radius would make a loop much smaller than r collapse instead of grow. Beside guides it is a circle
 /// about as far from them as it is wide.
 ///
-/// `boundary`, `border`: see find_regions.
+/// `boundary`, `strip_width`: see find_regions.
 ///
 /// Throws Failure(FailureKind::kInvalidSeed); `radius` is r.
 Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusField& radius, bool widen,
-                  const PointTree& boundary, double border, ThreadPool& pool);
+                  const PointTree& boundary, double strip_width, ThreadPool& pool);
 
 }  // namespace meander

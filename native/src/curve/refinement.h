@@ -11,6 +11,7 @@
 
 namespace meander {
 
+/// Keeps its memory from call to call. One call at a time.
 class Refinement {
  public:
   /// Splits segments longer than 2 h into equal parts on their own path, and removes a node where a

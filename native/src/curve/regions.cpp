@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curve/regions.h"
 
-#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -15,7 +14,7 @@ namespace {
 
 constexpr double kFarEnough = 2.5;      // in r: the first place this far from all guides is taken
 constexpr double kWorthALoop = 0.8;     // in r: narrower places are covered by the guides around
-constexpr double kInsideBorder = 0.15;  // of r: clear of an outline that runs at the border's distance
+constexpr double kInsideStrip = 0.15;  // of r: clear of an outline that runs at the strip's edge
 
 SurfacePoint middle_of(uint32_t face) { return make_point(face, 1.0 / 3, 1.0 / 3, 1.0 / 3); }
 
@@ -38,15 +37,15 @@ class FacesOfComponents {
 };
 
 /// The strip along the boundary in which no strand is to begin.
-class Border {
+class BoundaryStrip {
  public:
   /// Refers to all that it is given; `boundary` may be null.
-  Border(const Surface& surface, const RadiusField& radius, const PointTree* boundary, double width)
+  BoundaryStrip(const Surface& surface, const RadiusField& radius, const PointTree* boundary, double width)
       : surface_(surface), radius_(radius), boundary_(boundary), width_(width) {}
 
   bool contains(const SurfacePoint& p) const {
     if (!boundary_) return false;
-    const double near = (width_ + kInsideBorder) * radius_.at(surface_, p);
+    const double near = (width_ + kInsideStrip) * radius_.at(surface_, p);
     return boundary_->nearest(position(surface_, p), near * near).has_value();
   }
 
@@ -103,9 +102,9 @@ class GuidedRegions {
     }
   }
 
-  void append(uint32_t component, const Border& border, std::vector<Region>& regions) const {
+  void append(uint32_t component, const BoundaryStrip& strip, std::vector<Region>& regions) const {
     for (const uint32_t region : of_component_[component]) {
-      if (const auto found = with_place(region, border)) regions.push_back(*found);
+      if (const auto found = with_place(region, strip)) regions.push_back(*found);
     }
   }
 
@@ -121,11 +120,11 @@ class GuidedRegions {
   }
 
   /// Nothing for a region that is too narrow for a strand.
-  std::optional<Region> with_place(uint32_t name, const Border& border) const {
+  std::optional<Region> with_place(uint32_t name, const BoundaryStrip& strip) const {
     Region region{{}, 0, true, grows_[name] != 0};
     double most = 0;  // room in units of r
     for (const uint32_t i : members_.at(name)) {
-      if (samples_.relative_room(i) <= most || border.contains(samples_.point(i))) continue;
+      if (samples_.relative_room(i) <= most || strip.contains(samples_.point(i))) continue;
       most = samples_.relative_room(i);
       region.middle = samples_.point(i);
       region.room = samples_.room(i);
@@ -143,8 +142,8 @@ class GuidedRegions {
 }  // namespace
 
 std::vector<Region> find_regions(const Surface& surface, const Curve& curve, const RadiusField& radius,
-                                 const PointTree* boundary, double border_width) {
-  Border border(surface, radius, boundary, border_width);
+                                 const PointTree* boundary, double strip_width) {
+  BoundaryStrip strip(surface, radius, boundary, strip_width);
   const Occupied occupied(surface, curve);
   const GuidedRegions guided(surface, curve, radius, occupied.by_guides);
   std::vector<Region> regions;
@@ -154,10 +153,10 @@ std::vector<Region> find_regions(const Surface& surface, const Curve& curve, con
     if (seen[c]) continue;
     seen[c] = 1;
     if (occupied.by_guides[c]) {
-      guided.append(c, border, regions);
+      guided.append(c, strip, regions);
     } else {
       const double infinity = std::numeric_limits<double>::infinity();
-      regions.push_back({border.place_beyond(f), infinity, false, occupied.by_growing[c] != 0});
+      regions.push_back({strip.place_beyond(f), infinity, false, occupied.by_growing[c] != 0});
     }
   }
   return regions;

@@ -20,6 +20,7 @@ struct MoveSeconds {
   double retract = 0, reconnect = 0, crossings = 0;
 };
 
+/// Keeps its memory from call to call. One call at a time.
 class Retraction {
  public:
   /// Replaces `curve`, which has no crossings, by one whose nodes have moved along `displacement`

@@ -8,8 +8,8 @@
 #include "base/front_search.h"
 #include "curve/crossings.h"
 #include "curve/path_around_guides.h"
-#include "mesh/radius_field.h"
 #include "mesh/closest_point.h"
+#include "mesh/radius_field.h"
 
 namespace meander {
 namespace {

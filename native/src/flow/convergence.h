@@ -21,6 +21,8 @@ struct IterationFigures {
   double displacement_norm = 0;  ///< |d|_2 / n of the displacements, in r (the paper's rule)
 };
 
+/// Which phase a flow is in, and whether it is at its end: what it is told after every iteration decides. One thread
+/// at a time.
 class Convergence {
  public:
   /// The curve as it was at an iteration.

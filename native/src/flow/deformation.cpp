@@ -5,7 +5,6 @@
 //
 // Points of the curve are weights of a face's corners and shares of an edge, and within a face an affine
 // map keeps what lies on which side: a curve without crossings that rides along has none afterwards.
-#include <cmath>
 #include <type_traits>
 #include <utility>
 

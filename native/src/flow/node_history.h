@@ -13,7 +13,7 @@ namespace meander {
 /// Each may be empty: nothing is known then, and it is found anew.
 struct NodeHistory {
   NodeData<Radii> radii;                  ///< of the last medial axis, in the surface's own unit
-  NodeData<CachedDirections> directions;  ///< in which nodes at rest need not look again
+  NodeData<CachedDirections> directions;  ///< of medial balls, for nodes at rest
   NodeData<Vec2> steps;                   ///< the last displacements, along tangent and bitangent
 
   /// Gives the nodes after a refinement what those had that they come from; `origin` as Refinement::refine says.

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "flow/flow.h"
-#include "mesh/mesh_preparation.h"
+#include "mesh/mesh_map.h"
 
 namespace meander {
 

@@ -26,6 +26,7 @@ struct IterationRecord {
 
 enum class StopReason { kRunning, kConverged, kIterationLimit, kStalled, kCancelled };
 
+/// Grows with every iteration; nothing in it changes a curve.
 struct RunRecord {
   std::vector<IterationRecord> history;
   FlowSeconds seconds;

@@ -2,7 +2,6 @@
 #include "flow/weighting.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "base/tuning.h"

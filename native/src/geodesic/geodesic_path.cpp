@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geodesic/geodesic_path.h"
 
-#include <algorithm>
-#include <cmath>
 
 namespace meander {
 namespace {

@@ -2,7 +2,6 @@
 #include "geodesic/geodesic_trace.h"
 
 #include <array>
-#include <cmath>
 
 namespace meander {
 namespace {

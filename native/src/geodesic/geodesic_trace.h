@@ -12,6 +12,7 @@
 
 namespace meander {
 
+/// Where a walk has led.
 struct Trace {
   SurfacePoint end;
   Vec2 direction;          ///< unit direction of travel, in the plane of the end's face

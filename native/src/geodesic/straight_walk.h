@@ -17,6 +17,7 @@ struct FlatPoint {
   Vec2 place;
 };
 
+/// Where a straight line has led.
 struct Landing {
   FlatPoint end;
   Vec2 turn{1, 0};  ///< carries a vector of the plane of the end's face back to that of the start's

@@ -11,7 +11,7 @@
 namespace meander {
 namespace {
 
-/// What hangs together with a place is looked for up to this many r from it.
+/// What is connected to a place is looked for up to this many r from it.
 constexpr double kFarthest = 3;
 
 /// What is gathered of the curve for points nearby reaches this many r farther than the first of them needs.
@@ -143,7 +143,7 @@ bool Emptiness::hang_together(const SurfacePoint& p, uint32_t face, const Vec3& 
   return false;
 }
 
-/// The radius of the smallest ball around a point whose part of the surface that hangs together with the
+/// The radius of the smallest ball around a point whose part of the surface that is connected to the
 /// point has a piece of the curve on it; infinite if it is not below `most`. Faces are entered in the
 /// order in which a growing ball reaches the edges between them.
 double Emptiness::distance_on_surface(const SurfacePoint& p, double most) const {

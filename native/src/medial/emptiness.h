@@ -41,7 +41,7 @@ class SegmentsOfFaces {
 class Emptiness {
  public:
   /// `nodes` are the positions of the curve's nodes, `radius` is r on the surface.
-  /// `along_surface`: only what of the curve hangs together with a point counts, see find_gaps.
+  /// `along_surface`: only the part of the curve that is connected to a point counts, see find_gaps.
   Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
             const RadiusField& radius, bool along_surface);
 

@@ -12,6 +12,7 @@
 
 namespace meander {
 
+/// Of all nodes of a curve.
 struct Frames {
   NodeData<Vec3> position;
   NodeData<Vec2> tangent;     ///< unit, in the plane of the node's face: bisects its two segments

@@ -9,8 +9,8 @@
 
 #include <vector>
 
+#include "medial/boundary_reach.h"
 #include "medial/frames.h"
-#include "medial/medial_axis.h"
 
 namespace meander {
 

@@ -28,7 +28,7 @@ inline constexpr double kGapSize = 1.2;
 ///
 /// Distance is straight through space, as the Euclidean medial axis has it: a sheet that lies closer than
 /// the spacing to another one is covered by the strands of both. `along_surface`: only to what of the
-/// curve hangs together with the place, on the part of the surface that is no farther from it; gaps on
+/// curve is connected to the place, on the part of the surface that is no farther from it; gaps on
 /// sheets that face each other are then two. What only strands of another sheet are near to counts as at
 /// most 3 r from the curve.
 ///

@@ -17,8 +17,8 @@ namespace meander {
 /// surface are never less than those through space. So a ball is known to be empty once the nodes in
 /// the ball of its radius in space, of which the tree finds few, are measured along the surface.
 ///
-/// Balls larger than 3 r, which only growing curves have, heed what a straight path leads to, not what only
-/// a path bent at a vertex reaches.
+/// Balls larger than 3 r, which only growing curves have, are limited by what a straight path leads to, not
+/// by what only a path bent at a vertex reaches.
 ///
 /// A centre that may pass the boundary is taken to be in the plane that continues the surface there.
 ///

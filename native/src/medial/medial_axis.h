@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The quadratic model of one step (eqs. 5, 7, 9 and 12) as a banded system per strand.
+// The quadratic model of one step (eqs. 5, 7, 9 and 11 to 13) as a banded system per strand.
 //
 // The paper writes the model for positions in space, 3 n x 3 n. Here the unknown of a node is its
 // displacement z in the tangent plane, a complex number in a frame that is carried parallel along

@@ -18,12 +18,12 @@ double polish_balance(double q);
 struct Weights {
   NodeData<double> length;   ///< t; may be negative in the gradient
   NodeData<double> bending;  ///< b
-  double medial = 1;            ///< factor on alpha
-  double medial_power = 2;      ///< q
+  double medial = 1;         ///< factor on alpha
+  double medial_power = 2;   ///< q
   /// The Hessian of the power q as it is, in 2 x 2 blocks; else the larger of its two eigenvalues
   /// serves both along and across the strand.
   bool medial_blocks = false;
-  double length_power = 2;        ///< p
+  double length_power = 2;     ///< p
   NodeData<double> alignment;  ///< beta; empty: no field
   NodeData<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
 
