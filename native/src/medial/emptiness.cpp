@@ -52,7 +52,7 @@ bool Emptiness::closer_than(const SurfacePoint& p, double size) const {
   const auto nearest = tree_.nearest(position(surface_, p), reach * reach);
   // What is on another sheet counts as no farther than kFarthest, see at().
   if (!nearest || !segments_ || reach >= kFarthest * r) return nearest.has_value();
-  return hang_together(p, curve_.nodes[nearest->index].face, tree_.points()[nearest->index], reach) ||
+  return is_connected(p, curve_.nodes[nearest->index].face, tree_.points()[nearest->index], reach) ||
          distance_on_surface(p, reach) < reach;
 }
 
@@ -96,22 +96,22 @@ double Emptiness::distance_to_path(const Vec3& x, uint32_t segment) const {
 
 /// Whether the nearest piece of the curve, of a segment or else a node, is on the same sheet as a point.
 bool Emptiness::reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const {
-  if (segment == kNone) return hang_together(p, curve_.nodes[node].face, tree_.points()[node], distance);
+  if (segment == kNone) return is_connected(p, curve_.nodes[node].face, tree_.points()[node], distance);
   const Vec3 x = position(surface_, p);
   Vec3 from = tree_.points()[segment];
   uint32_t face = curve_.nodes[segment].face;
   for (const Crossing& crossing : curve_.paths[segment]) {
     const Vec3 to = position(surface_, crossing);
-    if (distance_to_segment(x, from, to) <= distance) return hang_together(p, face, from, distance);
+    if (distance_to_segment(x, from, to) <= distance) return is_connected(p, face, from, distance);
     from = to;
     face = face_of(crossing.twin);
   }
-  return hang_together(p, face, from, distance);
+  return is_connected(p, face, from, distance);
 }
 
 /// Whether a few faces, the ones nearest to `goal` first, lead from a point to another face inside of a
 /// ball around the point; false also where they are many.
-bool Emptiness::hang_together(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const {
+bool Emptiness::is_connected(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const {
   constexpr size_t kMost = 64;
   const Vec3 x = position(surface_, p);
   std::array<uint32_t, kMost> faces;

@@ -59,7 +59,7 @@ class Emptiness {
 
   double distance_to_path(const Vec3& x, uint32_t segment) const;
   bool reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const;
-  bool hang_together(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
+  bool is_connected(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
   double distance_on_surface(const SurfacePoint& p, double most) const;
 
   const Surface& surface_;
