@@ -31,21 +31,6 @@ class Problem:
     alignment: str = "along"
     outline: float = 0.0  # distance of outlines from the border; 0: none
 
-    def expected_length(self, density: np.ndarray | None) -> float:
-        """The length of a curve that fills the surface: area over spacing, face by face."""
-        areas = self._areas()
-        if density is not None:
-            areas = areas * np.sqrt(density[self.faces]).mean(axis=1)
-        return float(areas.sum() / (2.0 * self.options.radius))
-
-    def area(self) -> float:
-        """Of all faces, in square units; a mask is not looked at."""
-        return float(self._areas().sum())
-
-    def _areas(self) -> np.ndarray:
-        a, b, c = (self.vertices[self.faces[:, corner]] for corner in range(3))
-        return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0
-
 
 @dataclass(frozen=True)
 class Opened:

@@ -114,7 +114,7 @@ class Session:
         """How far the run is, in words."""
         if self.latest is None:
             return "Preparing the surface"
-        return f"{100.0 * self.progress():.0f} % grown, iteration {self.latest.iterations}"
+        return f"{100.0 * self.progress():.0f} %, iteration {self.latest.iterations}"
 
     @property
     def shown_points(self) -> int:

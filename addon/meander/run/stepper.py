@@ -9,7 +9,6 @@ Both ways give the same curve to the last bit.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -28,7 +27,7 @@ class Snapshot:
     nodes: int
     length: float
     seconds: float
-    progress: float  # length over the expected length, in [0, 1]
+    progress: float  # how far the run is, in [0, 1]; core.Context.progress
 
 
 class Stepper:
@@ -53,7 +52,7 @@ class Stepper:
         self.guides: np.ndarray | None = None
         self.point_data: core.PointData | None = None  # of every point
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
-        self._expected_length = math.inf
+        self._progress = 0.0  # of the library, while the run was going
 
     def start(self) -> None:
         """Prepares the surface and begins the run, which goes on by itself.
@@ -84,16 +83,12 @@ class Stepper:
             self._stop_reason = "running"
 
     def _prepare(self) -> None:
-        problem = self.problem
-        opened = open_flow(problem)
+        opened = open_flow(self.problem)
         self._flow, self.density, self.surface_figures = (
             opened.flow,
             opened.density,
             opened.figures,
         )
-        # A mask leaves less to fill.
-        share = self.surface_figures["area"] / problem.area()
-        self._expected_length = share * problem.expected_length(self.density)
 
     @property
     def finished(self) -> bool:
@@ -112,7 +107,11 @@ class Stepper:
 
         The run makes the next one only when this one has been taken.
         """
-        preview = self._flow.preview() if self._started else None
+        if not self._started:
+            return None
+        preview, progress = self._flow.preview(), self._context.progress
+        if self._flow.running:  # at the end the library says 1, also of a run that was cancelled
+            self._progress = progress
         return None if preview is None else self._snapshot(*preview)
 
     def cancel(self) -> None:
@@ -159,5 +158,4 @@ class Stepper:
         length: float,
         seconds: float,
     ) -> Snapshot:
-        progress = min(1.0, length / self._expected_length)
-        return Snapshot(polylines, iterations, nodes, length, seconds, progress)
+        return Snapshot(polylines, iterations, nodes, length, seconds, self._progress)

@@ -92,7 +92,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         else:
             bar = column.column()
             bar.enabled = False
-            bar.prop(context.window_manager, "meander_progress", text="Grown", slider=True)
+            bar.prop(context.window_manager, "meander_progress", text="Done", slider=True)
         row = column.row()
         row.scale_y = 1.4
         row.operator(MEANDER_OT_stop.bl_idname, icon="SNAP_FACE")

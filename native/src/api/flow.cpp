@@ -12,17 +12,10 @@ using namespace meander;
 
 namespace {
 
-/// Refuses what would not fit the mesh or the machine: a curve has about one node for every 1.4 h of
-/// its length, area / (2 r), and both lengths shrink with the root of the density.
+/// Refuses what would not fit the mesh or the machine.
 void check_size(const Surface& surface, const FlowSettings& s, const VertexData<double>& density,
                 const MeshMap* map) {
-  constexpr double kMostNodes = 5e8;
-  double nodes = 0;
-  for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    const Triangle& t = surface.face(f);
-    const double d = density.empty() ? 1 : (density[t[0]] + density[t[1]] + density[t[2]]) / 3;
-    nodes += surface.face_area(f) * d / (2 * s.radius * 1.4 * s.segment_length);
-  }
+  const double nodes = expected_nodes(surface, s, [&](uint32_t v) { return density.empty() ? 1 : density[v]; });
   if (!(nodes <= kMostNodes)) {
     refuse("The curve would need about " + number(nodes) +
            " nodes, and more than 500 million are not supported; choose a larger spacing or a smaller density.");

@@ -15,9 +15,6 @@
 namespace meander {
 namespace {
 
-/// As for a new flow: a curve has about one node for every 1.4 h of its length, area / (2 r).
-constexpr double kMostNodes = 5e8, kMeanSegment = 1.4;
-
 /// Nodes that a thread takes at a time.
 constexpr size_t kBlock = 512;
 
@@ -30,15 +27,10 @@ void check_size(const FlowState& state, const Surface& surface) {
                   "The surface has shrunk below the spacing (its diagonal is " + number(surface.scale()) +
                       " now); choose a smaller spacing and start a new flow.");
   }
-  double nodes = 0;
-  for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    double density = 0;
-    for (const uint32_t v : surface.face(f)) {
-      const double share = state.settings.radius / state.domain.wanted_radius.at(v);
-      density += share * share / 3;
-    }
-    nodes += surface.face_area(f) * density / (2 * r * kMeanSegment * state.settings.segment_length * to_new);
-  }
+  const double nodes = expected_nodes(surface, state.settings.rescaled(to_new), [&](uint32_t v) {
+    const double share = state.settings.radius / state.domain.wanted_radius.at(v);
+    return share * share;
+  });
   if (!(nodes <= kMostNodes)) {
     throw Failure(FailureKind::kInvalidArgument,
                   "The surface has grown so large that the curve would need about " + number(nodes) +

@@ -3,6 +3,7 @@
 // What a curve grows on, and what is wanted where.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -30,5 +31,13 @@ struct Domain {
   std::unique_ptr<const BoundaryObstacle> boundary;
   std::unique_ptr<const NormalField> normals;  ///< found when they are asked for
 };
+
+/// More nodes than this are refused, for want of memory.
+inline constexpr double kMostNodes = 5e8;
+
+/// About how many nodes a curve has that fills a surface: one for every 1.4 h of its length, area / (2 r), where both
+/// lengths shrink with the root of the density. `density_at` is asked for every vertex of every face.
+double expected_nodes(const Surface& surface, const FlowSettings& settings,
+                      const std::function<double(uint32_t)>& density_at);
 
 }  // namespace meander
