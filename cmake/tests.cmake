@@ -7,17 +7,21 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 
 file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/native/test_*.cpp")
-# What the tests share (meshes, brute-force checks) is in headers beside them.
+# What the tests share (meshes, brute-force checks) is in headers beside them; what every test program
+# is linked with is compiled once.
 file(GLOB test_support CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/native/*.cpp")
-if(test_sources)
-  list(REMOVE_ITEM test_support ${test_sources})
-endif()
+list(REMOVE_ITEM test_support ${test_sources})
+add_library(meander_test_support OBJECT ${test_support})
+target_include_directories(meander_test_support PUBLIC "${PROJECT_SOURCE_DIR}/tests/native")
+target_link_libraries(meander_test_support PUBLIC meander_core GTest::gtest GTest::gtest_main)
+# Reading these two takes longer than compiling many a test.
+target_precompile_headers(meander_test_support PRIVATE <gtest/gtest.h> <Eigen/Core>)
 
 foreach(test_source IN LISTS test_sources)
   get_filename_component(test_name "${test_source}" NAME_WE)
-  add_executable(${test_name} "${test_source}" ${test_support})
-  target_include_directories(${test_name} PRIVATE "${PROJECT_SOURCE_DIR}/tests/native")
-  target_link_libraries(${test_name} PRIVATE meander_core GTest::gtest GTest::gtest_main)
+  add_executable(${test_name} "${test_source}" $<TARGET_OBJECTS:meander_test_support>)
+  target_link_libraries(${test_name} PRIVATE meander_test_support)
+  target_precompile_headers(${test_name} REUSE_FROM meander_test_support)
   gtest_discover_tests(${test_name}
     TEST_PREFIX "${test_name}."
     DISCOVERY_TIMEOUT 60
