@@ -156,8 +156,8 @@ TEST(Directions, FollowStrokes) {
   };
   for (int k = 2; k <= 18; ++k) {
     const double a = kPi / 2 * k / 20;
-    const Vec3 line(std::cos(a), std::sin(a), 0);
-    EXPECT_GT(std::abs(d[nearest(0.9 - 0.7 * std::sin(a), 0.2 + 0.7 * std::cos(a))].dot(line)), 1 - 2 * kStraight);
+    const Vec3 tangent(std::cos(a), std::sin(a), 0);
+    EXPECT_GT(std::abs(d[nearest(0.9 - 0.7 * std::sin(a), 0.2 + 0.7 * std::cos(a))].dot(tangent)), 1 - 2 * kStraight);
   }
   EXPECT_NEAR(std::abs(d[nearest(0.7, 0.1)].x()), 1, kStraight);
   for (const Vec3& v : d) EXPECT_NEAR(v.norm(), 1, 1e-9);
