@@ -19,6 +19,7 @@ double sum_over_free(const Curve& curve, ThreadPool& pool, const Term& term) {
 
 /// How many there are.
 inline double free_nodes(const Curve& curve, ThreadPool& pool) {
+  if (!curve.has_guides()) return static_cast<double>(curve.size());
   return sum_over_free(curve, pool, [](uint32_t) { return 1; });
 }
 
