@@ -21,11 +21,10 @@ struct Scene {
     compute_frames(surface, curve, even_metric(curve, kRadius), RadiusField(kRadius), pool, frames);
   }
 
-  NodeData<Reach> reach(BoundaryRule rule, MedialAxis axis, double most, double overhang, double rest,
-                           unsigned threads = 1) const {
+  NodeData<Reach> reach(BoundaryRule rule, double most, double overhang, double rest, unsigned threads = 1) const {
     ThreadPool pool(threads);
     NodeData<Reach> result;
-    compute_reach(surface, curve, frames, boundary, rule, axis, even_metric(curve, kRadius, most, overhang, rest), pool,
+    compute_reach(surface, curve, frames, boundary, rule, nullptr, even_metric(curve, kRadius, most, overhang, rest), pool,
                   result);
     return result;
   }
@@ -62,7 +61,7 @@ constexpr double kMost = 0.3, kRounding = 1e-12;
 
 TEST(Reach, IsTheClampWhereThereIsNoBoundary) {
   const Scene scene(sphere(2));
-  for (const Reach& reach : scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, Scene::kRadius)) {
+  for (const Reach& reach : scene.reach(BoundaryRule::kCentre, kMost, 0, Scene::kRadius)) {
     for (const ReachOfSide& side : reach) {
       EXPECT_EQ(side.radius, kMost);
       EXPECT_EQ(side.centre, kMost);
@@ -76,7 +75,7 @@ TEST(Reach, IsTheDistanceToTheBoundary) {
        {std::pair{grid_with_hole(9), 0.01}, {grid_with_hole(9), 1.0}, {flat_grid(1, 0), 1.0}}) {
     const Scene scene(mesh, 40, step);
     for (const double overhang : {-0.05, 0.0, 0.05}) {
-      const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kGeodesic, kMost, overhang, 0);
+      const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, kMost, overhang, 0);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         for (size_t side = 0; side < 2; ++side) {
           const double distance = scene.distance(i, side, 1);
@@ -90,9 +89,9 @@ TEST(Reach, IsTheDistanceToTheBoundary) {
 
 TEST(Reach, OfAnObstacleIsTheDistanceAlone) {
   const Scene scene(grid_with_hole(9));
-  const NodeData<Reach> plain = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, 0);
+  const NodeData<Reach> plain = scene.reach(BoundaryRule::kCentre, kMost, 0, 0);
   const NodeData<Reach> walls =
-      scene.reach(BoundaryRule::kObstacle, MedialAxis::kEuclidean, kMost, 0.05, Scene::kRadius);
+      scene.reach(BoundaryRule::kObstacle, kMost, 0.05, Scene::kRadius);
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) EXPECT_EQ(plain[i][side].radius, walls[i][side].radius);
   }
@@ -119,7 +118,7 @@ TEST(Reach, SamplesKnowTheWayIntoTheSurface) {
 TEST(Reach, OfAStrandThatRunsIntoTheBoundaryIsTheDistanceAlone) {
   const Scene scene(flat_grid(9));
   const NodeData<Reach> reach =
-      scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, Scene::kRadius);
+      scene.reach(BoundaryRule::kCentre, kMost, 0, Scene::kRadius);
   int nodes = 0;
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
     const double distance = std::min(scene.distance(i, 0, 1), scene.distance(i, 1, 1));
@@ -135,13 +134,11 @@ TEST(Reach, OfAStrandThatRunsIntoTheBoundaryIsTheDistanceAlone) {
 TEST(Reach, IsTheSameForAnyNumberOfThreads) {
   const Scene scene(grid_with_hole(9), 130);  // more nodes than a thread takes at once
   ASSERT_GT(scene.curve.size(), 1024u);
-  for (const MedialAxis axis : {MedialAxis::kEuclidean, MedialAxis::kGeodesic}) {
-    const auto with = [&](int threads) {
-      return scene.reach(BoundaryRule::kCentre, axis, kMost, 0, Scene::kRadius, threads);
-    };
-    EXPECT_EQ(with(1), with(2));
-    EXPECT_EQ(with(1), with(3));
-  }
+  const auto with = [&](unsigned threads) {
+    return scene.reach(BoundaryRule::kCentre, kMost, 0, Scene::kRadius, threads);
+  };
+  EXPECT_EQ(with(1), with(2));
+  EXPECT_EQ(with(1), with(3));
 }
 
 /// Below the distance asked for, corners beside the straight line count, and the closer the boundary,
@@ -149,7 +146,7 @@ TEST(Reach, IsTheSameForAnyNumberOfThreads) {
 TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
   const Scene scene(grid_with_hole(9));
   const double rest = Scene::kRadius;
-  const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, MedialAxis::kEuclidean, kMost, 0, rest);
+  const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, kMost, 0, rest);
   int corners = 0;
   std::vector<std::array<double, 2>> felt;  // the distance, and what drives
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {

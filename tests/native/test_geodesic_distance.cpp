@@ -3,7 +3,7 @@
 // Geodesic distances on surfaces whose unrolling is known, and the properties of any distance.
 #include <gtest/gtest.h>
 
-#include "geodesic/geodesic_distance.h"
+#include "geodesic_distance.h"
 #include "test_curves.h"
 #include "unrolled_surfaces.h"
 

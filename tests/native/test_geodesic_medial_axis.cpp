@@ -3,7 +3,8 @@
 // Geodesic medial radii against their definition on surfaces that unroll, and on sheets close together.
 #include <gtest/gtest.h>
 
-#include "geodesic/geodesic_distance.h"
+#include "geodesic_distance.h"
+#include "geodesic_reference.h"
 #include "medial/geodesic_medial_axis.h"
 #include "test_curves.h"
 #include "unrolled_surfaces.h"
@@ -29,8 +30,8 @@ Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
   const BoundaryObstacle boundary(s, 0.01);
   compute_frames(s, curve, metric, RadiusField(setting.local), pool, result.frames);
   NodeData<Reach> reach;
-  compute_reach(s, curve, result.frames, boundary, setting.rule, MedialAxis::kGeodesic, metric, pool, reach);
-  compute_geodesic_medial_axis(s, curve, result.frames, boundary, setting.rule, metric, reach, pool, result.geodesic);
+  compute_reach(s, curve, result.frames, boundary, setting.rule, nullptr, metric, pool, reach);
+  compute_geodesic_reference(s, curve, result.frames, boundary, setting.rule, metric, reach, pool, result.geodesic);
   CurveBvh tree;
   compute_medial_axis(result.frames, boundary, setting.rule, reach, pool, tree, result.euclidean);
   return result;

@@ -40,7 +40,7 @@ struct Scene {
     metric = even_metric(curve, 0.05, most);
     compute_frames(surface, curve, metric, RadiusField(0.05), pool, frames);
     NodeData<Reach> reach;
-    compute_reach(surface, curve, frames, boundary, rule, MedialAxis::kEuclidean, metric, pool, reach);
+    compute_reach(surface, curve, frames, boundary, rule, nullptr, metric, pool, reach);
     CurveBvh tree;
     compute_medial_axis(frames, boundary, rule, reach, pool, tree, radii);
   }

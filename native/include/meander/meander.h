@@ -473,10 +473,12 @@ enum {
 /* How distances between strands are measured. */
 typedef uint32_t meander_medial_axis;
 enum {
-  MEANDER_MEDIAL_AXIS_EUCLIDEAN = 0, /* straight through space: fast; strands on sheets that lie close
-                                        together, or pass through each other, keep clear of one another */
-  MEANDER_MEDIAL_AXIS_GEODESIC = 1   /* along the surface: every sheet is filled by itself, and the
-                                        spacing is kept where the surface bends sharply */
+  MEANDER_MEDIAL_AXIS_EUCLIDEAN = 0, /* straight through space, as the preset paper has it: strands on
+                                        sheets that lie close together, or pass through each other, keep
+                                        clear of one another, as a filament of some width must */
+  MEANDER_MEDIAL_AXIS_GEODESIC = 1   /* along the surface, as the other presets have it: every sheet is
+                                        filled by itself, and the spacing is kept where the surface bends
+                                        sharply */
 };
 
 /* When a flow has converged. */

@@ -157,7 +157,8 @@ meander_flow_options default_options(meander_preset preset) {
   o.polish_bending_weight = finest ? 1.5 : 2;
   o.polish_length_offset = finest ? -0.5 : -0.84;
   o.polish_length_gain = 1;
-  o.polish_medial_power = 6;
+  o.polish_medial_power = 8;
+  o.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;
   o.iteration_limit = finest ? 2500 : 600;
   return o;
 }

@@ -44,7 +44,7 @@ void check_size(const FlowState& state, const Surface& surface) {
 FlowState carried_to(std::shared_ptr<const Surface> surface, const FlowState& state, ThreadPool& pool) {
   const double factor = state.domain.surface->scale() / surface->scale();
   const FlowSettings settings = state.settings.rescaled(factor);
-  Domain domain = state.domain.moved_to(std::move(surface), state.settings.radius, settings);
+  Domain domain = state.domain.moved_to(std::move(surface), state.settings.radius, settings, pool);
   FlowState next{settings, std::move(domain), state.curve, {}, {}};
   // Directions and steps are those of the old surface, and forgotten.
   next.nodes.radii = state.nodes.radii;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "flow/settings.h"
+#include "geodesic/surface_patches.h"
 #include "mesh/line_field.h"
 #include "mesh/normal_field.h"
 #include "mesh/radius_field.h"
@@ -18,10 +19,12 @@ namespace meander {
 /// holds; other flows may share the surface.
 struct Domain {
   /// `density` positive, or empty: 1 everywhere.
-  Domain(std::shared_ptr<const Surface> surface, const VertexData<double>& density, const FlowSettings& settings);
+  Domain(std::shared_ptr<const Surface> surface, const VertexData<double>& density, const FlowSettings& settings,
+         ThreadPool& pool);
 
   /// The same on a surface that has moved. `settings` are those on that surface, `old_radius` was r before.
-  Domain moved_to(std::shared_ptr<const Surface> surface, double old_radius, const FlowSettings& settings) const;
+  Domain moved_to(std::shared_ptr<const Surface> surface, double old_radius, const FlowSettings& settings,
+                  ThreadPool& pool) const;
 
   std::shared_ptr<const Surface> surface;
   RadiusField wanted_radius;  ///< r as it is to be in the end,
@@ -29,6 +32,7 @@ struct Domain {
   double expected_length;     ///< of a curve that fills the surface: area over spacing
   LineField directions;       ///< that strands are to follow; may be empty
   std::unique_ptr<const BoundaryObstacle> boundary;
+  std::unique_ptr<const SurfacePatches> patches;  ///< for MedialAxis::kGeodesic, else null
   std::unique_ptr<const NormalField> normals;  ///< found when they are asked for
 };
 

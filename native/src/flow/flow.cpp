@@ -17,7 +17,7 @@ namespace {
 
 FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
                       const FlowSettings& settings, ThreadPool& pool) {
-  Domain domain(std::move(surface), density, settings);
+  Domain domain(std::move(surface), density, settings, pool);
   Curve curve = first_curve(*domain.surface, seed, domain.radius, settings.widen_loops, domain.boundary->tree(),
                             2 * settings.boundary_distance, pool);
   return {settings, std::move(domain), std::move(curve), {}, {}};
@@ -104,11 +104,11 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
 }
 
 /// The medial axis of a curve, as it is.
-void Flow::find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached) {
+void Flow::find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached, bool measure) {
   update_metric(state, pool_);
   const Domain& domain = state.domain;
-  const MedialRules rules{state.settings.medial_axis, state.settings.boundary_rule};
-  const MedialScene scene{*domain.surface, *domain.boundary, domain.radius, state.curve, state.metric, rules};
+  const MedialRules rules{state.settings.medial_axis, state.settings.boundary_rule, measure};
+  const MedialScene scene{*domain.surface, domain.patches.get(), *domain.boundary, domain.radius, state.curve, state.metric, rules};
   find_medial_state(scene, cached, pool_, medial_, state.nodes.radii);
 }
 
@@ -116,7 +116,7 @@ void Flow::find_medial_axis(FlowState& state, const NodeData<CachedDirections>* 
 void Flow::find_medial_axis(const Plan& plan) {
   NodeData<CachedDirections>& directions = state_.nodes.directions;
   if (!plan.reuse_directions) directions.clear();
-  find_medial_axis(state_, directions.empty() ? nullptr : &directions);
+  find_medial_axis(state_, directions.empty() ? nullptr : &directions, plan.measure_balls);
   if (state_.settings.grow_into_empty) {
     perturb_empty_stretches(state_.curve, state_.nodes.radii, state_.metric, pool_, medial_.felt_radii);
   }
@@ -199,7 +199,7 @@ std::vector<Gap> Flow::gaps(double least_size) {
   update_radii();
   const Domain& domain = state_.domain;
   std::vector<Gap> gaps = find_gaps(surface(), state_.curve, medial_.frames, radii(), domain.radius, least_size,
-                                    state_.settings.medial_axis == MedialAxis::kGeodesic, pool_);
+                                    state_.settings.medial_axis != MedialAxis::kEuclidean, pool_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
   const double kept = state_.settings.boundary_distance;

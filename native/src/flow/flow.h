@@ -76,7 +76,7 @@ class Flow {
  private:
   Plan plan() const { return plan_iteration(state_.settings, convergence_.phase()); }
   bool iterate(const std::function<bool()>& cancelled);
-  void find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached);
+  void find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached, bool measure = true);
   void find_medial_axis(const Plan& plan);
   IterationFigures figures_of(const NodeData<Vec2>& displacement);
   IterationRecord record_of(const NodeData<Vec2>& displacement);

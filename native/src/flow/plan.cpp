@@ -29,8 +29,9 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase) {
   plan.momentum = settings.polish ? momentum_in(phase) : 0;
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
+  plan.measure_balls = !settings.polish || phase >= Phase::kPolishing;
   plan.reuse_directions = settings.stop_rule == StopRule::kSettled &&
-                          settings.medial_axis == MedialAxis::kEuclidean && settings.boundary_distance <= 0.5 &&
+                          settings.boundary_distance <= 0.5 &&
                           phase != Phase::kCooling;
   return plan;
 }

@@ -82,7 +82,7 @@ class UnfoldedStrip {
   }
 
  private:
-  using Strip = Unfolding<LayBySimilarity>;
+  using Strip = Unfolding;
 
   const Surface& surface_;
   std::array<Vec2, 3> first_;  // corners of the first face

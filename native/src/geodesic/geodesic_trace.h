@@ -51,7 +51,7 @@ class GeodesicWalk {
   SurfacePoint start_;
   Vec2 direction_;  // unit
   double wanted_;   // length
-  Unfolding<LayBySimilarity> face_;  // the right end of its exit is below the axis, the left one on or above it
+  Unfolding face_;  // the right end of its exit is below the axis, the left one on or above it
   HalfEdge entry_ = kNone;           // the exit's twin, once there is one
   int crossings_ = 0;
   bool ended_ = false, hit_boundary_ = false;

@@ -32,30 +32,9 @@ inline FaceFrame frame_beside(const Surface& s, HalfEdge entry, Vec2 left, Vec2 
   return {left - turn * s.corner(face_of(entry), corner_of(entry)), turn};
 }
 
-/// How Unfolding lays a face: by the shape of its triangle, on the edge that is there. It is the cheaper layout,
-/// and fetches a single cache line; of the face's own plane only the corners are known.
-struct LayBySimilarity {
-  Vec2 lay(const Surface& s, HalfEdge, HalfEdge entry, Vec2 right, Vec2 left) {
-    return third_corner(s.hinges(face_of(entry)), corner_of(entry), left, right);
-  }
-};
-
-/// How Unfolding lays a face: by the motion of its plane, which is kept for callers that carry vectors and points
-/// back and forth in every face. The two layouts round differently, so each caller has to keep to its own: it
-/// decides the last bits of a curve.
-struct LayByMotion {
-  FaceFrame frame;  ///< of the present face
-
-  Vec2 lay(const Surface& s, HalfEdge exit, HalfEdge entry, Vec2, Vec2 left) {
-    frame = frame_beside(s, entry, left, turn_across(s, frame.turn, exit));
-    return frame.place(s.corner(face_of(entry), prev_corner(corner_of(entry))));
-  }
-};
-
 /// A face laid in a plane, with the edge by which it is left; the next face is laid across that edge. A small value,
 /// for one thread.
-template <class Layout>
-struct Unfolding : Layout {
+struct Unfolding {
   static constexpr uint32_t kRight = 0, kLeft = 1;
 
   HalfEdge exit = kNone;  ///< by which the face is left; runs from its right end to its left one
@@ -65,9 +44,10 @@ struct Unfolding : Layout {
   Vec2 right() const { return ends[kRight]; }
   Vec2 left() const { return ends[kLeft]; }
 
-  /// Lays the face across the exit, whose half-edge there is `entry`; the third corner of that face.
-  Vec2 lay_next(const Surface& s, HalfEdge entry) {
-    return Layout::lay(s, exit, entry, ends[kRight], ends[kLeft]);
+  /// The third corner of the face across the exit, whose half-edge there is `entry`. It is laid by the shape of its
+  /// triangle on the edge that is there, which fetches a single cache line; of the face's own plane nothing is known.
+  Vec2 lay_next(const Surface& s, HalfEdge entry) const {
+    return third_corner(s.hinges(face_of(entry)), corner_of(entry), ends[kLeft], ends[kRight]);
   }
   /// Makes that face the present one. `apex` is on `side` of the edge by which it will be left; the end on the
   /// other side stays. Without a branch, since walks turn left and right at random.

@@ -46,28 +46,12 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
   return samples;
 }
 
-/// Twice the radius of the largest ball on this side that holds no point of a boundary which faces it,
-/// where that is less than `most`. Straight ahead it is the distance; a corner that juts out beside the
-/// path to the boundary is nearer than its end.
-double distance_to_corner(const BoundaryObstacle& boundary, const Vec3& x, const Vec3& outward, double most,
-                          std::vector<uint32_t>& near) {
-  double distance = most;
-  boundary.tree().within(x, most * most, near);
-  for (const uint32_t k : near) {
-    const Vec3 d = boundary.samples()[k] - x;
-    const double ahead = d.dot(outward);
-    const bool faces = -boundary.inward()[k].dot(outward) >= tuning::kFacing;
-    if (ahead > 0 && faces) distance = std::min(distance, d.squaredNorm() / ahead);
-  }
-  return distance;
-}
-
 /// The reach of some nodes after another, with the scratch memory of one thread.
 class ReachFinder {
  public:
   ReachFinder(const Surface& surface, const Curve& curve, const Frames& frames, const BoundaryObstacle& boundary,
-              BoundaryRule rule, MedialAxis axis, const LocalMetric& metric)
-      : surface_(surface), curve_(curve), frames_(frames), boundary_(boundary), rule_(rule), axis_(axis),
+              BoundaryRule rule, const SurfacePatches* patches, const LocalMetric& metric)
+      : surface_(surface), curve_(curve), frames_(frames), boundary_(boundary), rule_(rule), patches_(patches),
         metric_(metric) {}
 
   void find(uint32_t begin, uint32_t end, NodeData<Reach>& reach) {
@@ -120,9 +104,8 @@ class ReachFinder {
     const uint32_t i = side.node;
     const double most = metric_.max_radius[i], least = rest(i);
     double distance = side.distance;
-    if (axis_ == MedialAxis::kEuclidean && least > 0) {
-      const double corner =
-          distance_to_corner(boundary_, frames_.position[i], frames_.outward[i][side.side], least, near_);
+    if (least > 0) {
+      const double corner = distance_to_corner(i, side.side, least);
       if (corner < least) distance = std::min(distance, corner);
     }
     ReachOfSide r;
@@ -140,12 +123,37 @@ class ReachFinder {
     return r;
   }
 
+  /// Twice the radius of the largest ball on this side that holds no point of a boundary which faces it,
+  /// where that is less than `most`. Straight ahead it is the distance; a corner that juts out beside the
+  /// path to the boundary is nearer than its end.
+  double distance_to_corner(uint32_t i, uint32_t side, double most) {
+    const Vec3 &x = frames_.position[i], &outward = frames_.outward[i][side];
+    double distance = most;
+    boundary_.tree().within(x, most * most, near_);
+    for (const uint32_t k : near_) {
+      const Vec3 d = boundary_.samples()[k] - x;
+      const double ahead = d.dot(outward);
+      const bool faces = -boundary_.inward()[k].dot(outward) >= tuning::kFacing;
+      if (!(ahead > 0 && faces && d.squaredNorm() < distance * ahead) || hidden(i, k)) continue;
+      distance = d.squaredNorm() / ahead;
+    }
+    return distance;
+  }
+
+  bool hidden(uint32_t i, uint32_t sample) const {
+    if (!patches_) return false;
+    const uint32_t f = face_of(boundary_.edges()[sample]);
+    const Vec3 from_corner = boundary_.samples()[sample] - surface_.position(surface_.face(f)[0]);
+    return patches_->hidden(patches_->patch_of(surface_, curve_.nodes[i]),
+                            patches_->patch_of(surface_, point_at(surface_, f, surface_.to_plane(f, from_corner))));
+  }
+
   const Surface& surface_;
   const Curve& curve_;
   const Frames& frames_;
   const BoundaryObstacle& boundary_;
   BoundaryRule rule_;
-  MedialAxis axis_;
+  const SurfacePatches* patches_;
   const LocalMetric& metric_;
   std::vector<Side> sides_;  // that the boundary may be near to
   std::vector<uint32_t> near_;
@@ -157,12 +165,12 @@ BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
     : step_(step), tree_(sample_boundary(surface, step, edges_, inward_)) {}
 
 void compute_reach(const Surface& surface, const Curve& curve, const Frames& frames,
-                   const BoundaryObstacle& boundary, BoundaryRule rule, MedialAxis axis,
+                   const BoundaryObstacle& boundary, BoundaryRule rule, const SurfacePatches* patches,
                    const LocalMetric& metric, ThreadPool& pool, NodeData<Reach>& reach) {
   reach.resize(curve.size());
   constexpr size_t kBlock = 512;
   pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
-    ReachFinder(surface, curve, frames, boundary, rule, axis, metric)
+    ReachFinder(surface, curve, frames, boundary, rule, patches, metric)
         .find(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), reach);
   });
 }

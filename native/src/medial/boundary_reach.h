@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/point_tree.h"
+#include "geodesic/surface_patches.h"
 #include "medial/frames.h"
 
 namespace meander {
@@ -56,14 +57,15 @@ struct ReachOfSide {
 using Reach = std::array<ReachOfSide, 2>;
 
 /// The reach of all nodes. The distance to the boundary is that along the surface in the direction of the
-/// bitangent; where balls are straight, and the boundary nearer than `least_rest`, corners of it that jut
-/// out beside that geodesic count as well.
+/// bitangent; where the boundary is nearer than `least_rest`, corners of it that jut out beside that geodesic count as
+/// well.
 ///
+/// `patches`  null where balls are straight; else what of the boundary they hide from a node does not count
 /// `metric`  clamps of at most CurveBvh::kMostRadius. In `driving`, what a ball that ends at the boundary falls
 ///           short of its least_rest counts twice, and more where it is far short. Under
 ///           BoundaryRule::kObstacle overhang and least_rest are taken to be 0.
 void compute_reach(const Surface& surface, const Curve& curve, const Frames& frames,
-                   const BoundaryObstacle& boundary, BoundaryRule rule, MedialAxis axis,
+                   const BoundaryObstacle& boundary, BoundaryRule rule, const SurfacePatches* patches,
                    const LocalMetric& metric, ThreadPool& pool, NodeData<Reach>& reach);
 
 }  // namespace meander

@@ -250,6 +250,44 @@ double CurveBvh::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b
   return radius;
 }
 
+void CurveBvh::visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+                     const std::function<bool(uint32_t run)>& shrink) const {
+  if (nodes_.empty()) return;
+  struct Place {
+    uint32_t id;
+    float distance;  // squared, from the centre of the ball when it was seen
+  };
+  // A level leaves at most 3 places behind; 2^30 points make 15 levels.
+  constexpr int kMostPlaces = 64;
+  Place stack[kMostPlaces];
+  int top = 0;
+  stack[top++] = {0, 0};
+  Ball ball(x, b, radius);
+  while (top > 0) {
+    const Place place = stack[--top];
+    if (place.distance >= ball.squared) continue;
+    if (place.id & kLeaf) {
+      if (shrink(place.id & ~kLeaf)) {
+        ball = Ball(x, b, radius);
+        // Distances from the old centre say nothing of the new ball.
+        for (int k = 0; k < top; ++k) stack[k].distance = 0;
+      }
+      continue;
+    }
+    const Node& n = nodes_[place.id];
+    const Float4 distance = ball.distances(load(n.low[0]), load(n.high[0]), load(n.low[1]), load(n.high[1]),
+                                           load(n.low[2]), load(n.high[2]));
+    // The nearest child comes last, to be looked at first: it shrinks the ball most.
+    const int base = top;
+    for (int k = 0; k < 4; ++k) {
+      if (!(distance[k] < ball.squared)) continue;
+      int at = top++;
+      for (; at > base && stack[at - 1].distance < distance[k]; --at) stack[at] = stack[at - 1];
+      stack[at] = {n.child[k], distance[k]};
+    }
+  }
+}
+
 /// All runs whose boxes meet this one; false if there are too many.
 bool CurveBvh::runs_near(const Box& box, Candidates& found) const {
   found.count = 0;
@@ -327,34 +365,85 @@ double CurveBvh::largest_ball_among(const Candidates& near, const Eigen::Vector3
   return radius;
 }
 
+/// The runs that the balls of some neighbours may meet; false if there are too many.
+bool CurveBvh::gather(size_t begin, size_t end, std::span<const std::array<Eigen::Vector3d, 2>> b,
+                      std::span<const std::array<double, 2>> radii, Candidates& near) const {
+  Eigen::Vector3d low = point(begin), high = low;
+  for (size_t i = begin; i < end; ++i) {
+    for (size_t side = 0; side < 2; ++side) {
+      const double r = radii[i][side];
+      if (!(r > 0)) continue;
+      const Eigen::Vector3d centre = point(i) + r * b[i][side], all_round = Eigen::Vector3d::Constant(r);
+      low = low.cwiseMin(centre - all_round);
+      high = high.cwiseMax(centre + all_round);
+    }
+  }
+  Box box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.low[axis] = rounded_down(low[axis]);
+    box.high[axis] = rounded_up(high[axis]);
+  }
+  return runs_near(box, near);
+}
+
+uint32_t CurveBvh::lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
+                                double radius) const {
+  const Points& p = lanes_[run];
+  const double twice = 2 * radius * (1 + 1e-14);
+  uint32_t lanes = 0;
+  for (size_t k = 0; k < kRun; k += 2) {
+    const Double2 ux = load<Double2>(p.x + k) - both(x.x()), uy = load<Double2>(p.y + k) - both(x.y()),
+                  uz = load<Double2>(p.z + k) - both(x.z());
+    const Double2 squared = ux * ux + uy * uy + uz * uz;
+    const Double2 ahead = ux * both(b.x()) + uy * both(b.y()) + uz * both(b.z());
+    const auto inside = (squared <= both(twice) * ahead) & (ahead > both(0));
+    lanes |= static_cast<uint32_t>((inside[0] & 1) | (inside[1] & 2)) << k;
+  }
+  return lanes;
+}
+
+uint32_t CurveBvh::lanes_met(const Candidates& near, uint32_t at, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
+                             double radius) const {
+  const Ball ball(x, b, radius);
+  const Float4 distance = ball.distances(load(near.low[0] + at), load(near.high[0] + at), load(near.low[1] + at),
+                                         load(near.high[1] + at), load(near.low[2] + at), load(near.high[2] + at));
+  return lanes_of(distance < all(ball.squared));
+}
+
+/// The point of a run that limits a ball; UINT32_MAX if none does.
+uint32_t CurveBvh::limit_in(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double radius) const {
+  if (run == UINT32_MAX) return UINT32_MAX;
+  const size_t first = size_t{run} * kRun, end = std::min<size_t>(first + kRun, points_.size());
+  uint32_t limit = UINT32_MAX;
+  double least = radius * (1 + 1e-12);
+  for (size_t i = first; i < end; ++i) {
+    const Eigen::Vector3d d = point(i) - x;
+    const double ahead = d.dot(b);
+    if (!(ahead > 0) || !(d.squaredNorm() <= 2 * least * ahead)) continue;
+    least = d.squaredNorm() / (2 * ahead);
+    limit = static_cast<uint32_t>(i);
+  }
+  return limit;
+}
+
 void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
-                            std::span<std::array<double, 2>> radii) const {
+                            std::span<std::array<double, 2>> radii,
+                            std::span<std::array<uint32_t, 2>> touched) const {
   Candidates near;
   for (size_t begin = first; begin < last; begin += kRun) {
     const size_t end = std::min<size_t>(begin + kRun, last);
-    Eigen::Vector3d low = point(begin), high = low;
-    for (size_t i = begin; i < end; ++i) {
-      for (size_t side = 0; side < 2; ++side) {
-        const double r = radii[i][side];
-        if (!(r > 0)) continue;
-        const Eigen::Vector3d centre = point(i) + r * b[i][side], all_round = Eigen::Vector3d::Constant(r);
-        low = low.cwiseMin(centre - all_round);
-        high = high.cwiseMax(centre + all_round);
-      }
-    }
-    Box box;
-    for (int axis = 0; axis < 3; ++axis) {
-      box.low[axis] = rounded_down(low[axis]);
-      box.high[axis] = rounded_up(high[axis]);
-    }
-    const bool few = runs_near(box, near);
+    const bool few = gather(begin, end, b, radii, near);
     for (size_t side = 0; side < 2; ++side) {
       uint32_t limiting = UINT32_MAX;
       for (size_t i = begin; i < end; ++i) {
         double& r = radii[i][side];
         if (!(r > 0)) continue;
-        r = few ? largest_ball_among(near, point(i), b[i][side], r, limiting)
-                : largest_ball(point(i), b[i][side], r);
+        if (few) {
+          r = largest_ball_among(near, point(i), b[i][side], r, limiting);
+          if (!touched.empty()) touched[i][side] = limit_in(limiting, point(i), b[i][side], r);
+        } else {
+          r = largest_ball(point(i), b[i][side], r, touched.empty() ? nullptr : &touched[i][side]);
+        }
       }
     }
   }

@@ -4,319 +4,362 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
 
-#include "geodesic/geodesic_distance.h"
-#include "medial/curve_bvh.h"
+#include "geodesic/chart.h"
 
 namespace meander {
 namespace {
 
-/// A node this much (relative) inside of a ball is not told from one on it.
-constexpr double kEmpty = 1e-9;
-
-/// What the plane's formulas say is taken as it is for changes up to this share: the curvature of the
-/// surface makes a small part of the change wrong.
-constexpr double kClose = 0.03;
-
-/// Paths up to this many radii long are looked for where a ball is expected to touch.
-constexpr double kNearlyTouching = 1.2;
-
-/// Shots at a point are given up after this many, or when one misses it by this share of its length.
-constexpr int kMostShots = 6;
-constexpr double kLost = 0.7;
-
-/// Balls larger than this many r are seen only while a curve grows, and fine faces make the search in them
-/// expensive: there straight paths that a shot finds are all that counts.
-constexpr double kLarge = 3;
-
-/// A ball in space that holds this many nodes is hardly ever empty on the surface.
-constexpr size_t kCrowd = 4;
-
-/// In space, the search for a ball starts from this many times the node's last radius.
+/// A ball may start this much larger than the node's last one before it is known to be large enough.
 constexpr double kWarmth = 1.2;
 
-/// In a large ball no more is looked for after this many points that no shot hit.
-constexpr int kMostMissed = 8;
+/// Near a crease what limits the straight ball is believed if the normals at both ends differ by less than this (a cosine), and the line between
+/// them leaves either plane by less than this (a sine).
+constexpr double kAlike = 0.7, kRise = 0.36;
 
-/// A straight path that is longer than the chord by no more than this share counts as the shortest.
-constexpr double kDirect = 0.005;
+/// And if the ball grows about in the direction of the surface (a cosine): round the edge of a blade it does not.
+constexpr double kStraightOn = 0.7;
 
-constexpr int kMostRounds = 30;
+/// Beside a sharp edge larger balls, in r, are not believed: what is round the edge may not be ahead at all.
+constexpr double kWide = 1.4;
 
-/// Everything that balls may touch.
-struct Obstacles {
-  std::vector<FlatPoint> points;  // nodes first
-  std::vector<Vec3> positions;
-};
+/// What is measured along the surface and found this near to the straight distance is what limits the ball.
+constexpr double kSame = 1.04;
 
-/// The balls of one node after the other, and the scratch memory of one thread.
-class Balls {
+/// Else the next is measured, as long as the straight ball that it limits is less than so many times the least.
+constexpr double kMargin = 1.12;
+constexpr uint32_t kMostStrands = 3;
+
+/// The neighbours on the strand of what limits a ball that are measured with it, on both sides.
+constexpr uint32_t kNeighbours = 7;
+
+/// Lines to what limits a ball are no longer than this many r.
+constexpr double kLongest = 8;
+
+/// Where normals differ by more than this (a cosine) no line that aims through space leads there.
+constexpr double kOpposite = -0.3;
+
+/// The search looks around points this far apart on rays, as far around, in r.
+constexpr double kStep = 0.6, kAround = 0.6;
+
+/// A point is seen in the plane of another face if their normals differ by less than this cosine.
+constexpr double kNearlyFlat = 0.9;
+
+/// Everything that balls may touch, patch by patch.
+class Obstacles {
  public:
-  Balls(const Surface& surface, const Obstacles& obstacles, const CurveBvh& tree)
-      : surface_(surface), obstacles_(obstacles), tree_(tree), distance_(surface) {}
+  Obstacles(const Surface& surface, const SurfacePatches& patches, const Curve& curve, const Frames& frames,
+            const BoundaryObstacle& boundary, BoundaryRule rule, ThreadPool& pool)
+      : curve_(curve) {
+    if (rule == BoundaryRule::kObstacle && !boundary.empty()) add_walls(surface, frames, boundary);
+    const std::vector<Vec3>& at = with_walls_.empty() ? frames.position.values() : with_walls_;
+    positions_ = at;
+    patch_.resize(at.size());
+    pool.for_blocks(at.size(), 512, [&](size_t, size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) patch_[i] = patches.patch_of(surface, point(static_cast<uint32_t>(i)));
+    });
+    sort(patches.count());
+  }
+  Obstacles(const Obstacles&) = delete;
+  Obstacles& operator=(const Obstacles&) = delete;
 
-  /// The radius of the largest empty ball that starts at a node along `direction` (unit, in the plane
-  /// of its face). `outward` is about the direction of its centre in space, `usual` about the radius to be
-  /// expected where that misleads, `last` that of an earlier state, or 0.
-  double largest(uint32_t node, Vec2 direction, const Vec3& outward, const ReachOfSide& reach, double usual,
-                 double last) {
-    node_ = node;
-    direction_ = direction;
-    ray_.reset(surface_, obstacles_.points[node], direction);
-    large_ = kLarge * usual * (1 + kEmpty);
-    const double most = std::min(reach.radius, reach.centre);
-    const double radius = largest_on_surface(outward, most, usual, last);
-    return radius < most || reach.radius <= most ? radius : largest_beyond(most, reach.radius);
+  /// The nodes, and samples of the boundary after them.
+  std::span<const Vec3> positions() const { return positions_; }
+  const SurfacePoint& point(uint32_t i) const {
+    return i < curve_.size() ? curve_.nodes[i] : walls_[i - curve_.size()];
+  }
+  uint32_t patch(size_t i) const { return patch_[i]; }
+
+  struct Place {
+    Vec3 position;
+    uint32_t index;
+  };
+  std::span<const Place> in_patch(uint32_t patch) const {
+    return std::span(sorted_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
   }
 
  private:
-  /// Where the centre of a ball is, and in which direction (unit, in the plane of its face) the geodesic
-  /// from the node arrives there.
-  struct Centre {
-    FlatPoint point;
-    Vec2 arriving;
-  };
-  /// A path from a centre to a point: its length and the direction in which it leaves.
-  struct Sight {
-    double distance;
-    Vec2 direction;
-  };
-
-  Centre centre(double radius) {
-    const Landing landing = ray_.at(radius);
-    return {landing.end, conj(landing.turn) * direction_};
-  }
-
-  double largest_on_surface(const Vec3& outward, double most, double usual, double last) {
-    uint32_t touched = kNone;
-    const double guess = largest_in_space(outward, most, last, touched);
-    if (touched == kNone) return shrink(most);
-    const double radius = through(touched, guess, most);
-    if (radius < most) return shrink(radius, touched);
-    // Another sheet, most likely. The right ball is larger, but hardly as large as it may be.
-    return grow(std::min(most, std::max(2 * guess, 1.25 * usual)), most);
-  }
-
-  /// The largest empty ball in space and the point that it touches; `last` only saves time.
-  double largest_in_space(const Vec3& outward, double most, double last, uint32_t& touched) const {
-    const double start = last > 0 ? std::min(most, kWarmth * last) : most;
-    const double radius = tree_.largest_ball(obstacles_.positions[node_], outward, start, &touched);
-    if (touched != kNone || start == most) return radius;
-    return tree_.largest_ball(obstacles_.positions[node_], outward, most, &touched);
-  }
-
-  /// The largest empty ball whose centre may pass the boundary, which it reaches after `edge`.
-  double largest_beyond(double edge, double most) {
-    const Centre c = centre(edge);
-    // Around the centre of such a ball lie all its points within this distance of where it left.
-    find_inside(c, 2 * most - edge);
-    measure_inside(c, 2 * most - edge, false);
-    double radius = most;
-    for (const GeodesicDistance::Target& t : targets_) {
-      if (t.reached) radius = std::min(radius, in_plane(edge, {t.distance, t.direction}, c.arriving));
-    }
-    return radius;
-  }
-
-  /// Finds the nodes within `reach` of a centre, straight through space.
-  void find_inside(const Centre& c, double reach) {
-    tree_.inside(position(surface_, c.point), reach, inside_);
-    std::erase(inside_, node_);
-  }
-
-  /// Measures what was found along the surface: all of it, or only the nearest, and then others as far as
-  /// they come to light in between. A shot does for a point that is reached on hardly more than the
-  /// chord: no path is shorter.
-  void measure_inside(const Centre& c, double reach, bool nearest_only) {
-    const bool large = reach > large_;
-    const Vec3 from = position(surface_, c.point);
-    if (large) {
-      std::ranges::sort(inside_, {}, [&](uint32_t p) { return (obstacles_.positions[p] - from).squaredNorm(); });
-    }
-    targets_.clear();
-    for (const uint32_t p : inside_) {
-      targets_.push_back({obstacles_.points[p], obstacles_.positions[p], reach, {}, false});
-    }
-    double least = reach;
-    int missed = 0;
-    for (size_t k = 0; k < inside_.size() && missed < kMostMissed; ++k) {
-      const double chord = (targets_[k].position - from).norm();
-      if (large && nearest_only && !(chord < least)) break;
-      const std::optional<Sight> sight = shoot(c.point, inside_[k]);
-      if (!large && !(sight && sight->distance <= (1 + kDirect) * chord)) {
-        for (GeodesicDistance::Target& t : targets_) t.distance = reach;
-        distance_.measure(c.point, targets_, nearest_only);
-        break;
-      }
-      missed += !sight;
-      if (!sight || !(sight->distance < reach)) continue;
-      targets_[k].distance = sight->distance;
-      targets_[k].direction = sight->direction;
-      targets_[k].reached = true;
-      least = std::min(least, sight->distance);
+  void add_walls(const Surface& surface, const Frames& frames, const BoundaryObstacle& boundary) {
+    with_walls_ = frames.position.values();
+    with_walls_.insert(with_walls_.end(), boundary.samples().begin(), boundary.samples().end());
+    for (size_t k = 0; k < boundary.samples().size(); ++k) {
+      const uint32_t f = face_of(boundary.edges()[k]);
+      const Vec3 from_corner = boundary.samples()[k] - surface.position(surface.face(f)[0]);
+      walls_.push_back(point_at(surface, f, surface.to_plane(f, from_corner)));
     }
   }
 
-  /// Tries larger and larger balls until one is not empty.
-  double grow(double radius, double most) {
-    while (true) {
-      const double smaller = shrink(radius);
-      if (smaller < radius || radius >= most) return smaller;
-      radius = std::min(most, 2 * radius);
-    }
+  void sort(uint32_t patches) {
+    first_.assign(patches + 1, 0);
+    for (const uint32_t p : patch_) ++first_[p + 1];
+    for (uint32_t p = 0; p < patches; ++p) first_[p + 1] += first_[p];
+    sorted_.resize(patch_.size());
+    std::vector<uint32_t> at(first_.begin(), first_.end() - 1);
+    for (uint32_t i = 0; i < patch_.size(); ++i) sorted_[at[patch_[i]]++] = {positions_[i], i};
   }
 
-  /// The largest empty ball that is not larger than `radius`, at which the ball touches `touched`.
-  double shrink(double radius, uint32_t touched = kNone) {
-    for (int round = 0; round < kMostRounds; ++round) {
-      const Centre c = centre(radius);
-      const double reach = radius * (1 - kEmpty);
-      find_inside(c, reach);
-      if (touched != kNone) std::erase(inside_, touched);
-      if (inside_.empty()) return radius;
-      if (inside_.size() >= kCrowd) {
-        // Much too large, most likely: a shot is enough to know.
-        const uint32_t near = nearest_inside(position(surface_, c.point));
-        const std::optional<Sight> sight = shoot(c.point, near);
-        if (sight && sight->distance < reach) {
-          radius = std::min(reach, through(near, in_plane(radius, *sight, c.arriving), radius));
-          touched = near;
-          continue;
-        }
-      }
-      measure_inside(c, reach, true);
-      double least = radius;
-      uint32_t nearest = kNone;
-      for (size_t k = 0; k < inside_.size(); ++k) {
-        if (!targets_[k].reached) continue;
-        const double r = in_plane(radius, {targets_[k].distance, targets_[k].direction}, c.arriving);
-        if (r < least) {
-          least = r;
-          nearest = inside_[k];
-        }
-      }
-      if (nearest == kNone) return radius;
-      touched = nearest;
-      radius = radius - least > kClose * radius ? std::min(radius, through(touched, least, radius)) : least;
-    }
-    return radius;
-  }
-
-  uint32_t nearest_inside(const Vec3& centre) const {
-    return *std::min_element(inside_.begin(), inside_.end(), [&](uint32_t p, uint32_t q) {
-      return (obstacles_.positions[p] - centre).squaredNorm() < (obstacles_.positions[q] - centre).squaredNorm();
-    });
-  }
-
-  /// The radius of the ball through a point, if it is below `most`; else `most`.
-  double through(uint32_t point, double guess, double most) {
-    double low = 0, high = most, radius = guess;
-    for (int round = 0; round < kMostRounds && high - low > kEmpty * high; ++round) {
-      const Centre c = centre(radius);
-      std::optional<Sight> sight = shoot(c.point, point);
-      if (!sight && radius <= large_) sight = search(c.point, point, kNearlyTouching * radius);
-      if (!sight && round == 0) return most;
-      (sight && sight->distance < radius ? high : low) = radius;
-      double next = sight ? in_plane(radius, *sight, c.arriving) : high;
-      if (std::abs(next - radius) <= kClose * radius) return std::min(next, most);
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      radius = next;
-    }
-    return high;
-  }
-
-  /// The shortest path from a centre to a point, if it is shorter than `most`.
-  std::optional<Sight> search(const FlatPoint& from, uint32_t point, double most) {
-    GeodesicDistance::Target target{obstacles_.points[point], obstacles_.positions[point], most, {}, false};
-    distance_.measure(from, {&target, 1});
-    if (!target.reached) return std::nullopt;
-    return Sight{target.distance, target.direction};
-  }
-
-  /// A straight path from a centre to a point, if aiming at it finds one: where the surface is simple it
-  /// is the shortest, and costs a fraction of the search. It leaves towards the point as that is seen
-  /// through space, and is corrected by what is missing at its end, seen in the plane of the face
-  /// there.
-  std::optional<Sight> shoot(const FlatPoint& from, uint32_t point) const {
-    const FlatPoint& aim = obstacles_.points[point];
-    const Vec3& goal = obstacles_.positions[point];
-    const Vec3 chord = goal - position(surface_, from);
-    Vec2 line = chord.norm() * unit(surface_.to_plane(from.face, chord));
-    for (int shot = 0; shot < kMostShots; ++shot) {
-      const Landing landing = walk_straight(surface_, from, line);
-      if (landing.hit_boundary) return std::nullopt;
-      const FlatPoint& end = landing.end;
-      const Vec2 missing = end.face == aim.face ? aim.place - end.place
-                                                : surface_.to_plane(end.face, goal - position(surface_, end));
-      const double length = norm(line), left = norm(missing);
-      if (!(left <= kLost * length)) return std::nullopt;
-      line = line + landing.turn * missing;
-      if (left > kClose * length) continue;
-      if (end.face == aim.face) return Sight{norm(line), unit(line)};
-      // Near in space is not yet near on the surface.
-      const FlatPoint rest = walk_straight(surface_, end, missing).end;
-      if (rest.face == aim.face && norm(aim.place - rest.place) <= kClose * left) return Sight{norm(line), unit(line)};
-    }
-    return std::nullopt;
-  }
-
-  /// The radius of the circle that touches the curve at the node and passes through a point which is seen
-  /// like this from the centre of the circle of radius `radius`, if the surface between is flat.
-  static double in_plane(double radius, const Sight& sight, Vec2 arriving) {
-    const double cosine = dot(sight.direction, arriving), d = sight.distance;
-    const double ahead = radius + d * cosine;
-    if (!(ahead > 0)) return std::numeric_limits<double>::infinity();
-    return (radius * radius + d * d + 2 * radius * d * cosine) / (2 * ahead);
-  }
-
-  const Surface& surface_;
-  const Obstacles& obstacles_;
-  const CurveBvh& tree_;
-  GeodesicDistance distance_;
-  StraightRay ray_;
-  uint32_t node_ = 0;
-  Vec2 direction_;
-  double large_ = 0;
-  std::vector<uint32_t> inside_;
-  std::vector<GeodesicDistance::Target> targets_;
+  const Curve& curve_;
+  std::vector<Vec3> with_walls_;
+  std::vector<SurfacePoint> walls_;
+  std::span<const Vec3> positions_;
+  std::vector<uint32_t> patch_;
+  std::vector<uint32_t> first_;
+  std::vector<Place> sorted_;
 };
 
-void add_boundary(const Surface& surface, const BoundaryObstacle& boundary, Obstacles& obstacles) {
-  for (size_t k = 0; k < boundary.samples().size(); ++k) {
-    const uint32_t f = face_of(boundary.edges()[k]);
-    const Vec3& p = boundary.samples()[k];
-    obstacles.points.push_back({f, surface.to_plane(f, p - surface.position(surface.face(f)[0]))});
-    obstacles.positions.push_back(p);
+/// What balls are measured in.
+struct Scene {
+  const Surface& surface;
+  const SurfacePatches& patches;
+  const Curve& curve;
+  const Frames& frames;
+  const Obstacles& obstacles;
+  const CurveBvh& tree;
+
+  bool sees(size_t i, uint32_t j) const { return !patches.hidden(obstacles.patch(i), obstacles.patch(j)); }
+};
+
+/// One ball after the other, and the scratch memory of one thread.
+class GeodesicBall {
+ public:
+  explicit GeodesicBall(const Scene& scene) : scene_(scene) {}
+
+  /// The radius of the largest empty ball on one side of a node.
+  ///
+  /// `straight`, `touched`  the ball through space among what the node sees, and the index of what limits it
+  /// `r`                    the local one
+  double largest(uint32_t node, size_t side, double straight, uint32_t touched, double most, double r) {
+    node_ = node;
+    outward_ = scene_.frames.outward[node][side];
+    ahead_ = (side == 0 ? 1.0 : -1.0) * scene_.frames.bitangent2[node];
+    r_ = r;
+    least_ = most;
+    excluded_count_ = 0;
+    const SurfacePatches& patches = scene_.patches;
+    const uint32_t patch = scene_.obstacles.patch(node);
+    bool certain = touched != kNone;  // that it is met through space as well
+    straight_on_ = outward_.dot(scene_.surface.to_space(face(), ahead_)) >= kStraightOn;
+    certain = certain && straight_on_ && (straight <= kWide * r || !patches.sharp(patch));
+    if (certain && alike(touched)) return straight;
+    if (!certain || opposite(touched) || !measure(straight, touched, most)) search();
+    return least_;
   }
-}
+
+ private:
+  uint32_t face() const { return scene_.curve.nodes[node_].face; }
+  Chart here() const { return Chart::at(scene_.curve.nodes[node_], scene_.obstacles.positions()[node_]); }
+
+  /// Does the straight line to a point lie along the surface?
+  bool alike(uint32_t p) const {
+    const uint32_t from = scene_.obstacles.patch(node_), to = scene_.obstacles.patch(p);
+    if (scene_.patches.bent(from) || scene_.patches.bent(to)) return false;
+    const Vec3 &a = scene_.patches.normal(from), &b = scene_.patches.normal(to);
+    if (a.dot(b) < kAlike) return false;
+    const Vec3 d = scene_.obstacles.positions()[p] - scene_.obstacles.positions()[node_];
+    const double rise = kRise * d.norm();
+    return std::abs(d.dot(a)) <= rise && std::abs(d.dot(b)) <= rise;
+  }
+
+  bool opposite(uint32_t p) const {
+    return scene_.patches.normal(scene_.obstacles.patch(node_)).dot(scene_.patches.normal(scene_.obstacles.patch(p))) <
+           kOpposite;
+  }
+
+  /// Measures what limits the straight ball, and then what limits it next. False if that is not to be had, as where
+  /// no straight path leads to it.
+  bool measure(double straight, uint32_t touched, double most) {
+    for (uint32_t k = 0; k < kMostStrands; ++k) {
+      Chart chart = here();
+      const Vec3& goal = scene_.obstacles.positions()[touched];
+      if (!chart.advance_to(scene_.surface, scene_.obstacles.point(touched), goal, kLongest * r_)) return false;
+      note(chart.place);
+      note_neighbours(touched, chart);
+      if (least_ <= kSame * straight || k + 1 == kMostStrands) return true;
+      excluded_[excluded_count_++] = {touched < kNeighbours ? 0 : touched - kNeighbours, touched + kNeighbours};
+      straight = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, std::min(most, kMargin * least_),
+                                               [&](uint32_t j) { return counts(j); }, touched);
+      if (touched == kNone) return true;
+      if (!alike(touched)) continue;
+      least_ = std::min(least_, straight);
+      return true;
+    }
+    return true;
+  }
+
+  bool counts(uint32_t j) const {
+    for (uint32_t k = 0; k < excluded_count_; ++k) {
+      if (j >= excluded_[k][0] && j <= excluded_[k][1]) return false;
+    }
+    return scene_.sees(node_, j);
+  }
+
+  void note(Vec2 place) {
+    const double ahead = dot(place, ahead_);
+    if (ahead > 0) least_ = std::min(least_, dot(place, place) / (2 * ahead));
+  }
+
+  /// Notes the neighbours of a node on its strand in the plane in which the node is seen.
+  void note_neighbours(uint32_t p, const Chart& chart) {
+    const Curve& curve = scene_.curve;
+    if (p >= curve.size()) return;
+    for (const bool forward : {false, true}) {
+      uint32_t q = p;
+      for (uint32_t k = 0; k < kNeighbours; ++k) {
+        q = forward ? curve.next(q) : curve.previous(q);
+        if (q == kNone || q == node_) break;
+        const double before = least_;
+        const Vec3 d = scene_.frames.position[q] - scene_.frames.position[p];
+        note(chart.place + chart.turn * scene_.surface.to_plane(chart.point.face, d));
+        if (!(least_ < before)) break;
+      }
+    }
+  }
+
+  /// Looks for what limits the ball along rays, as far as the ball reaches.
+  void search() {
+    const bool flat_known = straight_on_ && !scene_.patches.bent(scene_.obstacles.patch(node_));
+    if (flat_known) {
+      uint32_t touched;
+      least_ = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, least_,
+                                             [&](uint32_t j) { return scene_.sees(node_, j) && alike(j); }, touched);
+    }
+    // Where all that is in reach is flat, that was all.
+    const double to_crease = flat_known ? scene_.patches.to_crease(scene_.obstacles.patch(node_)) : 0;
+    if (to_crease > 2 * least_) return;
+    look_around(here(), flat_known);
+    for (const double angle : {0.0, 0.7, -0.7, 1.25, -1.25}) {
+      const Vec2 turned{std::cos(angle), std::sin(angle)};
+      const Vec2 direction = ahead_ * turned;
+      const double half = 0.5 * kStep * r_;
+      double from = 0, to = std::max(2 * half, to_crease - half);
+      if (to - half > 2 * least_ * turned.x) continue;
+      for (Chart chart = here(); to - half <= 2 * least_ * turned.x; to += 2 * half) {
+        chart.advance(scene_.surface, (to - from) * (conj(chart.turn) * direction));
+        if (chart.at_boundary) break;
+        look_around(chart, flat_known);
+        from = to;
+      }
+    }
+  }
+
+  /// `flat_known`  what lies in about the plane of the node is known already
+  void look_around(const Chart& chart, bool flat_known) {
+    const uint32_t patch = scene_.patches.patch_of(scene_.surface, chart.point);
+    if (flat_known && !scene_.patches.at_crease(patch) &&
+        scene_.patches.normal(patch).dot(scene_.patches.normal(scene_.obstacles.patch(node_))) >= kAlike) {
+      return;
+    }
+    look_in(chart, patch);
+    for (const uint32_t beside : scene_.patches.beside(patch)) look_in(chart, beside);
+  }
+
+  void look_in(const Chart& chart, uint32_t patch) {
+    const Surface& s = scene_.surface;
+    for (const Obstacles::Place& place : scene_.obstacles.in_patch(patch)) {
+      const Vec3 d = place.position - chart.position;
+      if (d.squaredNorm() > kAround * kAround * r_ * r_ || place.index == node_) continue;
+      const SurfacePoint& p = scene_.obstacles.point(place.index);
+      if (p.face == chart.point.face) {
+        note(chart.place + chart.turn * (flat(s, p) - flat(s, chart.point)));
+      } else if (s.face_normal(p.face).dot(s.face_normal(chart.point.face)) >= kNearlyFlat) {
+        note(chart.place + chart.turn * s.to_plane(chart.point.face, d));
+      } else if (Chart there = chart; there.advance_to(s, p, place.position, r_)) {
+        note(there.place);
+      }
+    }
+  }
+
+  const Scene& scene_;
+  // The ball that is looked for.
+  uint32_t node_ = 0;
+  Vec3 outward_;
+  Vec2 ahead_;  // its direction in the plane of the node's face
+  double r_ = 0, least_ = 0;
+  bool straight_on_ = true;  // whether that is also about its direction in space
+  uint32_t excluded_count_ = 0;
+  std::array<std::array<uint32_t, 2>, kMostStrands> excluded_;
+};
+
+/// The balls of nodes begin .. end - 1, a run of the tree or less.
+class BallsOfRun {
+ public:
+  BallsOfRun(const Scene& scene, bool measure, const LocalMetric& metric, const NodeData<Reach>& reach, NodeData<Radii>& radii,
+             NodeData<std::array<uint32_t, 2>>& touched)
+      : scene_(scene), measure_(measure), metric_(metric), reach_(reach), radii_(radii), touched_(touched), ball_(scene) {}
+
+  void find(uint32_t begin, uint32_t end) {
+    bool plain = true, thin = false;
+    for (uint32_t i = begin; i < end; ++i) {
+      const uint32_t patch = scene_.obstacles.patch(i);
+      plain = plain && !scene_.patches.hides(patch) && !(measure_ && scene_.patches.creased(patch));
+      thin = thin || scene_.patches.thin(scene_.obstacles.patch(i));
+      for (size_t side = 0; side < 2; ++side) {
+        const double most = std::max(0.0, reach_[i][side].radius), last = radii_[i][side];
+        start_[i - begin][side] = radii_[i][side] = last > 0 ? std::min(most, kWarmth * last) : most;
+      }
+    }
+    const auto sees = [&](size_t i, uint32_t j) { return scene_.sees(i, j); };
+    if (plain) {
+      scene_.tree.largest_balls(begin, end, scene_.frames.outward, radii_);
+    } else if (thin) {
+      scene_.tree.largest_balls_seen(begin, end, scene_.frames.outward, sees, radii_, touched_);
+    } else {
+      scene_.tree.largest_balls(begin, end, scene_.frames.outward, radii_, touched_);
+    }
+    for (uint32_t i = begin; i < end; ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        if (reach_[i][side].radius > 0) finish(i, side, start_[i - begin][side], plain, thin);
+      }
+    }
+  }
+
+ private:
+  void finish(uint32_t i, size_t side, double start, bool plain, bool thin) {
+    double& radius = radii_[i][side];
+    uint32_t& touched = touched_[i][side];
+    const double most = reach_[i][side].radius;
+    if (!plain && !thin && touched != kNone && !scene_.sees(i, touched)) radius = straight(i, side, start);
+    // An empty ball that no point limits is only a lower bound: start again from the clamp.
+    if (!(radius < start) && radius < most) {
+      radius = plain ? scene_.tree.largest_ball(scene_.frames.position[i], scene_.frames.outward[i][side], most)
+                     : straight(i, side, most);
+    }
+    if (!measure_ || !scene_.patches.creased(scene_.obstacles.patch(i))) return;
+    radius = ball_.largest(i, side, radius, touched, most, metric_.radius[i]);
+  }
+
+  double straight(uint32_t i, size_t side, double most) {
+    return scene_.tree.largest_ball_seen(scene_.frames.position[i], scene_.frames.outward[i][side], most,
+                                         [&](uint32_t j) { return scene_.sees(i, j); }, touched_[i][side]);
+  }
+
+  const Scene& scene_;
+  bool measure_;
+  const LocalMetric& metric_;
+  const NodeData<Reach>& reach_;
+  NodeData<Radii>& radii_;
+  NodeData<std::array<uint32_t, 2>>& touched_;
+  GeodesicBall ball_;
+  std::array<Radii, CurveBvh::kRun> start_;
+};
 
 }  // namespace
 
-void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
-                                  const BoundaryObstacle& boundary, BoundaryRule rule,
-                                  const LocalMetric& metric, const NodeData<Reach>& reach,
-                                  ThreadPool& pool, NodeData<Radii>& radii) {
+void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& patches, const Curve& curve,
+                                  const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule, bool measure,
+                                  const LocalMetric& metric, const NodeData<Reach>& reach, ThreadPool& pool,
+                                  CurveBvh& tree, NodeData<Radii>& radii) {
   const uint32_t n = curve.size();
   radii.resize(n, Radii{0, 0});
-  Obstacles obstacles{{}, frames.position.values()};
-  for (const SurfacePoint& p : curve.nodes) obstacles.points.push_back({p.face, flat(surface, p)});
-  const bool walls = rule == BoundaryRule::kObstacle;
-  if (walls) add_boundary(surface, boundary, obstacles);
-  const CurveBvh tree(obstacles.positions, pool);
-
-  constexpr size_t kBlock = 64;
+  const Obstacles obstacles(surface, patches, curve, frames, boundary, rule, pool);
+  tree.build(obstacles.positions(), pool);
+  const Scene scene{surface, patches, curve, frames, obstacles, tree};
+  NodeData<std::array<uint32_t, 2>> touched(n, {kNone, kNone});
+  constexpr size_t kBlock = 256;
   pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-    Balls balls(surface, obstacles, tree);
-    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
-      for (size_t side = 0; side < 2; ++side) {
-        const Vec2 direction = (side == 0 ? 1.0 : -1.0) * frames.bitangent2[i];
-        double& radius = radii[i][side];
-        radius = reach[i][side].radius > 0
-                     ? balls.largest(i, direction, frames.outward[i][side], reach[i][side], metric.radius[i], radius)
-                     : 0;
-      }
+    BallsOfRun balls(scene, measure, metric, reach, radii, touched);
+    for (auto first = static_cast<uint32_t>(begin); first < end; first += CurveBvh::kRun) {
+      balls.find(first, std::min(first + CurveBvh::kRun, static_cast<uint32_t>(end)));
     }
   });
 }

@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The implicit medial axis by distances along the surface (section 3.2.2, Figs. 11 to 13): on each side
-// of a node, the largest geodesic ball that is tangent to the curve there and holds no other node.
+// The implicit medial axis by distances along the surface (section 3.2.2, Figs. 11 to 13), at about the price of
+// straight ones.
 #pragma once
 
+#include "geodesic/surface_patches.h"
 #include "medial/medial_axis.h"
 
 namespace meander {
 
-/// As compute_medial_axis, with geodesic balls: their centres lie on the surface, at the end of the
-/// geodesic that leaves the node along +-B, and what another sheet of the surface carries does not
-/// count, however near it is in space.
+/// As compute_medial_axis, with balls along the surface: what another sheet carries does not count, however near it is
+/// in space, and what is round a crease or a limb is as far as the path there is long.
 ///
-/// Geodesic balls that are tangent at a node are nested too, by the triangle inequality alone, so
-/// here too the largest empty ball is the least of those through any other node. Distances along the
-/// surface are never less than those through space. So a ball is known to be empty once the nodes in
-/// the ball of its radius in space, of which the tree finds few, are measured along the surface.
+/// A point p of the surface that a node sees along a straight path of length d, at an angle a from the direction of
+/// the ball, limits the ball to d / (2 cos a), as in the plane. Nearly everywhere that is also what the straight line
+/// to it says (see Frames::outward): there, and `patches` know where, this is compute_medial_axis. Elsewhere what is
+/// hidden is passed over, and what limits the ball then is measured along the surface.
 ///
-/// Balls larger than 3 r, which only growing curves have, are limited by what a straight path leads to, not
-/// by what only a path bent at a vertex reaches.
-///
-/// A centre that may pass the boundary is taken to be in the plane that continues the surface there.
-///
-/// `radii`  in: radii of an earlier state (0: unknown), which only save time; out: the result
-void compute_geodesic_medial_axis(const Surface& surface, const Curve& curve, const Frames& frames,
-                                  const BoundaryObstacle& boundary, BoundaryRule rule,
-                                  const LocalMetric& metric, const NodeData<Reach>& reach,
-                                  ThreadPool& pool, NodeData<Radii>& radii);
+/// `measure`  if false, what is hidden is passed over, and all the rest is straight
+void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& patches, const Curve& curve,
+                                  const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule, bool measure,
+                                  const LocalMetric& metric, const NodeData<Reach>& reach, ThreadPool& pool,
+                                  CurveBvh& tree, NodeData<Radii>& radii);
 
 }  // namespace meander

@@ -6,6 +6,7 @@
 
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"
+#include "geodesic/surface_patches.h"
 #include "medial/frames.h"
 #include "medial/medial_axis.h"
 
@@ -15,11 +16,13 @@ namespace meander {
 struct MedialRules {
   MedialAxis axis = MedialAxis::kEuclidean;
   BoundaryRule boundary = BoundaryRule::kCentre;
+  bool measure = true;  ///< balls along the surface also where it is creased, see compute_geodesic_medial_axis
 };
 
 /// What the medial axis is a function of. Refers to what it is given.
 struct MedialScene {
   const Surface& surface;
+  const SurfacePatches* patches;  ///< for MedialAxis::kGeodesic
   const BoundaryObstacle& boundary;
   const RadiusField& radius;
   const Curve& curve;

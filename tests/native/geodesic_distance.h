@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "geodesic/straight_walk.h"
+#include "straight_walk.h"
 
 namespace meander {
 

@@ -30,7 +30,9 @@ inline Vec3 position(const Surface& s, const FlatPoint& p) {
 
 /// The faces along a line that leaves a point, one after the other, in the plane of the first with the point as
 /// the origin.
-struct LineUnfolding : Unfolding<LayByMotion> {
+struct LineUnfolding : Unfolding {
+  FaceFrame frame;  ///< of the present face
+
   LineUnfolding() = default;
   LineUnfolding(const Surface& s, const FlatPoint& start, Vec2 direction) {
     frame.origin = -start.place;
@@ -48,7 +50,8 @@ struct LineUnfolding : Unfolding<LayByMotion> {
   bool step(const Surface& s, Vec2 direction) {
     const HalfEdge entry = s.twin(exit);
     if (entry == kNone) return false;
-    const Vec2 apex = lay_next(s, entry);
+    frame = frame_beside(s, entry, left(), turn_across(s, frame.turn, exit));
+    const Vec2 apex = frame.place(s.corner(face_of(entry), prev_corner(corner_of(entry))));
     enter(entry, apex, cross(direction, apex) > 0 ? kLeft : kRight);
     return true;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geodesic/geodesic_distance.h"
+#include "geodesic_distance.h"
 
 #include <algorithm>
 #include <cmath>

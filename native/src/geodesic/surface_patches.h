@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which places of a surface are near through space and far along it: the other side of a leaf, the next fold of a
+// cloth, the finger beside.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/thread_pool.h"
+#include "mesh/radius_field.h"
+
+namespace meander {
+
+/// A surface cut once into connected patches about r across, which are compared with one another instead of points: what
+/// is said of them depends on the shape and on r, and hardly on how fine the mesh is. Immutable; any thread may ask.
+/// It refers to nothing; the surface that it is asked about must be the one that was cut.
+class SurfacePatches {
+ public:
+  /// `radius`  r, which may vary: patches are then smaller where it is
+  SurfacePatches(const Surface& surface, const RadiusField& radius, ThreadPool& pool);
+
+  uint32_t count() const { return static_cast<uint32_t>(traits_.size()); }
+  uint32_t patch_of(const Surface& surface, const SurfacePoint& p) const {
+    const uint32_t known = patch_of_face_[p.face];
+    return (known & kGridded) == 0 ? known : patch_of_cell_[grids_[known & ~kGridded].cell_at(flat(surface, p))];
+  }
+
+  /// Whether patch q is within a few r of p through space, but not along the surface.
+  bool hidden(uint32_t p, uint32_t q) const {
+    const auto [first, mask] = hidden_in_[p];
+    if (mask == 0) return false;
+    for (uint32_t k = slot(q) & mask;; k = (k + 1) & mask) {
+      const uint32_t there = hidden_[first + k];
+      if (there == q || there == kNone) return there == q;
+    }
+  }
+  /// Whether any patch is hidden from p.
+  bool hides(uint32_t p) const { return hidden_in_[p].mask != 0; }
+  /// Whether another sheet is so near that balls meet it first nearly everywhere.
+  bool thin(uint32_t p) const { return traits_[p].thin; }
+
+  /// Whether the surface bends so much within reach of a patch that straight distances from it may be wrong: at a crease,
+  /// where faces meet at an angle, or on a narrow limb.
+  bool creased(uint32_t p) const { return traits_[p].creased != Crease::kFlat; }
+  /// Whether that is a sharp edge, as that of a blade.
+  bool sharp(uint32_t p) const { return traits_[p].creased == Crease::kSharp; }
+  /// Where neither holds, straight distances are as good as those along the surface.
+  bool plain(uint32_t p) const { return !creased(p) && !hides(p); }
+  /// How far the nearest crease is at least from any point of a patch, in the surface's unit and through space; some large
+  /// number where none is within reach.
+  double to_crease(uint32_t p) const { return static_cast<double>(traits_[p].to_crease); }
+  /// Whether the patch itself holds a crease.
+  bool at_crease(uint32_t p) const { return traits_[p].own != Crease::kFlat; }
+  /// Whether it bends so much that its normal says little.
+  bool bent(uint32_t p) const { return traits_[p].bent; }
+  /// Unit; the mean over the patch.
+  const Vec3& normal(uint32_t p) const { return normal_[p]; }
+
+  /// The patches that touch a patch.
+  std::span<const uint32_t> beside(uint32_t p) const {
+    return std::span(beside_).subspan(first_beside_[p], first_beside_[p + 1] - first_beside_[p]);
+  }
+
+ private:
+  static constexpr uint32_t kGridded = 1u << 31;
+  enum class Crease : uint8_t { kFlat, kBlunt, kSharp };
+  /// A face larger than a patch: cells side by side in its plane, along its longest edge.
+  struct Grid {
+    uint32_t first;  // of its cells
+    uint32_t columns, rows;
+    Vec2 origin, axis;  // along the longest edge; a cell is 1 / |axis| wide
+    uint32_t cell_at(Vec2 p) const {
+      const Vec2 q = conj(axis) * (p - origin);
+      const auto index = [](double x, uint32_t n) { return x > 0 ? static_cast<uint32_t>(std::min(x, n - 1.0)) : 0; };
+      return first + index(q.y, rows) * columns + index(q.x, columns);
+    }
+  };
+  struct Traits {
+    float to_crease;
+    Crease own = Crease::kFlat, creased = Crease::kFlat;  // in it, and within reach
+    bool thin = false, bent = false;
+  };
+  /// Those hidden from one patch, in a hash table with open addressing that is at most half full.
+  struct HiddenIn {
+    uint32_t first = 0, mask = 0;  // mask: size - 1, the size a power of two; 0: none
+  };
+  static uint32_t slot(uint32_t patch) { return (patch * 2654435769u) >> 16; }
+  class Cutter;
+  class Comparison;
+
+  std::vector<uint32_t> patch_of_face_;  // or its grid, marked
+  std::vector<Grid> grids_;
+  std::vector<uint32_t> patch_of_cell_;
+  std::vector<Vec3> normal_;
+  std::vector<Traits> traits_;
+  std::vector<uint32_t> first_beside_, beside_;
+  std::vector<HiddenIn> hidden_in_;
+  std::vector<uint32_t> hidden_;
+};
+
+}  // namespace meander
