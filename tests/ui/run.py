@@ -86,7 +86,7 @@ def story() -> Iterator[float]:
         counts.append(shown_points())
     assert counts == sorted(set(counts)), counts
     # Grown enough for a picture worth looking at.
-    yield from until(grown_to(30000), "a sixth of it")
+    yield from until(grown_to(60000), "a third of it")
     yield 0.2
     picture("2_running")
     changed = changed_share("1_plain", "2_running")
