@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import bpy
@@ -83,7 +83,7 @@ def splines_in_file(path: str) -> list[bytes]:
     return splines
 
 
-def story() -> Iterator[float]:
+def window_opens() -> Iterator[float]:
     yield 1.0
     build_scene()
     yield 0.5
@@ -101,6 +101,8 @@ def story() -> Iterator[float]:
     assert 0.8 < measured.points / points < 1.25, (measured, points)
     picture("5_result")
 
+
+def undo_during_a_run() -> Iterator[float]:
     step("what happens during a run has its undo steps, which hold the whole result")
     former = splines_of(RESULT)
     choose_spacing(FINE)
@@ -136,6 +138,8 @@ def story() -> Iterator[float]:
         yield 0.7
     yield from until(lambda: splines_of(RESULT) == latter, "the new splines")
 
+
+def clicks_during_a_run() -> Generator[float, None, dict]:
     step("a right-click does what it always does, and Esc belongs to who is under the mouse")
     activate(SURFACE)
     choose_spacing(FINE)
@@ -157,7 +161,10 @@ def story() -> Iterator[float]:
         yield 0.3
         assert not ended(), f"Esc over {area} has ended the run"
     yield from grows()
+    return before
 
+
+def esc_and_resume(before: dict) -> Iterator[float]:
     step("Esc in the view ends a run, and Resume goes on with it")
     key("ESC", at=middle_of("VIEW_3D"))
     yield from until(ended, "the end after Esc")
@@ -182,6 +189,8 @@ def story() -> Iterator[float]:
     assert suspended.run_of(bpy.data.objects[SURFACE]) is None
     picture("5_changed")
 
+
+def renamed_during_a_run() -> Iterator[float]:
     step("a run follows its objects when they are renamed")
     choose_spacing(FINE)
     press_run()
@@ -200,6 +209,8 @@ def story() -> Iterator[float]:
     result = bpy.context.view_layer.objects.active
     assert result.type == "CURVE" and result.meander.surface.name == "Monkey"
 
+
+def repeat_last() -> Iterator[float]:
     step("Repeat Last is a modal run")
     activate("Monkey")
     choose_spacing(FINE)
@@ -210,6 +221,8 @@ def story() -> Iterator[float]:
     key("ESC")
     yield from until(ended, "the end after Esc")
 
+
+def large_run() -> Iterator[float]:
     step("a large run asks first")
     choose_spacing(HUGE)
     yield 1.0
@@ -230,6 +243,16 @@ def story() -> Iterator[float]:
     yield from until(lambda: shown_points() > 0, "a first curve")
     key("ESC", at=place)
     yield from until(ended, "the end after Esc")
+
+
+def story() -> Iterator[float]:
+    yield from window_opens()
+    yield from undo_during_a_run()
+    before = yield from clicks_during_a_run()
+    yield from esc_and_resume(before)
+    yield from renamed_during_a_run()
+    yield from repeat_last()
+    yield from large_run()
 
 
 tell(story())

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import bpy
@@ -53,7 +53,7 @@ from stage import (  # noqa: E402
 )
 
 
-def story() -> Iterator[float]:
+def window_opens() -> Iterator[float]:
     yield 1.0
     build_scene()
     yield 0.5
@@ -62,6 +62,8 @@ def story() -> Iterator[float]:
     yield 0.3
     picture("1_before")
 
+
+def shaped_ramp() -> Iterator[float]:
     step("a curve shapes the ramp")
     settings = bpy.context.view_layer.objects.active.meander
     settings.density_group = bpy.context.active_object.vertex_groups.new(name="Fine").name
@@ -75,6 +77,8 @@ def story() -> Iterator[float]:
     yield 0.5
     picture("1_plain")
 
+
+def growing() -> Generator[float, None, dict]:
     step("the curve grows on screen")
     choose_spacing(FINEST)
     before = state()
@@ -94,7 +98,10 @@ def story() -> Iterator[float]:
     assert not ended(), "the run ended before it could be cancelled"
     assert status_texts[-1] and "Esc" in status_texts[-1], status_texts[-1:]
     assert state() == before, "a growing curve is drawn, but is no object"
+    return before
 
+
+def esc(before: dict) -> Iterator[float]:
     step("Esc restores the scene")
     key("ESC")
     yield from until(ended, "the end after Esc")
@@ -102,6 +109,8 @@ def story() -> Iterator[float]:
     assert_nothing_left_over()
     yield from assert_no_timer()
 
+
+def run_to_the_end() -> Generator[float, None, dict]:
     step("a run to the end")
     choose_spacing(COARSE)
     before = state()
@@ -118,7 +127,10 @@ def story() -> Iterator[float]:
     assert all(spline.use_cyclic_u for spline in result.data.splines)
     assert set(bpy.data.curves.keys()) == {result.data.name}
     yield from assert_no_timer()
+    return before
 
+
+def esc_of_a_continued_run() -> Iterator[float]:
     step("Esc gives a continued result its splines back")
     bpy.data.objects[RESULT].meander.spacing = FINE
     before_continued = state()
@@ -132,11 +144,15 @@ def story() -> Iterator[float]:
     assert state() == before_continued
     assert_nothing_left_over()
 
+
+def undo_of_a_run(before: dict) -> Iterator[float]:
     step("Ctrl-Z takes the curve away again")
     key("Z", ctrl=True)
     yield 0.7
     yield from until(lambda: state() == before, f"{before} again")
 
+
+def enter() -> Iterator[float]:
     step("Enter stops and keeps")
     choose_spacing(FINE)
     press_run()
@@ -147,6 +163,8 @@ def story() -> Iterator[float]:
     assert bpy.data.objects[RESULT].meander.figures.stop_reason == "cancelled"
     assert point_count() >= 50
 
+
+def start_over_and_stop() -> Iterator[float]:
     step("Start Over, and the Stop button")
     press_run(restart=True)
     yield 0.5
@@ -156,6 +174,8 @@ def story() -> Iterator[float]:
     yield from until(ended, "the end after Stop")
     assert_nothing_left_over()
 
+
+def surface_deleted() -> Iterator[float]:
     step("the surface is deleted under the run")
     bpy.context.view_layer.objects.active = bpy.data.objects[SURFACE]
     press_run()
@@ -165,6 +185,8 @@ def story() -> Iterator[float]:
     assert_nothing_left_over()
     assert f"{RESULT}.001" not in bpy.data.objects
 
+
+def unregistering() -> Iterator[float]:
     step("unregistering ends a run")
     build_scene()
     press_run()
@@ -174,6 +196,8 @@ def story() -> Iterator[float]:
     yield 0.3
     meander.register()
 
+
+def new_file() -> Iterator[float]:
     step("a new file ends a run")
     press_run()
     yield 0.3
@@ -182,6 +206,21 @@ def story() -> Iterator[float]:
     yield 0.5
     assert_nothing_left_over()
     assert not bpy.data.curves
+
+
+def story() -> Iterator[float]:
+    yield from window_opens()
+    yield from shaped_ramp()
+    before = yield from growing()
+    yield from esc(before)
+    before = yield from run_to_the_end()
+    yield from esc_of_a_continued_run()
+    yield from undo_of_a_run(before)
+    yield from enter()
+    yield from start_over_and_stop()
+    yield from surface_deleted()
+    yield from unregistering()
+    yield from new_file()
 
 
 tell(story())
