@@ -6,7 +6,8 @@ data of the Subdivision Surface modifier: by them the rest is made for whoever r
 undo reads an object back whose settings it changes, and with it modifiers under new numbers.
 Blender then frees the data of the old ones, but keeps the evaluated mesh where the shape is the
 same. Who reads that mesh gets the cage, or a crash. Hence such an object is evaluated anew before
-anything can read it. Since 4.2 modifiers keep their numbers, and with them their data.
+anything can read it. Later versions give modifiers numbers that last (`persistent_uid`), by which
+they keep their data; 4.5 has them.
 """
 
 from __future__ import annotations
