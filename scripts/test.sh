@@ -128,6 +128,7 @@ in_window=(xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp"
 profile ui
 suite ui 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/run.py
 suite ui-lost 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/nothing_lost.py
+suite ui-undo 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/undo.py
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
 check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .

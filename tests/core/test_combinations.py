@@ -207,11 +207,15 @@ def _unmasked(mesh: geometry.Mesh, preparation: core.SurfaceOptions) -> geometry
     return geometry.Mesh(mesh.vertices, mesh.faces[whole]) if whole.any() else mesh
 
 
-def draw(number: int) -> Case:
-    """The case of a number, always the same."""
-    random = np.random.default_rng(number)
-    tags: set[str] = set()
-    preparation = core.SurfaceOptions()
+def _middle_and_extent(mesh: geometry.Mesh) -> tuple[np.ndarray, float]:
+    middle = (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0)) / 2
+    return middle, float(np.ptp(mesh.vertices, axis=0).max())
+
+
+def _draw_mesh(
+    random: np.random.Generator, preparation: core.SurfaceOptions, tags: set[str]
+) -> tuple[geometry.Mesh, float]:
+    """A mesh and its scale; says how it is to be repaired."""
     faulty = random.random() < 0.35
     kinds = FAULTY if faulty else SOUND
     name = str(random.choice(sorted(kinds)))
@@ -234,8 +238,16 @@ def draw(number: int) -> Case:
     scale = float(random.choice([1.0, 1.0, 1e-3, 1e4]))
     mesh = geometry.Mesh(mesh.vertices * scale, mesh.faces)
     preparation.merge_distance *= scale
-    middle = (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0)) / 2
-    extent = float(np.ptp(mesh.vertices, axis=0).max())
+    return mesh, scale
+
+
+def _draw_masks(
+    random: np.random.Generator,
+    mesh: geometry.Mesh,
+    preparation: core.SurfaceOptions,
+    tags: set[str],
+) -> None:
+    middle, extent = _middle_and_extent(mesh)
     if random.random() < 0.2:
         tags.add("face mask")
         centres = mesh.vertices[mesh.faces].mean(axis=1)
@@ -245,6 +257,28 @@ def draw(number: int) -> Case:
         away = np.linalg.norm(mesh.vertices - middle - [0.2 * extent, 0, 0], axis=1)
         preparation.vertex_mask = away
         preparation.mask_threshold = float(random.uniform(0.1, 0.5)) * extent
+
+
+def _draw_density(random: np.random.Generator, case: Case, tags: set[str]) -> None:
+    if random.random() >= 0.4:
+        return
+    middle, extent = _middle_and_extent(case.mesh)
+    along = (case.mesh.vertices[:, 0] - middle[0]) / extent
+    if random.random() < 0.5:
+        tags.add("smooth density")
+        case.density = np.exp(2.0 * along)
+    else:
+        tags.add("density jump")
+        case.density = np.where(along > 0.1, float(random.choice([4.0, 16.0])), 1.0)
+
+
+def draw(number: int) -> Case:
+    """The case of a number, always the same."""
+    random = np.random.default_rng(number)
+    tags: set[str] = set()
+    preparation = core.SurfaceOptions()
+    mesh, scale = _draw_mesh(random, preparation, tags)
+    _draw_masks(random, mesh, preparation, tags)
     r = float(np.sqrt(_area(mesh) / (0.56 * random.uniform(250, 1500))))
     case = Case(mesh, preparation, _draw_options(random, r, tags), int(random.integers(10, 26)))
     case.tags = tags
@@ -254,14 +288,7 @@ def draw(number: int) -> Case:
     if random.random() < 0.2:
         tags.add("outline")
         case.outline = float(random.choice([0.5, 1.0, 1.5]))
-    if random.random() < 0.4:
-        along = (mesh.vertices[:, 0] - middle[0]) / extent
-        if random.random() < 0.5:
-            tags.add("smooth density")
-            case.density = np.exp(2.0 * along)
-        else:
-            tags.add("density jump")
-            case.density = np.where(along > 0.1, float(random.choice([4.0, 16.0])), 1.0)
+    _draw_density(random, case, tags)
     if random.random() < 0.35:
         tags.add("alignment")
         case.options.alignment_weight = float(random.choice([0.3, 1.0, 5.0]))

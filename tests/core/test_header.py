@@ -3,17 +3,19 @@
 
 from __future__ import annotations
 
+import ast
 import ctypes
 import dataclasses
 import importlib.util
 import re
 import sys
+from pathlib import Path
 from types import ModuleType
 
 import pytest
 from conftest import REPOSITORY
 from meander import core
-from meander.binding import abi, choices, native_library
+from meander.binding import abi, choices, flow_options, native_library
 
 HEADER = REPOSITORY / "native/include/meander/meander.h"
 TEXT = HEADER.read_text(encoding="utf-8")
@@ -147,6 +149,14 @@ def test_every_option_is_a_field_of_the_struct() -> None:
         for field in dataclasses.fields(core.FlowOptions)
     }
     assert fields - ours == {"struct_size", "reserved"}
+
+
+def test_editors_see_the_options_that_there_are() -> None:
+    source = Path(flow_options.__file__).read_text(encoding="utf-8")
+    seen = next(node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.ClassDef))
+    declared = [(line.target.id, line.annotation.id) for line in seen.body]
+    made = [(field.name, field.type.__name__) for field in dataclasses.fields(core.FlowOptions)]
+    assert seen.name == "FlowOptions" and declared == made
 
 
 # ------------------------------------------------------------------------------------------------

@@ -11,6 +11,8 @@
 
 #define CELLS 12 /* the mesh is a square of CELLS x CELLS cells, two triangles each */
 
+enum { VERTICES = (CELLS + 1) * (CELLS + 1), FACES = 2 * CELLS * CELLS };
+
 static int failures = 0;
 
 static void expect(int condition, const char* what) {
@@ -49,34 +51,31 @@ static void fill_square(double* vertices, uint32_t* faces) {
   }
 }
 
-int main(int argc, char** argv) {
-  enum { VERTICES = (CELLS + 1) * (CELLS + 1), FACES = 2 * CELLS * CELLS };
-  static double vertices[3 * VERTICES];
-  static uint32_t faces[3 * FACES];
-  meander_error error;
-  meander_error_init(&error, sizeof error);
-
+static void check_version(const char* project) {
   char version[32];
   snprintf(version, sizeof version, "%d.%d.%d", MEANDER_VERSION_MAJOR, MEANDER_VERSION_MINOR,
            MEANDER_VERSION_PATCH);
   expect(meander_abi_version() == MEANDER_ABI_VERSION, "the library and the header agree");
   expect(strcmp(meander_version(), version) == 0, "the library has the header's version");
-  if (argc > 1) {
-    expect(strcmp(version, argv[1]) == 0, "the header has the project's version");
+  if (project != NULL) {
+    expect(strcmp(version, project) == 0, "the header has the project's version");
   }
-  fill_square(vertices, faces);
+}
 
-  /* A square in the middle as the seed. */
+/* A flow on the square, from a smaller one in its middle. */
+static meander_flow* make_flow(const double* vertices, const uint32_t* faces) {
+  meander_error error;
+  meander_error_init(&error, sizeof error);
   const double points[] = {0.35, 0.35, 0.0, 0.65, 0.35, 0.0, 0.65, 0.65, 0.0, 0.35, 0.65, 0.0};
-  const uint64_t seed_offsets[] = {0, 4};
-  const uint8_t seed_closed[] = {1};
+  const uint64_t offsets[] = {0, 4};
+  const uint8_t closed[] = {1};
   meander_seed seed;
   expect_ok(meander_seed_init(&seed, sizeof seed), &error, "meander_seed_init");
   seed.point_count = 4;
   seed.strand_count = 1;
   seed.points = points;
-  seed.offsets = seed_offsets;
-  seed.closed = seed_closed;
+  seed.offsets = offsets;
+  seed.closed = closed;
 
   meander_surface* surface = NULL;
   expect_ok(meander_surface_create(vertices, VERTICES, faces, FACES, NULL, &surface, NULL, &error), &error,
@@ -91,6 +90,12 @@ int main(int argc, char** argv) {
   expect_ok(meander_flow_create(surface, &seed, NULL, 0, &options, &flow, NULL, &error), &error,
             "meander_flow_create");
   meander_surface_destroy(surface); /* the flow keeps what it needs */
+  return flow;
+}
+
+static void check_step_and_run(meander_flow* flow) {
+  meander_error error;
+  meander_error_init(&error, sizeof error);
   expect_ok(meander_flow_step(flow, NULL, &error), &error, "meander_flow_step");
 
   meander_flow_statistics statistics;
@@ -112,8 +117,12 @@ int main(int argc, char** argv) {
   expect(statistics.crossings == 0, "no crossings after a run");
   expect(statistics.length > length_after_a_step, "the curve grows");
   meander_context_destroy(context);
+}
 
-  /* Two-call sizing. */
+/* Two-call sizing. */
+static void check_polylines(meander_flow* flow) {
+  meander_error error;
+  meander_error_init(&error, sizeof error);
   size_t point_count = 0;
   size_t strand_count = 0;
   expect_ok(meander_flow_get_polylines(flow, NULL, NULL, 0, &point_count, NULL, NULL, 0,
@@ -124,7 +133,7 @@ int main(int argc, char** argv) {
   uint64_t* offsets = malloc((strand_count + 1) * sizeof *offsets);
   uint8_t* closed = malloc(strand_count);
   if (positions == NULL || offsets == NULL || closed == NULL) {
-    return EXIT_FAILURE;
+    exit(EXIT_FAILURE);
   }
   expect_ok(meander_flow_get_polylines(flow, positions, NULL, point_count, &point_count, offsets,
                                        closed, strand_count, &strand_count, &error),
@@ -138,17 +147,31 @@ int main(int argc, char** argv) {
   free(closed);
   free(offsets);
   free(positions);
-  meander_flow_destroy(flow);
+}
 
-  /* An error has a status, an element and a sentence. */
+/* An error has a status, an element and a sentence. */
+static void check_error(const double* vertices, uint32_t* faces) {
+  meander_error error;
+  meander_error_init(&error, sizeof error);
   faces[5] = VERTICES;
-  surface = NULL;
+  meander_surface* surface = NULL;
   const meander_status status =
       meander_surface_create(vertices, VERTICES, faces, FACES, NULL, &surface, NULL, &error);
   expect(status == MEANDER_STATUS_INVALID_MESH && surface == NULL, "a wrong index is refused");
   expect(error.element_kind == MEANDER_ELEMENT_FACE && error.element_index == 1,
          "the face with the wrong index is named");
   expect(error.text[0] != '\0', "the error has a sentence");
+}
 
+int main(int argc, char** argv) {
+  static double vertices[3 * VERTICES];
+  static uint32_t faces[3 * FACES];
+  check_version(argc > 1 ? argv[1] : NULL);
+  fill_square(vertices, faces);
+  meander_flow* flow = make_flow(vertices, faces);
+  check_step_and_run(flow);
+  check_polylines(flow);
+  meander_flow_destroy(flow);
+  check_error(vertices, faces);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

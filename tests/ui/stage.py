@@ -19,7 +19,8 @@ import bpy
 import meander
 import numpy as np
 import processor_time
-from meander.run import session
+from meander import core
+from meander.run import plan, session
 from meander.ui import panels
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -28,14 +29,42 @@ PICTURES = ROOT / "build" / "ui"
 # A story takes 30 s on a quiet machine, most of it computing. This is for one that is busy or far
 # slower, and lets the story tell where it stands before scripts/test.sh ends it.
 TIME_LIMIT = 250.0
+# For how long a story waits for what has to come: it costs nothing where it comes at once, and what
+# has not come by then does not come at all.
+PATIENCE = 60.0
 SURFACE = "Suzanne"
-# Fine enough for a run that is still going when it is looked at, and coarse enough for one second.
-FINE, COARSE = 0.04, 0.12
+# A run at the coarse spacing comes to its end within seconds. One that is finer goes on until it is
+# stopped, however fast the machine: see options_of(). One at the finest grows for so long that many
+# pictures of it are shown meanwhile.
+FINEST, FINE, COARSE = 0.015, 0.04, 0.12
 RESULT = "Suzanne Meander"
 
 status_texts: list[str | None] = []
 panel_draws = 0
 last_session: session.Session | None = None
+
+
+# ------------------------------------------------------------------------------------------------
+# Runs that do not end by themselves
+
+FOR_EVER = 2**32 - 1
+
+
+def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOptions:
+    """The options of a flow; where the spacing is finer than COARSE it removes hairpins for ever.
+
+    No setting keeps a curve from settling, and how long that takes is a matter of the machine. Such
+    a run still makes its iterations and changes its curve, so to a window it is like any other.
+    """
+    options = options_of_settings(settings, spacing)
+    if spacing < 0.9 * COARSE:
+        options.ripening_iterations = options.iteration_limit = FOR_EVER
+        # Watched for as long as the story takes, it would count all processors of the machine.
+        options.threads = 1
+    return options
+
+
+options_of_settings = plan.options_of
 
 
 # ------------------------------------------------------------------------------------------------
@@ -235,10 +264,10 @@ def assert_no_timer() -> Iterator[float]:
     assert timer_events < 4, f"{timer_events} timer events in a second"
 
 
-def until(condition: Callable[[], bool], seconds: float, what: str) -> Iterator[float]:
-    end = time.monotonic() + seconds
+def until(condition: Callable[[], bool], what: str) -> Iterator[float]:
+    end = time.monotonic() + PATIENCE
     while not condition():
-        assert time.monotonic() < end, f"not within {seconds} s: {what}"
+        assert time.monotonic() < end, f"not within {PATIENCE} s: {what}"
         yield 0.05
 
 
@@ -297,6 +326,7 @@ def tell(story: Iterator[float]) -> None:
     PICTURES.mkdir(parents=True, exist_ok=True)
     bpy.context.preferences.view.show_splash = False
     spy()
+    plan.options_of = options_of
     meander.register()
     bpy.utils.register_class(TEST_OT_count_timers)
     bpy.app.timers.register(further, first_interval=0.5, persistent=True)

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import byref, c_double, c_size_t, c_uint32
-from dataclasses import fields, make_dataclass
+from dataclasses import dataclass, fields, make_dataclass
+from typing import TYPE_CHECKING
 
 from .abi import BoundaryRule, FlowOptionsRecord, MedialAxis, StopRule
 from .choices import C_OPTIONS, PRESETS
@@ -32,10 +33,45 @@ def _fields_of_the_header() -> list[tuple[str, type]]:
     return found
 
 
-# Made from the header, so that a new option of the flow needs no line here.
-FlowOptions = make_dataclass("FlowOptions", _fields_of_the_header())
-FlowOptions.__module__ = __name__
-FlowOptions.__doc__ = """Options of one flow, named as in meander_flow_options, where each is
+if TYPE_CHECKING:
+    # What editors and type checkers see; a test holds it equal to the class below.
+    @dataclass
+    class FlowOptions:
+        preset: str
+        radius: float
+        segment_length: float
+        max_radius: float
+        max_radius_factor: float
+        length_weight: float
+        bending_weight: float
+        medial_weight: float
+        alignment_weight: float
+        length_power: float
+        medial_power: float
+        step: float
+        growth_coarsening: float
+        start_spacing_factor: float
+        border_distance: float
+        polish_bending_weight: float
+        polish_length_offset: float
+        polish_length_gain: float
+        polish_medial_power: float
+        boundary_rule: BoundaryRule
+        medial_axis: MedialAxis
+        stop_rule: StopRule
+        grow_into_empty: int
+        widen_loops: int
+        hold_ends: int
+        ripening_iterations: int
+        polish: bool
+        iteration_limit: int
+        threads: int
+
+else:
+    # Made from the header, in its order.
+    FlowOptions = make_dataclass("FlowOptions", _fields_of_the_header())
+    FlowOptions.__module__ = __name__
+    FlowOptions.__doc__ = """Options of one flow, named as in meander_flow_options, where each is
 described, but for those of C_OPTIONS.
 
 Made by `default_options` only; the defaults live in the library. Lengths are in the surface's

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The table of the options: every row is a setting, a flag, an entry and a line in the documents.
 
-A new option of the flow is a field in the library and a row in flow_options. docs/options.md is
-made from the table by scripts/write_option_table.py.
+A new option of the flow is a field in the library, a line for editors in binding.flow_options and a
+row in flow_options here. docs/options.md is made from the table by scripts/write_option_table.py.
 """
 
 from __future__ import annotations

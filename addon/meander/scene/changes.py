@@ -7,6 +7,8 @@ counted here. Selecting, renaming and the settings of this add-on do not count.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import bpy
@@ -18,6 +20,7 @@ from .identity import number_of
 _counts: dict[int, int] = {}
 # Where counting begins; never goes back, so that no count is met twice.
 _first = 0
+_counting = True
 
 
 def shape_count(object: bpy.types.Object) -> int:
@@ -25,9 +28,20 @@ def shape_count(object: bpy.types.Object) -> int:
     return _counts.setdefault(number_of(object), _first)
 
 
+@contextmanager
+def uncounted() -> Iterator[None]:
+    """What the dependency graph evaluates within the block counts as no change."""
+    global _counting
+    _counting = False
+    try:
+        yield
+    finally:
+        _counting = True
+
+
 @persistent
 def _on_update(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
-    if depsgraph is None or not _counts:
+    if depsgraph is None or not _counts or not _counting:
         return
     for update in depsgraph.updates:
         if update.is_updated_geometry and isinstance(update.id, bpy.types.Object):

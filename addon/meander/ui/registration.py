@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from ..run import estimates, following, session, suspended
-from ..scene import changes, identity
+from ..scene import after_undo, changes, identity
 from . import (
     motion_panel,
     operators,
@@ -22,6 +22,7 @@ from . import (
 _MODULES = (
     identity,
     changes,
+    after_undo,
     preferences,
     settings,
     session,

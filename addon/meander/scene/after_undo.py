@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Subdivided meshes that can be read after an undo or a redo.
+
+Where the graphics card subdivides, the evaluated mesh of an object is its cage, which refers to
+data of the Subdivision Surface modifier: by them the rest is made for whoever reads the mesh. An
+undo reads an object back whose settings it changes, and with it modifiers under new numbers.
+Blender then frees the data of the old ones, but keeps the evaluated mesh where the shape is the
+same. Who reads that mesh gets the cage, or a crash. Hence such an object is evaluated anew before
+anything can read it. Later versions give modifiers numbers that last (`persistent_uid`), by which
+they keep their data; 4.5 has them.
+"""
+
+from __future__ import annotations
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .changes import uncounted
+
+# Names of the objects of which all but the shape was evaluated since an undo began; None while
+# nothing is undone.
+_restored: set[str] | None = None
+
+
+def _is_subdivided(object: bpy.types.Object) -> bool:
+    return any(modifier.type == "SUBSURF" for modifier in object.modifiers)
+
+
+@persistent
+def _on_begin(*_arguments: object) -> None:
+    global _restored
+    _restored = set()
+
+
+@persistent
+def _on_update(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph | None = None) -> None:
+    if _restored is None or depsgraph is None:
+        return
+    for update in depsgraph.updates:
+        if isinstance(update.id, bpy.types.Object) and not update.is_updated_geometry:
+            _restored.add(update.id.original.name)
+
+
+@persistent
+def _on_end(*_arguments: object) -> None:
+    """Evaluates what the undo has changed, and then the meshes that it has damaged."""
+    global _restored
+    layers = [window.view_layer for window in bpy.context.window_manager.windows]
+    for layer in layers:
+        layer.update()
+    names, _restored = _restored or set(), None
+    # Linked ones, which have a library, are not read back.
+    restored = [bpy.data.objects.get((name, None)) for name in names]
+    damaged = [thing for thing in restored if thing is not None and _is_subdivided(thing)]
+    if not damaged:
+        return
+    for thing in damaged:
+        thing.update_tag(refresh={"DATA"})
+    with uncounted():
+        for layer in layers:
+            layer.update()
+
+
+_HANDLERS = (
+    ("undo_pre", _on_begin),
+    ("redo_pre", _on_begin),
+    ("depsgraph_update_post", _on_update),
+    ("undo_post", _on_end),
+    ("redo_post", _on_end),
+)
+
+
+def _needed() -> bool:
+    """Whether modifiers have no lasting numbers, and something is drawn."""
+    lasting = "persistent_uid" in bpy.types.Modifier.bl_rna.properties
+    return not lasting and not bpy.app.background
+
+
+def register() -> None:
+    if _needed():
+        for name, handler in _HANDLERS:
+            getattr(bpy.app.handlers, name).append(handler)
+
+
+def unregister() -> None:
+    global _restored
+    _restored = None
+    if _needed():
+        for name, handler in _HANDLERS:
+            getattr(bpy.app.handlers, name).remove(handler)
