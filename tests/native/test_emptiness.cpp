@@ -36,7 +36,9 @@ SurfacePoint walked(const Surface& surface, const SurfacePoint& start, Vec2 disp
 
 /// Climbs from random places, with steps of many lengths in all directions.
 void expect_same_as_single_points(const Scene& scene, bool along_surface) {
-  const Emptiness emptiness(scene.surface, scene.curve, scene.nodes, scene.radius, along_surface);
+  ThreadPool pool(1);
+  const SurfacePatches patches(scene.surface, scene.radius, pool);
+  const Emptiness emptiness(scene.surface, scene.curve, scene.nodes, scene.radius, along_surface ? &patches : nullptr);
   Rng rng(23);
   int found = 0, surely = 0;
   for (int climb = 0; climb < 40; ++climb) {

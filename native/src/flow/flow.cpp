@@ -199,7 +199,7 @@ std::vector<Gap> Flow::gaps(double least_size) {
   update_radii();
   const Domain& domain = state_.domain;
   std::vector<Gap> gaps = find_gaps(surface(), state_.curve, medial_.frames, radii(), domain.radius, least_size,
-                                    state_.settings.medial_axis != MedialAxis::kEuclidean, pool_);
+                                    domain.patches.get(), pool_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
   const double kept = state_.settings.boundary_distance;

@@ -41,17 +41,17 @@ SegmentsOfFaces::SegmentsOfFaces(const Surface& surface, const Curve& curve) : f
 }
 
 Emptiness::Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
-                     const RadiusField& radius, bool along_surface)
-    : surface_(surface), curve_(curve), radius_(radius), tree_(nodes) {
+                     const RadiusField& radius, const SurfacePatches* patches)
+    : surface_(surface), curve_(curve), radius_(radius), patches_(patches), tree_(nodes) {
   for (const PathShape& shape : curve.shapes) longest_half_ = std::max(longest_half_, 0.5 * shape.length);
-  if (along_surface) segments_.emplace(surface, curve);
+  if (patches) segments_.emplace(surface, curve);
 }
 
 bool Emptiness::closer_than(const SurfacePoint& p, double size) const {
   const double r = local_radius(p), reach = size * r;
   const auto nearest = tree_.nearest(position(surface_, p), reach * reach);
   // What is on another sheet counts as no farther than kFarthest, see at().
-  if (!nearest || !segments_ || reach >= kFarthest * r) return nearest.has_value();
+  if (!nearest || reach >= kFarthest * r || straight(p)) return nearest.has_value();
   return is_connected(p, curve_.nodes[nearest->index].face, tree_.points()[nearest->index], reach) ||
          distance_on_surface(p, reach) < reach;
 }
@@ -77,7 +77,7 @@ Gap Emptiness::at(const SurfacePoint& p) const {
     }
   }
   const double r = local_radius(p);
-  if (segments_ && distance < kFarthest * r && !reaches(p, distance, closest, nearest.index)) {
+  if (distance < kFarthest * r && !straight(p) && !reaches(p, distance, closest, nearest.index)) {
     distance = std::min(distance_on_surface(p, kFarthest * r), kFarthest * r);
   }
   return {p, distance, distance / r};
@@ -174,7 +174,7 @@ double Emptiness::distance_on_surface(const SurfacePoint& p, double most) const 
 
 std::optional<Gap> EmptinessNearby::above(const SurfacePoint& p, double size) {
   // What is on another sheet does not count there, so that the nearest part of the curve is not enough.
-  if (emptiness_.segments_) {
+  if (!emptiness_.straight(p)) {
     if (emptiness_.closer_than(p, size)) return std::nullopt;
     const Gap gap = emptiness_.at(p);
     return gap.size > size ? std::optional(gap) : std::nullopt;
@@ -193,12 +193,13 @@ std::optional<Gap> EmptinessNearby::above(const SurfacePoint& p, double size) {
 }
 
 bool EmptinessNearby::surely_below(const SurfacePoint& p, Vec2 displacement, double size) {
-  if (lately_count_ == 0) return false;  // along the surface it is always empty
+  if (lately_count_ == 0) return false;
   const Surface& surface = emptiness_.surface_;
   const Vec2 c1 = surface.corner(p.face, 1), c2 = surface.corner(p.face, 2);
   const double y = displacement.y / c2.y, x = (displacement.x - y * c2.x) / c1.x;
   const SurfacePoint end{p.face, p.b + Vec2{x, y}};
   if (!(end.b.x > 0 && end.b.y > 0 && end.weight(0) > 0)) return false;  // in another face
+  if (!emptiness_.straight(end)) return false;
   return lately_closer(position(surface, end), (1 - kRounded) * size * emptiness_.local_radius(end));
 }
 

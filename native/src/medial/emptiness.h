@@ -12,6 +12,7 @@
 #include "base/point_tree.h"
 #include "base/segment_distance.h"
 #include "curve/curve.h"
+#include "geodesic/surface_patches.h"
 #include "mesh/radius_field.h"
 
 namespace meander {
@@ -41,15 +42,23 @@ class SegmentsOfFaces {
 class Emptiness {
  public:
   /// `nodes` are the positions of the curve's nodes, `radius` is r on the surface.
-  /// `along_surface`: only the part of the curve that is connected to a point counts, see find_gaps.
+  /// `patches`: those of the surface; only the part of the curve that is connected to a point counts then, see find_gaps.
+  /// Null: distances are straight.
   Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
-            const RadiusField& radius, bool along_surface);
+            const RadiusField& radius, const SurfacePatches* patches);
 
   const Surface& surface() const { return surface_; }
   double local_radius(const SurfacePoint& p) const { return radius_.at(surface_, p); }
 
   /// Whether a node is nearer than `size` local r, which is cheaper to know than the distance.
   bool closer_than(const SurfacePoint& p, double size) const;
+
+  /// Whether what is near to a point is so along the surface too.
+  bool straight(const SurfacePoint& p) const {
+    if (!patches_) return true;
+    const uint32_t patch = patches_->patch_of(surface_, p);
+    return !patches_->hides(patch) && !patches_->sharp(patch);
+  }
 
   /// The largest empty ball around a point.
   Gap at(const SurfacePoint& p) const;
@@ -65,6 +74,7 @@ class Emptiness {
   const Surface& surface_;
   const Curve& curve_;
   const RadiusField& radius_;
+  const SurfacePatches* patches_;
   std::optional<SegmentsOfFaces> segments_;  // where distances are along the surface
   PointTree tree_;
   double longest_half_ = 0;  // of the longest segment

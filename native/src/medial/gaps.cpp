@@ -102,8 +102,9 @@ std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, dou
 
 std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
                            const NodeData<Radii>& radii, const RadiusField& radius, double least_size,
-                           bool along_surface, ThreadPool& pool) {
-  const Emptiness emptiness(surface, curve, frames.position.values(), radius, along_surface);
+                           const SurfacePatches* patches, ThreadPool& pool) {
+  const Emptiness emptiness(surface, curve, frames.position.values(), radius, patches);
+  const bool along_surface = patches != nullptr;
   const double promising = kPromising * least_size;
   const double surely_small = kSurely * promising * radius.least();
   const size_t balls = 2 * size_t{curve.size()};

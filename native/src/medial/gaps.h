@@ -27,15 +27,15 @@ inline constexpr double kGapSize = 1.2;
 /// search, so where balls end at the clamp in one large void the size is a lower bound.
 ///
 /// Distance is straight through space, as the Euclidean medial axis has it: a sheet that lies closer than
-/// the spacing to another one is covered by the strands of both. `along_surface`: only to what of the
-/// curve is connected to the place, on the part of the surface that is no farther from it; gaps on
-/// sheets that face each other are then two. What only strands of another sheet are near to counts as at
+/// the spacing to another one is covered by the strands of both. With `patches`, those of the surface, only
+/// what of the curve is connected to the place counts, on the part of the surface that is no farther from it; gaps
+/// on sheets that face each other are then two. What only strands of another sheet are near to counts as at
 /// most 3 r from the curve.
 ///
 /// `frames`, `radii`  of the present curve, see compute_frames and compute_medial_axis
 /// `radius`           the local r
 std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
                            const NodeData<Radii>& radii, const RadiusField& radius,
-                           double least_size, bool along_surface, ThreadPool& pool);
+                           double least_size, const SurfacePatches* patches, ThreadPool& pool);
 
 }  // namespace meander
