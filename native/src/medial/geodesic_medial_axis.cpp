@@ -223,9 +223,9 @@ class GeodesicBall {
       least_ = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, least_,
                                              [&](uint32_t j) { return scene_.sees(node_, j) && alike(j); }, touched);
     }
-    // Where all that is in reach is flat, that was all.
+    // Where no crease is within reach of the ball, or in it, that was all.
     const double to_crease = flat_known ? scene_.patches.to_crease(scene_.obstacles.patch(node_)) : 0;
-    if (to_crease > 2 * least_) return;
+    if (to_crease > 2 * least_ || (flat_known && is_flat(least_))) return;
     look_around(here(), flat_known);
     for (const double angle : {0.0, 0.7, -0.7, 1.25, -1.25}) {
       const Vec2 turned{std::cos(angle), std::sin(angle)};
@@ -240,6 +240,14 @@ class GeodesicBall {
         from = to;
       }
     }
+  }
+
+  /// Does a ball of this radius hold no crease?
+  bool is_flat(double radius) const {
+    Chart centre = here();
+    centre.advance(scene_.surface, radius * ahead_);
+    return !centre.at_boundary &&
+           scene_.patches.to_crease(scene_.patches.patch_of(scene_.surface, centre.point)) > radius;
   }
 
   /// `flat_known`  what lies in about the plane of the node is known already
