@@ -10,13 +10,16 @@
 
 #include "base/disjoint_sets.h"
 #include "base/front_search.h"
-#include "base/point_tree.h"
+#include "base/point_grid.h"
 
 namespace meander {
 namespace {
 
 /// How far patches are across, in r.
 constexpr double kSize = 1;
+
+/// Patches smaller than this share of kSize^2 r^2 join others, as long as both come to no more than that.
+constexpr double kSliver = 0.5, kLargest = 1.5;
 
 /// Places farther apart than this through space, in r, are not compared: a ball of about the wanted size ends before.
 constexpr double kReach = 2.8;
@@ -101,6 +104,7 @@ class SurfacePatches::Cutter {
     DisjointSets sets(cells_.size());
     join_in_grids(sets);
     join_across_edges(sets);
+    join_slivers(sets);
     number(sets);
     add_up();
   }
@@ -227,6 +231,21 @@ class SurfacePatches::Cutter {
     }
   }
 
+  /// Voxels cut off corners: a small patch joins one beside it that is not large. The fewer there are, the fewer are
+  /// compared.
+  void join_slivers(DisjointSets& sets) {
+    std::vector<double> areas(cells_.size(), 0);
+    for (uint32_t cell = 0; cell < cells_.size(); ++cell) areas[sets.find(cell)] += cells_[cell].area;
+    for (const auto& [a, b] : beside) {
+      const uint32_t p = sets.find(a), q = sets.find(b);
+      const double size = size_at(level_at(cells_[a].face)), least = std::min(areas[p], areas[q]);
+      const double both = areas[p] + areas[q];
+      if (p == q || least > kSliver * size * size || both > kLargest * size * size) continue;
+      sets.join(p, q);
+      areas[sets.find(p)] = both;
+    }
+  }
+
   /// Numbers the patches in the order of their first cells.
   void number(DisjointSets& sets) {
     std::vector<uint32_t> number(cells_.size(), kNone), patch(cells_.size());
@@ -295,70 +314,93 @@ class SurfacePatches::Cutter {
 /// Compares every patch with those that are near it.
 class SurfacePatches::Comparison {
  public:
-  Comparison(SurfacePatches& patches, const Cutter& cut) : patches_(patches), cut_(cut), tree_(cut.centre) {}
+  Comparison(SurfacePatches& patches, const Cutter& cut)
+      : patches_(patches), cut_(cut), grid_(cut.centre, (kReach + kSize) * mean(cut.r)) {
+    for (uint32_t p = 0; p < patches.count(); ++p) {
+      const Traits& traits = patches.traits_[p];
+      known_.push_back({cut.centre[p].cast<float>(), patches.normal_[p].cast<float>(), static_cast<float>(cut.area[p]),
+                        cut.coherence[p] < kAlike, cut.at_boundary[p] != 0, false, traits.own});
+    }
+  }
 
   void compare(ThreadPool& pool) {
     const uint32_t n = patches_.count();
     constexpr size_t kBlock = 256;
-    stacked_.assign(n, 0);
+    std::vector<uint8_t> stacked(n, 0);
     pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-      std::vector<uint32_t> near;
-      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) find_stacked(p, near);
+      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) stacked[p] = is_stacked(p);
     });
+    for (uint32_t p = 0; p < n; ++p) known_[p].stacked = stacked[p] != 0;
     std::vector<std::vector<uint32_t>> hidden(n);
     pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
       Distances distances;
-      std::vector<uint32_t> near;
-      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, near, distances, hidden[p]);
+      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, distances, hidden[p]);
     });
     patches_.hidden_in_.resize(n);
     for (uint32_t p = 0; p < n; ++p) add_hidden(p, hidden[p]);
   }
 
  private:
-  bool alike(uint32_t p, uint32_t q) const {
-    const Vec3 d = cut_.centre[q] - cut_.centre[p];
-    const double rise = kRise * d.norm() + kSlack * kSize * cut_.r[p];
-    const Vec3 &a = patches_.normal_[p], &b = patches_.normal_[q];
-    return a.dot(b) >= kAlike && cut_.coherence[q] >= kAlike && std::abs(d.dot(a)) <= rise && std::abs(d.dot(b)) <= rise;
+  /// What is asked of every patch that is near to another, in one cache line.
+  struct alignas(64) Known {
+    Eigen::Vector3f centre, normal;
+    float area;
+    bool rough, at_boundary, stacked;  // rough: too bent to be a part of a sheet
+    Crease own;
+  };
+
+  static double mean(const std::vector<double>& r) {
+    double sum = 0;
+    for (const double each : r) sum += each;
+    return sum / static_cast<double>(r.size());
   }
 
-  void find_stacked(uint32_t p, std::vector<uint32_t>& near) {
-    if (!(cut_.area[p] > 0)) return;
-    const double far = kStacked * cut_.r[p];
-    tree_.within(cut_.centre[p], far * far, near);
-    stacked_[p] = std::ranges::any_of(near, [&](uint32_t q) { return q != p && !alike(p, q); });
+  bool alike(uint32_t p, uint32_t q, float slack) const {
+    const Known &a = known_[p], &b = known_[q];
+    const Eigen::Vector3f d = b.centre - a.centre;
+    const float rise = static_cast<float>(kRise) * d.norm() + slack;
+    return !b.rough && a.normal.dot(b.normal) >= static_cast<float>(kAlike) && std::abs(d.dot(a.normal)) <= rise &&
+           std::abs(d.dot(b.normal)) <= rise;
+  }
+  float slack(uint32_t p) const { return static_cast<float>(kSlack * kSize * cut_.r[p]); }
+
+  bool is_stacked(uint32_t p) const {
+    if (!(cut_.area[p] > 0)) return false;
+    bool stacked = false;
+    grid_.near(cut_.centre[p], kStacked * cut_.r[p],
+               [&](uint32_t q, double) { stacked = stacked || (q != p && !alike(p, q, slack(p))); });
+    return stacked;
   }
 
-  void compare(uint32_t p, std::vector<uint32_t>& near, Distances& distances, std::vector<uint32_t>& hidden) {
+  void compare(uint32_t p, Distances& distances, std::vector<uint32_t>& hidden) {
     if (!(cut_.area[p] > 0)) return;
     const double r = cut_.r[p], far = (kReach + kSize) * r;
-    tree_.within(cut_.centre[p], far * far, near);
     double area = 0;
-    bool one_sheet = cut_.coherence[p] >= kAlike;
-    for (const uint32_t q : near) {
-      area += cut_.area[q];
-      one_sheet = one_sheet && !cut_.at_boundary[q] && !stacked_[q] && (q == p || alike(p, q));
-      if (patches_.at_crease(q)) note_crease(p, q, patches_.traits_[q].own);
-    }
+    bool one_sheet = !known_[p].rough;
+    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
+      const Known& other = known_[q];
+      area += static_cast<double>(other.area);
+      one_sheet = one_sheet && !other.at_boundary && !other.stacked && (q == p || alike(p, q, slack(p)));
+      if (other.own != Crease::kFlat) note_crease(p, std::sqrt(squared), other.own);
+    });
     if (one_sheet && area <= kSheets * std::numbers::pi * far * far) return;
     measure_from(p, distances);
-    for (const uint32_t q : near) {
-      const double apart = (cut_.centre[q] - cut_.centre[p]).norm();
+    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
+      const double apart = std::sqrt(squared);
       if (!distances.reached(q)) {
-        if (apart > kReach * r) continue;
+        if (apart > kReach * r) return;
         hidden.push_back(q);
         if (apart < kThin * r) patches_.traits_[p].thin = true;
       } else if (patches_.normal_[p].dot(patches_.normal_[q]) < kCurled) {
-        note_crease(p, q, Crease::kBlunt);
+        note_crease(p, apart, Crease::kBlunt);
       }
-    }
+    });
     distances.clear();
   }
 
-  void note_crease(uint32_t p, uint32_t q, Crease crease) {
+  void note_crease(uint32_t p, double apart, Crease crease) {
     // Patches are about as far across as voxels are wide.
-    const double distance = std::max(0.0, (cut_.centre[q] - cut_.centre[p]).norm() - kSize * cut_.r[p]);
+    const double distance = std::max(0.0, apart - kSize * cut_.r[p]);
     if (distance > kCreaseReach * cut_.r[p]) return;
     Traits& traits = patches_.traits_[p];
     traits.creased = std::max(traits.creased, crease);
@@ -394,8 +436,8 @@ class SurfacePatches::Comparison {
 
   SurfacePatches& patches_;
   const Cutter& cut_;
-  PointTree tree_;
-  std::vector<uint8_t> stacked_;
+  PointGrid grid_;
+  std::vector<Known> known_;
 };
 
 SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius, ThreadPool& pool) {
