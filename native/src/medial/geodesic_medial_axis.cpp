@@ -149,11 +149,17 @@ class GeodesicBall {
   uint32_t face() const { return scene_.curve.nodes[node_].face; }
   Chart here() const { return Chart::at(scene_.curve.nodes[node_], scene_.obstacles.positions()[node_]); }
 
+  /// That of the patch, where it is of one face of a crease only.
+  const Vec3& normal_at(uint32_t p, uint32_t patch) const {
+    return scene_.patches.at_crease(patch) ? scene_.surface.face_normal(scene_.obstacles.point(p).face)
+                                           : scene_.patches.normal(patch);
+  }
+
   /// Does the straight line to a point lie along the surface?
   bool alike(uint32_t p) const {
     const uint32_t from = scene_.obstacles.patch(node_), to = scene_.obstacles.patch(p);
     if (scene_.patches.bent(from) || scene_.patches.bent(to)) return false;
-    const Vec3 &a = scene_.patches.normal(from), &b = scene_.patches.normal(to);
+    const Vec3 &a = normal_at(node_, from), &b = normal_at(p, to);
     if (a.dot(b) < kAlike) return false;
     const Vec3 d = scene_.obstacles.positions()[p] - scene_.obstacles.positions()[node_];
     const double rise = kRise * d.norm();
