@@ -204,18 +204,27 @@ class GeodesicBall {
     if (ahead > 0) least_ = std::min(least_, dot(place, place) / (2 * ahead));
   }
 
-  /// Notes the neighbours of a node on its strand in the plane in which the node is seen.
-  void note_neighbours(uint32_t p, const Chart& chart) {
+  /// Notes the neighbours of a node on its strand, from where the node is seen.
+  void note_neighbours(uint32_t p, const Chart& seen) {
     const Curve& curve = scene_.curve;
+    const Surface& s = scene_.surface;
     if (p >= curve.size()) return;
     for (const bool forward : {false, true}) {
+      Chart chart = seen;
       uint32_t q = p;
       for (uint32_t k = 0; k < kNeighbours; ++k) {
         q = forward ? curve.next(q) : curve.previous(q);
         if (q == kNone || q == node_) break;
         const double before = least_;
-        const Vec3 d = scene_.frames.position[q] - scene_.frames.position[p];
-        note(chart.place + chart.turn * scene_.surface.to_plane(chart.point.face, d));
+        const SurfacePoint& at = curve.nodes[q];
+        const Vec3& position = scene_.frames.position[q];
+        if (s.face_normal(at.face).dot(s.face_normal(chart.point.face)) >= kNearlyFlat) {
+          note(chart.place + chart.turn * s.to_plane(chart.point.face, position - chart.position));
+        } else if (chart.advance_to(s, at, position, r_)) {
+          note(chart.place);
+        } else {
+          break;
+        }
         if (!(least_ < before)) break;
       }
     }
