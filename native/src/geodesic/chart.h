@@ -51,6 +51,7 @@ inline bool Chart::advance_to(const Surface& s, const SurfacePoint& aim, const V
     if (point.face == aim.face) {
       place = place + turn * (flat(s, aim) - flat(s, point));
       point = aim;
+      position = goal;
       return true;
     }
     for (uint32_t k = 0; k < 3; ++k) {
@@ -59,6 +60,7 @@ inline bool Chart::advance_to(const Surface& s, const SurfacePoint& aim, const V
       place = place + turn * (place_across(s, exit, entry, flat(s, aim)) - flat(s, point));
       turn = turn * turn_across(s, {1, 0}, exit);
       point = aim;
+      position = goal;
       return true;
     }
     if (line == kMostLines) break;

@@ -149,11 +149,17 @@ class GeodesicBall {
   uint32_t face() const { return scene_.curve.nodes[node_].face; }
   Chart here() const { return Chart::at(scene_.curve.nodes[node_], scene_.obstacles.positions()[node_]); }
 
+  /// That of the patch, where it is of one face of a crease only.
+  const Vec3& normal_at(uint32_t p, uint32_t patch) const {
+    return scene_.patches.at_crease(patch) ? scene_.surface.face_normal(scene_.obstacles.point(p).face)
+                                           : scene_.patches.normal(patch);
+  }
+
   /// Does the straight line to a point lie along the surface?
   bool alike(uint32_t p) const {
     const uint32_t from = scene_.obstacles.patch(node_), to = scene_.obstacles.patch(p);
     if (scene_.patches.bent(from) || scene_.patches.bent(to)) return false;
-    const Vec3 &a = scene_.patches.normal(from), &b = scene_.patches.normal(to);
+    const Vec3 &a = normal_at(node_, from), &b = normal_at(p, to);
     if (a.dot(b) < kAlike) return false;
     const Vec3 d = scene_.obstacles.positions()[p] - scene_.obstacles.positions()[node_];
     const double rise = kRise * d.norm();
@@ -198,18 +204,27 @@ class GeodesicBall {
     if (ahead > 0) least_ = std::min(least_, dot(place, place) / (2 * ahead));
   }
 
-  /// Notes the neighbours of a node on its strand in the plane in which the node is seen.
-  void note_neighbours(uint32_t p, const Chart& chart) {
+  /// Notes the neighbours of a node on its strand, from where the node is seen.
+  void note_neighbours(uint32_t p, const Chart& seen) {
     const Curve& curve = scene_.curve;
+    const Surface& s = scene_.surface;
     if (p >= curve.size()) return;
     for (const bool forward : {false, true}) {
+      Chart chart = seen;
       uint32_t q = p;
       for (uint32_t k = 0; k < kNeighbours; ++k) {
         q = forward ? curve.next(q) : curve.previous(q);
         if (q == kNone || q == node_) break;
         const double before = least_;
-        const Vec3 d = scene_.frames.position[q] - scene_.frames.position[p];
-        note(chart.place + chart.turn * scene_.surface.to_plane(chart.point.face, d));
+        const SurfacePoint& at = curve.nodes[q];
+        const Vec3& position = scene_.frames.position[q];
+        if (s.face_normal(at.face).dot(s.face_normal(chart.point.face)) >= kNearlyFlat) {
+          note(chart.place + chart.turn * s.to_plane(chart.point.face, position - chart.position));
+        } else if (chart.advance_to(s, at, position, r_)) {
+          note(chart.place);
+        } else {
+          break;
+        }
         if (!(least_ < before)) break;
       }
     }
