@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "base/disjoint_sets.h"
 #include "base/front_search.h"
 #include "base/point_grid.h"
@@ -18,8 +20,9 @@ namespace {
 /// How far patches are across, in r.
 constexpr double kSize = 1;
 
-/// Patches smaller than this share of kSize^2 r^2 join others, as long as both come to no more than that.
-constexpr double kSliver = 0.5, kLargest = 1.5;
+/// Patches smaller than this share of kSize^2 r^2 join others, as long as both come to no more than that, and in no
+/// direction are farther across than this share of kSize r: narrow strips have next to no area.
+constexpr double kSliver = 0.5, kLargest = 1.5, kLongest = 1.5;
 
 /// Places farther apart than this through space, in r, are not compared: a ball of about the wanted size ends before.
 constexpr double kReach = 2.8;
@@ -234,11 +237,24 @@ class SurfacePatches::Cutter {
     }
   }
 
+  /// Cells outside of their face become parts of the patch that is next in their row: none is without area. All rows
+  /// have some inside.
+  void join_empty(DisjointSets& sets, const Grid& g) {
+    for (uint32_t row = g.first; row < g.first + g.rows * g.columns; row += g.columns) {
+      uint32_t first = row, last = row + g.columns - 1;
+      while (first < last && cells_[first].area == 0) ++first;
+      while (last > first && cells_[last].area == 0) --last;
+      for (uint32_t cell = row; cell < first; ++cell) sets.join(cell, first);
+      for (uint32_t cell = last + 1; cell < row + g.columns; ++cell) sets.join(cell, last);
+    }
+  }
+
   void join_in_grids(DisjointSets& sets) {
     for (const Grid& g : patches_.grids_) {
+      join_empty(sets, g);
       for (uint32_t cell = g.first; cell < g.first + g.rows * g.columns; ++cell) {
-        if (cells_[cell].area == 0) continue;
         const bool last_column = (cell - g.first) % g.columns + 1 == g.columns;
+        if (cells_[cell].area == 0) continue;
         const uint32_t above = cell + g.columns;
         if (!last_column && cells_[cell + 1].area > 0) meet(sets, cell, cell + 1);
         if (above < g.first + g.rows * g.columns && cells_[above].area > 0) meet(sets, cell, above);
@@ -274,14 +290,22 @@ class SurfacePatches::Cutter {
   /// compared.
   void join_slivers(DisjointSets& sets) {
     std::vector<double> areas(cells_.size(), 0);
-    for (uint32_t cell = 0; cell < cells_.size(); ++cell) areas[sets.find(cell)] += cells_[cell].area;
+    std::vector<Eigen::AlignedBox3d> boxes(cells_.size());
+    for (uint32_t cell = 0; cell < cells_.size(); ++cell) {
+      if (cells_[cell].area == 0) continue;
+      areas[sets.find(cell)] += cells_[cell].area;
+      boxes[sets.find(cell)].extend(cells_[cell].middle);
+    }
     for (const auto& [a, b] : beside) {
       const uint32_t p = sets.find(a), q = sets.find(b);
       const double size = size_at(level_at(cells_[a].face)), least = std::min(areas[p], areas[q]);
       const double both = areas[p] + areas[q];
       if (p == q || least > kSliver * size * size || both > kLargest * size * size) continue;
+      const Eigen::AlignedBox3d box = boxes[p].merged(boxes[q]);
+      if (box.sizes().maxCoeff() > kLongest * size) continue;
       sets.join(p, q);
       areas[sets.find(p)] = both;
+      boxes[sets.find(p)] = box;
     }
   }
 
