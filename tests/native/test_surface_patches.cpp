@@ -197,7 +197,7 @@ TEST(SurfacePatches, AreBoundedByAreaAndLength) {
     return block(1, 1, 1, [=](double x, double y, double z) { return Vec3(1000 * x, width * y, height * z); });
   };
   for (const Mesh& mesh : {bar(0.1, 1e-3), bar(1e-3, 1e-3), bar(0.3, 2), scaled(cube(), 100), scaled(flat_grid(1), 300),
-                           scaled(cone(12, 60, 0.5), 2)}) {
+                           scaled(cone(12, 60, 0.5), 2), scaled(cylinder(16, 80, 80 / 0.6), 0.6)}) {
     expect_few(mesh);
   }
 }

@@ -22,7 +22,7 @@ constexpr double kSize = 1;
 
 /// Patches smaller than this share of kSize^2 r^2 join others, as long as both come to no more than that, and in no
 /// direction are farther across than this share of kSize r: narrow strips have next to no area.
-constexpr double kSliver = 0.5, kLargest = 1.5, kLongest = 1.5;
+constexpr double kSliver = 0.5, kLargest = 1.5, kLongest = 1.75;
 
 /// Places farther apart than this through space, in r, are not compared: a ball of about the wanted size ends before.
 constexpr double kReach = 2.8;
