@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The largest balls that the hierarchy finds, one by one and for neighbours together, against all points.
+// The largest balls that the hierarchy finds, one by one and for neighbours together, among all points and among some,
+// against all points.
 #include <gtest/gtest.h>
 
 #include "medial/curve_bvh.h"
@@ -99,6 +100,123 @@ TEST(CurveBvh, BallsOfAGridEqualBruteForce) {
     for (size_t side = 0; side < 2; ++side) {
       const double expected = brute_force(points, points[i], b[i][side], 0.1);
       EXPECT_NEAR(radii[i][side], expected, kRounding * expected);
+    }
+  }
+}
+
+/// What the ball of one point among those that count is limited by: the radius, and the first point that does so.
+struct Limit {
+  double radius;
+  uint32_t touched = UINT32_MAX;
+};
+
+template <class Counts>
+Limit brute_force_seen(const std::vector<Vec3>& points, const Vec3& x, const Vec3& b, double most, const Counts& counts) {
+  Limit limit{most};
+  for (uint32_t j = 0; j < points.size(); ++j) {
+    const double ahead = (points[j] - x).dot(b);
+    if (!(ahead > 0) || !counts(j)) continue;
+    const double radius = (points[j] - x).squaredNorm() / (2 * ahead);
+    if (radius < limit.radius) limit = {radius, j};
+  }
+  return limit;
+}
+
+TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
+  Rng rng(9);
+  ThreadPool pool(2);
+  size_t limited = 0, clamped = 0, passed_over = 0;
+  for (const size_t count : {1, 2, 7, 8, 9, 64, 500, 1501}) {
+    const std::vector<Vec3> points = winding(count, 0.01, rng);
+    const CurveBvh tree(points, pool);
+    // A point sees those of some kinds only, at random; runs of kinds are as long as those of strands in a patch.
+    std::vector<uint32_t> kind(count);
+    for (size_t i = 0; i < count; ++i) kind[i] = i % 5 == 0 || i == 0 ? rng.below(6) : kind[i - 1];
+    std::array<std::array<bool, 6>, 6> visible{};
+    for (auto& row : visible) {
+      for (bool& each : row) each = rng.in(0, 1) < 0.6;
+    }
+    const auto sees = [&](size_t i, uint32_t j) { return visible[kind[i]][kind[j]]; };
+    std::vector<Sides> b(count);
+    for (Sides& sides : b) sides = {random_direction(rng), random_direction(rng)};
+    // The last of these meets more runs than are kept for neighbours.
+    for (const double most : {0.004, 0.03, 0.2, 4.0}) {
+      std::vector<Balls> start(count);
+      for (Balls& balls : start) {
+        for (double& r : balls) r = rng.in(0, 1) < 0.1 ? 0 : rng.in(0.2, 1) * most;
+      }
+      std::vector<Balls> together = start, parts = start;
+      std::vector<std::array<uint32_t, 2>> touched(count, {UINT32_MAX, UINT32_MAX}), touched_in_parts = touched;
+      tree.largest_balls_seen(0, count, b, sees, together, touched);
+      for (size_t first = 0; first < count; first += 13) {
+        tree.largest_balls_seen(first, std::min(count, first + 13), b, sees, parts, touched_in_parts);
+      }
+      EXPECT_EQ(parts, together);
+      EXPECT_EQ(touched_in_parts, touched);
+      for (size_t i = 0; i < count; ++i) {
+        for (size_t side = 0; side < 2; ++side) {
+          if (start[i][side] == 0) {
+            EXPECT_EQ(together[i][side], 0);
+            EXPECT_EQ(touched[i][side], UINT32_MAX);
+            continue;
+          }
+          const auto counts = [&](uint32_t j) { return sees(i, j); };
+          const Limit expected = brute_force_seen(points, points[i], b[i][side], start[i][side], counts);
+          ASSERT_NEAR(together[i][side], expected.radius, kRounding * expected.radius) << count << " points, ball " << i;
+          ASSERT_EQ(touched[i][side], expected.touched) << count << " points, ball " << i;
+          uint32_t alone = 0;
+          EXPECT_EQ(tree.largest_ball_seen(points[i], b[i][side], start[i][side], counts, alone), together[i][side]);
+          EXPECT_EQ(alone, expected.touched);
+          ++(expected.touched == UINT32_MAX ? clamped : limited);
+          passed_over += brute_force(points, points[i], b[i][side], start[i][side]) < expected.radius;
+        }
+      }
+    }
+  }
+  EXPECT_GT(limited, 1000u);
+  EXPECT_GT(clamped, 1000u);
+  EXPECT_GT(passed_over, 1000u) << "the filter is meant to matter";
+}
+
+/// Where all count, or none.
+TEST(CurveBvh, BallsAmongAllAndAmongNone) {
+  Rng rng(10);
+  ThreadPool pool(1);
+  const std::vector<Vec3> points = winding(700, 0.01, rng);
+  const CurveBvh tree(points, pool);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3& x = points[rng.below(points.size())];
+    const Vec3 b = random_direction(rng);
+    uint32_t of_all = 0, touched = 0;
+    const double all = tree.largest_ball_seen(x, b, 0.5, [](uint32_t) { return true; }, of_all);
+    EXPECT_NEAR(all, tree.largest_ball(x, b, 0.5, &touched), kRounding);
+    EXPECT_EQ(of_all, touched);
+    EXPECT_EQ(tree.largest_ball_seen(x, b, 0.5, [](uint32_t) { return false; }, touched), 0.5);
+    EXPECT_EQ(touched, UINT32_MAX);
+  }
+}
+
+/// Of several that limit a ball equally it is the first, whichever the walk meets first.
+TEST(CurveBvh, TheFirstOfEqualsIsTouched) {
+  ThreadPool pool(1);
+  std::vector<Vec3> points;
+  for (int row = 0; row < 8; ++row) {
+    for (int k = 0; k < 32; ++k) points.emplace_back(0.125 * (row % 2 ? 31 - k : k), 0.25 * row, 0);
+  }
+  // Each twice: distances and their squares are exact in binary.
+  points.insert(points.end(), points.begin(), points.begin() + 256);
+  const CurveBvh tree(points, pool);
+  const std::vector<Sides> b(points.size(), Sides{Vec3(0, 1, 0), Vec3(0, -1, 0)});
+  std::vector<Balls> radii(points.size(), Balls{1, 1});
+  std::vector<std::array<uint32_t, 2>> touched(points.size());
+  const auto sees = [&](size_t, uint32_t j) { return j % 3 != 0; };
+  tree.largest_balls_seen(0, points.size(), b, sees, radii, touched);
+  for (uint32_t i = 0; i < points.size(); ++i) {
+    for (size_t side = 0; side < 2; ++side) {
+      const Limit expected =
+          brute_force_seen(points, points[i], b[i][side], 1, [&](uint32_t j) { return sees(i, j); });
+      EXPECT_EQ(radii[i][side], expected.radius);
+      EXPECT_EQ(touched[i][side], expected.touched);
     }
   }
 }
