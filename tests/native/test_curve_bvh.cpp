@@ -203,8 +203,10 @@ TEST(CurveBvh, TheFirstOfEqualsIsTouched) {
   for (int row = 0; row < 8; ++row) {
     for (int k = 0; k < 32; ++k) points.emplace_back(0.125 * (row % 2 ? 31 - k : k), 0.25 * row, 0);
   }
-  // Each twice: distances and their squares are exact in binary.
-  points.insert(points.end(), points.begin(), points.begin() + 256);
+  // Distances and their squares are exact in binary. Half of the points a second time, and in an order that no walk has.
+  points.insert(points.end(), points.begin(), points.begin() + 128);
+  Rng rng(11);
+  for (size_t k = points.size() - 1; k > 0; --k) std::swap(points[k], points[rng.below(k + 1)]);
   const CurveBvh tree(points, pool);
   const std::vector<Sides> b(points.size(), Sides{Vec3(0, 1, 0), Vec3(0, -1, 0)});
   std::vector<Balls> radii(points.size(), Balls{1, 1});
