@@ -70,8 +70,8 @@ class Option:
     default    of the setting; a test compares it with the library's where `field` names one
     least, greatest, soft_least, soft_greatest   limits of the setting
     digits, step   decimals that the panel shows, and by how many hundredths an arrow changes it
-    choices    name, label and tool-tip of each choice, where kind is str; OF_PRESET leaves it to the
-               preset
+    choices    name, label and tool-tip of each choice, where kind is str; OF_PRESET leaves it to
+               the preset
     numbers    by which .blend files know the choices, one each: never to be changed; empty: their
                places
     field      the field of core.FlowOptions that it sets; empty: none
