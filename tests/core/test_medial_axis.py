@@ -17,9 +17,9 @@ from thin_shapes import SHAPES
 # Nothing may be farther from the curve than this, along the surface and in r. Two hairpins before a
 # straight strand leave 1.5 at most, and corners of a boundary, of which two shapes have some, 1.58.
 FARTHEST = 1.6
-# How much longer than 1 per spacing and unit of area the curve is. Beyond the ends of a fold's
-# strands lies a boundary on either side: from nine first faces, the cloth had 1.02 to 1.07 and a
-# flat sheet of its size 1.02 to 1.06; the other shapes had 1.00 to 1.055.
+# Length times spacing over area; 1 for parallel strands. From nine first faces each, the cloth had
+# 1.01 to 1.07, of which its long boundary is a part (a flat sheet of its size 1.02 to 1.055), and the
+# other shapes 1.00 to 1.057.
 PACKING = {name: (0.96, 1.06) for name in SHAPES} | {"folded cloth": (0.96, 1.08)}
 
 
