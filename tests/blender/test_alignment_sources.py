@@ -136,6 +136,7 @@ def test_options_survive_the_settings_of_an_object():
     untouched = option.chosen(options.TABLE, settings)
     assert untouched["length_weight"] is untouched["segment_share"] is untouched["reach"] is None
     assert untouched["start_spacing_factor"] == 1.0 and untouched["preset"] == "even"
+    assert untouched["medial_axis"] == "preset"
     for values in (
         {"start_spacing_factor": 1.0},
         {

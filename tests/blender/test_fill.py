@@ -13,6 +13,7 @@ from meander import core
 from meander.run import session
 from meander.run.preview import Preview
 from meander.scene import errors
+from meander.scene.flow_options import options_of
 from scenes import (
     activate,
     area_of,
@@ -64,12 +65,23 @@ def test_both_sides_of_a_thin_plate_are_filled_along_the_surface():
     surface = cube()
     surface.scale = (1.0, 1.0, 0.01)
     bpy.context.view_layer.update()
-    surface.meander.medial_axis = "GEODESIC"
     result = fill(surface, 0.2)
-    assert result.meander.medial_axis == "GEODESIC"
+    assert result.meander.medial_axis == "PRESET"
     assert packing(surface, result) == PACKING
-    surface.meander.medial_axis = "EUCLIDEAN"
-    assert packing(surface, fill(surface, 0.2)) < 0.8
+    result = fill(surface, 0.2, medial_axis="EUCLIDEAN")
+    assert result.meander.medial_axis == "EUCLIDEAN"
+    assert packing(surface, result) < 0.8
+
+
+def test_files_from_before_the_preset_chose_distances_keep_theirs():
+    """Blender keeps the number of a choice, not its name."""
+    settings = sphere().meander
+    for number, name in enumerate(("EUCLIDEAN", "GEODESIC")):
+        settings["medial_axis"] = number
+        assert settings.medial_axis == name
+    assert options_of(settings, 0.2).medial_axis == core.MedialAxis.GEODESIC
+    settings["medial_axis"] = 0
+    assert options_of(settings, 0.2).medial_axis == core.MedialAxis.EUCLIDEAN
 
 
 def test_seed_strands_keep_their_number_order_and_kind():

@@ -13,7 +13,8 @@ import pytest
 from conftest import REPOSITORY
 from meander import batch, core
 from meander.cli.arguments import parser
-from meander.model.option import Option, apply, chosen, store
+from meander.cli.flags import flow_options
+from meander.model.option import OF_PRESET, Option, apply, chosen, store
 from meander.model.options import BY_SETTING, OF_THE_FLOW, TABLE
 
 # Fields of the flow's options that no user sets by themselves: the spacing sets the radius, a
@@ -75,6 +76,7 @@ def test_labels_and_tips_follow_the_guidelines(option: Option) -> None:
     assert option.tip and not option.tip.endswith(".")
     for _name, label, tip in option.choices:
         assert label == label.title() and not tip.endswith(".")
+    assert not option.numbers or len(set(option.numbers)) == len(option.choices)
 
 
 @pytest.mark.parametrize("option", OF_THE_FLOW, ids=names(OF_THE_FLOW))
@@ -82,8 +84,9 @@ def test_defaults_are_the_librarys(option: Option) -> None:
     if option.zero_is_preset:
         assert option.default == 0
         return
-    own = getattr(core.default_options("even"), option.field)
-    assert option.default == (own.name.lower() if option.field == "medial_axis" else own)
+    if option.default == OF_PRESET:
+        return
+    assert option.default == getattr(core.default_options("even"), option.field)
 
 
 @pytest.mark.parametrize("preset", core.PRESETS)
@@ -122,6 +125,25 @@ def test_what_is_chosen_reaches_the_flow() -> None:
     assert (options.start_spacing_factor, options.border_distance) == (6.0, 1.5)
     assert options.medial_axis == core.MedialAxis.GEODESIC
     assert options.iteration_limit == 7
+
+
+@pytest.mark.parametrize(
+    ("preset", "word", "measure"),
+    [
+        ("even", None, "GEODESIC"),
+        ("finest", "preset", "GEODESIC"),
+        ("paper", None, "EUCLIDEAN"),
+        ("paper", "geodesic", "GEODESIC"),
+        ("even", "surface", "GEODESIC"),
+        ("finest", "euclidean", "EUCLIDEAN"),
+    ],
+)
+def test_distances_are_the_presets_or_as_the_flag_says(
+    preset: str, word: str | None, measure: str
+) -> None:
+    given = ["--input", "a.obj", "--output", "b.obj", "--spacing", "1", "--preset", preset]
+    arguments = parser().parse_args(given + (["--medial-axis", word] if word else []))
+    assert flow_options(arguments).medial_axis == core.MedialAxis[measure]
 
 
 def test_settings_give_back_what_was_stored() -> None:

@@ -27,6 +27,7 @@ def add_flags(parser: argparse._ActionsContainer, group: str = "") -> None:
         given: dict[str, Any] = {"help": flag.help, "default": flag.default}
         if option.kind is str:
             given["choices"] = [name for name, _label, _tip in option.choices]
+            given["type"] = values.synonym_reader(flag.synonyms)
         else:
             given["type"] = values.reader(option.kind, flag.least, flag.greatest, flag.above)
             given["metavar"] = flag.metavar

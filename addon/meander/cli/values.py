@@ -55,6 +55,12 @@ def reader(
     return read
 
 
+def synonym_reader(synonyms: tuple[tuple[str, str], ...]) -> Callable[[str], str]:
+    """What reads a word and puts the choice that it stands for in its place."""
+    meaning = dict(synonyms)
+    return lambda text: meaning.get(text, text)
+
+
 def _whole(text: str) -> int:
     try:
         return int(text)

@@ -23,10 +23,10 @@ MEAN_SEGMENT = 1.38
 FULL_LENGTH = 1.04
 # The segment length h where none is chosen, in r; see meander.h.
 DEFAULT_SEGMENT = 0.2
-# Seconds for each node of a curve of 10,000 on two quiet processors, and how the number of
-# iterations grows with the nodes: docs/performance.md.
+# Seconds for each node of a curve of 10,000 on two quiet processors, with distances through space,
+# and how the number of iterations grows with the nodes: docs/performance.md.
 SECONDS_PER_NODE = {"even": 50e-6, "finest": 130e-6, "paper": 13e-6}
-ALONG_SURFACE = 2.0  # times as long with distances along the surface
+ALONG_SURFACE = 1.3  # times as long with distances along the surface; 1.1 to 1.6 were measured
 GROWTH = 0.15
 REFERENCE_NODES = 1e4
 # Bytes for each node of the flow, and for each face of the surface.

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from .option import Flag, Option
+from .option import OF_PRESET, Flag, Option
 
 _MAIN, _OPTIONS, _WEIGHTS, _REGION = "Meander", "Options", "Weights and Lengths", "Region"
 _TERMS, _PART = "terms of the energy", "part to fill"
@@ -50,24 +50,36 @@ ROWS: tuple[Option, ...] = (
         "How distances between strands are measured",
         _OPTIONS,
         kind=str,
-        default="euclidean",
+        default=OF_PRESET,
         choices=(
             (
-                "euclidean",
-                "Through Space",
-                "Fast. Strands on sheets that lie close together keep clear of each other",
+                OF_PRESET,
+                "As Preset",
+                "Along the surface in Even and Finest, through space in Paper",
             ),
             (
                 "geodesic",
                 "Along Surface",
-                "Fills both sides of thin parts and sheets that pass through each other; slower",
+                "Fills every sheet by itself, both sides of thin parts included, and keeps the "
+                "spacing across creases",
+            ),
+            (
+                "euclidean",
+                "Through Space",
+                "For a filament of constant width in space, as in printing: strands on sheets "
+                "that lie close together keep clear of each other, and one side of a thin part "
+                "stays empty",
             ),
         ),
+        numbers=(2, 1, 0),
         field="medial_axis",
         flag=Flag(
             "--medial-axis",
-            "measure distances between strands through space, or along the surface",
-            default="euclidean",
+            "measure distances between strands along the surface (geodesic, or surface) or through "
+            "space, for a filament of constant width there (euclidean); default: preset, which is "
+            "through space in paper and along the surface else",
+            default=OF_PRESET,
+            synonyms=(("surface", "geodesic"),),
         ),
     ),
     Option(

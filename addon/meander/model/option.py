@@ -16,6 +16,9 @@ from .. import core
 # By the name of the setting: None is the preset's own value, and so is what is not there.
 Values = Mapping[str, Any]
 
+# The choice that means the preset's own value, where a row offers it.
+OF_PRESET = "preset"
+
 
 @dataclass(frozen=True)
 class Flag:
@@ -31,6 +34,7 @@ class Flag:
               elsewhere; empty: none
     default   the value when it is not given; None: the preset's own
     required  the command refuses to run without it
+    synonyms  other words for choices, each with the choice that it stands for
     """
 
     name: str
@@ -44,6 +48,7 @@ class Flag:
     entry: str = ""
     default: Any = None
     required: bool = False
+    synonyms: tuple[tuple[str, str], ...] = ()
 
     @property
     def destination(self) -> str:
@@ -65,7 +70,10 @@ class Option:
     default    of the setting; a test compares it with the library's where `field` names one
     least, greatest, soft_least, soft_greatest   limits of the setting
     digits, step   decimals that the panel shows, and by how many hundredths an arrow changes it
-    choices    name, label and tool-tip of each choice, where kind is str
+    choices    name, label and tool-tip of each choice, where kind is str; OF_PRESET leaves it to
+               the preset
+    numbers    by which .blend files know the choices, one each: never to be changed; empty: their
+               places
     field      the field of core.FlowOptions that it sets; empty: none
     switch     the setting that has to be on; while it is off the preset's own value is used
     zero_is_preset   0 means the preset's own value
@@ -89,6 +97,7 @@ class Option:
     digits: int = 2
     step: int = 10
     choices: tuple[tuple[str, str, str], ...] = ()
+    numbers: tuple[int, ...] = ()
     field: str = ""
     switch: str = ""
     zero_is_preset: bool = False
@@ -100,11 +109,12 @@ class Option:
 def apply(options: Iterable[Option], values: Values, flow_options: core.FlowOptions) -> None:
     """Puts what is chosen into the options of a flow, whose radius must be set.
 
-    options   rows of the table; those without a field, or whose value is None, change nothing
+    options   rows of the table; those without a field, or whose value is None or OF_PRESET, change
+              nothing
     """
     for option in options:
         value = values.get(option.setting)
-        if value is None or not option.field:
+        if value is None or value == OF_PRESET or not option.field:
             continue
         if option.field == "medial_axis":
             value = core.MedialAxis[value.upper()]

@@ -44,7 +44,11 @@ def _property(option: Option, update: Callable | None) -> Any:
             given["subtype"] = "FACTOR"
     elif option.kind is str:
         # Identifiers in capitals, as Blender's own are, and as .blend files have them.
-        given["items"] = tuple((name.upper(), label, tip) for name, label, tip in option.choices)
+        numbers = option.numbers or range(len(option.choices))
+        given["items"] = tuple(
+            (name.upper(), label, tip, number)
+            for (name, label, tip), number in zip(option.choices, numbers)
+        )
         given["default"] = option.default.upper()
     return kind(**{name: value for name, value in given.items() if value is not None})
 
