@@ -18,8 +18,8 @@ from thin_shapes import SHAPES
 # straight strand leave 1.5 at most, and corners of a boundary, of which two shapes have some, 1.58.
 FARTHEST = 1.6
 # Length times spacing over area; 1 for parallel strands. From nine first faces each, the cloth had
-# 1.01 to 1.07, of which its long boundary is a part (a flat sheet of its size 1.02 to 1.055), and the
-# other shapes 1.00 to 1.057.
+# 1.01 to 1.07 (a flat sheet of its size, with as long a boundary, 1.02 to 1.055), and the other
+# shapes 1.00 to 1.057.
 PACKING = {name: (0.96, 1.06) for name in SHAPES} | {"folded cloth": (0.96, 1.08)}
 
 
