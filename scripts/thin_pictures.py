@@ -18,16 +18,17 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 import strands_pictures  # noqa: E402  (the path comes first)
+from meander import core  # noqa: E402
 from strands_pictures import INK, SURFACE, begin, curve, fill, link, material, meander  # noqa: E402
 from strands_pictures import render as render_to  # noqa: E402
-
-from meander import core  # noqa: E402
 
 SPACING = 0.1
 GAP_OF_FOLDS = 0.05 * SPACING  # .1 r
 
 
-def solid(x: np.ndarray, y: np.ndarray, height: np.ndarray, thickness: np.ndarray) -> bpy.types.Mesh:
+def solid(
+    x: np.ndarray, y: np.ndarray, height: np.ndarray, thickness: np.ndarray
+) -> bpy.types.Mesh:
     """A sheet over a grid, as thick as it says, closed along its rim."""
     columns, rows = x.shape
     half = 0.5 * thickness
