@@ -111,7 +111,8 @@ struct Limit {
 };
 
 template <class Counts>
-Limit brute_force_seen(const std::vector<Vec3>& points, const Vec3& x, const Vec3& b, double most, const Counts& counts) {
+Limit brute_force_seen(const std::vector<Vec3>& points, const Vec3& x, const Vec3& b, double most,
+                       const Counts& counts) {
   Limit limit{most};
   for (uint32_t j = 0; j < points.size(); ++j) {
     const double ahead = (points[j] - x).dot(b);
@@ -162,7 +163,8 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
           }
           const auto counts = [&](uint32_t j) { return sees(i, j); };
           const Limit expected = brute_force_seen(points, points[i], b[i][side], start[i][side], counts);
-          ASSERT_NEAR(together[i][side], expected.radius, kRounding * expected.radius) << count << " points, ball " << i;
+          ASSERT_NEAR(together[i][side], expected.radius, kRounding * expected.radius)
+              << count << " points, ball " << i;
           ASSERT_EQ(touched[i][side], expected.touched) << count << " points, ball " << i;
           uint32_t alone = 0;
           EXPECT_EQ(tree.largest_ball_seen(points[i], b[i][side], start[i][side], counts, alone), together[i][side]);
@@ -203,7 +205,7 @@ TEST(CurveBvh, TheFirstOfEqualsIsTouched) {
   for (int row = 0; row < 8; ++row) {
     for (int k = 0; k < 32; ++k) points.emplace_back(0.125 * (row % 2 ? 31 - k : k), 0.25 * row, 0);
   }
-  // Distances and their squares are exact in binary. Half of the points a second time, and in an order that no walk has.
+  // Distances and their squares are exact in binary. Half of the points a second time, in an order that no walk has.
   points.insert(points.end(), points.begin(), points.begin() + 128);
   Rng rng(11);
   for (size_t k = points.size() - 1; k > 0; --k) std::swap(points[k], points[rng.below(k + 1)]);

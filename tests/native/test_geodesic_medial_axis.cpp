@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic medial radii: those of the exact search against their definition on surfaces that unroll, and on sheets close
-// together; and those of the fast way against the exact ones, on curves that fill a surface.
+// Geodesic medial radii: those of the exact search against their definition on surfaces that unroll, and on sheets
+// close together; and those of the fast way against the exact ones, on curves that fill a surface.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -238,8 +238,8 @@ struct Filled {
 
 std::ostream& operator<<(std::ostream& out, const Filled& filled) { return out << filled.name; }
 
-/// `share` is what was measured, less about what it varies by where the curve is another. At edges of 90 degrees, and on
-/// limbs about r thick, straight lines are furthest from what they stand for.
+/// `share` is what was measured, less about what it varies by where the curve is another. At edges of 90 degrees, and
+/// on limbs about r thick, straight lines are furthest from what they stand for.
 std::vector<Filled> filled_surfaces() {
   const auto tube = [](double radius, uint32_t along, double length) {
     return scaled(cylinder(16, along, length / radius), radius);

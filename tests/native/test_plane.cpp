@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The orientation predicate and the grid of coordinates, against integers of 128 bits.
+// The orientation predicate and the grid of coordinates, against integers of 128 bits; clipped triangles, against
+// random points.
 #include <gtest/gtest.h>
 
+#include "base/clipped_triangle.h"
 #include "base/plane.h"
 #include "mesh/surface_point.h"
 #include "test_curves.h"
@@ -131,6 +133,56 @@ TEST(ComplexNumbers, ProductTurnsAndScales) {
     EXPECT_NEAR(cross(a, Vec2{0, 1} * a), 1, kRounding);
   }
   EXPECT_EQ(norm(unit(Vec2{})), 0);
+}
+
+TEST(ClippedTriangle, IsWhatRandomPointsSay) {
+  constexpr uint32_t kPoints = 4000;
+  constexpr double kShare = 0.05, kRounding = 1e-12;
+  Rng rng(12);
+  for (int k = 0; k < 200; ++k) {
+    std::array<Vec2, 3> triangle;
+    for (Vec2& p : triangle) p = {rng.in(-1, 1), rng.in(-1, 1)};
+    if (cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) < 0) std::swap(triangle[1], triangle[2]);
+    const Vec2 low{rng.in(-1, 0.5), rng.in(-1, 0.5)}, high{low.x + rng.in(0.1, 1), low.y + rng.in(0.1, 1)};
+    const ClippedTriangle part = clip_triangle(triangle, low, high);
+    uint32_t inside = 0;
+    Vec2 sum{0, 0};
+    for (uint32_t n = 0; n < kPoints; ++n) {
+      const Vec2 p{rng.in(low.x, high.x), rng.in(low.y, high.y)};
+      bool in = true;
+      for (size_t c = 0; c < 3; ++c) in = in && cross(triangle[(c + 1) % 3] - triangle[c], p - triangle[c]) >= 0;
+      if (!in) continue;
+      ++inside;
+      sum = sum + p;
+    }
+    const double whole = (high.x - low.x) * (high.y - low.y);
+    EXPECT_NEAR(part.area, whole * inside / kPoints, kShare * whole);
+    if (part.empty) {
+      EXPECT_EQ(inside, 0u);
+      EXPECT_EQ(part.area, 0);
+      continue;
+    }
+    EXPECT_GE(part.middle.x, low.x);
+    EXPECT_LE(part.middle.x, high.x);
+    EXPECT_GE(part.middle.y, low.y);
+    EXPECT_LE(part.middle.y, high.y);
+    // The middle of a convex part is inside of it.
+    for (size_t c = 0; c < 3; ++c) {
+      EXPECT_GE(cross(triangle[(c + 1) % 3] - triangle[c], part.middle - triangle[c]), -kRounding);
+    }
+    if (inside < kPoints / 10) continue;
+    EXPECT_LT(norm(part.middle - (1.0 / inside) * sum), kShare);
+  }
+}
+
+TEST(ClippedTriangle, IsAllInsideAndNothingOutside) {
+  const std::array<Vec2, 3> triangle{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}};
+  const ClippedTriangle all = clip_triangle(triangle, {-1, -1}, {2, 2});
+  EXPECT_DOUBLE_EQ(all.area, 0.5);
+  EXPECT_DOUBLE_EQ(all.middle.x, 1.0 / 3);
+  EXPECT_DOUBLE_EQ(all.middle.y, 1.0 / 3);
+  EXPECT_TRUE(clip_triangle(triangle, {0.8, 0.8}, {2, 2}).empty);
+  EXPECT_FALSE(clip_triangle(triangle, {1, -1}, {2, 2}).empty) << "a corner touches it";
 }
 
 }  // namespace

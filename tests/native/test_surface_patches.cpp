@@ -282,8 +282,9 @@ Hiding judge_hiding(const Cut& c) {
 
 TEST(SurfacePatches, HideWhatIsFarAlongTheSurface) {
   for (const Shape& shape :
-       {Shape{"plate", plate(14, 0.1, 56)}, Shape{"thick plate", plate(14, 0.8, 56)}, Shape{"leaf", leaf(14, 0.3, 1, 56)},
-        Shape{"cloth", folded_cloth(8, 10, 0.1, 3, 40)}, Shape{"wedge", wedge(12, 2, 48)}}) {
+       {Shape{"plate", plate(14, 0.1, 56)}, Shape{"thick plate", plate(14, 0.8, 56)},
+        Shape{"leaf", leaf(14, 0.3, 1, 56)}, Shape{"cloth", folded_cloth(8, 10, 0.1, 3, 40)},
+        Shape{"wedge", wedge(12, 2, 48)}}) {
     SCOPED_TRACE(shape.name);
     const Hiding h = judge_hiding(Cut(shape.mesh));
     EXPECT_GT(h.hidden, 1000u);

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/clipped_triangle.h"
 #include "base/disjoint_sets.h"
 #include "base/front_search.h"
 #include "base/point_grid.h"
@@ -63,46 +64,6 @@ uint64_t voxel(const Vec3& p, double size, uint32_t level) {
     return static_cast<uint64_t>(static_cast<int64_t>(std::floor(x / size + kShift)) & 0x7ffff);
   };
   return cell(p.x()) | cell(p.y()) << 19 | cell(p.z()) << 38 | uint64_t{level} << 57;
-}
-
-/// What of a triangle is in a rectangle.
-struct Part {
-  bool empty = true;
-  double area = 0;
-  Vec2 middle{0, 0};  // of its area, or of its corners where it has none
-};
-
-/// By clipping against one side after the other (Sutherland and Hodgman, "Reentrant polygon clipping", 1974).
-Part part_in(const std::array<Vec2, 3>& triangle, Vec2 low, Vec2 high) {
-  std::array<Vec2, 8> corners{triangle[0], triangle[1], triangle[2]}, clipped;
-  size_t count = 3;
-  for (const auto& [normal, least] : {std::pair{Vec2{1, 0}, low.x}, {Vec2{-1, 0}, -high.x},
-                                      {Vec2{0, 1}, low.y}, {Vec2{0, -1}, -high.y}}) {
-    size_t kept = 0;
-    for (size_t k = 0; k < count; ++k) {
-      const Vec2 here = corners[k], next = corners[(k + 1) % count];
-      const double inside = dot(normal, here) - least, then = dot(normal, next) - least;
-      if (inside >= 0) clipped[kept++] = here;
-      if ((inside >= 0) != (then >= 0)) clipped[kept++] = here + (inside / (inside - then)) * (next - here);
-    }
-    std::swap(corners, clipped);
-    count = kept;
-  }
-  Part part;
-  if (count == 0) return part;
-  part.empty = false;
-  Vec2 moment{0, 0}, sum{0, 0};
-  for (size_t k = 0; k < count; ++k) {
-    const Vec2 a = corners[k] - corners[0], b = corners[(k + 1) % count] - corners[0];
-    const double twice = cross(a, b);
-    part.area += 0.5 * twice;
-    moment = moment + (twice / 6) * (a + b);
-    sum = sum + a;
-  }
-  part.middle = corners[0] + (part.area > 0 ? (1 / part.area) * moment : (1.0 / static_cast<double>(count)) * sum);
-  // Of slivers the quotient is not exact.
-  part.middle = {std::clamp(part.middle.x, low.x, high.x), std::clamp(part.middle.y, low.y, high.y)};
-  return part;
 }
 
 /// What one search after another knows of the patches, in the same memory.
@@ -219,7 +180,7 @@ class SurfacePatches::Cutter {
         // A little more than the cell, as points that rounding moves are in one that is not empty.
         const double grain = 1e-6 * size, x = column * size, y = row * size;
         const std::array<Vec2, 3> face{Vec2{0, 0}, Vec2{length, 0}, apex};
-        const Part part = part_in(face, {x - grain, y - grain}, {x + size + grain, y + size + grain});
+        const ClippedTriangle part = clip_triangle(face, {x - grain, y - grain}, {x + size + grain, y + size + grain});
         const Vec3 middle = s_.position(s_.face(f)[0]) + s_.to_space(f, origin + axis * part.middle);
         cells_.push_back({voxel(middle, size, level), middle, f,
                           part.empty ? 0 : std::max(part.area, 1e-3 * size * size)});
