@@ -36,14 +36,16 @@ double expected_nodes(const Surface& surface, const FlowSettings& settings,
   return weighted_area / (2 * settings.radius * kMeanSegment * settings.segment_length);
 }
 
-Domain::Domain(std::shared_ptr<const Surface> where, const VertexData<double>& density, const FlowSettings& settings, ThreadPool& pool)
+Domain::Domain(std::shared_ptr<const Surface> where, const VertexData<double>& density, const FlowSettings& settings,
+               ThreadPool& pool)
     : surface(std::move(where)),
       wanted_radius(settings.radius, density),
       radius(wanted_radius),
       expected_length(filling_length(*surface, wanted_radius)),
       boundary(sampled_boundary(*surface, settings)),
       patches(settings.medial_axis == MedialAxis::kGeodesic
-                  ? std::make_unique<const SurfacePatches>(*surface, wanted_radius, pool) : nullptr),
+                  ? std::make_unique<const SurfacePatches>(*surface, wanted_radius, pool)
+                  : nullptr),
       normals(std::make_unique<const NormalField>(*surface, settings.radius)) {}
 
 Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius, const FlowSettings& settings,

@@ -15,8 +15,8 @@
 namespace meander {
 namespace {
 
-FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
-                      const FlowSettings& settings, ThreadPool& pool) {
+FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed,
+                      const VertexData<double>& density, const FlowSettings& settings, ThreadPool& pool) {
   Domain domain(std::move(surface), density, settings, pool);
   Curve curve = first_curve(*domain.surface, seed, domain.radius, settings.widen_loops, domain.boundary->tree(),
                             2 * settings.boundary_distance, pool);
@@ -108,7 +108,8 @@ void Flow::find_medial_axis(FlowState& state, const NodeData<CachedDirections>* 
   update_metric(state, pool_);
   const Domain& domain = state.domain;
   const MedialRules rules{state.settings.medial_axis, state.settings.boundary_rule, measure};
-  const MedialScene scene{*domain.surface, domain.patches.get(), *domain.boundary, domain.radius, state.curve, state.metric, rules};
+  const MedialScene scene{*domain.surface, domain.patches.get(), *domain.boundary, domain.radius,
+                          state.curve,     state.metric,         rules};
   find_medial_state(scene, cached, pool_, medial_, state.nodes.radii);
 }
 

@@ -13,8 +13,8 @@ namespace {
 /// A ball may start this much larger than the node's last one before it is known to be large enough.
 constexpr double kWarmth = 1.2;
 
-/// Near a crease what limits the straight ball is believed if the normals at both ends differ by less than this (a cosine), and the line between
-/// them leaves either plane by less than this (a sine).
+/// Near a crease what limits the straight ball is believed if the normals at both ends differ by less than this (a
+/// cosine), and the line between them leaves either plane by less than this (a sine).
 constexpr double kAlike = 0.7, kRise = 0.36;
 
 /// And if the ball grows about in the direction of the surface (a cosine): round the edge of a blade it does not.
@@ -182,7 +182,8 @@ class GeodesicBall {
       note_neighbours(touched, chart);
       if (least_ <= kSame * straight || k + 1 == kMostStrands) return true;
       excluded_[excluded_count_++] = {touched < kNeighbours ? 0 : touched - kNeighbours, touched + kNeighbours};
-      straight = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, std::min(most, kMargin * least_),
+      const double next = std::min(most, kMargin * least_);
+      straight = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, next,
                                                [&](uint32_t j) { return counts(j); }, touched);
       if (touched == kNone) return true;
       if (!alike(touched)) continue;
@@ -306,9 +307,10 @@ class GeodesicBall {
 /// The balls of nodes begin .. end - 1, a run of the tree or less.
 class BallsOfRun {
  public:
-  BallsOfRun(const Scene& scene, bool measure, const LocalMetric& metric, const NodeData<Reach>& reach, NodeData<Radii>& radii,
-             NodeData<std::array<uint32_t, 2>>& touched)
-      : scene_(scene), measure_(measure), metric_(metric), reach_(reach), radii_(radii), touched_(touched), ball_(scene) {}
+  BallsOfRun(const Scene& scene, bool measure, const LocalMetric& metric, const NodeData<Reach>& reach,
+             NodeData<Radii>& radii, NodeData<std::array<uint32_t, 2>>& touched)
+      : scene_(scene), measure_(measure), metric_(metric), reach_(reach), radii_(radii), touched_(touched),
+        ball_(scene) {}
 
   void find(uint32_t begin, uint32_t end) {
     bool plain = true, thin = false;

@@ -20,7 +20,8 @@ void find_radii(const MedialScene& scene, ThreadPool& pool, MedialState& state, 
       break;
     case MedialAxis::kGeodesic:
       compute_geodesic_medial_axis(scene.surface, *scene.patches, scene.curve, state.frames, scene.boundary,
-                                   scene.rules.boundary, scene.rules.measure, scene.metric, state.reach, pool, state.tree, radii);
+                                   scene.rules.boundary, scene.rules.measure, scene.metric, state.reach, pool,
+                                   state.tree, radii);
       break;
   }
 }
