@@ -37,7 +37,8 @@ class PointGrid {
     }
   }
 
-  /// Calls visit(index, squared distance) for all points nearer to q than `radius`, in an order that only the points decide.
+  /// Calls visit(index, squared distance) for all points nearer to q than `radius`, in an order that only the points
+  /// decide.
   template <class Visit>
   void near(const Eigen::Vector3d& q, double radius, const Visit& visit) const {
     const Eigen::Array3i low = cube(q - Eigen::Vector3d::Constant(radius));

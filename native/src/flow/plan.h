@@ -23,8 +23,8 @@ struct Plan {
   double segment_length = 0;  ///< h where r is the nominal one, in the surface's own unit
   double momentum = 0;        ///< a node goes on by this share of its last step
   double longest_step = 0;    ///< in the local r; may be infinite
-  /// Medial balls along the surface are measured there also where the surface is creased. Growth and hairpin removal only
-  /// need to know what is hidden: measured from the polish on, curves are as even, for a fifth of the time less.
+  /// Medial balls along the surface are measured there also where the surface is creased. Growth and hairpin removal
+  /// only need to know what is hidden: measured from the polish on, curves are as even, for a fifth of the time less.
   bool measure_balls = true;
   /// Nodes at rest keep the directions of their medial balls. The last iterations are exact, and so is every one
   /// where the flow follows the paper, and where a strip along the boundary is to stay empty: there it hardly comes

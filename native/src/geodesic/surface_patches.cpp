@@ -35,8 +35,8 @@ constexpr double kHidden = 3;
 /// Another sheet this near, in r, is met by balls before what limits them along the surface.
 constexpr double kThin = 1.5;
 
-/// Two patches may lie on one sheet if their normals differ by less than this (a cosine), and the line between them leaves
-/// their planes by less than this share of its length, and of a patch.
+/// Two patches may lie on one sheet if their normals differ by less than this (a cosine), and the line between them
+/// leaves their planes by less than this share of its length, and of a patch.
 constexpr double kAlike = 0.5, kRise = 0.5, kSlack = 0.1;
 
 /// Sheets nearer than this, in r, spoil what is beside them as well: at the end of a sheet the one below may seem to be

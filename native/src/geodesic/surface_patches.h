@@ -14,8 +14,8 @@
 
 namespace meander {
 
-/// A surface cut once into connected patches about r across, which are compared with one another instead of points: what
-/// is said of them depends on the shape and on r, and hardly on how fine the mesh is. Immutable; any thread may ask.
+/// A surface cut once into connected patches about r across, which are compared with one another instead of points:
+/// what is said of them depends on the shape and on r, and hardly on how fine the mesh is. Immutable; any thread may ask.
 /// It refers to nothing; the surface that it is asked about must be the one that was cut.
 class SurfacePatches {
  public:
@@ -42,15 +42,15 @@ class SurfacePatches {
   /// Whether another sheet is so near that balls meet it first nearly everywhere.
   bool thin(uint32_t p) const { return traits_[p].thin; }
 
-  /// Whether the surface bends so much within reach of a patch that straight distances from it may be wrong: at a crease,
-  /// where faces meet at an angle, or on a narrow limb.
+  /// Whether the surface bends so much within reach of a patch that straight distances from it may be wrong: at a
+  /// crease, where faces meet at an angle, or on a narrow limb.
   bool creased(uint32_t p) const { return traits_[p].creased != Crease::kFlat; }
   /// Whether that is a sharp edge, as that of a blade.
   bool sharp(uint32_t p) const { return traits_[p].creased == Crease::kSharp; }
   /// Where neither holds, straight distances are as good as those along the surface.
   bool plain(uint32_t p) const { return !creased(p) && !hides(p); }
-  /// How far the nearest crease is at least from any point of a patch, in the surface's unit and through space; some large
-  /// number where none is within reach.
+  /// How far the nearest crease is at least from any point of a patch, in the surface's unit and through space; some
+  /// large number where none is within reach.
   double to_crease(uint32_t p) const { return static_cast<double>(traits_[p].to_crease); }
   /// Whether the patch itself holds a crease.
   bool at_crease(uint32_t p) const { return traits_[p].own != Crease::kFlat; }

@@ -42,8 +42,8 @@ class SegmentsOfFaces {
 class Emptiness {
  public:
   /// `nodes` are the positions of the curve's nodes, `radius` is r on the surface.
-  /// `patches`: those of the surface; only the part of the curve that is connected to a point counts then, see find_gaps.
-  /// Null: distances are straight.
+  /// `patches`: those of the surface; only the part of the curve that is connected to a point counts then, see
+  /// find_gaps. Null: distances are straight.
   Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
             const RadiusField& radius, const SurfacePatches* patches);
 
