@@ -15,8 +15,8 @@
 namespace meander {
 
 /// A surface cut once into connected patches about r across, which are compared with one another instead of points:
-/// what is said of them depends on the shape and on r, and hardly on how fine the mesh is. Immutable; any thread may ask.
-/// It refers to nothing; the surface that it is asked about must be the one that was cut.
+/// what is said of them depends on the shape and on r, and hardly on how fine the mesh is. Immutable; any thread may
+/// ask. It refers to nothing; the surface that it is asked about must be the one that was cut.
 class SurfacePatches {
  public:
   /// `radius`  r, which may vary: patches are then smaller where it is

@@ -372,8 +372,8 @@ class BallsOfRun {
 
 void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& patches, const Curve& curve,
                                   const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
-                                  bool measure, const LocalMetric& metric, const NodeData<Reach>& reach, ThreadPool& pool,
-                                  CurveBvh& tree, NodeData<Radii>& radii) {
+                                  bool measure, const LocalMetric& metric, const NodeData<Reach>& reach,
+                                  ThreadPool& pool, CurveBvh& tree, NodeData<Radii>& radii) {
   const uint32_t n = curve.size();
   radii.resize(n, Radii{0, 0});
   const Obstacles obstacles(surface, patches, curve, frames, boundary, rule, pool);

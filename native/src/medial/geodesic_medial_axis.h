@@ -20,7 +20,7 @@ namespace meander {
 /// `measure`  if false, what is hidden is passed over, and all the rest is straight
 void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& patches, const Curve& curve,
                                   const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
-                                  bool measure, const LocalMetric& metric, const NodeData<Reach>& reach, ThreadPool& pool,
-                                  CurveBvh& tree, NodeData<Radii>& radii);
+                                  bool measure, const LocalMetric& metric, const NodeData<Reach>& reach,
+                                  ThreadPool& pool, CurveBvh& tree, NodeData<Radii>& radii);
 
 }  // namespace meander
