@@ -128,6 +128,30 @@ TEST(Ends, OfManyStrandsSeeWhatBruteForceSees) {
   }
 }
 
+/// With a time that grows with the square of their number this takes minutes where it is sanitized.
+TEST(Ends, OfVeryManyStrandsAreFound) {
+  constexpr int kCount = 160;
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(12)));
+  const Flow flow = flow_on(surface, strokes(kCount), false, 0.5 / kCount);
+  const Curve& c = flow.curve();
+  const double r = 0.25 / kCount / surface->scale(), most = 3 * r;
+  ThreadPool pool(1);
+  const BoundaryObstacle boundary(*surface, 0.5 * r);
+  const LocalMetric metric = even_metric(c, r, most);
+  Frames frames;
+  compute_frames(*surface, c, metric, RadiusField(r), pool, frames);
+  const auto ends = find_free_ends(*surface, c, frames, boundary, BoundaryRule::kObstacle, metric, pool);
+  ASSERT_EQ(ends.size(), 2u * kCount * kCount);
+  for (size_t k = 0; k < ends.size(); k += 1009) {
+    const uint32_t i = ends[k].node;
+    Path path;
+    const Trace ahead = trace_geodesic(*surface, c.nodes[i], r * ends[k].ahead, path);
+    const Vec3 outward = (position(*surface, ahead.end) - frames.position[i]).normalized();
+    const double radius = largest_ball(frames.position[i], outward, most, frames.position.values());
+    EXPECT_EQ(ends[k].radius, largest_ball(frames.position[i], outward, radius, boundary.samples())) << "end " << k;
+  }
+}
+
 TEST(Ends, TheTermAloneMovesAnEndByWhatIsMissing) {
   StrandSystem system;
   ThreadPool pool(1);

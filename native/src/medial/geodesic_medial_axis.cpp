@@ -33,7 +33,8 @@ constexpr uint32_t kMostStrands = 3;
 /// The neighbours on the strand of what limits a ball that are measured with it, on both sides.
 constexpr uint32_t kNeighbours = 7;
 
-/// Lines to what limits a ball are no longer than this many r.
+/// Lines to what limits a ball are no longer than this many r, and rays than twice as many: however wide the clamp, a
+/// ball is then found in bounded time.
 constexpr double kLongest = 8;
 
 /// Where normals differ by more than this (a cosine) no line that aims through space leads there.
@@ -248,8 +249,9 @@ class GeodesicBall {
       const Vec2 direction = ahead_ * turned;
       const double half = 0.5 * kStep * r_;
       double from = 0, to = std::max(2 * half, to_crease - half);
-      if (to - half > 2 * least_ * turned.x) continue;
-      for (Chart chart = here(); to - half <= 2 * least_ * turned.x; to += 2 * half) {
+      const auto within = [&] { return to - half <= 2 * std::min(least_, kLongest * r_) * turned.x; };
+      if (!within()) continue;
+      for (Chart chart = here(); within(); to += 2 * half) {
         chart.advance(scene_.surface, (to - from) * (conj(chart.turn) * direction));
         if (chart.at_boundary) break;
         look_around(chart, flat_known);
