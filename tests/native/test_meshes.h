@@ -82,6 +82,33 @@ inline Mesh octahedron() {
   return m;
 }
 
+/// Every face split into four, in its plane.
+inline Mesh subdivided(const Mesh& mesh, int levels) {
+  Mesh m = mesh;
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+    const std::vector<uint32_t> old = m.faces;
+    m.faces.clear();
+    const auto middle = [&](uint32_t a, uint32_t b) {
+      const auto [it, is_new] = middles.try_emplace(std::minmax(a, b), 0);
+      if (is_new) {
+        const Vec3 p = 0.5 * (m.at(a) + m.at(b));
+        it->second = m.add(p.x(), p.y(), p.z());
+      }
+      return it->second;
+    };
+    for (size_t f = 0; f < old.size(); f += 3) {
+      const uint32_t a = old[f], b = old[f + 1], c = old[f + 2];
+      const uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      m.face(a, ab, ca);
+      m.face(ab, b, bc);
+      m.face(ca, bc, c);
+      m.face(ab, bc, ca);
+    }
+  }
+  return m;
+}
+
 /// Each level splits every face into four and moves the new vertices to the unit sphere.
 inline Mesh sphere(int levels) {
   const double g = std::numbers::phi;
@@ -108,25 +135,7 @@ inline Mesh sphere(int levels) {
     }
   }
   for (int level = 0; level < levels; ++level) {
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
-    const std::vector<uint32_t> old = m.faces;
-    m.faces.clear();
-    const auto middle = [&](uint32_t a, uint32_t b) {
-      const auto [it, is_new] = middles.try_emplace(std::minmax(a, b), 0);
-      if (is_new) {
-        const Vec3 p = m.at(a) + m.at(b);
-        it->second = m.add(p.x(), p.y(), p.z());
-      }
-      return it->second;
-    };
-    for (size_t f = 0; f < old.size(); f += 3) {
-      const uint32_t a = old[f], b = old[f + 1], c = old[f + 2];
-      const uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      m.face(a, ab, ca);
-      m.face(ab, b, bc);
-      m.face(ca, bc, c);
-      m.face(ab, bc, ca);
-    }
+    m = subdivided(m, 1);
     for (uint32_t v = 0; v < m.vertex_count(); ++v) {
       const Vec3 p = m.at(v).normalized();
       std::copy_n(p.data(), 3, m.vertices.begin() + 3 * v);

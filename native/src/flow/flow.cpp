@@ -107,7 +107,7 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
 void Flow::find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached, bool measure) {
   update_metric(state, pool_);
   const Domain& domain = state.domain;
-  const MedialRules rules{state.settings.medial_axis, state.settings.boundary_rule, measure};
+  const MedialRules rules{state.settings.boundary_rule, measure};
   const MedialScene scene{*domain.surface, domain.patches.get(), *domain.boundary, domain.radius,
                           state.curve,     state.metric,         rules};
   find_medial_state(scene, cached, pool_, medial_, state.nodes.radii);

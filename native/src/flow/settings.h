@@ -12,6 +12,9 @@ namespace meander {
 /// What ends a flow: its picture has settled, or the paper's limit on the steps (Table 2).
 enum class StopRule { kSettled, kPaper };
 
+/// Whether balls are straight through space or along the surface; see MEANDER_MEDIAL_AXIS_...
+enum class MedialAxis { kEuclidean, kGeodesic };
+
 /// meander_flow_options, checked; lengths in the surface's own unit. What each means is said there.
 struct FlowSettings {
   double radius = 0;

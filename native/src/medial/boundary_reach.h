@@ -16,9 +16,6 @@ namespace meander {
 /// How a ball ends at the boundary of the surface; see MEANDER_BOUNDARY_...
 enum class BoundaryRule { kCentre, kObstacle };
 
-/// Whether balls are straight through space or along the surface; see MEANDER_MEDIAL_AXIS_...
-enum class MedialAxis { kEuclidean, kGeodesic };
-
 /// The boundary of an open surface, as the medial axis needs it. Immutable; empty if closed.
 class BoundaryObstacle {
  public:

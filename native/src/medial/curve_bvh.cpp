@@ -63,11 +63,13 @@ struct Ball {
     squared = rounded_up(r * r);
   }
 
-  /// Squared distances of the centre from four boxes, axis by axis.
-  Float4 distances(Float4 low_x, Float4 high_x, Float4 low_y, Float4 high_y, Float4 low_z, Float4 high_z) const {
-    const Float4 dx = larger(larger(low_x - x, x - high_x), all(0));
-    const Float4 dy = larger(larger(low_y - y, y - high_y), all(0));
-    const Float4 dz = larger(larger(low_z - z, z - high_z), all(0));
+  /// Squared distances of the centre from four boxes, the first of them `at`.
+  template <class Boxes>
+  Float4 distances(const Boxes& boxes, uint32_t at) const {
+    const auto outside = [&](Float4 c, size_t axis) {
+      return larger(larger(load(boxes.low[axis] + at) - c, c - load(boxes.high[axis] + at)), all(0));
+    };
+    const Float4 dx = outside(x, 0), dy = outside(y, 1), dz = outside(z, 2);
     return dx * dx + dy * dy + dz * dz;
   }
 };
@@ -209,49 +211,10 @@ inline bool CurveBvh::shrinks_to(uint32_t run, const Eigen::Vector3d& x, const E
   return smaller;
 }
 
-double CurveBvh::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
-                             uint32_t* touched) const {
-  if (touched) *touched = UINT32_MAX;
-  if (nodes_.empty()) return most;
-  struct Place {
-    uint32_t id;
-    float distance;  // squared, from the centre of the ball when it was seen
-  };
-  // A level leaves at most 3 places behind; 2^30 points make 15 levels.
-  constexpr int kMostPlaces = 64;
-  Place stack[kMostPlaces];
-  int top = 0;
-  stack[top++] = {0, 0};
-  double radius = most;
-  Ball ball(x, b, radius);
-  while (top > 0) {
-    const Place place = stack[--top];
-    if (place.distance >= ball.squared) continue;
-    if (place.id & kLeaf) {
-      if (shrinks_to(place.id & ~kLeaf, x, b, radius, touched)) {
-        ball = Ball(x, b, radius);
-        // Distances from the old centre say nothing of the new ball.
-        for (int k = 0; k < top; ++k) stack[k].distance = 0;
-      }
-      continue;
-    }
-    const Node& n = nodes_[place.id];
-    const Float4 distance = ball.distances(load(n.low[0]), load(n.high[0]), load(n.low[1]), load(n.high[1]),
-                                           load(n.low[2]), load(n.high[2]));
-    // The nearest child comes last, to be looked at first: it shrinks the ball most.
-    const int base = top;
-    for (int k = 0; k < 4; ++k) {
-      if (!(distance[k] < ball.squared)) continue;
-      int at = top++;
-      for (; at > base && stack[at - 1].distance < distance[k]; --at) stack[at] = stack[at - 1];
-      stack[at] = {n.child[k], distance[k]};
-    }
-  }
-  return radius;
-}
-
-void CurveBvh::visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
-                     const std::function<bool(uint32_t run)>& shrink) const {
+/// Calls shrink(run) for the runs that a ball meets, the nearest about first; true if it has made `radius` less.
+template <class Shrink>
+inline void CurveBvh::visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+                                 const Shrink& shrink) const {
   if (nodes_.empty()) return;
   struct Place {
     uint32_t id;
@@ -275,8 +238,7 @@ void CurveBvh::visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double&
       continue;
     }
     const Node& n = nodes_[place.id];
-    const Float4 distance = ball.distances(load(n.low[0]), load(n.high[0]), load(n.low[1]), load(n.high[1]),
-                                           load(n.low[2]), load(n.high[2]));
+    const Float4 distance = ball.distances(n, 0);
     // The nearest child comes last, to be looked at first: it shrinks the ball most.
     const int base = top;
     for (int k = 0; k < 4; ++k) {
@@ -286,6 +248,19 @@ void CurveBvh::visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double&
       stack[at] = {n.child[k], distance[k]};
     }
   }
+}
+
+double CurveBvh::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
+                             uint32_t* touched) const {
+  if (touched) *touched = UINT32_MAX;
+  double radius = most;
+  visit_runs(x, b, radius, [&](uint32_t run) { return shrinks_to(run, x, b, radius, touched); });
+  return radius;
+}
+
+void CurveBvh::visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+                     const std::function<bool(uint32_t run)>& shrink) const {
+  visit_runs(x, b, radius, shrink);
 }
 
 /// All runs whose boxes meet this one; false if there are too many.
@@ -352,8 +327,7 @@ double CurveBvh::largest_ball_among(const Candidates& near, const Eigen::Vector3
   if (first != UINT32_MAX) shrinks(first);
   Ball ball(x, b, radius);
   for (uint32_t at = 0; at < near.count; at += 4) {
-    const Float4 distance = ball.distances(load(near.low[0] + at), load(near.high[0] + at), load(near.low[1] + at),
-                                           load(near.high[1] + at), load(near.low[2] + at), load(near.high[2] + at));
+    const Float4 distance = ball.distances(near, at);
     // Balls are nested: what misses a larger one misses this one.
     for (uint32_t lanes = lanes_of(distance < all(ball.squared)); lanes != 0; lanes &= lanes - 1) {
       const uint32_t run = near.run[at + static_cast<uint32_t>(std::countr_zero(lanes))];
@@ -405,9 +379,7 @@ uint32_t CurveBvh::lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Ei
 uint32_t CurveBvh::lanes_met(const Candidates& near, uint32_t at, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
                              double radius) const {
   const Ball ball(x, b, radius);
-  const Float4 distance = ball.distances(load(near.low[0] + at), load(near.high[0] + at), load(near.low[1] + at),
-                                         load(near.high[1] + at), load(near.low[2] + at), load(near.high[2] + at));
-  return lanes_of(distance < all(ball.squared));
+  return lanes_of(ball.distances(near, at) < all(ball.squared));
 }
 
 /// The point of a run that limits a ball; UINT32_MAX if none does.
@@ -467,8 +439,7 @@ void CurveBvh::inside(const Eigen::Vector3d& centre, double radius, std::vector<
       continue;
     }
     const Node& n = nodes_[id];
-    const Float4 distance = ball.distances(load(n.low[0]), load(n.high[0]), load(n.low[1]), load(n.high[1]),
-                                           load(n.low[2]), load(n.high[2]));
+    const Float4 distance = ball.distances(n, 0);
     for (int k = 0; k < 4; ++k) {
       if (distance[k] < ball.squared) stack[top++] = n.child[k];
     }

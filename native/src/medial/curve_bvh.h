@@ -55,7 +55,7 @@ class CurveBvh {
   void largest_balls(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
                      std::span<std::array<double, 2>> radii, std::span<std::array<uint32_t, 2>> touched = {}) const;
 
-  /// The same, where some points are not to count: those of which sees(i) is false. `touched` receives per point and
+  /// The same, where some points are not to count: those of which sees(i, j) is false. `touched` receives per point and
   /// side the index of the point that limits the ball, UINT32_MAX if none does.
   ///
   /// `sees(i, j)`  whether point j counts for the balls of point i
@@ -129,6 +129,9 @@ class CurveBvh {
   /// The lanes of four candidates that a ball meets.
   uint32_t lanes_met(const Candidates& near, uint32_t at, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
                      double radius) const;
+  template <class Shrink>
+  void visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius, const Shrink& shrink) const;
+  /// The same for templates of this header.
   void visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
              const std::function<bool(uint32_t run)>& shrink) const;
 

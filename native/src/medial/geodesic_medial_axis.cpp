@@ -319,7 +319,7 @@ class BallsOfRun {
     for (uint32_t i = begin; i < end; ++i) {
       const uint32_t patch = scene_.obstacles.patch(i);
       plain = plain && !scene_.patches.hides(patch) && !(measure_ && scene_.patches.creased(patch));
-      thin = thin || scene_.patches.thin(scene_.obstacles.patch(i));
+      thin = thin || scene_.patches.thin(patch);
       for (size_t side = 0; side < 2; ++side) {
         const double most = std::max(0.0, reach_[i][side].radius), last = radii_[i][side];
         start_[i - begin][side] = radii_[i][side] = last > 0 ? std::min(most, kWarmth * last) : most;

@@ -14,15 +14,12 @@ namespace {
 constexpr size_t kBlock = 2048;
 
 void find_radii(const MedialScene& scene, ThreadPool& pool, MedialState& state, NodeData<Radii>& radii) {
-  switch (scene.rules.axis) {
-    case MedialAxis::kEuclidean:
-      compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree, radii);
-      break;
-    case MedialAxis::kGeodesic:
-      compute_geodesic_medial_axis(scene.surface, *scene.patches, scene.curve, state.frames, scene.boundary,
-                                   scene.rules.boundary, scene.rules.measure, scene.metric, state.reach, pool,
-                                   state.tree, radii);
-      break;
+  if (!scene.patches) {
+    compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree, radii);
+  } else {
+    compute_geodesic_medial_axis(scene.surface, *scene.patches, scene.curve, state.frames, scene.boundary,
+                                 scene.rules.boundary, scene.rules.measure, scene.metric, state.reach, pool,
+                                 state.tree, radii);
   }
 }
 
@@ -31,8 +28,7 @@ void find_radii(const MedialScene& scene, ThreadPool& pool, MedialState& state, 
 void find_medial_state(const MedialScene& scene, const NodeData<CachedDirections>* cached, ThreadPool& pool,
                        MedialState& state, NodeData<Radii>& radii) {
   compute_frames(scene.surface, scene.curve, scene.metric, scene.radius, pool, state.frames, cached);
-  compute_reach(scene.surface, scene.curve, state.frames, scene.boundary, scene.rules.boundary,
-                scene.rules.axis == MedialAxis::kGeodesic ? scene.patches : nullptr,
+  compute_reach(scene.surface, scene.curve, state.frames, scene.boundary, scene.rules.boundary, scene.patches,
                 scene.metric, pool, state.reach);
   find_radii(scene, pool, state, radii);
   state.felt_radii.resize(radii.size());

@@ -4,17 +4,16 @@
 // leaves of them, and what the energy makes of their radii.
 #pragma once
 
+#include "geodesic/surface_patches.h"
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"
-#include "geodesic/surface_patches.h"
 #include "medial/frames.h"
 #include "medial/medial_axis.h"
 
 namespace meander {
 
-/// What balls are measured by, and how they end at the boundary.
+/// How balls end at the boundary, and how exactly they are found.
 struct MedialRules {
-  MedialAxis axis = MedialAxis::kEuclidean;
   BoundaryRule boundary = BoundaryRule::kCentre;
   bool measure = true;  ///< balls along the surface also where it is creased, see compute_geodesic_medial_axis
 };
@@ -22,7 +21,7 @@ struct MedialRules {
 /// What the medial axis is a function of. Refers to what it is given.
 struct MedialScene {
   const Surface& surface;
-  const SurfacePatches* patches;  ///< for MedialAxis::kGeodesic
+  const SurfacePatches* patches;  ///< of the surface; null: distances are straight through space
   const BoundaryObstacle& boundary;
   const RadiusField& radius;
   const Curve& curve;
