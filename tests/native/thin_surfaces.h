@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 
 #include "test_meshes.h"
 

@@ -4,8 +4,8 @@
 //
 // Each has its unit, and what chose it: a page of docs/, or the commit whose message has the figures. "Not measured"
 // means that the first value that was tried has stayed. r is the local r unless something else is said; sizes of
-// blocks, limits of rounding and of approximations, and what only saves time stand beside the code that they belong to. What callers may
-// choose (weights, powers, numbers of iterations) is not here: the presets of the C API have it.
+// blocks, limits of rounding and of approximations, and what only saves time stand beside the code that they belong
+// to. What callers may choose (weights, powers, numbers of iterations) is not here: the presets of the C API have it.
 //
 // A change here changes every curve: measure it as docs/quality.md does.
 #pragma once
