@@ -13,7 +13,7 @@ import meander
 import pytest
 from meander.run import estimates, session
 from meander.run.plan import plan_run
-from meander.ui import panels, term_panels
+from meander.ui import look_panel, panels, strand_panel, term_panels
 from scenes import activate, cube, fill, poly_curve, sphere
 from watched_runs import begin, tick_until
 
@@ -108,10 +108,12 @@ def test_panel_without_a_mesh_says_what_to_do():
 def test_panel_on_a_mesh():
     cube()
     shown = draw(panels.MEANDER_PT_main)
-    assert {"Surface", "Seed", "Spacing", "Fill with Curve"} <= set(shown)
+    assert {"Surface", "Spacing", "Fill with Curve"} <= set(shown)
     assert draw(panels.MEANDER_PT_figures) is None
     assert "Group" in draw(term_panels.MEANDER_PT_density)
-    assert "Preset" in draw(panels.MEANDER_PT_options)
+    assert "Preset" in draw(panels.MEANDER_PT_advanced)
+    assert "Seed" in draw(strand_panel.MEANDER_PT_strands)
+    assert "Round Bevel" in draw(look_panel.MEANDER_PT_look)
 
 
 def test_density_panel_shows_what_its_source_needs():

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from .option import OF_PRESET, Flag, Option
 
-_MAIN, _OPTIONS, _WEIGHTS, _REGION = "Meander", "Options", "Weights and Lengths", "Region"
+_MAIN, _ADVANCED, _WEIGHTS, _REGION = "Meander", "Advanced", "Weights", "Region"
 _TERMS, _PART = "terms of the energy", "part to fill"
 
 ROWS: tuple[Option, ...] = (
@@ -33,7 +33,7 @@ ROWS: tuple[Option, ...] = (
         "preset",
         "Preset",
         "Weights, step and stopping rule of the flow",
-        _OPTIONS,
+        _ADVANCED,
         kind=str,
         default="even",
         choices=(
@@ -48,7 +48,7 @@ ROWS: tuple[Option, ...] = (
         "medial_axis",
         "Distances",
         "How distances between strands are measured",
-        _OPTIONS,
+        _ADVANCED,
         kind=str,
         default=OF_PRESET,
         choices=(
@@ -86,7 +86,7 @@ ROWS: tuple[Option, ...] = (
         "iteration_limit",
         "Iteration Limit",
         "Stop after at most this many iterations; 0 leaves it to the preset",
-        _OPTIONS,
+        _ADVANCED,
         kind=int,
         default=0,
         least=0,
@@ -99,7 +99,7 @@ ROWS: tuple[Option, ...] = (
         "threads",
         "Threads",
         "Number of threads; 0 uses all of the machine's. The result does not depend on it",
-        _OPTIONS,
+        _ADVANCED,
         kind=int,
         default=0,
         least=0,

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from .option import Flag, Option
 
-_DENSITY, _ALIGNMENT, _STRANDS = "Density", "Alignment", "Strands"
+_DENSITY, _DIRECTION, _STRANDS = "Density", "Direction", "Seed and Strands"
 _REGION, _REPAIR, _MOTION = "Region", "Mesh Repair", "Motion"
 _TERMS, _PART, _REPAIRS = "terms of the energy", "part to fill", "mesh repair"
 
@@ -35,7 +35,7 @@ ROWS: tuple[Option, ...] = (
         "Weight",
         "How strongly strands follow the directions; 1 is clearly visible, much larger values "
         "make the spacing less even",
-        _ALIGNMENT,
+        _DIRECTION,
         default=1.0,
         least=0.0,
         greatest=1e6,
@@ -52,7 +52,7 @@ ROWS: tuple[Option, ...] = (
         "align_across",
         "Across",
         "Run at right angles to the directions instead of along them",
-        _ALIGNMENT,
+        _DIRECTION,
         kind=bool,
         default=False,
         flag=Flag("--across", "lie across the field instead", _TERMS, entry="across"),
@@ -62,7 +62,7 @@ ROWS: tuple[Option, ...] = (
         "Smoothing",
         "Radius over which the curvature is averaged, in half spacings; a larger one "
         "ignores small features, 0 keeps every dent",
-        _ALIGNMENT,
+        _DIRECTION,
         unit="r",
         default=2.0,
         least=0.0,

@@ -13,7 +13,7 @@ from .declared import rows
 from .operators import MEANDER_OT_propose_spacing, MEANDER_OT_show_gaps
 from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
 from .settings import STOP_TEXTS, MeanderFigures, MeanderSettings
-from .sidebar import ORDER, Sidebar, SubPanel, columns
+from .sidebar import ADVANCED, ORDER, Sidebar, SubPanel, columns
 
 
 def _is_result(object: bpy.types.Object) -> bool:
@@ -54,7 +54,6 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             label.alignment = "RIGHT"
             label.label(text="Surface")
             split.label(text=surface.name, icon="MESH_DATA")
-        layout.prop(settings, "seed", icon="CURVE_DATA")
         row = layout.row(align=True)
         row.prop(settings, "spacing")
         row.operator(MEANDER_OT_propose_spacing.bl_idname, text="", icon="SHADERFX")
@@ -108,30 +107,22 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         )
 
 
-class MEANDER_PT_options(SubPanel, bpy.types.Panel):
-    bl_idname = "MEANDER_PT_options"
-    bl_label = "Options"
-    bl_order = ORDER["options"]
+class MEANDER_PT_advanced(SubPanel, bpy.types.Panel):
+    bl_idname = ADVANCED
+    bl_label = "Advanced"
+    bl_order = ORDER["advanced"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
-        settings: MeanderSettings = context.active_object.meander
-        rows(layout, settings, "Options")
-        layout.prop(settings, "use_bevel")
-        row = layout.row()
-        row.active = settings.use_bevel
-        row.prop(settings, "bevel_share")
-        layout.prop(settings, "flat_profile")
-        layout.prop(settings, "radius_follows")
-        layout.prop(settings, "points_as")
+        rows(layout, context.active_object.meander, "Advanced")
 
 
 class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_figures"
     bl_label = "Last Run"
-    bl_order = ORDER["figures"]
+    bl_order = ORDER["last_run"]
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -193,7 +184,7 @@ def _percent(_manager: bpy.types.WindowManager) -> float:
     return round(100.0 * running.progress()) if running is not None else 0.0
 
 
-_CLASSES = (MEANDER_PT_main, MEANDER_PT_options, MEANDER_PT_figures)
+_CLASSES = (MEANDER_PT_main, MEANDER_PT_figures, MEANDER_PT_advanced)
 
 
 def register() -> None:

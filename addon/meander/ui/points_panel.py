@@ -178,18 +178,17 @@ class MEANDER_OT_points_to_curves(_PointsToObject, bpy.types.Operator):
 
 class MEANDER_PT_points(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_points"
-    bl_label = "Points"
-    bl_order = ORDER["motion"] + 1
+    bl_label = "Export"
+    bl_order = ORDER["export"]
     bl_options = {"DEFAULT_CLOSED"}
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        return active is not None and active.type == "CURVE" and super().poll(context)
-
-    def draw(self, _context: bpy.types.Context) -> None:
+    def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
+        active = context.active_object
+        layout.prop(active.meander, "points_as")
+        if active.type != "CURVE":
+            return
         layout.operator_context = "INVOKE_DEFAULT"
         column = layout.column(align=True)
         column.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")

@@ -11,7 +11,7 @@ from ..scene.errors import DataError
 from ..scene.settings import surface_of
 from .declared import row
 from .settings import MeanderSettings
-from .sidebar import ORDER, SubPanel, columns
+from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns
 
 
 class MEANDER_OT_select_problem(bpy.types.Operator):
@@ -68,7 +68,7 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
 class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_mask"
     bl_label = "Region"
-    bl_order = ORDER["mask"]
+    bl_order = ORDER["region"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
@@ -95,7 +95,8 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
 class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_repair"
     bl_label = "Mesh Repair"
-    bl_order = ORDER["repair"]
+    bl_parent_id = ADVANCED
+    bl_order = ADVANCED_ORDER["repair"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from ..run import estimates, following, session, suspended
 from ..scene import after_undo, changes, identity
 from . import (
+    look_panel,
     motion_panel,
     operators,
     panels,
@@ -32,6 +33,7 @@ _MODULES = (
     run_operators,
     operators,
     panels,
+    look_panel,
     term_panels,
     motion_panel,
     points_panel,

@@ -12,22 +12,23 @@ import bpy
 from ..run import session
 from ..scene.settings import surface_of
 
-# Top to bottom: what came of the last run, where it is seen without scrolling; then what the curve
-# is to be like, how it is computed, and what can be done with it.
+# Top to bottom, in the order of use: what came of the last run, where it is seen without scrolling;
+# how the curve looks, where and how it runs, what can be done with it, and what few need.
 # Gaps between the numbers are for what comes in between.
 ORDER = {
-    "figures": 5,
-    "density": 10,
-    "alignment": 20,
-    "guides": 30,
-    "surface": 40,
-    "mask": 42,
-    "repair": 44,
-    "weights": 50,
-    "options": 60,
-    "result": 70,
-    "motion": 80,
+    "last_run": 5,
+    "look": 10,
+    "density": 20,
+    "strands": 30,
+    "direction": 40,
+    "region": 50,
+    "motion": 60,
+    "export": 70,
+    "advanced": 80,
 }
+# The parent of what stands inside Advanced, by the places of their own there.
+ADVANCED = "MEANDER_PT_advanced"
+ADVANCED_ORDER = {"weights": 10, "repair": 20}
 
 
 class Sidebar:

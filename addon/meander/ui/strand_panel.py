@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sub-panel "Strands": stroke, guides, and what becomes of parts that the seed leaves out."""
+"""The sub-panel "Seed and Strands": the seed, a stroke, guides, and parts that they leave out."""
 
 from __future__ import annotations
 
@@ -60,8 +60,8 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
 
 class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_strands"
-    bl_label = "Strands"
-    bl_order = ORDER["guides"]
+    bl_label = "Seed and Strands"
+    bl_order = ORDER["strands"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
@@ -69,6 +69,7 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         columns(layout)
         active = context.active_object
         settings: MeanderSettings = active.meander
+        layout.prop(settings, "seed", icon="CURVE_DATA")
         stroke = layout.column(align=True)
         stroke.active = settings.seed is None
         stroke.prop(settings, "stroke_from", text="Stroke From")

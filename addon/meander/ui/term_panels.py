@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels of what the curve follows and how it behaves: density, alignment, weights."""
+"""The panels of what the curve follows and how it behaves: density, direction, weights."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..scene.flow_options import warnings_of
 from ..scene.settings import surface_of
 from .declared import rows
 from .settings import MeanderSettings
-from .sidebar import ORDER, SubPanel, columns, notice
+from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns, notice
 
 # How many letters of a sentence fit beside an icon in a sidebar of the usual width.
 _LINE = 23
@@ -23,6 +23,7 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_density"
     bl_label = "Density"
     bl_order = ORDER["density"]
+    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
@@ -67,8 +68,8 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
 
 class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_alignment"
-    bl_label = "Alignment"
-    bl_order = ORDER["alignment"]
+    bl_label = "Direction"
+    bl_order = ORDER["direction"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
@@ -100,15 +101,16 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
 
 class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_weights"
-    bl_label = "Weights and Lengths"
-    bl_order = ORDER["weights"]
+    bl_label = "Weights"
+    bl_parent_id = ADVANCED
+    bl_order = ADVANCED_ORDER["weights"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
-        rows(layout, settings, "Weights and Lengths", heading="Weights")
+        rows(layout, settings, "Weights", heading="Weights")
         for warning in warnings_of(settings):
             first, *others = textwrap.wrap(warning, _LINE)
             lines = layout.column(align=True)
