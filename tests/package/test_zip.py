@@ -49,6 +49,11 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     assert "meander/batch.py" in names
     assert "meander/LICENSE" in names
     assert "meander/THIRD_PARTY_NOTICES.md" in names
+    assets = {name for name in names if name.startswith("meander/assets/")}
+    assert assets == {
+        f"meander/assets/{name}"
+        for name in ("meander.blend", "blender_assets.cats.txt", "LICENSE.txt")
+    }
     libraries = sorted(name for name in names if name.startswith("meander/native/"))
     assert libraries == [f"meander/native/libmeander-{version}.so"]
     assert not [name for name in names if "__pycache__" in name or name.endswith(".pyc")]

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The node group "Meander Look": what makes a body of a line, and the modifier of every result."""
+
+from __future__ import annotations
+
+import bpy
+
+from . import nodes
+
+NAME = "Meander Look"
+# Across the flat profiles, as shares of the radius: a ribbon's height and a wall's width.
+THIN = 0.3
+
+_FLOAT, _FACTOR = "NodeSocketFloat", "NodeSocketFloatFactor"
+_INPUTS = (
+    (_FACTOR, "Radius", "As a share of the spacing; at 0.5 neighbours touch", 0.2, 0.0, 1.0),
+    ("NodeSocketInt", "Profile", "0 round, 1 square, 2 ribbon, 3 wall", 0, 0, 3),
+    ("NodeSocketInt", "Resolution", "Sides of the round profile", 8, 3, 64),
+    (_FLOAT, "Lift", "Above the surface, in radii: 0 is half sunk, 1 lies on it", 0.0),
+    (
+        _FACTOR,
+        "Radius Follows Spacing",
+        "How much thicker the line is where its neighbours are farther apart",
+        0.0,
+        0.0,
+        1.0,
+    ),
+    ("NodeSocketMaterial", "Material", "Of the whole line"),
+    (
+        "NodeSocketFloatDistance",
+        "Spacing",
+        "What the radius is a share of, in the space of the object",
+        0.1,
+        0.0,
+    ),
+)
+
+
+def build() -> list[bpy.types.ID]:
+    """Makes the group in the open file."""
+    group = nodes.geometry_group(NAME, "Gives a line that fills a surface its thickness")
+    for row in _INPUTS:
+        nodes.declare(group, *row)
+    tree = nodes.Tree(group)
+    given = tree.add("NodeGroupInput").outputs
+    named = _with_attributes(tree, given["Geometry"])
+
+    # In points of a result `radius` is the room beside them in half spacings.
+    room = tree.add("GeometryNodeInputRadius").outputs[0]
+    more = tree.math("MULTIPLY", tree.math("SUBTRACT", room, 1.0), given["Radius Follows Spacing"])
+    thickness = tree.math("MULTIPLY", given["Radius"], given["Spacing"])
+    radius = tree.math("MULTIPLY", tree.math("ADD", more, 1.0), thickness)
+    curve = tree.add("GeometryNodeSetCurveRadius", {"Curve": named, "Radius": radius}).outputs[0]
+
+    normal = tree.add("GeometryNodeInputNormal").outputs[0]
+    height = tree.math("MULTIPLY", tree.add("GeometryNodeInputRadius").outputs[0], given["Lift"])
+    up = tree.add("ShaderNodeVectorMath", {0: normal, "Scale": height}, operation="SCALE")
+    lifted = tree.add("GeometryNodeSetPosition", {"Geometry": curve, "Offset": up.outputs[0]})
+
+    profile, is_round = _profile(tree, given)
+    swept = tree.add(
+        "GeometryNodeCurveToMesh",
+        {"Curve": lifted.outputs[0], "Profile Curve": profile, "Fill Caps": True},
+    )
+    smooth = tree.add(
+        "GeometryNodeSetShadeSmooth", {"Geometry": swept.outputs[0], "Shade Smooth": is_round}
+    )
+    coloured = tree.add(
+        "GeometryNodeSetMaterial", {"Geometry": smooth.outputs[0], "Material": given["Material"]}
+    )
+    tree.add("NodeGroupOutput", {"Geometry": coloured.outputs[0]})
+    return [group]
+
+
+def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
+    """What a material wants to know of a point: where along its strand it is, and which that is."""
+    place = tree.add("GeometryNodeSplineParameter").outputs
+    index = tree.add("GeometryNodeInputIndex").outputs[0]
+    strand = tree.add(
+        "GeometryNodeFieldOnDomain", {"Value": index}, data_type="INT", domain="CURVE"
+    )
+    named = (
+        ("along", "FLOAT", place["Factor"]),
+        ("arc_length", "FLOAT", place["Length"]),
+        ("strand", "INT", nodes.visible(strand.outputs, "Value")),
+    )
+    for name, kind, value in named:
+        geometry = tree.add(
+            "GeometryNodeStoreNamedAttribute",
+            {"Geometry": geometry, "Name": name, "Value": value},
+            data_type=kind,
+            domain="POINT",
+        ).outputs[0]
+    return geometry
+
+
+def _profile(
+    tree: nodes.Tree, given: bpy.types.NodeInputs
+) -> tuple[bpy.types.NodeSocket, bpy.types.NodeSocket]:
+    """The cross section, of radius 1 with X along the surface normal, and whether it is round."""
+
+    def chosen(number: int) -> bpy.types.NodeSocket:
+        return tree.add(
+            "FunctionNodeCompare",
+            {"A": given["Profile"], "B": number},
+            data_type="INT",
+            operation="EQUAL",
+        ).outputs[0]
+
+    def size(thin: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
+        node = tree.add(
+            "GeometryNodeSwitch",
+            {"Switch": thin, "False": 2.0, "True": 2.0 * THIN},
+            input_type="FLOAT",
+        )
+        return nodes.visible(node.outputs, "Output")
+
+    is_round = chosen(0)
+    circle = tree.add(
+        "GeometryNodeCurvePrimitiveCircle", {"Resolution": given["Resolution"], "Radius": 1.0}
+    )
+    flat = tree.add(
+        "GeometryNodeCurvePrimitiveQuadrilateral",
+        {"Width": size(chosen(2)), "Height": size(chosen(3))},
+    )
+    profile = tree.add(
+        "GeometryNodeSwitch",
+        {"Switch": is_round, "False": flat.outputs[0], "True": circle.outputs[0]},
+        input_type="GEOMETRY",
+    )
+    return nodes.visible(profile.outputs, "Output"), is_round

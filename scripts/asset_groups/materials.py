@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The materials of the asset file."""
+
+from __future__ import annotations
+
+import bpy
+
+from . import nodes
+
+LINE = "Meander Line"
+# From the first point of a strand to its last: dark, so that it is read on a light surface.
+_STOPS = (
+    (0.0, (0.010, 0.030, 0.180)),
+    (0.5, (0.160, 0.008, 0.150)),
+    (1.0, (0.420, 0.045, 0.010)),
+)
+_IN_VIEWS = (0.012, 0.030, 0.150, 1.0)  # with materials as plain colours, as in Solid view
+
+
+def build() -> list[bpy.types.ID]:
+    """Makes the materials in the open file."""
+    return [_line()]
+
+
+def _line() -> bpy.types.Material:
+    material = bpy.data.materials.new(LINE)
+    material.diffuse_color = _IN_VIEWS
+    material.roughness = 0.4
+    material.use_nodes = True
+    material.node_tree.nodes.clear()
+    tree = nodes.Tree(material.node_tree)
+    along = tree.add("ShaderNodeAttribute", attribute_type="GEOMETRY", attribute_name="along")
+    ramp = tree.add("ShaderNodeValToRGB", {"Fac": along.outputs["Fac"]})
+    ramp.label = "Along the Line"
+    elements = ramp.color_ramp.elements
+    while len(elements) < len(_STOPS):
+        elements.new(0.5)
+    for element, (position, colour) in zip(elements, _STOPS, strict=True):
+        element.position = position
+        element.color = (*colour, 1.0)
+    shader = tree.add(
+        "ShaderNodeBsdfPrincipled", {"Base Color": ramp.outputs["Color"], "Roughness": 0.4}
+    )
+    tree.add("ShaderNodeOutputMaterial", {"Surface": shader.outputs[0]})
+    nodes.mark(material, "Colours a line from its beginning to its end", "Materials")
+    return material
