@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# install_dependencies.sh [--bpy VERSION]...
+# install_dependencies.sh [--bpy VERSION]... [--site]
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
 # apt-get (through sudo unless root), and for every --bpy a virtual environment
 # build/bpy-VERSION with Blender as a Python module, pytest, ruff and import-linter from the Python
-# index.
+# index, and for --site one, build/site-tools, with what makes the site from the pages in docs/.
 # Running it again costs nothing: it fetches only what is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -20,15 +20,18 @@ bpy_packages=(ca-certificates python3-venv
   libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
 
 bpy_versions=()
+site=0
 while [ $# -gt 0 ]; do
   case "$1" in
     --bpy) bpy_versions+=("${2:?--bpy needs a version, such as 4.5}"); shift 2 ;;
-    *) echo "usage: $0 [--bpy VERSION]..." >&2; exit 2 ;;
+    --site) site=1; shift ;;
+    *) echo "usage: $0 [--bpy VERSION]... [--site]" >&2; exit 2 ;;
   esac
 done
 
 wanted=("${build_packages[@]}" "${blender_packages[@]}")
 [ ${#bpy_versions[@]} -eq 0 ] || wanted+=("${bpy_packages[@]}")
+[ $site -eq 0 ] || wanted+=(ca-certificates python3-venv)
 
 missing=()
 for package in "${wanted[@]}"; do
@@ -60,20 +63,26 @@ if [ ${#missing[@]} -gt 0 ]; then
   rm -f "$log"
 fi
 
-for version in "${bpy_versions[@]}"; do
-  venv="build/bpy-$version"
-  packages=("bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*")
+# venv FOLDER PACKAGE... - a virtual environment with these packages
+venv() {
+  local folder=$1
+  shift
   # The mark is made last, so that an interrupted installation starts again; it names the packages,
   # so that a package added to the list is installed where the others already are.
-  if [ ! -e "$venv/.complete" ]; then
-    echo "Installing bpy $version into $venv (about 1 GB)"
-    rm -rf "$venv"
+  if [ ! -e "$folder/.complete" ]; then
+    echo "Installing $1 into $folder"
+    rm -rf "$folder"
     mkdir -p build
     # The system's Python by its full path: another may come first on the PATH, and bpy needs 3.11.
-    /usr/bin/python3 -m venv "$venv"
+    /usr/bin/python3 -m venv "$folder"
   fi
-  if [ "$(cat "$venv/.complete" 2>/dev/null)" != "${packages[*]}" ]; then
-    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "${packages[@]}"
-    echo "${packages[*]}" >"$venv/.complete"
+  if [ "$(cat "$folder/.complete" 2>/dev/null)" != "$*" ]; then
+    "$folder/bin/python" -m pip install --quiet --disable-pip-version-check "$@"
+    echo "$*" >"$folder/.complete"
   fi
+}
+
+for version in "${bpy_versions[@]}"; do # about 1 GB each
+  venv "build/bpy-$version" "bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*"
 done
+[ $site -eq 0 ] || venv build/site-tools "mkdocs-material==9.8.*" "mkdocs==1.6.*"

@@ -59,7 +59,7 @@ def run(block: Block) -> bool:
 
 def main() -> int:
     passed = failed = 0
-    for document in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+    for document in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         for block in blocks_of(document):
             if block.remark == "file":
                 path = ROOT / block.value

@@ -131,6 +131,7 @@ suite ui-lost 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/nothing_lost.py
 suite ui-undo 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/undo.py
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
+check site 120 bash scripts/build_site.sh
 check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
 check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
 

@@ -13,7 +13,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "native" / "src"
-DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 ROOMS = sorted(folder.name for folder in SOURCES.iterdir())
 
 FENCE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)

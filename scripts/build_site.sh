@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# build_site.sh
+#
+# Makes the site build/site from the pages in docs/, and fails when a page is missing from the
+# menu of mkdocs.yml or a link leads nowhere. Open build/site/index.html to read it.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+bash scripts/install_dependencies.sh --site
+# The variable keeps a notice about the generator's next version out of the log.
+NO_MKDOCS_2_WARNING=1 build/site-tools/bin/mkdocs build --strict --quiet --clean
+if grep -rnoE --include='*.html' '(src="|stylesheet" href=")https?:[^"]*' build/site; then
+  echo "These pages load something from elsewhere; a reader may be without a network." >&2
+  exit 1
+fi
+echo "build/site/index.html"

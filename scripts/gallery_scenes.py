@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The scenes of the gallery: what an artist would click, as a script, a function for each picture.
+
+Every function begins with an empty scene and leaves it ready for the camera.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import bpy
+import studio
+
+DARK = (0.012, 0.016, 0.028)
+PALE = (0.78, 0.76, 0.72)
+GOLD = (0.83, 0.46, 0.13)
+ORANGE = (1.0, 0.20, 0.035)
+TEAL = (0.02, 0.36, 0.38)
+
+SCENES: dict[str, Callable[[], None]] = {}
+
+
+def scene(make: Callable[[], None]) -> Callable[[], None]:
+    """Enters a function into the gallery under its name."""
+    SCENES[make.__name__] = make
+    return make
+
+
+def active() -> bpy.types.Object:
+    """What has just been added, shaded smooth."""
+    thing = bpy.context.object
+    for polygon in thing.data.polygons:
+        polygon.use_smooth = True
+    return thing
+
+
+def subdivided(thing: bpy.types.Object, levels: int) -> bpy.types.Object:
+    """The object with a subdivision surface."""
+    modifier = thing.modifiers.new("Subdivision", "SUBSURF")
+    modifier.levels = modifier.render_levels = levels
+    return thing
+
+
+def suzanne(levels: int = 2) -> bpy.types.Object:
+    """Suzanne, leaning back on her chin and the back of her head."""
+    bpy.ops.mesh.primitive_monkey_add(size=2.0, rotation=(math.radians(-30.0), 0.0, 0.0))
+    return subdivided(active(), levels)
+
+
+def fill(thing: bpy.types.Object, spacing: float, **settings: Any) -> bpy.types.Object:
+    """Presses Fill with Curve on an object: the result."""
+    thing.meander.spacing = spacing
+    for name, value in settings.items():
+        setattr(thing.meander, name, value)
+    bpy.ops.object.select_all(action="DESELECT")
+    thing.select_set(True)
+    bpy.context.view_layer.objects.active = thing
+    bpy.ops.meander.run()
+    return bpy.context.object
+
+
+def dress(thing: bpy.types.Object, colour: studio.Colour, roughness: float) -> None:
+    """Gives an object one material."""
+    thing.data.materials.clear()
+    thing.data.materials.append(studio.material(thing.name, colour, roughness))
+
+
+def place(
+    *things: bpy.types.Object,
+    camera: tuple[float, float, float] = (2.5, -6.2, 3.6),
+    target: tuple[float, float, float] = (0.03, -0.05, -0.08),
+    lens: float = 88.0,
+    strength: float = 1.0,
+) -> None:
+    """Puts what is shown on a floor, with lights and a camera."""
+    studio.add_lights(strength)
+    studio.add_floor(studio.lowest_point(things))
+    studio.add_camera(camera, target, lens)
+
+
+@scene
+def filigree() -> None:
+    """The curve alone, as if bent from gold wire."""
+    head = suzanne()
+    wire = fill(head, 0.11, bevel_share=0.26)
+    dress(wire, GOLD, 0.25)
+    wire.active_material.node_tree.nodes["Principled BSDF"].inputs["Metallic"].default_value = 1.0
+    place(wire)
+    head.hide_render = True
+
+
+@scene
+def painted() -> None:
+    """A vertex group that is 1 at the top makes the strands four times as close there."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32)
+    ball = active()
+    group = ball.vertex_groups.new(name="Fine")
+    for vertex in ball.data.vertices:
+        group.add([vertex.index], max(0.0, 0.5 + 0.6 * vertex.co.z), "REPLACE")
+    line = fill(ball, 0.12, density_group="Fine", factor_0=1.0, factor_1=0.25, radius_follows=True)
+    dress(ball, DARK, 0.4)
+    dress(line, ORANGE, 0.4)
+    place(ball, line, lens=78.0)
+
+
+@scene
+def rows() -> None:
+    """Strands that follow the long way round of a torus."""
+    bpy.ops.mesh.primitive_torus_add(
+        major_segments=96, minor_segments=32, major_radius=1.0, minor_radius=0.42
+    )
+    ring = active()
+    line = fill(ring, 0.09, alignment_source="CURVATURE", alignment_weight=4.0)
+    dress(ring, PALE, 0.5)
+    dress(line, TEAL, 0.4)
+    place(ring, line, lens=85.0)
+
+
+@scene
+def one_stroke() -> None:
+    """One stroke from ear to ear: an open strand whose ends stay where they are."""
+    head = suzanne()
+    mesh = head.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+    for setting, side in (("stroke_from", max), ("stroke_to", min)):
+        tip = side(mesh.vertices, key=lambda vertex: vertex.co.x)
+        end = bpy.data.objects.new(setting, None)
+        end.location = head.matrix_world @ tip.co
+        bpy.context.scene.collection.objects.link(end)
+        setattr(head.meander, setting, end)
+    line = fill(head, 0.075)
+    dress(head, PALE, 0.6)
+    dress(line, DARK, 0.5)
+    place(head, line)
