@@ -24,7 +24,7 @@ FlowSettings with_polish() {
 }
 
 ProgressFigures at(Phase phase, uint32_t iterations_in_phase, double length) {
-  return {phase, iterations_in_phase, length, 1, 0};
+  return {phase, iterations_in_phase, length, 1, 0, 0};
 }
 
 TEST(Progress, RisesThroughAllPhases) {
@@ -70,11 +70,28 @@ TEST(Progress, CountsTheIterationsThatAreAskedFor) {
   EXPECT_LT(progress_of(settings, at(Phase::kHairpinRemoval, 60, 1)), usual);
 }
 
-/// In the middle of the work, counted in nodes, about half of it has been told.
+/// Without a polish the quiet iterations, at whose number the paper's rule ends a run, lead to the end.
+TEST(Progress, OfThePapersRuleEndsWithItsQuietIterations) {
+  FlowSettings settings;
+  settings.stop_rule = StopRule::kPaper;
+  settings.iteration_limit = 300;
+  ProgressFigures figures = at(Phase::kGrowing, 20, 0.97);
+  double last = progress_of(settings, figures);
+  EXPECT_LT(last, 0.7);
+  for (figures.quiet_iterations = 1; figures.quiet_iterations <= 10; ++figures.quiet_iterations) {
+    const double progress = progress_of(settings, figures);
+    EXPECT_GT(progress, last);
+    last = progress;
+  }
+  EXPECT_EQ(last, 1);
+}
+
+/// At x % of the work, counted in nodes, about x % of it has been told, through all phases to the end.
 TEST(Progress, OfARunFollowsItsWork) {
-  constexpr double kOff = 0.2;  // of the whole, in the mean over the iterations
   for (const uint32_t preset : {MEANDER_PRESET_EVEN, MEANDER_PRESET_PAPER}) {
     for (const bool dense : {false, true}) {
+      // Of the whole, in the mean over the iterations; a run of the paper's has only some thirty.
+      const double most_off = preset == MEANDER_PRESET_PAPER ? 0.15 : 0.1;
       SCOPED_TRACE(testing::Message() << "preset " << preset << (dense ? ", density" : ""));
       const auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
       VertexData<double> density(dense ? surface->vertex_count() : 0);
@@ -92,7 +109,7 @@ TEST(Progress, OfARunFollowsItsWork) {
         EXPECT_GE(told[k], k > 0 ? told[k - 1] : 0);
         off += std::abs(told[k] - done / work) / static_cast<double>(flow.history().size());
       }
-      EXPECT_LT(off, kOff);
+      EXPECT_LT(off, most_off);
     }
   }
 }

@@ -204,14 +204,14 @@ inline constexpr double kWideTurns = 50;
 /// 1.5 times the radius of docs/performance.md and on spot: .83 to .88 in even, as are the next two.
 inline constexpr double kLengthWhenGrown = 0.85;
 
-/// The work of growth in iterations with long segments on a curve that fills the surface: 28 to 35.
-inline constexpr double kGrowthWork = 32;
+/// The work of growth in iterations with long segments on a curve that fills the surface: 30 to 40.
+inline constexpr double kGrowthWork = 35;
 
-/// Iterations until the curve has settled: 21 in all three.
-inline constexpr double kFinishingIterations = 21;
+/// Iterations until the curve has settled: 11 in most runs, else 21.
+inline constexpr double kFinishingIterations = 11;
 
-/// Where there is no polish, the share of the time until the curve is as long as at the end of growth; .25 to .3 in
-/// paper.
-inline constexpr double kUnpolishedGrowth = 0.3;
+/// Where there is no polish: the share of the time until the curve is as long as at the end of growth, the length at
+/// which it becomes quiet, and the share of the quiet iterations that end the run.
+inline constexpr double kUnpolishedGrowth = 0.4, kUnpolishedLength = 0.98, kUnpolishedEnd = 0.35;
 
 }  // namespace meander::tuning

@@ -46,6 +46,8 @@ class Convergence {
   Phase phase() const { return phase_; }
   /// How many iterations of the present phase have been noted.
   uint32_t iterations_in_phase() const;
+  /// How many iterations in a row have been quiet by the paper's rule, at whose number it ends a run.
+  uint32_t quiet_iterations() const { return static_cast<uint32_t>(quiet_); }
   bool converged() const { return converged_; }
   /// Nodes are to move, but nothing has moved for some iterations: crossings, guides or the boundary are in the way.
   /// A curve at rest, which nothing asks to move, is not stalled; it converges by its rule.

@@ -172,6 +172,7 @@ double Flow::progress() const {
   figures.length = state_.curve.growing_length();
   figures.expected_length = state_.domain.expected_length;
   figures.iterations = static_cast<uint32_t>(record_.iterations());
+  figures.quiet_iterations = convergence_.quiet_iterations();
   return progress_of(state_.settings, figures);
 }
 

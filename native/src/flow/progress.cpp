@@ -17,17 +17,25 @@ double share_of_growth(double length) {
   return cube(std::min(1.0, length / tuning::kLengthWhenGrown));
 }
 
-/// Without a polish nothing but the length says how far a curve is. The last of it takes most of the time.
-double share_without_polish(double length) {
-  const double left = 1 - tuning::kLengthWhenGrown;
-  const double beyond = std::clamp((length - tuning::kLengthWhenGrown) / left, 0.0, 1.0);
-  const double until = tuning::kUnpolishedGrowth;
-  return until * share_of_growth(length) + (1 - until) * cube(beyond);
+/// Without a polish the length says how far a curve is, until it is quiet; then the iterations do.
+double share_without_polish(const FlowSettings& settings, const ProgressFigures& figures) {
+  const double length = figures.length / figures.expected_length;
+  const double beyond =
+      std::clamp((length - tuning::kLengthWhenGrown) / (tuning::kUnpolishedLength - tuning::kLengthWhenGrown), 0.0, 1.0);
+  const double until = tuning::kUnpolishedGrowth, last = tuning::kUnpolishedEnd;
+  double end = 0;
+  if (settings.stop_rule == StopRule::kPaper) {
+    end = figures.quiet_iterations / static_cast<double>(tuning::kPaperIterations);
+  } else if (figures.phase == Phase::kCooling) {
+    end = figures.iterations_in_phase / static_cast<double>(tuning::kCoolingIterations);
+  }
+  if (end > 0) return 1 - last * (1 - std::min(end, 1.0));
+  return until * share_of_growth(length) + (1 - until - last) * beyond;
 }
 
 /// x while little is expected to be left, and then ever more slowly, so that it stays below 1.
 double slowed(double x) {
-  constexpr double kFrom = 0.9;
+  constexpr double kFrom = 0.7;
   return x <= kFrom ? x : 1 - (1 - kFrom) * std::exp(-(x - kFrom) / (1 - kFrom));
 }
 
@@ -53,7 +61,7 @@ double share_with_polish(const FlowSettings& settings, const ProgressFigures& fi
 
 double progress_of(const FlowSettings& settings, const ProgressFigures& figures) {
   const double work = settings.polish ? share_with_polish(settings, figures)
-                                      : share_without_polish(figures.length / figures.expected_length);
+                                      : share_without_polish(settings, figures);
   return std::clamp(std::max(work, static_cast<double>(figures.iterations) / settings.iteration_limit), 0.0, 1.0);
 }
 
