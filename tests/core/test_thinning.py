@@ -41,7 +41,7 @@ def test_the_curve_moves_by_less_than_the_distance(closed, seed):
     strands = [walk(120, seed, closed), walk(90, seed + 100, closed) + 50.0]
     before = polylines(strands, [closed, closed])
     distance = 0.05
-    after = thinning.thinned(before, distance)
+    after = thinning.with_points(before, thinning.kept_points(before, distance))
     assert after.closed.tolist() == before.closed.tolist()
     assert len(after.positions) < 0.8 * len(before.positions)
     for strand, points in enumerate(strands):
@@ -71,5 +71,5 @@ def test_what_is_small_as_a_whole_stays():
 
 
 def test_the_distance_follows_the_densest_place():
-    assert thinning.merge_distance(0.5, None) == pytest.approx(0.01)
-    assert thinning.merge_distance(0.5, np.array([1.0, 4.0])) == pytest.approx(0.005)
+    assert thinning.least_spacing(0.5, None) == pytest.approx(1.0)
+    assert thinning.least_spacing(0.5, np.array([1.0, 4.0])) == pytest.approx(0.5)

@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model import strands
+from ..model import strands, thinning
 from ..model.problem import Opened
+from ..model.simplification import Light, light_points
 
 
 @dataclass(frozen=True)
@@ -35,3 +36,13 @@ def grown_of(flow: core.Flow, opened: Opened, without_guides: bool) -> Grown:
         curve = strands.without_guides(curve, guides)
         guides = guides[~guides]
     return Grown(curve, data, guides, opened.density)
+
+
+def lightened(grown: Grown, radius: float, light: Light | None) -> Grown:
+    """What has grown with the points of a light curve only; None: all of them."""
+    if light is None:
+        return grown
+    spacing = thinning.least_spacing(radius, grown.density)
+    kept = light_points(grown.curve, light, spacing)
+    data = core.PointData(*(values[kept] for values in grown.data))
+    return replace(grown, curve=thinning.with_points(grown.curve, kept), data=data)

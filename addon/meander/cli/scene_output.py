@@ -12,6 +12,7 @@ from ..model import thinning, toolpath
 from ..model.option import store
 from ..model.options import TABLE
 from ..model.problem import Problem
+from ..model.simplification import light_of, result_points
 from ..run import baking
 from ..scene import point_attributes
 from ..scene import strands as scene_strands
@@ -51,19 +52,21 @@ def write_scene(
     arguments: argparse.Namespace,
     given: Input,
     grown: Grown,
-) -> None:
+) -> int:
     """Adds the curve beside its surface and saves a copy of the scene at `path`.
 
-    The curve keeps what it was made with, so that Continue works on it in a window.
+    The curve keeps what it was made with, so that Continue works on it in a window. Returns the
+    number of its points.
     """
     surface_object = given.surface_object or _new_surface(arguments.input.stem, given.problem)
-    distance = thinning.merge_distance(arguments.spacing / 2, grown.density)
-    kept = thinning.kept_points(grown.curve, distance)
-    thinned = thinning.thinned(grown.curve, distance)
-    curve_object = write_curve(thinned, surface_object, f"{surface_object.name} Meander")
+    spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
+    kept = result_points(grown.curve, spacing, light_of(flags.chosen(arguments)))
+    shown = thinning.with_points(grown.curve, kept)
+    curve_object = write_curve(shown, surface_object, f"{surface_object.name} Meander")
     with saved_settings():
         _store(arguments, given, surface_object, curve_object)
         scene_strands.note_guides(curve_object, grown.guides, keep=True)
+        curve_object.meander.figures.least_spacing = spacing
         matrix = world_matrix(surface_object)
         point_attributes.store_medial_radii(curve_object, grown.data.radii[kept], matrix)
         if arguments.points is not None:
@@ -76,6 +79,7 @@ def write_scene(
             )
         _bake(arguments, curve_object)
         _save(path, arguments)
+    return len(kept)
 
 
 def _new_surface(name: str, problem: Problem) -> bpy.types.Object:

@@ -9,6 +9,7 @@ from typing import Any
 
 from .. import core
 from ..model import toolpath
+from . import flags
 from .values import positive
 
 
@@ -29,7 +30,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="D",
         help="as few points as keep the chords between them this near the curve",
     )
-
+    flags.add_flags(
+        parser.add_argument_group("light results", "How many points the curve keeps."),
+        "light results",
+    )
     add(
         "--points",
         choices=("mesh", "curves"),
@@ -73,9 +77,10 @@ def write(
     curve: core.Polylines,
     data: core.PointData,
     mesh: toolpath.Mesh,
-) -> None:
-    """Writes the curve, resampled as the options say."""
+) -> int:
+    """Writes the curve, resampled as the options say. Returns the number of points."""
     strands = toolpath.resampled(
         curve, arguments.resample_step, arguments.chord_tolerance, data, mesh
     )
     toolpath.write(path, strands, core.library_version())
+    return sum(len(strand.points) for strand in strands)

@@ -6,14 +6,16 @@ from __future__ import annotations
 import argparse
 from contextlib import ExitStack
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 from .. import core
 from ..model import mesh_files, report, toolpath
+from ..model.simplification import light_of
 from ..model.whole_files import whole_file
 from . import density, flags, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
-from .grown import Grown
+from .grown import Grown, lightened
 from .input import Input
 
 
@@ -54,14 +56,22 @@ def write_outputs(
         if arguments.report is not None:
             report_path = stack.enter_context(whole_file(arguments.report))
         curve_path = stack.enter_context(whole_file(arguments.output))
-        if arguments.output.suffix.lower() == ".obj":
-            mesh_files.write_obj_curve(curve_path, grown.curve)
-        elif toolpath_options.is_wanted(arguments.output):
-            mesh = toolpath.Mesh(given.problem.vertices, given.problem.faces)
-            toolpath_options.write(curve_path, arguments, grown.curve, grown.data, mesh)
-        else:
-            from . import scene_output  # which needs bpy
-
-            scene_output.write_scene(curve_path, arguments, given, grown)
+        written = _write_curve(curve_path, arguments, given, grown)
+        record["points"] = {"all": len(grown.curve.positions), "written": written}
         if report_path is not None:
             report.write_report(report_path, record)
+
+
+def _write_curve(path: Path, arguments: argparse.Namespace, given: Input, grown: Grown) -> int:
+    """Writes the output in the format of its name, and returns the number of points in it."""
+    if arguments.output.suffix.lower() == ".blend":
+        from . import scene_output  # which needs bpy
+
+        return scene_output.write_scene(path, arguments, given, grown)
+    light = light_of(flags.chosen(arguments))
+    grown = lightened(grown, arguments.spacing / 2, light)
+    if toolpath_options.is_wanted(arguments.output):
+        mesh = toolpath.Mesh(given.problem.vertices, given.problem.faces)
+        return toolpath_options.write(path, arguments, grown.curve, grown.data, mesh)
+    mesh_files.write_obj_curve(path, grown.curve)
+    return len(grown.curve.positions)

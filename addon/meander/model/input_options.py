@@ -4,9 +4,11 @@
 from __future__ import annotations
 
 from .option import Flag, Option
+from .simplification import DEFAULT_SHARE, GREATEST_SHARE
 
 _DENSITY, _DIRECTION, _STRANDS = "Density", "Direction", "Seed and Strands"
 _REGION, _REPAIR, _MOTION = "Region", "Mesh Repair", "Motion"
+_EXPORT = "Export"
 _TERMS, _PART, _REPAIRS = "terms of the energy", "part to fill", "mesh repair"
 
 ROWS: tuple[Option, ...] = (
@@ -231,6 +233,64 @@ ROWS: tuple[Option, ...] = (
             greatest=1000,
             entry="motion_steps",
             default=3,
+        ),
+    ),
+    Option(
+        "use_light",
+        "Light Result",
+        "Leave out points that are not seen, so that curves of very many stay easy to work with. "
+        "Pieces then no longer lie in one face each",
+        _EXPORT,
+        kind=bool,
+        default=False,
+    ),
+    Option(
+        "light_tolerance",
+        "Tolerance",
+        "How far the light curve may be from the whole one, in spacings; 0.01 leaves a quarter of "
+        "the points and is not seen, 0.05 a tenth",
+        _EXPORT,
+        unit="spacing",
+        default=DEFAULT_SHARE,
+        least=0.0,
+        greatest=GREATEST_SHARE,
+        soft_greatest=0.05,
+        digits=3,
+        step=1,
+        switch="use_light",
+        flag=Flag(
+            "--light",
+            "leave out points within this distance of the curve, in spacings, from 0 to "
+            f"{GREATEST_SHARE:g}; {DEFAULT_SHARE:g} is not seen",
+            "light results",
+            "TOL",
+            least=0.0,
+            greatest=GREATEST_SHARE,
+            entry="light",
+        ),
+    ),
+    Option(
+        "point_limit",
+        "Point Limit",
+        "The largest number of points of the light curve, for which the tolerance is raised up to "
+        "a quarter of the spacing; 0 is no limit",
+        _EXPORT,
+        kind=int,
+        default=0,
+        least=0,
+        greatest=2**31 - 1,
+        soft_greatest=1000000,
+        switch="use_light",
+        zero_is_preset=True,
+        flag=Flag(
+            "--point-limit",
+            "at most so many points, where a tolerance of a quarter of the spacing allows it; "
+            f"without --light the tolerance is {DEFAULT_SHARE:g} where that is enough",
+            "light results",
+            "N",
+            least=1,
+            greatest=2**31 - 1,
+            entry="point_limit",
         ),
     ),
 )

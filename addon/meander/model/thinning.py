@@ -18,10 +18,10 @@ from .. import core
 MERGED_SHARE = 0.01
 
 
-def merge_distance(radius: float, density: NDArray[np.float64] | None) -> float:
-    """What counts as near at a radius r and a density: by the least spacing on the surface."""
+def least_spacing(radius: float, density: NDArray[np.float64] | None) -> float:
+    """The least spacing on a surface, at a radius r and a density per vertex; None: 1 everywhere"""
     greatest = 1.0 if density is None else float(np.max(density))
-    return 2.0 * radius * MERGED_SHARE / math.sqrt(greatest)
+    return 2.0 * radius / math.sqrt(greatest)
 
 
 def kept_points(polylines: core.Polylines, distance: float) -> NDArray[np.int64]:
@@ -58,9 +58,8 @@ def kept_points(polylines: core.Polylines, distance: float) -> NDArray[np.int64]
     return np.flatnonzero(keep)
 
 
-def thinned(polylines: core.Polylines, distance: float) -> core.Polylines:
-    """The polylines with kept_points() only."""
-    kept = kept_points(polylines, distance)
+def with_points(polylines: core.Polylines, kept: NDArray[np.int64]) -> core.Polylines:
+    """The polylines with some of their points only, whose indices are in order."""
     return core.Polylines(
         polylines.positions[kept],
         polylines.normals[kept],

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core import PointData, Polylines
+from .simplification import kept_within
 from .whole_files import FileError, whole_file
 
 SUFFIXES = (".csv", ".json")
@@ -172,36 +173,12 @@ def _weights(
 
 def resampled_by_tolerance(strand: Strand, tolerance: float) -> Strand:
     """As few of the strand's own points as keep it within `tolerance` of the straight pieces
-    between them (Ramer 1972; Douglas and Peucker 1973). At least 3 of a closed strand.
+    between them. At least 3 of a closed strand.
     """
-    points = strand.points
-    count = len(points)
-    if count < 3:
+    if len(strand.points) < 3:
         return strand
-    keep = np.zeros(count + 1, dtype=bool)
-    if strand.closed:
-        # Three to begin with: the first, the farthest from it, and the farthest from both.
-        ring = np.vstack([points, points[:1]])
-        far = int(np.argmax(((points - points[0]) ** 2).sum(axis=1)))
-        third = int(np.argmax(_distances(points, points[0], points[far])))
-        first = sorted({0, far, third, count})
-    else:
-        ring = points
-        first = [0, count - 1]
-    keep[first] = True
-    spans = list(zip(first[:-1], first[1:]))
-    while spans:
-        begin, end = spans.pop()
-        if end - begin < 2:
-            continue
-        distances = _distances(ring[begin + 1 : end], ring[begin], ring[end])
-        worst = int(np.argmax(distances))
-        if distances[worst] <= tolerance:
-            continue
-        middle = begin + 1 + worst
-        keep[middle] = True
-        spans += [(begin, middle), (middle, end)]
-    kept = np.flatnonzero(keep[:count])
+    points = strand.points
+    kept = kept_within(points, strand.closed, tolerance)
     return Strand(
         strand.closed,
         strand.length,
@@ -251,14 +228,6 @@ def _tangents(points: np.ndarray, closed: bool) -> np.ndarray:
     if not closed:
         before[:1] = zero
     return _unit(before + out, np.where(np.any(out, axis=1)[:, None], out, before))
-
-
-def _distances(points: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Distances of points from the chord between two points."""
-    chord = end - begin
-    square = float(chord @ chord)
-    share = np.clip((points - begin) @ chord / square, 0.0, 1.0) if square > 0.0 else 0.0
-    return np.linalg.norm(points - begin - np.multiply.outer(share, chord), axis=1)
 
 
 # ------------------------------------------------------------------------------------------------

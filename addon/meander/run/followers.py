@@ -17,7 +17,8 @@ from .. import core
 from ..model import strands
 from ..model.problem import open_flow
 from ..model.profile import radius_factors
-from ..model.thinning import kept_points, merge_distance, thinned
+from ..model.simplification import result_points
+from ..model.thinning import least_spacing, with_points
 from ..scene.curve_reader import strands_of_curve
 from ..scene.errors import DataError
 from ..scene.meshes import surface_now
@@ -68,14 +69,15 @@ class GrownCurve:
     def __init__(self, plan: Plan) -> None:
         opened = open_flow(plan.problem)
         self.flow = opened.flow
-        self._distance = merge_distance(plan.problem.options.radius, opened.density)
+        self._spacing = least_spacing(plan.problem.options.radius, opened.density)
+        self._light = plan.light
         self._keeps_guides = plan.keeps_guides
 
     def polylines(self) -> tuple[core.Polylines, np.ndarray]:
         """The curve as it is written, and which points of the flow's it has kept."""
         curve = self.flow.polylines()
-        kept = kept_points(curve, self._distance)
-        shown = thinned(curve, self._distance)
+        kept = result_points(curve, self._spacing, self._light)
+        shown = with_points(curve, kept)
         if not self._keeps_guides:
             guides = self.flow.guides()
             kept = kept[strands.points_without_guides(shown, guides)]

@@ -14,7 +14,10 @@ import numpy as np
 
 from .. import core
 from ..model import strands
+from ..model.option import chosen
+from ..model.options import in_panel
 from ..model.problem import Problem
+from ..model.simplification import Light, light_of
 from ..scene import point_attributes
 from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
@@ -47,6 +50,7 @@ class Plan:
     flat: bool = False  # tilt for profiles that lie on the surface
     radius_follows: bool = False
     points_as: str = "NONE"  # a second object of all points: one of point_attributes.KINDS
+    light: Light | None = None  # which points the result has; None: all
 
 
 def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
@@ -115,6 +119,7 @@ def plan_of(
         flat=settings.flat_profile,
         radius_follows=settings.radius_follows,
         points_as=settings.points_as,
+        light=light_of(chosen(in_panel("Export"), settings)),
     )
 
 

@@ -11,7 +11,8 @@ from .. import core
 from ..model import strands, toolpath
 from ..model.preparation import described
 from ..model.profile import radius_factors
-from ..model.thinning import kept_points, merge_distance, thinned
+from ..model.simplification import result_points
+from ..model.thinning import least_spacing, with_points
 from ..scene import point_attributes, refused_element
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
@@ -46,9 +47,9 @@ def write_result(
     surface = plan.surface.find()
     refused_element.forget_problem(surface)
     radius = plan.problem.options.radius
-    distance = merge_distance(radius, stepper.density)
-    kept = kept_points(snapshot.polylines, distance)
-    curve = thinned(snapshot.polylines, distance)
+    spacing = least_spacing(radius, stepper.density)
+    kept = result_points(snapshot.polylines, spacing, plan.light)
+    curve = with_points(snapshot.polylines, kept)
     earlier = plan.result.find() if plan.result else None
     if earlier is not None and earlier.mode == "EDIT":
         # Leaving Edit Mode later would write the points that it holds over the new ones.
@@ -66,6 +67,7 @@ def write_result(
     set_tilt_and_radius(result.data, curve, plan.matrix, plan.flat, factors)
     scene_strands.assign_materials(result.data, plan.materials)
     _store(plan, stepper, result, statistics, stop_reason)
+    result.meander.figures.least_spacing = spacing
     guides, keep_guides = stepper.guides, result.meander.keep_guides
     scene_strands.note_guides(result, guides, keep_guides)
     grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)

@@ -11,32 +11,19 @@ from bpy.props import EnumProperty, FloatProperty, StringProperty
 from .. import core
 from ..model import toolpath
 from ..model.whole_files import FileError
-from ..run import session
 from ..scene import point_attributes
 from ..scene.errors import DataError
 from ..scene.surface_points import strands_of_result
 from ..scene.transforms import mean_scale, world_matrix
+from .declared import rows
+from .light_operator import MEANDER_OT_make_light
+from .on_result import OnResult
 from .sidebar import ORDER, SubPanel, columns
 
 _SUFFIXES = {"CSV": ".csv", "JSON": ".json"}
 
 
-class _OnResult:
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
-        elif active is None or active.type != "CURVE" or active.meander.surface is None:
-            cls.poll_message_set("Choose a curve that Meander has made")
-        elif context.mode != "OBJECT":
-            cls.poll_message_set("Works in Object Mode")
-        else:
-            return True
-        return False
-
-
-class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
+class MEANDER_OT_export_toolpath(OnResult, bpy.types.Operator):
     """Write the points of the curve in order, with surface normals, for machines"""
 
     bl_idname = "meander.export_toolpath"
@@ -126,7 +113,7 @@ class MEANDER_OT_export_toolpath(_OnResult, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class _PointsToObject(_OnResult):
+class _PointsToObject(OnResult):
     bl_options = {"REGISTER", "UNDO"}
     kind = ""
 
@@ -186,6 +173,9 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
+        rows(layout, active.meander, "Export")
+        if active.type == "CURVE":
+            layout.operator(MEANDER_OT_make_light.bl_idname, icon="MOD_DECIM")
         layout.prop(active.meander, "points_as")
         if active.type != "CURVE":
             return

@@ -6,6 +6,7 @@ from __future__ import annotations
 from ..run import estimates, following, session, suspended
 from ..scene import after_undo, changes, identity
 from . import (
+    light_operator,
     look_panel,
     motion_panel,
     operators,
@@ -36,6 +37,7 @@ _MODULES = (
     look_panel,
     term_panels,
     motion_panel,
+    light_operator,
     points_panel,
     preparation_panels,
     strand_panel,

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fewer points for a result that is there already."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..model.option import chosen
+from ..model.options import in_panel
+from ..model.simplification import light_of
+from ..scene.errors import DataError
+from ..scene.light_curve import make_light
+from .on_result import OnResult
+
+
+class MEANDER_OT_make_light(OnResult, bpy.types.Operator):
+    """Leave out the points of this curve that are not seen, within the tolerance"""
+
+    bl_idname = "meander.make_light"
+    bl_label = "Make Light"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if not super().poll(context):
+            return False
+        active = context.active_object
+        if active.library is not None or active.data.library is not None:
+            cls.poll_message_set("The curve is linked from another file")
+            return False
+        return True
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        result = context.active_object
+        was_light, result.meander.use_light = result.meander.use_light, True
+        try:
+            light = light_of(chosen(in_panel("Export"), result.meander))
+            before, after = make_light(result, light)
+        except DataError as error:
+            result.meander.use_light = was_light
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"{result.name}: {after:,} of {before:,} points")
+        return {"FINISHED"}
+
+
+def register() -> None:
+    bpy.utils.register_class(MEANDER_OT_make_light)
+
+
+def unregister() -> None:
+    bpy.utils.unregister_class(MEANDER_OT_make_light)

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What operators on a result have in common: when they can run."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..run import session
+
+
+class OnResult:
+    """An operator that works on the active curve, which Meander has made."""
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif active is None or active.type != "CURVE" or active.meander.surface is None:
+            cls.poll_message_set("Choose a curve that Meander has made")
+        elif context.mode != "OBJECT":
+            cls.poll_message_set("Works in Object Mode")
+        else:
+            return True
+        return False

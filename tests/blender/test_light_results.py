@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results with fewer points: by a run, by the button, and gone on from."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+import scenes
+
+
+def _points(result: bpy.types.Object) -> np.ndarray:
+    return np.vstack([points for points, _cyclic in scenes.world_splines(result)])
+
+
+def _count(result: bpy.types.Object) -> int:
+    return sum(len(spline.points) for spline in result.data.splines)
+
+
+def test_a_run_makes_a_light_result_that_goes_on(tmp_path: Path) -> None:
+    ball = scenes.sphere()
+    whole = scenes.fill(ball, 0.3)
+    length, many = scenes.length_of(whole), _count(whole)
+    result = scenes.fill(scenes.sphere(), 0.3, use_light=True, radius_follows=True)
+    assert result != whole
+    few = _count(result)
+    assert few < 0.5 * many
+    assert scenes.length_of(result) == pytest.approx(length, rel=0.01)
+    assert {round(point.radius, 3) for point in result.data.splines[0].points} != {1.0}
+    # What is known of the points is about those that are left.
+    path = tmp_path / "path.json"
+    assert bpy.ops.meander.export_toolpath(filepath=str(path), file_format="JSON") == {"FINISHED"}
+    strands = json.loads(path.read_text())["strands"]
+    assert sum(len(strand["r_plus"]) for strand in strands) == few
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert _count(result) < 0.5 * many
+    assert scenes.length_of(result) == pytest.approx(length, rel=0.05)
+
+
+def test_the_button_makes_a_result_light() -> None:
+    ball = scenes.sphere()
+    ball.scale = (2.0, 2.0, 2.0)
+    result = scenes.fill(ball, 0.5)
+    before = _points(result)
+    for number, spline in enumerate(result.data.splines):
+        spline.points.foreach_set("radius", np.arange(len(spline.points), dtype=np.float32))
+        spline.material_index = number
+    cyclic = [spline.use_cyclic_u for spline in result.data.splines]
+    result.meander.light_tolerance = 0.02
+    assert bpy.ops.meander.make_light() == {"FINISHED"}
+    after = _points(result)
+    assert len(after) < 0.4 * len(before)
+    assert result.meander.use_light
+    assert [spline.use_cyclic_u for spline in result.data.splines] == cyclic
+    # Radii tell which points they are: the very same, with what they had.
+    first = result.data.splines[0]
+    at = np.array([point.radius for point in first.points]).astype(int)
+    assert (before[at] == after[: len(at)]).all()
+    # Between two that are left, all that went is near.
+    for begin, end in zip(at[:-1], at[1:]):
+        chord = before[end] - before[begin]
+        away = before[begin : end + 1] - before[begin]
+        share = np.clip(away @ chord / (chord @ chord), 0.0, 1.0)
+        assert np.linalg.norm(away - np.outer(share, chord), axis=1).max() <= 0.02 * 0.5 * 1.001
+    assert bpy.ops.meander.points_to_mesh() == {"FINISHED"}
+    mesh = bpy.context.view_layer.objects.get(f"{result.name} Points").data
+    assert len(mesh.attributes["r_plus"].data) == len(after)
+    # A limit, and once more changes nothing.
+    scenes.activate(result)
+    result.meander.point_limit = len(after) // 2
+    assert bpy.ops.meander.make_light() == {"FINISHED"}
+    assert _count(result) <= len(after) // 2
+
+
+def test_what_cannot_be_light_says_why() -> None:
+    result = scenes.fill(scenes.sphere(), 0.5)
+    result.data.splines.new("BEZIER")
+    with pytest.raises(RuntimeError, match="convert them to Poly"):
+        bpy.ops.meander.make_light()
+    assert not result.meander.use_light
