@@ -158,10 +158,91 @@ def test_a_guide_across_the_seed_is_refused_naming_both() -> None:
     ]
     error = refusal(strands.assembled(parts))
     assert error.element_kind == "seed_point" and error.elements == (2, 4)
-    assert "Strand 1" in str(error) and "strand 2, a guide" in str(error)
+    assert "touches a guide just after seed points 2 and 4" in str(error)
     told = str(strands.explained(error, parts))
     assert_sentence(told)
-    assert "point 1 of spline 2 of 'Drawn' and point 1 of spline 1 of 'Fence'" in told
+    assert "after point 1 of spline 2 of 'Drawn' and point 1 of spline 1 of 'Fence'" in told
+    assert "seed point" not in told
+
+
+def test_points_of_one_spline_are_told_together_and_lengths_as_the_user_reads_them() -> None:
+    bow = [[0.2, 0.2, 0], [0.8, 0.8, 0], [0.2, 0.8, 0], [0.8, 0.2, 0]]
+    parts = [part("Bow", ([[0.5, 0.1, 0], [0.9, 0.1, 0]], False), (bow, False))]
+    told = str(strands.explained(refusal(strands.assembled(parts)), parts))
+    assert_sentence(told)
+    assert "just after points 1 and 3 of spline 2 of 'Bow'" in told
+    parts = [part("High", ([[0.1, 0.1, 0], [0.9, 0.1, 0.7]], False))]
+    error = refusal(strands.assembled(parts, reach=0.5))
+    told = str(strands.explained(error, parts, lambda value: f"{100 * value:.0f} cm"))
+    assert_sentence(told)
+    assert told.startswith("Point 2 of spline 1 of 'High' is 70 cm away")
+    assert "at most 50 cm is allowed" in told
+
+
+# ------------------------------------------------------------------------------------------------
+# Away from the surface
+
+
+def test_a_seed_above_the_surface_is_laid_on_it_and_the_distance_told() -> None:
+    waves = [[x, 0.5, 0.1 + 0.1 * x] for x in np.linspace(0.1, 0.9, 9)]
+    drawn = [part("Waves", (waves, False))]
+    mesh = geometry.grid(6)
+    reach = strands.reach_of(mesh.vertices)
+    assert reach == pytest.approx(0.25 * np.sqrt(2))
+    assert refusal(strands.assembled(drawn)).elements == (0,)  # without it r is the limit
+    options = core.default_options()
+    options.radius = 0.04
+    with (
+        core.Surface(*mesh) as surface,
+        core.Flow(surface, options, strands.assembled(drawn, reach=reach)) as flow,
+    ):
+        figures, laid = flow.statistics(), flow.polylines().positions
+    assert figures["seed_distance"] == pytest.approx(0.19)
+    assert figures["seed_point"] == 8 and figures["seed_jumps"] == 0
+    assert np.abs(laid[:, 2]).max() == 0
+    assert np.abs(laid[:, 1] - 0.5).max() < 1e-6
+    assert "up to 0.19 away" in strands.fit_remark(figures, drawn, options.radius)
+    assert strands.fit_remark(figures, drawn, 0.2) == ""
+    assert strands.fit_warning(figures, drawn) == ""
+
+
+def test_a_seed_that_jumps_from_sheet_to_sheet_is_told_of() -> None:
+    # A sheet folded over itself: its two halves are 0.1 apart, and joined at x = 1 only.
+    profile = [(x, 0.0) for x in np.linspace(0, 1, 9)] + [(x, 0.1) for x in np.linspace(1, 0, 9)]
+    vertices = [[x, y, z] for x, z in profile for y in np.linspace(0, 1, 9)]
+    faces = [
+        face
+        for i in range(len(profile) - 1)
+        for j in range(8)
+        for a in [9 * i + j]
+        for face in ([a, a + 9, a + 10], [a, a + 10, a + 1])
+    ]
+    below = [[0.1, 0.5, 0.02], [0.2, 0.5, 0.03], [0.3, 0.5, 0.04]]
+    rising = [*below, [0.3, 0.5, 0.06], [0.2, 0.5, 0.07], [0.1, 0.5, 0.08]]
+    drawn = [part("Rising", ([[0.1, 0.2, 0], [0.9, 0.2, 0]], False), (rising, False))]
+    options = core.default_options()
+    options.radius = 0.05
+    for scale in (1.0, 1000.0):
+        options.radius = 0.05 * scale
+        seed = strands.assembled(drawn)
+        seed.points *= scale
+        mesh = geometry.mesh(scale * np.array(vertices), faces)
+        with core.Surface(*mesh) as surface, core.Flow(surface, options, seed) as flow:
+            figures = flow.statistics()
+        assert figures["seed_jumps"] == 1
+        # Between the third point, below the middle of the gap, and the fourth.
+        assert (figures["seed_jump_point"], figures["seed_jump_point2"]) == (4, 5)
+        way = 2 * (1 - 0.3) + 0.1
+        assert figures["seed_jump_length"] == pytest.approx(scale * way, rel=0.01)
+    told = strands.fit_warning(figures, drawn)
+    assert_sentence(told)
+    assert "between points 3 and 4 of spline 2 of 'Rising'" in told
+    # From one point to another the user may go round as far as he likes.
+    stroke = strands.Part("Stroke", strands.stroke([0.1, 0.5, 0], [0.1, 0.5, 0.1]))
+    with core.Surface(*geometry.mesh(vertices, faces)) as surface:
+        options.radius = 0.05
+        with core.Flow(surface, options, strands.assembled([stroke])) as flow:
+            assert flow.statistics()["seed_jumps"] == 0
 
 
 @pytest.mark.parametrize("cells", [1, 6, 40])
@@ -284,7 +365,7 @@ BAD = {
     "one end": (("--from", 0, 0, 0), "give --to as well"),
     "both kinds": (("--from", 0, 0, 0, "--from-vertex", 1, "--to-vertex", 2), "choose one"),
     "no such vertex": (("--from-vertex", 0, "--to-vertex", 999), "not a vertex"),
-    "far away": (("--from", 0, 0, 3, "--to-vertex", 9), "point 1 of spline 1 of 'the stroke'"),
+    "far away": (("--from", 0, 0, 3, "--to-vertex", 9), "Point 1 of spline 1 of 'the stroke' is 3"),
     "left out without": (("--leave-out-guides",), "give --guides as well"),
     "no curve": (("--guides", "nothing.txt"), "is no .obj file"),
     "an object": (("--guides-object", "Guides"), "names an object of a .blend"),

@@ -24,6 +24,7 @@ class Seed:
     guides   (s,) uint8: 1 for a strand that stays as it is and that the others keep away from;
              None: none
     loops    regions between guides, and components, without a growing strand get a small loop
+    reach    how far from the surface a point may be, in the surface's units; a local r always is
     """
 
     points: NDArray[np.float64]
@@ -32,6 +33,7 @@ class Seed:
     fixed: NDArray[np.uint8] | None = None
     guides: NDArray[np.uint8] | None = None
     loops: bool = False
+    reach: float = 0.0
 
 
 def seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:
@@ -80,5 +82,6 @@ def seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:
     record.fixed = address_of(fixed)
     record.guides = address_of(guides)
     record.fill_regions = int(seed.loops)
+    record.reach = seed.reach
     optional = tuple(array for array in (fixed, guides) if array is not None)
     return record, (points, ends, closed, *optional)

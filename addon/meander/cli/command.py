@@ -55,6 +55,10 @@ def _process(argv: Sequence[str]) -> None:
     if not arguments.quiet:
         if figures["empty_components"]:
             print(f"meander: {strands.empty_parts(figures['empty_components'])}")
+        remark = strands.fit_remark(figures, given.parts, options.radius)
+        for text in (strands.fit_warning(figures, given.parts), remark):
+            if text:
+                print(f"meander: {text}")
         done = described(opened.figures, given.loose_edges)
         if done:
             print(f"meander: {done}")

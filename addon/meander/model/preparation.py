@@ -96,5 +96,6 @@ def outlined(
         fixed=np.concatenate([moving, np.zeros(len(outlines.points), np.uint8)]),
         guides=guides.astype(np.uint8),
         loops=seed.loops or bool(guides.all()),
+        reach=seed.reach,
     )
     return joined, skipped

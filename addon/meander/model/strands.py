@@ -3,13 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import core
+
+# How far from its surface a drawn curve may be, as a share of the surface's size: near enough that
+# it is clear which side of it is meant.
+REACH = 0.25
 
 
 @dataclass(frozen=True)
@@ -32,8 +38,17 @@ def stroke(begin: ArrayLike, end: ArrayLike) -> core.Seed:
     )
 
 
-def assembled(parts: Sequence[Part], loops: bool = False) -> core.Seed | None:
+def reach_of(vertices: NDArray[np.float64]) -> float:
+    """How far from a surface of these vertices (n, 3) a drawn curve may be, in their units."""
+    return REACH * float(np.linalg.norm(np.ptp(vertices, axis=0)))
+
+
+def assembled(
+    parts: Sequence[Part], loops: bool = False, reach: float = 0.0
+) -> core.Seed | None:
     """One seed of all parts, in their order; None when there are none.
+
+    reach   how far from the surface points may be, see core.Seed
 
     loops   give regions and components without a growing strand a small loop. Where there are
             guides only they always get one, since nothing else could grow.
@@ -58,6 +73,7 @@ def assembled(parts: Sequence[Part], loops: bool = False) -> core.Seed | None:
             [np.full(len(part.seed.closed), part.guide, dtype=np.uint8) for part in parts]
         ),
         loops=loops or all(part.guide for part in parts),
+        reach=reach,
     )
 
 
@@ -93,27 +109,88 @@ def without_guides(polylines: core.Polylines, guides: NDArray[np.bool_]) -> core
     )
 
 
-def explained(error: core.MeanderError, parts: Sequence[Part]) -> core.MeanderError:
-    """The same error, with the seed points that it names described as the user knows them:
-    counted from 1 within their spline and object."""
+# How the library names points of a seed, which it counts from 0 over all strands, and lengths.
+_POINTS = re.compile(r"([Ss])eed points? (\d+)(?: and (\d+))?")
+_LENGTHS = re.compile(r"\d[\d.e+-]*(?= (?:away from|is allowed))")
+
+
+def explained(
+    error: core.MeanderError,
+    parts: Sequence[Part],
+    length: Callable[[float], str] | None = None,
+) -> core.MeanderError:
+    """The same error, with the seed points that it names told as the user knows them: counted from
+    1, within their spline and object.
+
+    length   how the user reads a length; None: as a plain number
+    """
     if error.element_kind != "seed_point":
         return error
-    places = [place for place in (_place(point, parts) for point in error.elements) if place]
-    if not places:
-        return error
-    text = f"{str(error).rstrip('.')}: this is at {' and '.join(dict.fromkeys(places))}"
+
+    def named(match: re.Match[str]) -> str:
+        places = places_of([int(number) for number in match.groups()[1:] if number], parts)
+        return places[:1].upper() + places[1:] if match[1] == "S" else places
+
+    text = _POINTS.sub(named, str(error))
+    if length is not None:
+        text = _LENGTHS.sub(lambda match: length(float(match[0])), text)
     return core.MeanderError(text, error.status, error.element_kind, error.elements)
 
 
-def _place(point: int, parts: Sequence[Part]) -> str:
+def places_of(points: Sequence[int], parts: Sequence[Part]) -> str:
+    """Points of an assembled seed in words: "points 3 and 9 of spline 1 of 'Trail'"."""
+    found = list(dict.fromkeys(place for place in (_place(point, parts) for point in points)))
+    if len(found) == 2 and found[0][1:] == found[1][1:]:
+        return f"points {found[0][0]} and {found[1][0]} of {_strand_name(*found[0][1:])}"
+    return " and ".join(f"point {place[0]} of {_strand_name(*place[1:])}" for place in found)
+
+
+def _strand_name(spline: int, name: str) -> str:
+    return f"spline {spline} of '{name}'"
+
+
+def _place(point: int, parts: Sequence[Part]) -> tuple[int, int, str]:
+    """Number of a point in its spline, number of the spline in its object, and that one's name."""
     for part in parts:
         if point < len(part.seed.points):
             strand = int(np.searchsorted(part.seed.offsets, point, side="right")) - 1
             number = point - int(part.seed.offsets[strand]) + 1
-            spline = part.first_spline + strand + 1
-            return f"point {number} of spline {spline} of '{part.name}'"
+            return number, part.first_spline + strand + 1, part.name
         point -= len(part.seed.points)
-    return ""
+    return point + 1, 1, "the outline"  # laid after what is drawn
+
+
+def fit_warning(figures: Mapping[str, Any], parts: Sequence[Part]) -> str:
+    """What to say of a seed that jumps from one sheet of its surface to another; else nothing.
+
+    figures   core.Flow.statistics()
+    """
+    jumps = int(figures["seed_jumps"])
+    if not jumps or not parts:
+        return ""
+    ends = places_of([figures["seed_jump_point"], figures["seed_jump_point2"]], parts)
+    if jumps == 1:
+        return (
+            f"The seed jumps to another part of the surface between {ends}; draw it nearer to the "
+            "surface there"
+        )
+    return (
+        f"The seed jumps to another part of the surface at {jumps} places, farthest between "
+        f"{ends}; draw it nearer to the surface there"
+    )
+
+
+def fit_remark(
+    figures: Mapping[str, Any],
+    parts: Sequence[Part],
+    radius: float,
+    length: Callable[[float], str] = "{:.3g}".format,
+) -> str:
+    """What to say of a seed that was farther than `radius` from its surface; else nothing."""
+    distance = float(figures["seed_distance"])
+    if not parts or not distance > radius:
+        return ""
+    return f"moved the seed to the surface, from up to {length(distance)} away"
 
 
 def empty_parts(count: int) -> str:

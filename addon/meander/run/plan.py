@@ -88,7 +88,10 @@ def plan_of(
     alignment = alignment_of(settings)
     directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
     parts, materials = scene_strands.parts_of(active, depsgraph, restart)
-    seed = strands.assembled(parts, settings.seed_every_part)
+    # What a result goes on from lies on the surface already, or is of another frame.
+    drawn = active.type == "MESH" or restart
+    reach = strands.reach_of(vertices) if drawn else 0.0
+    seed = strands.assembled(parts, settings.seed_every_part, reach)
     prepared = surface_options(repair_of(settings), mask_of(settings), surface, depsgraph)
     options = options_of(settings, spacing)
     options.alignment_weight = alignment.weight if directions is not None else 0.0

@@ -18,6 +18,7 @@ from .. import core
 from ..model import strands
 from ..scene import refused_element
 from ..scene.errors import DataError
+from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
 from . import estimates, suspended
 from .meaning import meaning_of
@@ -142,7 +143,9 @@ class Session:
         except core.MeanderError as error:
             self._check_alive()
             named = in_polygons(error, self.plan.surface.find(), context.evaluated_depsgraph_get())
-            raise strands.explained(named, self.plan.parts) from error
+            raise strands.explained(
+                named, self.plan.parts, lambda value: length_text(context.scene, value)
+            ) from error
         self._check_alive()
         if self._preview is not None:
             self._preview.end()
@@ -152,6 +155,18 @@ class Session:
             options = self.plan.problem.options
             estimates.speeds.learn(options, figures["nodes"], figures["seconds_total"])
         return result, figures
+
+    def seed_remarks(self, context: bpy.types.Context, figures: dict[str, Any]) -> tuple[str, str]:
+        """What to add to the summary about the seed, and what to warn of; empty if nothing.
+
+        figures   of keep()
+        """
+        plan = self.plan
+        radius = plan.problem.options.radius
+        remark = strands.fit_remark(
+            figures, plan.parts, radius, lambda value: length_text(context.scene, value)
+        )
+        return remark, strands.fit_warning(figures, plan.parts)
 
     def suspend(self) -> None:
         """Ends the run without a result, and keeps it so that it can go on later."""

@@ -111,10 +111,11 @@ class _Watched:
         try:
             if keep:
                 result, figures = self._session.keep(context)
-                done = self._session.preparation_text()
-                self.report(
-                    {"INFO"}, f"{result.name}: {_summary(figures)}" + (f"; {done}" if done else "")
-                )
+                remark, warning = self._session.seed_remarks(context, figures)
+                done = (_summary(figures), self._session.preparation_text(), remark)
+                self.report({"INFO"}, f"{result.name}: {'; '.join(filter(None, done))}")
+                if warning:
+                    self.report({"WARNING"}, warning)
                 if figures["empty_components"]:
                     self.report({"WARNING"}, strands.empty_parts(figures["empty_components"]))
                 return {"FINISHED"}

@@ -416,9 +416,13 @@ MEANDER_API meander_status meander_surface_find_outlines(
 
 /* Strands to start from, in space. Every point is moved to the nearest point of the surface, and
  * consecutive points are joined by geodesics. Refused with MEANDER_STATUS_INVALID_SEED: a point
- * farther than the local r from the surface; strands that cross or touch themselves or each other; a
- * closed strand with fewer than 3 different points, an open one with fewer than 2; consecutive points
- * on different components.
+ * farther than `reach` from the surface; strands that cross or touch themselves or each other on the
+ * surface; a closed strand with fewer than 3 different points, an open one with fewer than 2;
+ * consecutive points on different components. Sentences count seed points as `points` does, from 0.
+ *
+ * Far from the surface, two points that are close together may have their nearest points on two sheets
+ * of it. Such a jump is no failure; meander_flow_statistics says how far points were moved, and where
+ * the seed jumps.
  *
  * An open strand of two fixed points, a stroke from one to the other, is led around guides that its
  * shortest path would meet; it is refused where they separate the two points.
@@ -443,7 +447,9 @@ typedef struct meander_seed {
   const uint8_t* closed;   /* uint8_t[strand_count]: 1 closed, 0 open */
   const uint8_t* fixed;    /* uint8_t[point_count]: 1 never moves; NULL: none */
   const uint8_t* guides;   /* uint8_t[strand_count]: 1 is a guide; NULL: none */
-  uint64_t reserved[4];
+  double reach;            /* how far from the surface a point may be, finite, in the caller's units; a
+                              local r is always allowed, so that 0 means that */
+  uint64_t reserved[3];
 } meander_seed;
 
 /* Prepares a seed without strands; see "Structs".
@@ -774,7 +780,15 @@ typedef struct meander_flow_statistics {
   double seconds_reconnect;
   double seconds_crossings;
   double seconds_refine;
-  uint64_t reserved[8];
+  double seed_distance;      /* how far a point of the seed was moved to the surface, at most */
+  double seed_jump_length;   /* of the seed's longest jump, along the surface; 0: it jumps nowhere. A
+                                jump is a path between neighbouring points that is longer than twice
+                                the way between them as given, by more than two local r */
+  uint32_t seed_point;       /* the seed point that was moved by seed_distance */
+  uint32_t seed_jumps;       /* jumps of the seed, strokes from one point to another left out */
+  uint32_t seed_jump_point;  /* the points before and after the longest jump */
+  uint32_t seed_jump_point2;
+  uint64_t reserved[4];
 } meander_flow_statistics;
 
 /* Prepares the struct; see "Structs".

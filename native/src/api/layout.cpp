@@ -38,7 +38,8 @@ constexpr auto surface_statistics_layout() {
 constexpr auto seed_layout() {
   using S = meander_seed;
   return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(fill_regions), AT(point_count), AT(strand_count),
-                                AT(points), AT(offsets), AT(closed), AT(fixed), AT(guides), AT(reserved)});
+                                AT(points), AT(offsets), AT(closed), AT(fixed), AT(guides), AT(reach),
+                                AT(reserved)});
 }
 
 constexpr auto flow_options_layout() {
@@ -68,7 +69,8 @@ constexpr auto flow_statistics_layout() {
                                 AT(spacing_p05), AT(spacing_median), AT(spacing_p95), AT(seconds_total),
                                 AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract),
                                 AT(seconds_reconnect), AT(seconds_crossings), AT(seconds_refine),
-                                AT(reserved)});
+                                AT(seed_distance), AT(seed_jump_length), AT(seed_point), AT(seed_jumps),
+                                AT(seed_jump_point), AT(seed_jump_point2), AT(reserved)});
 }
 
 constexpr auto iteration_layout() {

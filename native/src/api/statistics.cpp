@@ -37,6 +37,17 @@ void add_seconds(const FlowSeconds& seconds, meander_flow_statistics& figures) {
   figures.seconds_refine = seconds.refine;
 }
 
+void add_fit(const Flow& flow, meander_flow_statistics& figures) {
+  const SeedFit& fit = flow.seed_fit();
+  const double scale = flow.surface().scale();
+  figures.seed_distance = fit.distance * scale;
+  figures.seed_point = fit.point;
+  figures.seed_jumps = fit.jumps;
+  figures.seed_jump_length = fit.jump_length * scale;
+  figures.seed_jump_point = fit.jump_from;
+  figures.seed_jump_point2 = fit.jump_to;
+}
+
 meander_flow_statistics statistics_of(const meander_flow& handle) {
   Flow& flow = *handle.flow;
   const double scale = flow.surface().scale();
@@ -56,6 +67,7 @@ meander_flow_statistics statistics_of(const meander_flow& handle) {
   figures.spacing_median = percentile(m.spacing, 0.5) * scale;
   figures.spacing_p95 = percentile(m.spacing, 0.95) * scale;
   add_seconds(flow.seconds(), figures);
+  add_fit(flow, figures);
   return figures;
 }
 

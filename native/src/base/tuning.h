@@ -29,6 +29,10 @@ inline constexpr double kTightFace = 0.3, kSliverFace = 0.02;
 /// nearest one. Not measured.
 inline constexpr double kNarrowestLoop = 0.01, kLoopShareOfRoom = 0.4;
 
+/// A drawn seed jumps where the path between two neighbouring points is longer than this many times the way between
+/// them plus so many r. Half way round a sphere the path is pi / 2 times the way. Not measured.
+inline constexpr double kJumpFactor = 2, kJumpRadii = 2;
+
 // ---- The metric at the nodes, and the boundary ----------------------------------------------------------------------
 
 /// In front of an empty strip wider than this, in spacings, the boundary pushes no harder than other strands do: they

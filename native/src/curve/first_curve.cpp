@@ -141,9 +141,9 @@ class Loops {
 }  // namespace
 
 Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusField& radius, bool widen,
-                  const PointTree& boundary, double strip_width, ThreadPool& pool) {
+                  const PointTree& boundary, double strip_width, ThreadPool& pool, SeedFit* fit) {
   Curve curve;
-  if (seed) curve = lay_seed(surface, *seed, radius, pool);
+  if (seed) curve = lay_seed(surface, *seed, radius, pool, fit);
   if (!seed || seed->loops) {
     Loops loops(surface, curve, pool);
     for (const Region& region : find_regions(surface, curve, radius, &boundary, strip_width)) {

@@ -22,8 +22,8 @@ namespace meander {
 ///
 /// `boundary`, `strip_width`: see find_regions.
 ///
-/// Throws Failure(FailureKind::kInvalidSeed); `radius` is r.
+/// Throws Failure(FailureKind::kInvalidSeed); `radius` is r, `fit` as lay_seed has it.
 Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusField& radius, bool widen,
-                  const PointTree& boundary, double strip_width, ThreadPool& pool);
+                  const PointTree& boundary, double strip_width, ThreadPool& pool, SeedFit* fit = nullptr);
 
 }  // namespace meander

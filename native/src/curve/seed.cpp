@@ -6,6 +6,7 @@
 
 #include "base/failure.h"
 #include "base/front_search.h"
+#include "base/tuning.h"
 #include "curve/crossings.h"
 #include "curve/path_around_guides.h"
 #include "mesh/closest_point.h"
@@ -56,10 +57,6 @@ bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to
   return true;
 }
 
-size_t strand_of(const SeedStrands& seed, size_t point) {
-  return static_cast<size_t>(std::ranges::upper_bound(seed.offsets, point) - seed.offsets.begin()) - 1;
-}
-
 void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed) {
   curve.nodes.push_back(p);
   curve.fixed.push_back(fixed);
@@ -96,19 +93,18 @@ Blocked find_blocked(const Surface& surface, const Curve& curve, ThreadPool& poo
   return blocked;
 }
 
-[[noreturn]] void refuse_stroke(const SeedStrands& seed, size_t a, size_t b) {
+[[noreturn]] void refuse_stroke(size_t a, size_t b) {
   throw Failure(FailureKind::kInvalidSeed,
-                "Strand " + std::to_string(strand_of(seed, a)) + " of the seed cannot reach from point " +
-                    std::to_string(a) + " to point " + std::to_string(b) +
-                    ", because guides part the two or leave too little room between them; open the guides, or "
+                "The strand cannot reach from seed point " + std::to_string(a) + " to seed point " +
+                    std::to_string(b) + ", because guides part the two or leave too little room between them; open the guides, or "
                     "move both points to the same side of them.",
                 ElementKind::kSeedPoint, static_cast<uint32_t>(a), static_cast<uint32_t>(b));
 }
 
 /// Leads strokes around the guides that the shortest path between their ends meets. `point_of_node` gives
 /// every node of the curve the seed's point.
-void lead_around_guides(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool,
-                        Curve& curve, std::vector<size_t>& point_of_node) {
+void lead_around_guides(const Surface& surface, const RadiusField& radius, ThreadPool& pool, Curve& curve,
+                        std::vector<size_t>& point_of_node) {
   if (!curve.has_guides()) return;
   const Blocked blocked = find_blocked(surface, curve, pool);
   if (!blocked.any) return;
@@ -124,7 +120,7 @@ void lead_around_guides(const Surface& surface, const SeedStrands& seed, const R
       points.push_back(point_of_node[i]);
       if (!blocked.at[i]) continue;
       const auto around = path_around_guides(surface, samples, curve.nodes[i], curve.nodes[i + 1]);
-      if (!around) refuse_stroke(seed, point_of_node[i], point_of_node[i + 1]);
+      if (!around) refuse_stroke(point_of_node[i], point_of_node[i + 1]);
       for (const SurfacePoint& p : *around) {
         add_node(led, p, 0);
         points.push_back(point_of_node[i]);
@@ -147,16 +143,22 @@ void lead_around_guides(const Surface& surface, const SeedStrands& seed, const R
 
 /// Appends what of one strand of the seed the surface has near to it.
 void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, const RadiusField& radius,
-                    const ClosestPoint& closest, Curve& curve, std::vector<size_t>& point_of_node) {
+                    const ClosestPoint& closest, Curve& curve, std::vector<size_t>& point_of_node, SeedFit& fit) {
   const bool closed = seed.closed[s] != 0, guide = !seed.guides.empty() && seed.guides[s];
   Strand strand{curve.size(), 0, closed, guide};
   for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
     const auto hit = closest(surface.to_inside(seed.points[i]));
-    const double r = radius.at(surface, hit.point);
-    if (!(hit.distance <= r)) {
-      refuse("Seed point " + std::to_string(i) + " is " + number(hit.distance / r) +
-                 " radii away from the surface (at most 1 is allowed); move the seed onto the surface.",
+    const double most = std::max(seed.reach, radius.at(surface, hit.point));
+    if (!(hit.distance <= most)) {
+      const double scale = surface.scale();
+      refuse("Seed point " + std::to_string(i) + " is " + number(hit.distance * scale) +
+                 " away from the surface, and at most " + number(most * scale) +
+                 " is allowed; move the seed to the surface.",
              i);
+    }
+    if (hit.distance > fit.distance) {
+      fit.distance = hit.distance;
+      fit.point = static_cast<uint32_t>(i);
     }
     const uint8_t fixed = guide || (!seed.fixed.empty() && seed.fixed[i]);
     // A point drawn twice in a row is one node.
@@ -177,17 +179,32 @@ void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, c
   }
   strand.count = curve.size() - strand.first;
   if (strand.count < (closed ? 3u : 2u)) {
-    refuse("Strand " + std::to_string(s) + " of the seed has " + std::to_string(strand.count) +
-               " different points; a closed strand needs at least 3 and an open one 2.",
+    refuse("The strand that begins with seed point " + std::to_string(seed.offsets[s]) + " has " +
+               std::to_string(strand.count) + " different points; a closed strand needs at least 3 and an open one 2.",
            seed.offsets[s]);
   }
   curve.strands.push_back(strand);
 }
 
+/// Notes where a path is so much longer than the way between its two points as given that they have come to
+/// lie on different sheets, or on either side of something.
+void note_jump(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, const SurfacePoint& begin,
+               size_t from, size_t to, double length, SeedFit& fit) {
+  const double way = (surface.to_inside(seed.points[from]) - surface.to_inside(seed.points[to])).norm();
+  if (!(length > tuning::kJumpFactor * way + tuning::kJumpRadii * radius.at(surface, begin))) return;
+  ++fit.jumps;
+  if (length <= fit.jump_length) return;
+  fit.jump_length = length;
+  fit.jump_from = static_cast<uint32_t>(from);
+  fit.jump_to = static_cast<uint32_t>(to);
+}
+
 /// Joins the nodes of all strands by shortest paths.
-void join_nodes(const Surface& surface, const std::vector<size_t>& point_of_node, Curve& curve) {
+void join_nodes(const Surface& surface, const SeedStrands& seed, const RadiusField& radius,
+                const std::vector<size_t>& point_of_node, Curve& curve, SeedFit& fit) {
   PathShortener shortener(surface);
-  for (uint32_t i = 0; i < curve.size(); ++i) {
+  for (uint32_t i = 0, s = 0; i < curve.size(); ++i) {
+    while (i >= curve.strands[s].end()) ++s;
     const uint32_t j = curve.next(i);
     if (j == kNone) continue;
     if (!connect_faces(surface, curve.nodes[i].face, curve.nodes[j], curve.paths[i])) {
@@ -197,11 +214,13 @@ void join_nodes(const Surface& surface, const std::vector<size_t>& point_of_node
              point_of_node[i]);
     }
     curve.shapes[i] = shortener.shorten(curve.nodes[i], curve.nodes[j], curve.paths[i]);
+    if (is_stroke(curve, curve.strands[s])) continue;
+    note_jump(surface, seed, radius, curve.nodes[i], point_of_node[i], point_of_node[j], curve.shapes[i].length, fit);
   }
 }
 
-void refuse_crossings(const Surface& surface, const SeedStrands& seed, const Curve& curve,
-                      const std::vector<size_t>& point_of_node, ThreadPool& pool) {
+void refuse_crossings(const Surface& surface, const Curve& curve, const std::vector<size_t>& point_of_node,
+                      ThreadPool& pool) {
   CrossingTest test;
   const auto pairs = test.find(surface, curve, pool);
   if (pairs.empty()) return;
@@ -209,12 +228,11 @@ void refuse_crossings(const Surface& surface, const SeedStrands& seed, const Cur
   if (curve.on_guide(first)) std::swap(first, second);
   const size_t a = point_of_node[first], b = point_of_node[second];
   const std::string points = std::to_string(a) + " and " + std::to_string(b);
-  std::string sentence = "The seed crosses or touches itself between points " + points +
-                         " (segments after them, on the surface); untangle it there.";
+  std::string sentence =
+      "On the surface the seed crosses or touches itself just after seed points " + points + "; untangle it there.";
   if (curve.on_guide(second)) {
-    sentence = "Strand " + std::to_string(strand_of(seed, a)) + " of the seed crosses or touches strand " +
-               std::to_string(strand_of(seed, b)) + ", a guide, between points " + points +
-               " (segments after them, on the surface); move one of the two, or shorten it.";
+    sentence = "On the surface the seed crosses or touches a guide just after seed points " + points +
+               "; move one of the two, or shorten it.";
   }
   throw Failure(FailureKind::kInvalidSeed, sentence, ElementKind::kSeedPoint, static_cast<uint32_t>(a),
                 static_cast<uint32_t>(b));
@@ -222,17 +240,20 @@ void refuse_crossings(const Surface& surface, const SeedStrands& seed, const Cur
 
 }  // namespace
 
-Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool) {
+Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool,
+               SeedFit* wanted_fit) {
+  SeedFit fit;
   const ClosestPoint closest(surface);
   Curve curve;
   std::vector<size_t> point_of_node;
   for (size_t s = 0; s + 1 < seed.offsets.size(); ++s) {
-    project_strand(surface, seed, s, radius, closest, curve, point_of_node);
+    project_strand(surface, seed, s, radius, closest, curve, point_of_node, fit);
   }
   curve.link();
-  join_nodes(surface, point_of_node, curve);
-  lead_around_guides(surface, seed, radius, pool, curve, point_of_node);
-  refuse_crossings(surface, seed, curve, point_of_node, pool);
+  join_nodes(surface, seed, radius, point_of_node, curve, fit);
+  lead_around_guides(surface, radius, pool, curve, point_of_node);
+  refuse_crossings(surface, curve, point_of_node, pool);
+  if (wanted_fit) *wanted_fit = fit;
   return curve;
 }
 

@@ -16,10 +16,11 @@ namespace meander {
 namespace {
 
 FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed,
-                      const VertexData<double>& density, const FlowSettings& settings, ThreadPool& pool) {
+                      const VertexData<double>& density, const FlowSettings& settings, ThreadPool& pool,
+                      SeedFit& fit) {
   Domain domain(std::move(surface), density, settings, pool);
   Curve curve = first_curve(*domain.surface, seed, domain.radius, settings.widen_loops, domain.boundary->tree(),
-                            2 * settings.boundary_distance, pool);
+                            2 * settings.boundary_distance, pool, &fit);
   return {settings, std::move(domain), std::move(curve), {}, {}};
 }
 
@@ -28,7 +29,7 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
 Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
            const FlowSettings& settings)
     : pool_(settings.threads),
-      state_(first_state(std::move(surface), seed, density, settings, pool_)),
+      state_(first_state(std::move(surface), seed, density, settings, pool_, seed_fit_)),
       convergence_(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   refiner_.cut_guides(state_, plan().segment_length, pool_);

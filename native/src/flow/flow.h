@@ -59,6 +59,8 @@ class Flow {
   StopReason stop_reason() const;
   /// Is it past its growth?
   bool polishing() const { return plan().polishing; }
+  /// How well the seed fitted the surface that the flow began on.
+  const SeedFit& seed_fit() const { return seed_fit_; }
 
   /// Figures of the curve as it is now; brings radii() up to date, and changes nothing else.
   struct Measure {
@@ -85,6 +87,7 @@ class Flow {
   double progress() const;
 
   ThreadPool pool_;
+  SeedFit seed_fit_;
   // What a run is about, and how far it has come.
   FlowState state_;
   Convergence convergence_;
