@@ -78,7 +78,8 @@ def fill(thing: bpy.types.Object, spacing: float = 0.0, **settings) -> bpy.types
     for name, value in settings.items():
         setattr(thing.meander, name, value)
     assert bpy.ops.meander.run() == {"FINISHED"}
-    return bpy.context.view_layer.objects.active
+    active = bpy.context.view_layer.objects.active
+    return active if active.type == "CURVE" else active.meander.last_result  # updated
 
 
 def refused(thing: bpy.types.Object, spacing: float = 0.3, **settings) -> str:

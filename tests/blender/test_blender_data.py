@@ -224,11 +224,12 @@ def test_a_curve_that_was_written_reads_back():
     seed = curve_reader.strands_of_curve(curve, depsgraph())
     assert np.abs(seed.points - points).max() < 4 * FLOAT32 * 3.0
     assert seed.closed.tolist() == [1]
-    # Rewriting leaves one object and one spline.
+    # Rewriting leaves one object and one spline, and its looks as they were.
     again = curve_writer.write_curve(
-        polylines([points[:5]], [0]), thing, "Other", curve_object=curve
+        polylines([points[:5]], [0]), thing, "Other", curve_object=curve, bevel_depth=0.3
     )
-    assert again == curve and len(curve.data.splines) == 1 and curve.data.bevel_depth == 0.0
+    assert again == curve and len(curve.data.splines) == 1
+    assert curve.data.bevel_depth == pytest.approx(0.1 / 6.0 ** (1.0 / 3.0))
 
 
 def test_the_bevel_is_as_thick_as_asked_in_world_units():

@@ -264,8 +264,8 @@ def test_undo_takes_the_curve_away():
     fill(cube(), 0.5)  # so that there is something to go back to
     bpy.ops.ed.undo_push(message="Before")
     before = counts()
-    surface = bpy.data.objects["Cube"]
-    fill(surface, 0.5)
+    activate(bpy.data.objects["Cube"])
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
     bpy.ops.ed.undo_push(message="Fill with Curve")  # in background nobody else does
     assert counts() != before
     bpy.ops.ed.undo()

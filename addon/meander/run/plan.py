@@ -18,7 +18,7 @@ from ..model.option import chosen
 from ..model.options import in_panel
 from ..model.problem import Problem
 from ..model.simplification import Light, light_of
-from ..scene import point_attributes
+from ..scene import point_attributes, results
 from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import choice_of, density_of
@@ -38,13 +38,14 @@ class Plan:
     problem: Problem
     surface: Key
     settings: Key  # whose settings were used: the surface or the result
-    result: Key | None  # the result to continue or to start over; None makes a new one
+    result: Key | None  # the result that gets the curve; None makes a new one
     matrix: np.ndarray  # of the surface
     spacing: float
     bevel_depth: float  # world units
     parts: tuple[strands.Part, ...]  # what the seed was put together from
     materials: scene_strands.SplineMaterials  # materials of the splines
     name: str  # of a new result
+    from_surface: bool = True  # the surface was filled; else a result goes on or starts over
     loose_edges: int = 0  # of the surface, in no face
     keeps_guides: bool = True  # the result has the guides as splines of its own
     flat: bool = False  # tilt for profiles that lie on the surface
@@ -53,15 +54,16 @@ class Plan:
     light: Light | None = None  # which points the result has; None: all
 
 
-def plan_run(context: bpy.types.Context, restart: bool = False) -> Plan:
+def plan_run(context: bpy.types.Context, restart: bool = False, beside: bool = False) -> Plan:
     """Reads the scene for a run on the active object: a mesh, or a result to go on with.
 
     restart   start a result from the seed again, not from its own splines
+    beside    of a mesh: make a new result beside those that it has, instead of updating the last
 
     Raises DataError or core.MeanderError with a sentence for what cannot be used.
     """
     depsgraph = context.evaluated_depsgraph_get()
-    return plan_of(context.active_object, context.scene, depsgraph, restart)
+    return plan_of(context.active_object, context.scene, depsgraph, restart, beside)
 
 
 def plan_of(
@@ -69,6 +71,7 @@ def plan_of(
     scene: bpy.types.Scene,
     depsgraph: bpy.types.Depsgraph,
     restart: bool = False,
+    beside: bool = False,
 ) -> Plan:
     """The plan of a run on any object, wherever the context is; see plan_run()."""
     surface = surface_of(active)
@@ -96,6 +99,9 @@ def plan_of(
     options = options_of(settings, spacing)
     options.alignment_weight = alignment.weight if directions is not None else 0.0
     outline = _outline_distance(active, surface, options, restart)
+    earlier = active
+    if active is surface:
+        earlier = None if beside else results.last_result(surface, scene)
     return Plan(
         problem=Problem(
             vertices,
@@ -110,7 +116,8 @@ def plan_of(
         ),
         surface=Key(surface),
         settings=Key(active),
-        result=Key(active) if active is not surface else None,
+        result=Key(earlier) if earlier is not None else None,
+        from_surface=active is surface,
         matrix=world_matrix(surface.evaluated_get(depsgraph)),
         spacing=spacing,
         bevel_depth=settings.bevel_share * spacing if settings.use_bevel else 0.0,

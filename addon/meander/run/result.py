@@ -13,7 +13,7 @@ from ..model.preparation import described
 from ..model.profile import radius_factors
 from ..model.simplification import result_points
 from ..model.thinning import least_spacing, with_points
-from ..scene import point_attributes, refused_element
+from ..scene import point_attributes, refused_element, results
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
 from ..scene.profile import set_tilt_and_radius
@@ -39,7 +39,9 @@ def write_result(
     stepper: Stepper,
     outcome: tuple[Snapshot, dict[str, Any], str],
 ) -> bpy.types.Object:
-    """Makes the curve object of a run that has ended, or rewrites the one that it went on from.
+    """Makes the curve object of a run that has ended, or rewrites the one that it goes on from.
+
+    A mesh that is filled again stays selected, to be painted and filled once more.
 
     outcome   of stepper.result()
     """
@@ -51,6 +53,7 @@ def write_result(
     kept = result_points(snapshot.polylines, spacing, plan.light)
     curve = with_points(snapshot.polylines, kept)
     earlier = plan.result.find() if plan.result else None
+    earlier = earlier if results.is_present(earlier) else None
     if earlier is not None and earlier.mode == "EDIT":
         # Leaving Edit Mode later would write the points that it holds over the new ones.
         bpy.ops.object.mode_set(mode="OBJECT")
@@ -74,7 +77,8 @@ def write_result(
     point_attributes.store_medial_radii(result, data.radii[kept][grown], plan.matrix)
     if plan.points_as != "NONE":
         _make_points(plan, stepper, result, snapshot.polylines)
-    _select_only(context, result)
+    if earlier is None or not plan.from_surface:
+        _select_only(context, result)
     return result
 
 
@@ -113,6 +117,7 @@ def _store(
     if source != result:
         copy_settings(source.meander, result.meander)
     result.meander.surface = plan.surface.find()
+    results.remember(result, result.meander.surface)
     for target in targets:
         if target.library is not None:  # linked objects cannot be changed
             continue

@@ -20,6 +20,7 @@ from ..scene import refused_element
 from ..scene.errors import DataError
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
+from ..scene.results import is_present
 from . import estimates, suspended
 from .meaning import meaning_of
 from .plan import Plan
@@ -151,7 +152,7 @@ class Session:
             self._preview.end()
         result = write_result(context, self.plan, self.stepper, outcome)
         _snapshot, figures, stop_reason = outcome
-        if stop_reason == "converged" and self.plan.result is None:
+        if stop_reason == "converged" and self.plan.from_surface:
             options = self.plan.problem.options
             estimates.speeds.learn(options, figures["nodes"], figures["seconds_total"])
         return result, figures
@@ -192,7 +193,8 @@ class Session:
     def _check_alive(self) -> None:
         if self.plan.surface.find() is None:
             raise DataError("The surface was deleted while the curve was growing; start again")
-        if self.plan.result is not None and self.plan.result.find() is None:
+        # A surface that is filled again gets a new curve where the last one is gone.
+        if not self.plan.from_surface and not is_present(self.plan.result.find()):
             raise DataError("The curve was deleted while it was growing; start again")
 
 

@@ -27,19 +27,31 @@ def write_curve(
     surface's space: it follows every transform, shear included, and its world positions are exact
     to float32. Strands keep their order; closed ones are cyclic.
 
-    curve_object   the curve to rewrite; None makes a new one beside the surface, in its collection
+    curve_object   the curve to rewrite, which keeps its looks; None makes a new one beside the
+                   surface, in its collection
     matrix         the surface's world matrix when the polylines were made; None: as it is now
-    bevel_depth    radius of the round bevel in world units; 0: a bare curve
+    bevel_depth    radius of the round bevel of a new one in world units; 0: a bare curve
     """
     if matrix is None:
         matrix = world_matrix(surface_object)
     if curve_object is None:
         curve_object = new_curve_object(name, surface_object)
-    curve = curve_object.data
-    write_splines(curve, polylines, matrix)
-    # The bevel lives in the surface's space, where it is scaled along with everything else.
-    curve.bevel_depth = bevel_depth / mean_scale(matrix)
+        _give_looks(curve_object.data, bevel_depth / mean_scale(matrix))
+    write_splines(curve_object.data, polylines, matrix)
     return curve_object
+
+
+def _give_looks(curve: bpy.types.Curve, bevel_depth: float) -> None:
+    """What a new curve looks like; from then on that is its user's.
+
+    The bevel lives in the surface's space, where it is scaled along with everything else.
+    """
+    curve.dimensions = "3D"  # first, since flat curves have other fill modes
+    curve.fill_mode = "FULL"
+    curve.use_fill_caps = True
+    curve.use_path = False  # else each update measures the whole curve for an animation
+    curve.bevel_resolution = 2
+    curve.bevel_depth = bevel_depth
 
 
 def new_curve_object(name: str, surface_object: bpy.types.Object) -> bpy.types.Object:
@@ -51,12 +63,8 @@ def new_curve_object(name: str, surface_object: bpy.types.Object) -> bpy.types.O
 
 
 def write_splines(curve: bpy.types.Curve, polylines: core.Polylines, matrix: np.ndarray) -> None:
-    """Replaces the splines of a curve by polylines, in the space of `matrix`."""
+    """Replaces the splines of a curve by polylines, in the space of `matrix`, and nothing else."""
     curve.dimensions = "3D"
-    curve.fill_mode = "FULL"
-    curve.use_fill_caps = True
-    curve.use_path = False  # else each update measures the whole curve for an animation
-    curve.bevel_resolution = 2
     # What can go wrong comes first: the curve keeps its splines until there are new ones.
     positions = to_local(polylines.positions, matrix).astype(np.float32)
     offsets = np.asarray(polylines.offsets, dtype=np.int64)

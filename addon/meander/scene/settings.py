@@ -9,7 +9,9 @@ from __future__ import annotations
 import bpy
 
 # What belongs to one object: what it lies on, what its last run came to, and what it does now.
-_OWN = frozenset({"rna_type", "name", "surface", "figures", "problem", "follow", "bake"})
+_OWN = frozenset(
+    {"rna_type", "name", "surface", "figures", "problem", "follow", "bake", "last_result"}
+)
 
 
 def copied(settings: bpy.types.PropertyGroup) -> list[str]:

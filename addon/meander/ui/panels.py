@@ -8,6 +8,7 @@ from bpy.props import FloatProperty
 
 from ..model.estimate import described
 from ..run import estimates, session, suspended
+from ..scene.results import last_result
 from ..scene.settings import surface_of
 from .declared import rows
 from .operators import MEANDER_OT_propose_spacing, MEANDER_OT_show_gaps
@@ -36,7 +37,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         if running is not None:
             self._draw_progress(layout, context, running)
         elif surface is not None:
-            self._draw_buttons(layout, context.active_object)
+            self._draw_buttons(layout, context.active_object, context.scene)
 
     def _draw_settings(
         self, layout: bpy.types.UILayout, active: bpy.types.Object, surface: bpy.types.Object
@@ -58,7 +59,9 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         row.prop(settings, "spacing")
         row.operator(MEANDER_OT_propose_spacing.bl_idname, text="", icon="SHADERFX")
 
-    def _draw_buttons(self, layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
+    def _draw_buttons(
+        self, layout: bpy.types.UILayout, active: bpy.types.Object, scene: bpy.types.Scene
+    ) -> None:
         layout.operator_context = "INVOKE_DEFAULT"
         column = layout.column(align=True)
         column.scale_y = 1.4
@@ -72,8 +75,12 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             column.operator(
                 MEANDER_OT_run.bl_idname, text="Start Over", icon="FILE_REFRESH"
             ).restart = True
-        else:
+        elif last_result(active, scene) is None:
             column.operator(MEANDER_OT_run.bl_idname, icon="PLAY")
+        else:
+            column.operator(MEANDER_OT_run.bl_idname, text="Fill Again", icon="FILE_REFRESH")
+            new = column.operator(MEANDER_OT_run.bl_idname, text="New Curve", icon="ADD")
+            new.beside = True
         if active.meander.spacing == 0.0:
             layout.label(text="Spacing 0: automatic", icon="INFO")
         # The same row from the first moment on, so that the panel does not jump.

@@ -141,6 +141,12 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
         default=False,
         options={"HIDDEN", "SKIP_SAVE"},
     )
+    beside: BoolProperty(
+        name="New Curve",
+        description="Make another curve on a mesh, instead of updating the last one",
+        default=False,
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
     asked: BoolProperty(
         name="Asked",
         description="Begin without asking, however large the run is",
@@ -156,9 +162,12 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
     def description(cls, _context: bpy.types.Context, options: Any) -> str:
         if options.restart:
             return "Fill the surface again from the seed, and replace this curve"
+        if options.beside:
+            return "Fill the mesh with another curve, and leave the one that it has"
         return (
             "Grow a curve on the active mesh until it fills the surface at the spacing. "
-            "On a curve made so before, go on from there"
+            "Filling it again updates that curve, which keeps its looks. On a curve made so "
+            "before, go on from there"
         )
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -166,7 +175,7 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
         if repeated and not bpy.app.background and context.window is not None:
             # Repeat Last and the like execute. What Blender repeats stays in its list, so it cannot
             # be modal itself; it begins another one.
-            bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart)
+            bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart, beside=self.beside)
             return {"CANCELLED"}
         plan = self._planned(context)
         if plan is None:
@@ -184,7 +193,7 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
 
     def _planned(self, context: bpy.types.Context) -> Plan | None:
         try:
-            return plan_run(context, self.restart)
+            return plan_run(context, self.restart, self.beside)
         except (DataError, core.MeanderError) as error:
             self.report({"ERROR"}, sentence_of(error))
             return None
@@ -198,7 +207,10 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
         if not is_large(estimate):
             return False
         bpy.ops.meander.ask_run(
-            "INVOKE_DEFAULT", restart=self.restart, figures=described(estimate)
+            "INVOKE_DEFAULT",
+            restart=self.restart,
+            beside=self.beside,
+            figures=described(estimate),
         )
         return True
 
@@ -211,6 +223,7 @@ class MEANDER_OT_ask_run(bpy.types.Operator):
     bl_options = {"INTERNAL"}
 
     restart: BoolProperty(options={"HIDDEN", "SKIP_SAVE"})
+    beside: BoolProperty(options={"HIDDEN", "SKIP_SAVE"})
     figures: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -223,7 +236,7 @@ class MEANDER_OT_ask_run(bpy.types.Operator):
         column.label(text="A wider spacing needs less", icon="BLANK1")
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
-        bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart, asked=True)
+        bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart, beside=self.beside, asked=True)
         return {"FINISHED"}
 
 

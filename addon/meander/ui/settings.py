@@ -15,6 +15,7 @@ from bpy.props import (
     StringProperty,
 )
 
+from ..scene import results
 from .alignment_settings import AlignmentSettings
 from .density_settings import DensitySettings
 from .motion_settings import FollowSettings
@@ -34,6 +35,10 @@ STOP_TEXTS = {
 
 def _is_mesh(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
     return object.type == "MESH"
+
+
+def _is_result(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return results.is_result_of(object, settings.id_data)
 
 
 def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
@@ -99,6 +104,16 @@ class MeanderSettings(
         name="Surface",
         description="The mesh that this curve fills; set on curves that Meander has made",
         poll=_is_mesh,
+        options=set(),
+    )
+    last_result: PointerProperty(
+        type=bpy.types.Object,
+        name="Result",
+        description=(
+            "The curve that is updated when this mesh is filled again, and keeps its looks. "
+            "Empty: a new one is made"
+        ),
+        poll=_is_result,
         options=set(),
     )
     seed: PointerProperty(

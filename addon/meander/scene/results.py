@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which curve object is the result that a surface's next run updates."""
+
+from __future__ import annotations
+
+import bpy
+
+
+def is_present(thing: bpy.types.Object | None) -> bool:
+    """Whether an object is in a scene. One that was deleted lives on while something names it."""
+    return thing is not None and bool(thing.users_scene)
+
+
+def is_result_of(thing: bpy.types.Object | None, surface: bpy.types.Object) -> bool:
+    """Whether an object is a curve that a run on this surface has made, and not on a copy of it."""
+    return thing is not None and thing.type == "CURVE" and thing.meander.surface == surface
+
+
+def last_result(
+    surface: bpy.types.Object | None, scene: bpy.types.Scene
+) -> bpy.types.Object | None:
+    """The curve that filling a surface again updates; None where that makes a new one.
+
+    None also for what cannot be changed, and for a duplicate of the surface: what it names is the
+    result of the original.
+    """
+    if surface is None or surface.type != "MESH":
+        return None
+    found = surface.meander.last_result
+    if not is_result_of(found, surface) or scene not in found.users_scene[:]:
+        return None
+    return found if found.library is None and found.data.library is None else None
+
+
+def remember(result: bpy.types.Object, surface: bpy.types.Object) -> None:
+    """Makes a curve the one that filling its surface again updates, where that can be noted."""
+    if surface.library is None:
+        surface.meander.last_result = result

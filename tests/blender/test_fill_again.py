@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Filling a mesh again: its last result is updated, or another one made beside it."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+import pytest
+from meander.scene.results import last_result
+from scenes import activate, counts, fill, length_of, sphere, world_splines
+from watched_runs import begin, tick_until
+
+QUICK = {"spacing": 0.5, "iteration_limit": 20}
+
+
+def run_again(surface: bpy.types.Object, spacing: float, **options) -> bpy.types.Object | None:
+    """Fills a mesh again with another spacing; the curve that the next run would update."""
+    activate(surface)
+    surface.meander.spacing = spacing
+    assert bpy.ops.meander.run(**options) == {"FINISHED"}
+    return last_result(surface, bpy.context.scene)
+
+
+def test_filling_again_updates_the_last_result_and_nothing_but_its_curve():
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    result.name, result.data.name = "My Line", "My Data"
+    data, material = result.data, bpy.data.materials.new("Mine")
+    data.materials.clear()
+    data.materials.append(material)
+    other = bpy.data.collections.new("Elsewhere")
+    bpy.context.scene.collection.children.link(other)
+    other.objects.link(result)
+    result.modifiers.new("Mine", "SMOOTH")
+    parent = bpy.data.objects.new("Parent", None)
+    bpy.context.scene.collection.objects.link(parent)
+    result.parent = parent
+    data.bevel_depth, data.bevel_resolution = 0.123, 7
+    data.keyframe_insert("bevel_depth", frame=1)
+    before, short = counts(), length_of(result)
+    assert run_again(surface, 0.25) == result
+    assert counts() == before
+    assert bpy.context.view_layer.objects.active == surface and surface.select_get()
+    assert length_of(result) > 1.5 * short
+    assert (result.name, result.data, data.name) == ("My Line", data, "My Data")
+    assert result.meander.spacing == pytest.approx(0.25)
+    assert data.materials[:] == [material] and other in result.users_collection
+    assert "Mine" in result.modifiers and result.parent == parent
+    assert data.animation_data.action is not None
+    assert (data.bevel_depth, data.bevel_resolution) == (pytest.approx(0.123), 7)
+
+
+def test_a_new_curve_leaves_the_one_before_it():
+    surface = sphere()
+    first = fill(surface, **QUICK)
+    former = world_splines(first)[0][0]
+    second = run_again(surface, 0.4, beside=True)
+    assert second not in (None, first) and second.select_get()
+    assert np.array_equal(world_splines(first)[0][0], former)
+    assert run_again(surface, 0.3) == second
+    assert np.array_equal(world_splines(first)[0][0], former)
+
+
+def test_the_last_result_is_found_after_undo_and_in_a_file(tmp_path):
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    surface.name, result.name = "Surface", "Line"
+    former = length_of(result)
+    bpy.ops.ed.undo_push(message="Filled")
+    run_again(surface, 0.25)
+    bpy.ops.ed.undo_push(message="Filled Again")
+    bpy.ops.ed.undo()
+    surface, result = bpy.data.objects["Surface"], bpy.data.objects["Line"]
+    assert length_of(result) == pytest.approx(former, rel=1e-6)
+    assert run_again(surface, 0.3) == result
+    path = str(tmp_path / "saved.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    surface = bpy.data.objects["Surface"]
+    before = counts()
+    assert run_again(surface, 0.25) == bpy.data.objects["Line"]
+    assert counts() == before
+
+
+def test_a_deleted_result_is_not_updated():
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    activate(result)
+    bpy.ops.object.delete()
+    again = run_again(surface, 0.5)
+    assert again is not None and again.users_scene and again.select_get()
+
+
+def test_a_duplicated_mesh_gets_a_result_of_its_own():
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    former = world_splines(result)[0][0]
+    activate(surface)
+    bpy.ops.object.duplicate()
+    copy = bpy.context.active_object
+    assert last_result(copy, bpy.context.scene) is None
+    own = run_again(copy, 0.4)
+    assert own != result and own.meander.surface == copy
+    assert last_result(surface, bpy.context.scene) == result
+    assert np.array_equal(world_splines(result)[0][0], former)
+
+
+def test_a_mesh_that_is_duplicated_with_its_result_updates_the_copy():
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    former = world_splines(result)[0][0]
+    surface.select_set(True)
+    result.select_set(True)
+    bpy.context.view_layer.objects.active = surface
+    bpy.ops.object.duplicate()
+    copy = bpy.context.active_object
+    copied = last_result(copy, bpy.context.scene)
+    assert copied not in (None, result) and copied.meander.surface == copy
+    assert run_again(copy, 0.3) == copied
+    assert np.array_equal(world_splines(result)[0][0], former)
+
+
+def test_a_result_that_goes_away_during_the_run_is_made_anew(windowed):
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    running = begin(surface, 0.1)
+    tick_until(running, lambda: running.shown_points > 0)
+    activate(result)
+    bpy.ops.object.delete()
+    running.stop_wanted = True
+    tick_until(running, lambda: False)
+    made, _figures = running.keep(bpy.context)
+    running.end()
+    assert made.users_scene and last_result(surface, bpy.context.scene) == made
