@@ -43,9 +43,7 @@ def reach_of(vertices: NDArray[np.float64]) -> float:
     return REACH * float(np.linalg.norm(np.ptp(vertices, axis=0)))
 
 
-def assembled(
-    parts: Sequence[Part], loops: bool = False, reach: float = 0.0
-) -> core.Seed | None:
+def assembled(parts: Sequence[Part], loops: bool = False, reach: float = 0.0) -> core.Seed | None:
     """One seed of all parts, in their order; None when there are none.
 
     reach   how far from the surface points may be, see core.Seed

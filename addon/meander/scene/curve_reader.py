@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from ..model.chains import branching, chains_of
 from .errors import DataError
 from .evaluated import linked_copy, mesh_of
 from .transforms import to_world, world_matrix
@@ -97,33 +98,13 @@ def _chains(
     points: np.ndarray, edges: np.ndarray, name: str
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Orders the points along the chains that the edges form; lone points are left out."""
-    neighbours: dict[int, list[int]] = {}
-    for a, b in edges.tolist():
-        neighbours.setdefault(a, []).append(b)
-        neighbours.setdefault(b, []).append(a)
-    if any(len(others) > 2 for others in neighbours.values()):
+    if len(branching(edges)):
         raise DataError(f"'{name}' branches; choose a curve of simple strands as the seed")
-    chains: list[tuple[int, list[int], bool]] = []
-    visited: set[int] = set()
-    # Ends first: what is then left over is closed.
-    ends = [vertex for vertex, others in neighbours.items() if len(others) == 1]
-    for start in ends + list(neighbours):
-        if start in visited:
-            continue
-        visited.add(start)
-        chain = [start]
-        while True:
-            following = [n for n in neighbours[chain[-1]] if n not in visited]
-            if not following:
-                break
-            visited.add(following[0])
-            chain.append(following[0])
-        chains.append((min(chain), chain, len(neighbours[start]) == 2))
     # Blender numbers the points spline after spline: the least index tells the order.
-    chains.sort(key=lambda entry: entry[0])
-    order = [vertex for _least, chain, _closed in chains for vertex in chain]
-    offsets = np.cumsum([0] + [len(chain) for _least, chain, _closed in chains])
-    closed = np.array([is_closed for _least, _chain, is_closed in chains], dtype=bool)
+    chains = chains_of(edges)
+    order = [vertex for chain in chains for vertex in chain.vertices]
+    offsets = np.cumsum([0] + [len(chain.vertices) for chain in chains])
+    closed = np.array([chain.closed for chain in chains], dtype=bool)
     return points[order], offsets, closed
 
 

@@ -15,6 +15,7 @@ from . import (
     preferences,
     preparation_panels,
     run_operators,
+    seed_operators,
     settings,
     strand_panel,
     term_panels,
@@ -40,6 +41,7 @@ _MODULES = (
     light_operator,
     points_panel,
     preparation_panels,
+    seed_operators,
     strand_panel,
 )
 

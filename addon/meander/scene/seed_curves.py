@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seeds made of a mesh's own edges: the selected ones, or those of its boundary."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from ..model.chains import Chain, branching, chains_of
+from .curve_writer import new_curve_object
+from .errors import DataError
+from .evaluated import surface_mesh
+
+
+def new_seed(
+    surface: bpy.types.Object, name: str, strands: list[tuple[np.ndarray, bool]]
+) -> bpy.types.Object:
+    """A curve object of poly splines, beside a surface and in its space.
+
+    strands   points (n, 3) and whether the last one goes on to the first, a spline each
+    """
+    seed = new_curve_object(name, surface)
+    seed.data.dimensions = "3D"
+    for points, closed in strands:
+        spline = seed.data.splines.new("POLY")
+        spline.points.add(len(points) - 1)
+        places = np.ones((len(points), 4), dtype=np.float32)
+        places[:, :3] = points
+        spline.points.foreach_set("co", places.ravel())
+        spline.use_cyclic_u = closed
+    return seed
+
+
+def strands_of_edges(
+    surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph, branches: bool
+) -> list[tuple[np.ndarray, bool]]:
+    """The selected edges of a mesh as strands, in the surface's space.
+
+    Call it after Edit Mode was left. Where modifiers leave the vertices what they are and only move
+    them, the strands go where the edges are seen; else where they are without modifiers.
+
+    branches   edges may branch, and strands end there
+
+    Raises DataError with one sentence where none is selected, or where they branch.
+    """
+    edges = _edges_of(surface.data)[_selected(surface.data.edges)]
+    if not len(edges):
+        raise DataError("No edges are selected; select edges that form lines")
+    forks = branching(edges)
+    if len(forks) and not branches:
+        places = "one vertex" if len(forks) == 1 else f"{len(forks)} vertices"
+        raise DataError(
+            f"The selected edges branch at {places}, and strands may not; deselect edges until no "
+            "vertex has more than two, or use them as guides"
+        )
+    return _strands(chains_of(edges), _places(surface, depsgraph))
+
+
+def strands_of_boundary(
+    surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph, selected: bool
+) -> list[tuple[np.ndarray, bool]]:
+    """The boundary of a mesh as strands, in the surface's space.
+
+    selected   only those boundaries that have a selected edge, if there is any; for calls after
+               Edit Mode was left. Otherwise all of the mesh with its modifiers
+
+    Raises DataError with one sentence for a mesh without boundary, and one that meets itself.
+    """
+    if selected:
+        chosen = _selected(surface.data.edges)
+        edges, which = _boundary(surface.data)
+        chains, places = _loops(edges, surface), _places(surface, depsgraph)
+        marked = {tuple(pair) for pair in np.sort(edges[chosen[which]], axis=1).tolist()}
+        if marked:
+            chains = [chain for chain in chains if _sides(chain) & marked]
+        return _strands(chains, places)
+    with surface_mesh(surface, depsgraph) as (mesh, _matrix):
+        edges, _which = _boundary(mesh)
+        places = _coordinates(mesh)
+    return _strands(_loops(edges, surface), places)
+
+
+def _loops(edges: np.ndarray, surface: bpy.types.Object) -> list[Chain]:
+    if not len(edges):
+        raise DataError(f"'{surface.name}' has no boundary; select edges to start from instead")
+    forks = branching(edges)
+    if len(forks):
+        places = "one vertex" if len(forks) == 1 else f"{len(forks)} vertices"
+        raise DataError(
+            f"The boundary of '{surface.name}' meets itself at {places}, and strands may not; "
+            "select edges that do not"
+        )
+    return chains_of(edges)
+
+
+def _sides(chain: Chain) -> set[tuple[int, int]]:
+    ends = zip(chain.vertices, [*chain.vertices[1:], chain.vertices[0]])
+    return {(min(a, b), max(a, b)) for a, b in ends}
+
+
+def _strands(chains: list[Chain], places: np.ndarray) -> list[tuple[np.ndarray, bool]]:
+    return [(places[chain.vertices], chain.closed) for chain in chains]
+
+
+def _places(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
+    """Where the vertices of a mesh are seen, (n, 3) in its space; without modifiers where these
+    change how many there are."""
+    with surface_mesh(surface, depsgraph) as (mesh, _matrix):
+        if len(mesh.vertices) == len(surface.data.vertices):
+            return _coordinates(mesh)
+    return _coordinates(surface.data)
+
+
+def _coordinates(mesh: bpy.types.Mesh) -> np.ndarray:
+    places = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.vertices.foreach_get("co", places)
+    return places.reshape(-1, 3)
+
+
+def _edges_of(mesh: bpy.types.Mesh) -> np.ndarray:
+    edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", edges)
+    return edges.reshape(-1, 2)
+
+
+def _selected(edges: bpy.types.bpy_prop_collection) -> np.ndarray:
+    flags = np.empty(len(edges), dtype=bool)
+    edges.foreach_get("select", flags)
+    return flags
+
+
+def _boundary(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray]:
+    """The edges with one face, and their numbers."""
+    sides = np.empty(len(mesh.loops), dtype=np.int32)
+    mesh.loops.foreach_get("edge_index", sides)
+    which = np.flatnonzero(np.bincount(sides, minlength=len(mesh.edges)) == 1)
+    return _edges_of(mesh)[which], which

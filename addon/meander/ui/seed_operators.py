@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Buttons that make a seed of what a mesh has: selected edges, boundaries, two vertices."""
+
+from __future__ import annotations
+
+import bmesh
+import bpy
+import numpy as np
+from bpy.props import BoolProperty
+
+from ..run import session
+from ..scene.errors import DataError
+from ..scene.seed_curves import new_seed, strands_of_boundary, strands_of_edges
+from .run_operators import sentence_of
+
+
+def _poll(
+    cls: type[bpy.types.Operator], context: bpy.types.Context, modes: tuple, ask: str
+) -> bool:
+    active = context.active_object
+    if session.current() is not None:
+        cls.poll_message_set("A curve is growing")
+    elif active is None or active.type != "MESH" or active.mode not in modes:
+        cls.poll_message_set(ask)
+    elif active.library is not None or active.data.library is not None:
+        cls.poll_message_set("The mesh is linked from another file and cannot be changed")
+    else:
+        return True
+    return False
+
+
+def _leave_edit_mode(context: bpy.types.Context) -> None:
+    """Undo in Edit Mode knows nothing of new objects, so what makes one ends in Object Mode."""
+    if context.mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def _use(
+    operator: bpy.types.Operator,
+    surface: bpy.types.Object,
+    strands: list[tuple[np.ndarray, bool]],
+    guides: bool = False,
+) -> None:
+    """Makes the curve and the seed, or the guides, of it."""
+    seed = new_seed(surface, f"{surface.name} {'Guides' if guides else 'Seed'}", strands)
+    if guides:
+        surface.meander.guides = seed
+    else:
+        surface.meander.seed = seed
+    count = "one strand" if len(strands) == 1 else f"{len(strands)} strands"
+    is_what = "guides" if guides else "the seed"
+    operator.report({"INFO"}, f"{seed.name}, {count}, is {is_what} of {surface.name}")
+
+
+class MEANDER_OT_seed_from_edges(bpy.types.Operator):
+    """Make a curve of the selected edges, and the seed of this mesh of it"""
+
+    bl_idname = "meander.seed_from_edges"
+    bl_label = "Seed from Selected Edges"
+    bl_description = (
+        "Make a curve that follows the selected edges, and the seed of it: each chain of edges "
+        "becomes an open strand, each loop a closed one"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    guides: BoolProperty(
+        name="As Guides",
+        description="Make them guides, which stay as they are and may branch, instead of the seed",
+        default=False,
+        options={"SKIP_SAVE"},
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        # In Object Mode it works on the selection that Edit Mode has left, for scripts and the
+        # redo panel.
+        return _poll(cls, context, ("EDIT", "OBJECT"), "Select edges of a mesh in Edit Mode")
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        surface, mode = context.active_object, context.active_object.mode
+        _leave_edit_mode(context)
+        try:
+            depsgraph = context.evaluated_depsgraph_get()
+            strands = strands_of_edges(surface, depsgraph, branches=self.guides)
+        except DataError as error:
+            bpy.ops.object.mode_set(mode=mode)
+            self.report({"ERROR"}, sentence_of(error))
+            return {"CANCELLED"}
+        _use(self, surface, strands, self.guides)
+        return {"FINISHED"}
+
+
+class MEANDER_OT_seed_from_boundary(bpy.types.Operator):
+    """Make a curve of the boundary, and the seed of this mesh of it"""
+
+    bl_idname = "meander.seed_from_boundary"
+    bl_label = "Seed from Boundary Loops"
+    bl_description = (
+        "Make a curve of closed strands along the boundaries of the mesh, and the seed of it. In "
+        "Edit Mode with boundary edges selected, of their loops only"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _poll(cls, context, ("EDIT", "OBJECT"), "Choose a mesh in Object Mode or Edit Mode")
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        surface, mode = context.active_object, context.active_object.mode
+        _leave_edit_mode(context)
+        try:
+            depsgraph = context.evaluated_depsgraph_get()
+            strands = strands_of_boundary(surface, depsgraph, selected=mode == "EDIT")
+        except DataError as error:
+            bpy.ops.object.mode_set(mode=mode)
+            self.report({"ERROR"}, sentence_of(error))
+            return {"CANCELLED"}
+        _use(self, surface, strands)
+        return {"FINISHED"}
+
+
+class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
+    """Make a two-point curve of the two selected vertices, and the seed of this mesh of it"""
+
+    bl_idname = "meander.stroke_from_vertices"
+    bl_label = "Stroke from Selected Vertices"
+    bl_description = (
+        "Make a curve of two points at the two selected vertices, and the seed of it: one stroke "
+        "from one to the other then fills the surface, with its ends where they are"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _poll(cls, context, ("EDIT",), "Select two vertices of a mesh in Edit Mode")
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        mesh_object = context.active_object
+        mesh = bmesh.from_edit_mesh(mesh_object.data)
+        # As they were selected, where Blender knows.
+        picked = [item for item in mesh.select_history if isinstance(item, bmesh.types.BMVert)]
+        others = [vertex for vertex in mesh.verts if vertex.select and vertex not in picked]
+        ends = [vertex.co[:] for vertex in picked + others]
+        if len(ends) != 2:
+            self.report({"ERROR"}, f"{len(ends)} vertices are selected; select two, the ends")
+            return {"CANCELLED"}
+        _leave_edit_mode(context)
+        stroke = new_seed(mesh_object, f"{mesh_object.name} Stroke", [(np.array(ends), False)])
+        mesh_object.meander.seed = stroke
+        mesh_object.meander.fixed_ends = True
+        self.report({"INFO"}, f"{stroke.name} is the seed of {mesh_object.name}")
+        return {"FINISHED"}
+
+
+_CLASSES = (
+    MEANDER_OT_seed_from_edges,
+    MEANDER_OT_seed_from_boundary,
+    MEANDER_OT_stroke_from_vertices,
+)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

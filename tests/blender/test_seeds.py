@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seeds made of a mesh's own edges, and seeds that are drawn some way off the surface."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+import pytest
+from scenes import (
+    activate,
+    circle_points,
+    counts,
+    fill,
+    grid,
+    packing,
+    poly_curve,
+    refused,
+    sphere,
+    world_splines,
+)
+
+
+def select_edges(surface: bpy.types.Object, chosen) -> None:
+    """Selects the edges for whose two ends `chosen` is true, as Edit Mode has it."""
+    mesh = surface.data
+    for items in (mesh.vertices, mesh.polygons, mesh.edges):
+        items.foreach_set("select", np.zeros(len(items), dtype=bool))
+    for edge in mesh.edges:
+        if all(chosen(mesh.vertices[i].co) for i in edge.vertices):
+            edge.select = True
+            for i in edge.vertices:
+                mesh.vertices[i].select = True
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_mode(type="EDGE")
+
+
+def test_selected_edges_become_strands_along_them():
+    surface = grid(8)
+    surface.modifiers.new("Lift", "DISPLACE").strength = 0.5
+
+    # A row of edges from side to side, and a loop.
+    def chosen(place):
+        on_row = abs(place.y + 0.5) < 1e-6
+        ring = max(abs(place.x), abs(place.y - 0.5))
+        return on_row or abs(ring - 0.25) < 1e-6
+
+    select_edges(surface, chosen)
+    assert bpy.ops.meander.seed_from_edges() == {"FINISHED"}
+    # Back where undo knows of new objects, and the surface is ready to be filled.
+    assert surface.mode == "OBJECT" and bpy.context.view_layer.objects.active == surface
+    seed = surface.meander.seed
+    assert seed.parent == surface and seed.name == f"{surface.name} Seed"
+    (row, open_one), (loop, closed_one) = world_splines(seed)
+    assert (open_one, closed_one) == (False, True)
+    assert len(row) == 9 and len(loop) == 8
+    # Where the modifier shows them.
+    lift = bpy.context.evaluated_depsgraph_get()
+    shown = surface.evaluated_get(lift).data.vertices
+    assert np.allclose(row[:, 2], shown[0].co.z, atol=1e-6) and shown[0].co.z != 0
+    assert np.abs(row[:, 1] + 0.5).max() < 1e-6
+    result = fill(surface, 0.2)
+    assert [spline.use_cyclic_u for spline in result.data.splines] == [False, True]
+    assert packing(surface, result) == pytest.approx(1.0, abs=0.15)
+
+
+def test_edges_that_branch_are_refused_as_a_seed_and_taken_as_guides():
+    surface = grid(4)
+    select_edges(surface, lambda place: abs(place.x) < 1e-6 or abs(place.y) < 1e-6)
+    before = counts()
+    with pytest.raises(RuntimeError, match="branch at one vertex"):
+        bpy.ops.meander.seed_from_edges()
+    assert surface.mode == "EDIT" and counts() == before
+    assert bpy.ops.meander.seed_from_edges(guides=True) == {"FINISHED"}
+    assert surface.meander.seed is None
+    assert len(surface.meander.guides.data.splines) == 4
+    result = fill(surface, 0.3)
+    assert result.meander.figures.guides == 4
+    # The cross parts the sheet into four.
+    assert sum(spline.use_cyclic_u for spline in result.data.splines) == 4
+
+
+def test_no_edges_are_refused():
+    surface = grid(4)
+    select_edges(surface, lambda place: False)
+    with pytest.raises(RuntimeError, match="No edges are selected"):
+        bpy.ops.meander.seed_from_edges()
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def ring_with_hole() -> bpy.types.Object:
+    surface = grid(6)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="DESELECT")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for polygon in surface.data.polygons:
+        polygon.select = max(abs(polygon.center.x), abs(polygon.center.y)) < 0.4
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.delete(type="FACE")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    return surface
+
+
+def test_boundaries_become_closed_strands_all_or_the_selected():
+    surface = ring_with_hole()
+    assert bpy.ops.meander.seed_from_boundary() == {"FINISHED"}
+    extents = [np.abs(points).max() for points, cyclic in world_splines(surface.meander.seed)]
+    assert sorted(extents) == pytest.approx([1 / 3, 1.0], abs=1e-6)
+    assert all(spline.use_cyclic_u for spline in surface.meander.seed.data.splines)
+    result = fill(surface, 0.2)
+    assert [spline.use_cyclic_u for spline in result.data.splines] == [True, True]
+    assert packing(surface, result) == pytest.approx(1.0, abs=0.15)
+    # Of the mesh with its modifiers: a mirror image has a boundary of its own.
+    activate(surface)
+    surface.modifiers.new("Array", "ARRAY").relative_offset_displace = (1.5, 0.0, 0.0)
+    assert bpy.ops.meander.seed_from_boundary() == {"FINISHED"}
+    assert len(surface.meander.seed.data.splines) == 4
+    # With one edge of the hole selected, only that loop.
+    select_edges(surface, lambda place: abs(place.x - 1 / 3) < 1e-5 and -0.4 < place.y < 0.05)
+    assert bpy.ops.meander.seed_from_boundary() == {"FINISHED"}
+    ((points, cyclic),) = world_splines(surface.meander.seed)
+    assert cyclic and np.abs(points).max() == pytest.approx(1 / 3, abs=1e-5)
+
+
+def test_a_closed_mesh_has_no_boundary():
+    sphere()
+    with pytest.raises(RuntimeError, match="has no boundary"):
+        bpy.ops.meander.seed_from_boundary()
+
+
+# -- off the surface -------------------------------------------------------------------------------
+
+
+def test_a_seed_off_the_surface_is_laid_on_it_and_the_summary_says_so(capfd):
+    surface = sphere()
+    seed = poly_curve("Halo", [circle_points(1.3, 0.2, 32)], True)
+    bpy.context.scene.unit_settings.system = "METRIC"
+    bpy.context.scene.unit_settings.length_unit = "CENTIMETERS"
+    bpy.context.scene.unit_settings.scale_length = 0.01
+    result = fill(surface, 0.3, seed=seed)
+    assert packing(surface, result) == pytest.approx(1.0, abs=0.15)
+    assert "moved the seed to the surface, from up to 3.19 mm away" in capfd.readouterr().out
+    sentence = refused(surface, seed=poly_curve("Far", [circle_points(3.0, 0.0)], True))
+    assert "of spline 1 of 'Far' is 2" in sentence and "cm away from the surface" in sentence
+    # What has grown has to lie where it is: it may be of another frame.
+    activate(result)
+    surface.scale = (1.4, 1.4, 1.4)
+    result.matrix_parent_inverse = np.diag([1 / 1.4, 1 / 1.4, 1 / 1.4, 1.0]).tolist()
+    bpy.context.view_layer.update()
+    assert "away from the surface" in refused(result)
