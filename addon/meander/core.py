@@ -35,6 +35,7 @@ from .binding.choices import (
     STOP_REASONS,
 )
 from .binding.context import Context
+from .binding.cut import NO_STRAND, CutSurface, cut_surface
 from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
 from .binding.flow_options import FlowOptions, default_options, option_warnings
 from .binding.native_library import (
@@ -56,12 +57,14 @@ __all__ = [
     "DIRECTIONS",
     "ELEMENT_KINDS",
     "LIBRARY_VARIABLE",
+    "NO_STRAND",
     "PRESETS",
     "STATUS_NO_LIBRARY",
     "STOP_REASONS",
     "VERSION",
     "BoundaryRule",
     "Context",
+    "CutSurface",
     "Flow",
     "FlowOptions",
     "Gaps",
@@ -76,6 +79,7 @@ __all__ = [
     "StopRule",
     "Surface",
     "SurfaceOptions",
+    "cut_surface",
     "default_options",
     "library_path",
     "library_version",

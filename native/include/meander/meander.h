@@ -18,6 +18,7 @@
  *     meander_flow_start / wait        the same run on a thread of the library, with previews
  *     meander_flow_get_polylines       curve out, at any time between steps
  *     meander_flow_find_gaps           where it leaves the surface empty
+ *     meander_flow_cut_surface         the mesh with the curve among its edges
  *
  * Names.    A call named get_ copies what is already known. A call named compute_ or find_ does work
  *           that grows with the mesh or the curve, and does it again in every call; it takes a
@@ -936,6 +937,97 @@ MEANDER_API meander_status meander_flow_find_gaps(meander_flow* flow, double lea
                                                   double* positions, double* radii, double* sizes,
                                                   uint32_t* faces, size_t capacity, size_t* count,
                                                   meander_context* context, meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: the surface cut along the curve                                                        */
+
+typedef struct meander_cut meander_cut;
+
+/* Makes a triangle mesh of the same shape as the flow's surface in which every straight piece of the
+ * curve is an edge, and finds for all of it the nearest place of the curve: what two-tone colours,
+ * reliefs and patterns along the curve need. Every piece lies in one face, so nothing is approximated:
+ * each face of the surface is divided by itself, and shared edges alike from both sides. Guides are left
+ * out, since they may cross one another.
+ *
+ * detail        0: only the vertices that the curve calls for. Larger: edges get further vertices until
+ *               they are about so long, and faces vertices about so far apart, for fields that follow the
+ *               distance. Caller's units; half of r gives a smooth relief
+ * middle_lines  1: also the lines halfway between neighbouring turns become edges, so that every face
+ *               belongs to one turn and one side of it, and the distance has its ridges on edges; or 0
+ * cut           receives the mesh; destroy it with meander_cut_destroy. It keeps nothing of the flow
+ * context       or NULL; asked before the work begins and after it
+ *
+ * Where the curve comes close to vertices and edges of the surface, faces are thin; none is turned over.
+ * Refused with MEANDER_STATUS_INVALID_ARGUMENT: a detail that is negative, not finite, or so small that
+ * there would be more than 200 million vertices. */
+MEANDER_API meander_status meander_flow_cut_surface(const meander_flow* flow, double detail,
+                                                    uint32_t middle_lines, meander_cut** cut,
+                                                    meander_context* context, meander_error* error);
+
+/* Frees a cut; NULL is allowed. */
+MEANDER_API void meander_cut_destroy(meander_cut* cut);
+
+/* Copies the vertices of a cut. Every array may be NULL.
+ *
+ * positions     double[3 * capacity], in the caller's units
+ * distances     double[capacity]: from the curve, along the surface; 0 on the curve, infinite on
+ *               components that no strand runs on. Where the surface bends by less than 20 degrees on the
+ *               way it is the straight distance
+ * faces         uint32_t[capacity]: a face that holds the vertex, as passed to meander_surface_create
+ * barycentrics  double[3 * capacity]: weights of that face's vertices in the caller's order; sum 1
+ * capacity      room in the arrays, in vertices
+ * count         receives the number of vertices; when it exceeds capacity nothing is copied */
+MEANDER_API meander_status meander_cut_get_vertices(const meander_cut* cut, double* positions,
+                                                    double* distances, uint32_t* faces,
+                                                    double* barycentrics, size_t capacity, size_t* count,
+                                                    meander_error* error);
+
+/* Copies the faces of a cut. Every array may be NULL.
+ *
+ * vertices       uint32_t[3 * capacity], oriented as the component's first face
+ * origins        uint32_t[capacity]: the face that it is a part of, as passed to meander_surface_create
+ * strands        uint32_t[capacity]: the nearest strand, as in meander_flow_get_polylines; UINT32_MAX on
+ *                components that no strand runs on
+ * regions        uint32_t[capacity]: faces have the same number if one can go from one to the other
+ *                without crossing the curve; from 0 on
+ * sides          int32_t[capacity], 1 or -1: other on the two sides of every edge of the curve, if that
+ *                can be on this component of the surface, as it can where closed strands part a
+ *                sphere; if not, as nearest_sides. 0 on components without a strand
+ * nearest_sides  int32_t[capacity]: 1 on the left of the nearest strand, in its direction and seen from
+ *                outside, -1 on its right, 0 on components without a strand
+ * along          double[3 * capacity]: per corner, the arc length of the nearest place of the curve from the
+ *                first point of its strand. It does not jump within a face, so it may lie a little beyond
+ *                either end of a closed strand
+ * distances      double[3 * capacity]: per corner, from that place
+ * barycentrics   double[9 * capacity]: per corner, the weights of the vertices of the face in `origins`
+ * capacity       room in the arrays, in faces
+ * count          receives the number of faces; when it exceeds capacity nothing is copied */
+MEANDER_API meander_status meander_cut_get_faces(const meander_cut* cut, uint32_t* vertices,
+                                                 uint32_t* origins, uint32_t* strands, uint32_t* regions,
+                                                 int32_t* sides, int32_t* nearest_sides, double* along,
+                                                 double* distances, double* barycentrics,
+                                                 size_t capacity, size_t* count, meander_error* error);
+
+/* Copies the curve as edges of a cut: each strand's point is joined to the next one by an edge. Every array
+ * may be NULL.
+ *
+ * vertices         uint32_t[point_capacity]: vertices of the cut
+ * arc_lengths      double[point_capacity]: from the first point of the strand
+ * point_capacity   room in the two arrays, in points
+ * point_count      receives the number of points
+ * offsets          uint64_t[strand_capacity + 1]: strand s has the points offsets[s] .. offsets[s + 1] - 1
+ * strands          uint32_t[strand_capacity]: which strand of meander_flow_get_polylines it is
+ * closed           uint8_t[strand_capacity]: 1 if the last point joins the first (not repeated)
+ * lengths          double[strand_capacity]: of the whole strand
+ * strand_capacity  room in the arrays, in strands; `offsets` has room for one value more
+ * strand_count     receives the number of strands that are not guides
+ *
+ * Where a capacity is too small counts are written, and nothing is copied. */
+MEANDER_API meander_status meander_cut_get_line(const meander_cut* cut, uint32_t* vertices,
+                                                double* arc_lengths, size_t point_capacity,
+                                                size_t* point_count, uint64_t* offsets, uint32_t* strands,
+                                                uint8_t* closed, double* lengths, size_t strand_capacity,
+                                                size_t* strand_count, meander_error* error);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/cut_surface.h"
+
+#include "curve/line_fields.h"
+#include "curve/middle_lines.h"
+#include "curve/polylines.h"
+
+namespace meander {
+namespace {
+
+using Weights = std::array<double, 3>;
+
+Weights weights_at(Vec2 b) { return {1 - b.x - b.y, b.x, b.y}; }
+
+void put_vertices(const Surface& surface, const MeshMap* map, const CutMesh& mesh, const LineDistance& distance,
+                  CutSurface& out) {
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    const CutMesh::Place& place = mesh.place(v);
+    const Weights w = weights_at(place.at);
+    out.positions.push_back(caller_point(surface, place.face, w));
+    out.distances.push_back(distance.at(v).distance * surface.scale());
+    out.vertex_faces.push_back(map ? map->face(place.face) : place.face);
+    out.vertex_weights.push_back(caller_weights(surface, map, place.face, w));
+  }
+}
+
+void put_faces(const Surface& surface, const MeshMap* map, const CutMesh& mesh, const LineFields& fields,
+               CutSurface& out) {
+  for (uint32_t f = 0; f < mesh.faces().size(); ++f) {
+    const CutMesh::Face& face = mesh.faces()[f];
+    const FaceLine& line = fields.of_face(f);
+    out.faces.push_back(face.vertices);
+    out.origins.push_back(map ? map->face(face.origin) : face.origin);
+    out.strands.push_back(line.strand);
+    out.regions.push_back(line.region);
+    out.sides.push_back(line.side);
+    out.nearest_sides.push_back(line.nearest_side);
+    Weights along{}, distances{};
+    std::array<Weights, 3> corners{};
+    for (uint32_t k = 0; k < 3; ++k) {
+      along[k] = line.along[k] * surface.scale();
+      distances[k] = line.distance[k] * surface.scale();
+      corners[k] = caller_weights(surface, map, face.origin, weights_at(face.at[k]));
+    }
+    out.along.push_back(along);
+    out.face_distances.push_back(distances);
+    out.corner_weights.push_back(corners);
+  }
+}
+
+void put_line(const Surface& surface, const CutMesh& mesh, CutSurface& out) {
+  for (const CutMesh::LineStrand& strand : mesh.strands()) {
+    for (uint32_t p = strand.first; p < strand.first + strand.count; ++p) {
+      out.line_vertices.push_back(mesh.line_vertex(p));
+      out.arc_lengths.push_back(mesh.arc_length(p) * surface.scale());
+    }
+    out.offsets.push_back(out.line_vertices.size());
+    out.line_strands.push_back(strand.strand);
+    out.closed.push_back(strand.closed);
+    out.lengths.push_back(strand.length * surface.scale());
+  }
+}
+
+}  // namespace
+
+CutSurface cut_surface(const Surface& surface, const MeshMap* map, const Curve& curve, double detail,
+                       bool middle_lines) {
+  CutMesh mesh(surface, curve, detail / surface.scale());
+  LineDistance distance(mesh);
+  if (middle_lines) add_middle_lines(mesh, distance);
+  const LineFields fields(mesh, distance);
+  CutSurface out;
+  put_vertices(surface, map, mesh, distance, out);
+  put_faces(surface, map, mesh, fields, out);
+  put_line(surface, mesh, out);
+  return out;
+}
+
+}  // namespace meander

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/line_distance.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "base/front_search.h"
+
+namespace meander {
+namespace {
+
+/// Nearest places move no faster along the line than this, relative to the point that they belong to, or they are taken
+/// for places of different turns. On the inside of a bend they move as fast as one likes close to its centre.
+constexpr double kFastest = 4;
+
+/// Where the square of the way between the nearest places of two points is less than this share of what it is beside a
+/// straight line, the places count as one point.
+constexpr double kPointSource = 0.25;
+
+/// The straight distance counts where the normals at its ends differ by less than this, as a cosine: 20 degrees. It is
+/// then at most 1.6 per cent shorter than the way along the surface.
+constexpr double kFlat = 0.94;
+
+uint32_t next_edge(uint32_t e) { return 3 * (e / 3) + next_corner(e % 3); }
+uint32_t edge_before(uint32_t e) { return 3 * (e / 3) + prev_corner(e % 3); }
+
+double angle(const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); }
+
+}  // namespace
+
+LineDistance::LineDistance(const CutMesh& mesh) : mesh_(mesh), nearest_(mesh.vertex_count()) {
+  find_corner_sides();
+  march();
+}
+
+/// On which side of the line the corners of faces at it lie. No point of the line is on the boundary, so faces
+/// surround each of them.
+void LineDistance::find_corner_sides() {
+  const uint32_t edges = static_cast<uint32_t>(3 * mesh_.faces().size());
+  corner_side_.assign(edges, 0);
+  piece_face_.assign(mesh_.line_point_count(), kNone);
+  for (uint32_t e = 0; e < edges; ++e) {
+    const uint32_t point = mesh_.line_point(vertex(e));
+    if (point == kNone || mesh_.line_side(e) == 0) continue;
+    if (mesh_.line_side(e) > 0) piece_face_[point] = mesh_.faces()[e / 3].origin;
+    mark(e);
+  }
+}
+
+/// Marks the corners from an edge that leaves a point of the line along it, counter-clockwise, up to the other edge of
+/// the line there. Beyond an end of the line the sides meet half way round.
+void LineDistance::mark(uint32_t leaving) {
+  const int8_t side = static_cast<int8_t>(mesh_.line_side(leaving));
+  const Vec3& x = mesh_.position(vertex(leaving));
+  const auto corner = [&](uint32_t e) {
+    return angle(mesh_.position(vertex(next_edge(e))) - x, mesh_.position(vertex(edge_before(e))) - x);
+  };
+  const auto next = [&](uint32_t e) { return mesh_.twins()[edge_before(e)]; };
+  double whole = 0;
+  uint32_t e = leaving;
+  do {
+    whole += corner(e);
+    e = next(e);
+  } while (e != kNone && mesh_.line_side(e) == 0);
+  const bool is_end = e == leaving;
+  double turned = 0;
+  e = leaving;
+  do {
+    const double half = 0.5 * corner(e);
+    turned += half;
+    corner_side_[e] = is_end && turned > 0.5 * whole ? static_cast<int8_t>(-side) : side;
+    turned += half;
+    e = next(e);
+  } while (e != kNone && mesh_.line_side(e) == 0);
+}
+
+NearestOnLine LineDistance::in_face(uint32_t corner) const {
+  NearestOnLine n = nearest_[vertex(corner)];
+  if (n.side == 0) n.side = corner_side_[corner];
+  return n;
+}
+
+double LineDistance::between(const NearestOnLine& from, const NearestOnLine& to) const {
+  const CutMesh::LineStrand& s = mesh_.strands()[from.strand];
+  const double d = to.along - from.along;
+  return s.closed ? std::remainder(d, s.length) : d;
+}
+
+bool LineDistance::one_sheet(uint32_t corner, uint32_t other) const {
+  const NearestOnLine a = in_face(corner), b = in_face(other);
+  if (a.strand != b.strand || a.side != b.side || a.strand == kNone) return false;
+  const uint32_t p = mesh_.line_point(vertex(corner)), q = mesh_.line_point(vertex(other));
+  if (p != kNone && q != kNone) return mesh_.next_point(p) == q || mesh_.previous_point(p) == q;
+  const double length = (mesh_.position(vertex(other)) - mesh_.position(vertex(corner))).norm();
+  return std::abs(between(a, b)) <= kFastest * length;
+}
+
+void LineDistance::march() {
+  // The corners of each vertex, vertex after vertex.
+  std::vector<uint32_t> first(mesh_.vertex_count() + 1, 0), corners(3 * mesh_.faces().size());
+  for (uint32_t c = 0; c < corners.size(); ++c) ++first[vertex(c) + 1];
+  for (size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
+  std::vector<uint32_t> end(first.begin(), first.end() - 1);
+  for (uint32_t c = 0; c < corners.size(); ++c) corners[end[vertex(c)]++] = c;
+
+  FrontSearch front{AllNodes(mesh_.vertex_count())};
+  for (uint32_t s = 0; s < mesh_.strands().size(); ++s) {
+    const CutMesh::LineStrand& strand = mesh_.strands()[s];
+    for (uint32_t p = strand.first; p < strand.first + strand.count; ++p) {
+      nearest_[mesh_.line_vertex(p)] = {0, mesh_.arc_length(p), s, 0};
+      front.offer(mesh_.line_vertex(p), 0);
+    }
+  }
+  const auto offer = [&](uint32_t corner, NearestOnLine n) {
+    const uint32_t v = vertex(corner);
+    straighten(n, mesh_.position(v), mesh_.faces()[corner / 3].origin);
+    if (!(n.distance < nearest_[v].distance)) return;
+    nearest_[v] = n;
+    front.offer(v, n.distance);
+  };
+  while (const auto v = front.next()) {
+    for (uint32_t i = first[*v]; i < first[*v + 1]; ++i) {
+      const uint32_t at = corners[i], a = next_edge(at), b = edge_before(at);
+      if (!front.done(vertex(a))) offer(a, front.done(vertex(b)) ? across(at, b, a) : by_edge(at, a));
+      if (!front.done(vertex(b))) offer(b, front.done(vertex(a)) ? across(at, a, b) : by_edge(at, b));
+    }
+  }
+}
+
+NearestOnLine LineDistance::by_edge(uint32_t a, uint32_t c) const {
+  NearestOnLine n = in_face(a);
+  n.distance += (mesh_.position(vertex(c)) - mesh_.position(vertex(a))).norm();
+  return n;
+}
+
+/// The nearest place of corner c by those of a and b: the front that passes these passes it later.
+NearestOnLine LineDistance::across(uint32_t a, uint32_t b, uint32_t c) const {
+  const NearestOnLine by_a = by_edge(a, c), by_b = by_edge(b, c);
+  const NearestOnLine& by_edges = by_a.distance <= by_b.distance ? by_a : by_b;
+  if (!one_sheet(a, b)) return by_edges;
+  const NearestOnLine from = in_face(a), to = in_face(b);
+  const Vec3 u = mesh_.position(vertex(b)) - mesh_.position(vertex(a));
+  const Vec3 w = mesh_.position(vertex(c)) - mesh_.position(vertex(a));
+  const double length = u.norm(), slope = (to.distance - from.distance) / length;
+  if (!(std::abs(slope) < 1)) return by_edges;
+  // In coordinates along ab and across.
+  const double x = w.dot(u) / length, y = std::sqrt(std::max(0.0, w.squaredNorm() - x * x));
+  const double rise = std::sqrt(1 - slope * slope), moved = between(from, to);
+  double foot, distance;  // where the way to c crosses ab
+  if (moved * moved < kPointSource * rise * rise * length * length) {
+    // A bend of the line or its end: the front is a circle.
+    const double sx = (from.distance * from.distance - to.distance * to.distance + length * length) / (2 * length);
+    const double sy = std::sqrt(std::max(0.0, from.distance * from.distance - sx * sx));
+    foot = sx + (x - sx) * sy / (sy + y);
+    distance = std::hypot(x - sx, y + sy);
+  } else {
+    foot = x - y * slope / rise;  // the front's normal is (slope, rise)
+    distance = from.distance + slope * x + rise * y;
+  }
+  if (!(foot >= 0 && foot <= length)) return by_edges;
+  if (!(distance < by_edges.distance)) return by_edges;
+  NearestOnLine n = from;
+  n.distance = distance;
+  n.along = wrapped(from.along + foot / length * moved, mesh_.strands()[n.strand]);
+  return n;
+}
+
+double LineDistance::wrapped(double along, const CutMesh::LineStrand& strand) const {
+  if (!strand.closed) return std::clamp(along, 0.0, strand.length);
+  if (along < 0) along += strand.length;
+  return along < strand.length ? along : along - strand.length;
+}
+
+NearestOnLine LineDistance::beside(NearestOnLine other, const Vec3& x, uint32_t origin, double step) const {
+  other.distance += step;
+  straighten(other, x, origin);
+  return other;
+}
+
+void LineDistance::follow(const std::vector<NearestOnLine>& more) {
+  nearest_.insert(nearest_.end(), more.begin(), more.end());
+  find_corner_sides();
+}
+
+/// Does the face in which a piece of the line lies, if there is one, hardly differ from this normal?
+bool LineDistance::flat_from(uint32_t piece, const Vec3& normal) const {
+  if (piece == kNone || piece_face_[piece] == kNone) return false;
+  return normal.dot(mesh_.surface().face_normal(piece_face_[piece])) >= kFlat;
+}
+
+/// Goes along the line to where it is nearest to x, and measures the straight distance from there.
+void LineDistance::straighten(NearestOnLine& nearest, const Vec3& x, uint32_t origin) const {
+  const CutMesh::LineStrand& s = mesh_.strands()[nearest.strand];
+  struct Foot {
+    uint32_t from, to;
+    double share, squared;
+  };
+  const auto foot = [&](uint32_t from) {
+    const uint32_t to = mesh_.next_point(from);
+    const Vec3 a = mesh_.position(mesh_.line_vertex(from)), u = mesh_.position(mesh_.line_vertex(to)) - a;
+    const double share = std::clamp((x - a).dot(u) / u.squaredNorm(), 0.0, 1.0);
+    return Foot{from, to, share, (a + share * u - x).squaredNorm()};
+  };
+  Foot best = foot(mesh_.point_before(nearest.strand, nearest.along));
+  for (const bool forwards : {true, false}) {
+    for (uint32_t step = 0; step < s.count; ++step) {
+      const uint32_t from = forwards ? best.to : mesh_.previous_point(best.from);
+      if (from == kNone || mesh_.next_point(from) == kNone) break;
+      const Foot next = foot(from);
+      if (!(next.squared < best.squared)) break;
+      best = next;
+    }
+  }
+  const Vec3& normal = mesh_.surface().face_normal(origin);
+  bool flat = flat_from(best.from, normal);
+  if (best.share == 0) flat = flat || flat_from(mesh_.previous_point(best.from), normal);
+  if (best.share == 1) flat = flat || flat_from(best.to, normal);
+  if (!flat) {
+    nearest.distance = std::max(nearest.distance, std::sqrt(best.squared));
+    return;
+  }
+  const Vec3& from = mesh_.position(mesh_.line_vertex(best.from));
+  const double length = (mesh_.position(mesh_.line_vertex(best.to)) - from).norm();
+  nearest.along = wrapped(mesh_.arc_length(best.from) + best.share * length, s);
+  nearest.distance = std::sqrt(best.squared);
+}
+
+}  // namespace meander

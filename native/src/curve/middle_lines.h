@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The lines halfway between turns of the curve, as edges of a cut mesh.
+#pragma once
+
+#include "curve/line_distance.h"
+
+namespace meander {
+
+/// Cuts faces that reach from the neighbourhood of one turn of the line to that of another one along the line halfway
+/// between them, where the distance has its ridges. Every face then belongs to one turn and one side. Vertices stay,
+/// edges are divided, and `distance` follows.
+void add_middle_lines(CutMesh& mesh, LineDistance& distance);
+
+}  // namespace meander
