@@ -5,8 +5,8 @@
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
 # apt-get (through sudo unless root), and for every --bpy a virtual environment
-# build/bpy-VERSION with Blender as a Python module, pytest, ruff and import-linter from the Python
-# index, and for --site one, build/site-tools, with what makes the site from the pages in docs/.
+# build/bpy-VERSION with Blender as a Python module, pytest, ruff, import-linter and readers of what
+# is exported from the Python index, and for --site one, build/site-tools, with what makes the site from the pages in docs/.
 # Running it again costs nothing: it fetches only what is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -83,6 +83,7 @@ venv() {
 }
 
 for version in "${bpy_versions[@]}"; do # about 1 GB each
-  venv "build/bpy-$version" "bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*"
+  venv "build/bpy-$version" "bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*" \
+    "pyembroidery==1.5.*" "ezdxf==1.4.*"
 done
 [ $site -eq 0 ] || venv build/site-tools "mkdocs-material==9.8.*" "mkdocs==1.6.*"

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the table of docs/options.md from the one in the code and the library's defaults.
+"""Writes the tables of docs/options.md and docs/export.md from those in the code.
 
     python3 scripts/write_option_table.py [--check]
 
---check writes nothing, and fails when the page is not what would be written.
+Defaults are the library's. --check writes nothing, and fails when a page is not what would be
+written.
 """
 
 from __future__ import annotations
@@ -16,10 +17,14 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "addon"))
 
 from meander import core  # noqa: E402
+from meander.model import export_options  # noqa: E402
 from meander.model.option import Option  # noqa: E402
 from meander.model.options import TABLE  # noqa: E402
 
-PAGE = ROOT / "docs" / "options.md"
+PAGES = {
+    ROOT / "docs" / "options.md": TABLE,
+    ROOT / "docs" / "export.md": export_options.ROWS,
+}
 BEGIN, END = "<!-- written by scripts/write_option_table.py -->", "<!-- to here -->"
 # Where 0 stands for the preset's own value: the field that has it, in the same unit.
 OF_THE_PRESET = {"max_radius": "max_radius_factor"}
@@ -87,26 +92,31 @@ def line(option: Option) -> str:
     return "| " + " | ".join(cells) + " |"
 
 
-def table() -> str:
+def table(options: tuple[Option, ...]) -> str:
     head = ("option", "panel", "setting", "flag", "unit", "range", "default", "what it does")
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join(lines + [line(option) for option in TABLE])
+    return "\n".join(lines + [line(option) for option in options])
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
     arguments = parser.parse_args()
-    text = PAGE.read_text(encoding="utf-8")
+    return max(write(page, table(options), arguments.check) for page, options in PAGES.items())
+
+
+def write(page: Path, lines: str, check: bool) -> int:
+    """Puts a table into its place in a page. The exit code: 1 if it should have been there."""
+    text = page.read_text(encoding="utf-8")
     before, _, rest = text.partition(BEGIN)
     _, _, after = rest.partition(END)
-    wanted = f"{before}{BEGIN}\n\n{table()}\n\n{END}{after}"
-    if arguments.check:
-        if text != wanted:
-            print(f"{PAGE} is out of date; run python3 scripts/write_option_table.py")
-            return 1
+    wanted = f"{before}{BEGIN}\n\n{lines}\n\n{END}{after}"
+    if text == wanted:
         return 0
-    PAGE.write_text(wanted, encoding="utf-8")
+    if check:
+        print(f"{page} is out of date; run python3 scripts/write_option_table.py")
+        return 1
+    page.write_text(wanted, encoding="utf-8")
     return 0
 
 

@@ -59,12 +59,12 @@ def test_step_and_tolerance_give_the_same_curve(square: Path) -> None:
 
 def test_bad_combinations_are_refused(square: Path, capsys: pytest.CaptureFixture) -> None:
     for name, extra, words in (
-        ("out.obj", ("--resample-step", "0.1"), ".csv or .json"),
+        ("out.obj", ("--resample-step", "0.1"), ".csv, .json or .svg"),
         ("out.csv", ("--resample-step", "0.1", "--chord-tolerance", "1"), "choose one"),
         ("out.csv", ("--resample-step", "0"), "greater than 0"),
         ("out.csv", ("--resample-step", "1e-12"), "longer one"),
         ("out.csv", ("--points", "mesh"), "kind .blend"),
-        ("out.txt", (), ".csv or .json"),
+        ("out.txt", (), ".dst or .pes"),
     ):
         (square.parent / name).write_text("earlier")
         assert _run(square, name, *extra) == 2

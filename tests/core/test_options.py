@@ -14,6 +14,7 @@ from conftest import REPOSITORY
 from meander import batch, core
 from meander.cli.arguments import parser
 from meander.cli.flags import flow_options
+from meander.model.export_options import ROWS
 from meander.model.option import OF_PRESET, Option, apply, chosen, store
 from meander.model.options import BY_SETTING, OF_THE_FLOW, TABLE
 
@@ -65,12 +66,12 @@ def test_every_field_of_the_flow_is_a_row_or_of_the_preset() -> None:
 
 def test_names_are_there_once() -> None:
     assert len(BY_SETTING) == len(TABLE)
-    flags = [option.flag.name for option in TABLE if option.flag]
+    flags = [option.flag.name for option in (*TABLE, *ROWS) if option.flag]
     assert len(set(flags)) == len(flags)
     assert {option.switch for option in TABLE} - {""} <= set(BY_SETTING)
 
 
-@pytest.mark.parametrize("option", TABLE, ids=names(TABLE))
+@pytest.mark.parametrize("option", (*TABLE, *ROWS), ids=names((*TABLE, *ROWS)))
 def test_labels_and_tips_follow_the_guidelines(option: Option) -> None:
     assert option.label == option.label.title()
     assert option.tip and not option.tip.endswith(".")

@@ -47,9 +47,8 @@ def _farthest(points, path, closed):
 
 @pytest.mark.parametrize("step", [0.011, 0.1, 0.37, 100.0])
 def test_steps_are_equal_and_on_the_polyline(step):
-    for whole, strand in zip(
-        toolpath.strands_of(_polylines()), toolpath.resampled(_polylines(), step=step), strict=True
-    ):
+    strands = toolpath.strands_of(_polylines())
+    for whole, strand in zip(strands, toolpath.resampled(strands, step=step), strict=True):
         assert strand.closed == whole.closed
         assert _farthest(strand.points, whole.points, whole.closed) < 1e-12
         arc_lengths = strand.arc_lengths
@@ -72,7 +71,7 @@ def test_chords_stay_within_the_tolerance(tolerance):
     counts = []
     for whole, strand in zip(
         toolpath.strands_of(_polylines()),
-        toolpath.resampled(_polylines(), tolerance=tolerance),
+        toolpath.resampled(toolpath.strands_of(_polylines()), tolerance=tolerance),
         strict=True,
     ):
         kept = np.searchsorted(whole.arc_lengths, strand.arc_lengths)
@@ -92,7 +91,7 @@ def test_chords_stay_within_the_tolerance(tolerance):
 
 def test_all_points_without_resampling():
     curve = _polylines()
-    strands = toolpath.resampled(curve)
+    strands = toolpath.resampled(toolpath.strands_of(curve))
     assert np.array_equal(np.vstack([strand.points for strand in strands]), curve.positions)
     closing = np.linalg.norm(curve.positions[399] - curve.positions[0])
     assert strands[0].length == pytest.approx(strands[0].arc_lengths[-1] + closing)
@@ -101,7 +100,7 @@ def test_all_points_without_resampling():
 
 
 def test_files_hold_the_strands(tmp_path):
-    strands = toolpath.resampled(_polylines(), step=0.1)
+    strands = toolpath.resampled(toolpath.strands_of(_polylines()), step=0.1)
     toolpath.write(tmp_path / "path.csv", strands, "1")
     toolpath.write(tmp_path / "path.json", strands, "1")
     record = json.loads((tmp_path / "path.json").read_text())
@@ -122,7 +121,7 @@ def test_files_hold_the_strands(tmp_path):
 
 def test_a_step_beyond_all_counting_is_refused():
     with pytest.raises(whole_files.FileError, match="longer"):
-        toolpath.resampled(_polylines(), step=1e-12)
+        toolpath.resampled(toolpath.strands_of(_polylines()), step=1e-12)
 
 
 def _plate(count=6):
@@ -141,9 +140,9 @@ def test_resampling_keeps_to_the_triangles_and_blends_the_room():
     with flow:
         flow.run()
         curve, data = flow.polylines(), flow.point_data()
-    whole = toolpath.resampled(curve, data=data)
-    stepped = toolpath.resampled(curve, step=0.013, data=data, mesh=mesh)
-    few = toolpath.resampled(curve, tolerance=0.02, data=data, mesh=mesh)
+    whole = toolpath.resampled(toolpath.strands_of(curve, data))
+    stepped = toolpath.resampled(toolpath.strands_of(curve, data), step=0.013, mesh=mesh)
+    few = toolpath.resampled(toolpath.strands_of(curve, data), tolerance=0.02, mesh=mesh)
     for strands in (whole, stepped, few):
         for strand in strands:
             corners = mesh.vertices[mesh.faces[strand.faces]]
@@ -173,8 +172,8 @@ def test_files_hold_the_room_and_the_triangles_or_leave_them_empty(tmp_path):
         numbers.astype(np.uint32),
         np.tile([0.5, 0.25, 0.25], (count, 1)),
     )
-    for strands, known in ((toolpath.resampled(curve, data=data), True),
-                           (toolpath.resampled(curve), False)):  # fmt: skip
+    for strands, known in ((toolpath.resampled(toolpath.strands_of(curve, data)), True),
+                           (toolpath.resampled(toolpath.strands_of(curve)), False)):  # fmt: skip
         toolpath.write(tmp_path / "path.csv", strands, "1")
         toolpath.write(tmp_path / "path.json", strands, "1")
         with (tmp_path / "path.csv").open() as file:

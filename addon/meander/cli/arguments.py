@@ -9,8 +9,13 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from . import density, flags, motion, preparation, strands, terms, toolpath, values
+from ..model.export import SUFFIXES as EXPORTED
+from ..model.toolpath import SUFFIXES
+from . import density, export, flags, motion, preparation, strands, terms, toolpath, values
 from .values import BadInput
+
+# What --output may be, by its suffix.
+OUTPUTS = (".obj", ".blend", *SUFFIXES, *EXPORTED)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -22,7 +27,7 @@ def parser() -> argparse.ArgumentParser:
     add = parser.add_argument
     add("--input", type=Path, required=True, metavar="MESH", help=".obj, .ply, .stl or .blend")
     add("--object", metavar="NAME", help="mesh object in the .blend; default: the active one")
-    add("--output", type=Path, required=True, metavar="OUT", help=".obj, .blend, .csv or .json")
+    add("--output", type=Path, required=True, metavar="OUT", help=f"one of {', '.join(OUTPUTS)}")
     add("--report", type=Path, metavar="JSON", help="write figures of the run")
     add("--seed", type=Path, metavar="CURVE", help=".obj with v and l lines, in the mesh's space")
     add(
@@ -37,6 +42,7 @@ def parser() -> argparse.ArgumentParser:
     strands.add_options(parser)
     preparation.add_options(parser)
     toolpath.add_options(parser)
+    export.add_options(parser)
     motion.add_options(parser)
     return parser
 
@@ -72,11 +78,13 @@ def check_arguments(arguments: argparse.Namespace) -> None:
     strand_problem = strands.problem_of(arguments)
     if strand_problem is not None:
         raise BadInput(strand_problem)
-    if arguments.output.suffix.lower() not in (".obj", ".blend", ".csv", ".json"):
-        raise BadInput(f"--output {arguments.output} is no .obj, .blend, .csv or .json file")
-    toolpath_problem = toolpath.problem_of(arguments)
-    if toolpath_problem is not None:
-        raise BadInput(toolpath_problem)
+    if arguments.output.suffix.lower() not in OUTPUTS:
+        kinds = ", ".join(OUTPUTS[:-1])
+        raise BadInput(f"--output {arguments.output} is no {kinds} or {OUTPUTS[-1]} file")
+    for output in (toolpath, export):
+        wrong = output.problem_of(arguments)
+        if wrong is not None:
+            raise BadInput(wrong)
     _check_outputs(arguments)
 
 

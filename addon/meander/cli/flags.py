@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterable
 from typing import Any
 
 from .. import core
@@ -16,10 +17,13 @@ FLAGGED: tuple[tuple[Option, Flag], ...] = tuple(
 )
 
 
-def add_flags(parser: argparse._ActionsContainer, group: str = "") -> None:
+def add_flags(
+    parser: argparse._ActionsContainer, group: str = "", options: Iterable[Option] = TABLE
+) -> None:
     """Adds the flags that stand under a heading of --help; those without one by default."""
-    for option, flag in FLAGGED:
-        if flag.group != group:
+    for option in options:
+        flag = option.flag
+        if flag is None or flag.group != group:
             continue
         if option.kind is bool:
             parser.add_argument(flag.name, action="store_true", help=flag.help)

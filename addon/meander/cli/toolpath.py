@@ -8,14 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import toolpath
+from ..model import export, toolpath
+from . import export as export_options
 from . import flags
+from .grown import Grown
+from .input import Input
 from .values import positive
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
-        "tool paths", "How densely the points of an --output of kind .csv or .json lie."
+        "tool paths", "How densely the points of an --output for machines lie."
     )
     add = group.add_argument
     add(
@@ -51,7 +54,7 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
     if len(given) == 2:
         return "--resample-step and --chord-tolerance are both given; choose one"
     if given and not is_wanted(arguments.output):
-        return f"{given[0]} needs an --output of kind .csv or .json"
+        return f"{given[0]} needs an --output for machines, such as .csv, .json or .svg"
     if arguments.points is not None and arguments.output.suffix.lower() != ".blend":
         return "--points needs an --output of kind .blend; .csv and .json have the same in columns"
     return None
@@ -59,7 +62,7 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
 
 def is_wanted(path: Path) -> bool:
     """Whether an output file is a path for tools."""
-    return path.suffix.lower() in toolpath.SUFFIXES
+    return path.suffix.lower() in (*toolpath.SUFFIXES, *export.SUFFIXES)
 
 
 def echo(arguments: argparse.Namespace) -> dict[str, Any]:
@@ -71,16 +74,19 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     }
 
 
-def write(
-    path: Path,
-    arguments: argparse.Namespace,
-    curve: core.Polylines,
-    data: core.PointData,
-    mesh: toolpath.Mesh,
-) -> int:
-    """Writes the curve, resampled as the options say. Returns the number of points."""
+def write(path: Path, arguments: argparse.Namespace, given: Input, grown: Grown) -> int:
+    """Writes the curve, resampled as the options say. Returns the number of points in the file."""
+    strands = toolpath.strands_of(grown.curve, grown.data)
+    drawn = export.format_of(arguments.output) is not None
+    if drawn:
+        strands = export_options.laid(strands, arguments, given)
     strands = toolpath.resampled(
-        curve, arguments.resample_step, arguments.chord_tolerance, data, mesh
+        strands,
+        arguments.resample_step,
+        arguments.chord_tolerance,
+        None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces),
     )
+    if drawn:
+        return export_options.write(path, arguments, strands, given)
     toolpath.write(path, strands, core.library_version())
     return sum(len(strand.points) for strand in strands)

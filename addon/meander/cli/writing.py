@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import mesh_files, report, toolpath
+from ..model import mesh_files, report
 from ..model.simplification import light_of
 from ..model.whole_files import whole_file
-from . import density, flags, motion, preparation, strands, terms
+from . import density, export, flags, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown, lightened
 from .input import Input
@@ -26,6 +26,7 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
         "object": None if given.surface_object is None else given.surface_object.name,
         "output": str(arguments.output),
         **toolpath_options.echo(arguments),
+        **export.echo(arguments),
         "seed": None if arguments.seed is None else str(arguments.seed),
         "seed_object": arguments.seed_object,
         "fixed_ends": given.fixed_ends,
@@ -71,7 +72,6 @@ def _write_curve(path: Path, arguments: argparse.Namespace, given: Input, grown:
     light = light_of(flags.chosen(arguments))
     grown = lightened(grown, arguments.spacing / 2, light)
     if toolpath_options.is_wanted(arguments.output):
-        mesh = toolpath.Mesh(given.problem.vertices, given.problem.faces)
-        return toolpath_options.write(path, arguments, grown.curve, grown.data, mesh)
+        return toolpath_options.write(path, arguments, given, grown)
     mesh_files.write_obj_curve(path, grown.curve)
     return len(grown.curve.positions)

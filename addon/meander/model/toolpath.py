@@ -8,8 +8,10 @@ lie on the pieces of the polyline, and so on the surface, since every piece lies
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,26 +61,37 @@ class Mesh:
     faces: NDArray[np.uint32]
 
 
+def strand_of(
+    points: NDArray[np.float64], normals: NDArray[np.float64], closed: bool, *known: Any
+) -> Strand:
+    """A strand through points, (n, 3), with unit normals, (n, 3).
+
+    known   radii, faces and weights of the points; those that are left out are not known
+    """
+    arc_lengths = _arc_lengths(points, closed)
+    return Strand(
+        closed,
+        float(arc_lengths[-1]),
+        points,
+        normals,
+        _tangents(points, closed),
+        arc_lengths[: len(points)],
+        *known,
+    )
+
+
 def strands_of(polylines: Polylines, data: PointData | None = None) -> list[Strand]:
     """Every point of every strand, with what `data` knows of it."""
-    strands = []
     offsets = np.asarray(polylines.offsets, dtype=np.int64)
-    for begin, end, closed in zip(offsets[:-1], offsets[1:], polylines.closed, strict=True):
-        points = np.asarray(polylines.positions[begin:end], dtype=np.float64)
-        normals = np.asarray(polylines.normals[begin:end], dtype=np.float64)
-        arc_lengths = _arc_lengths(points, bool(closed))
-        strands.append(
-            Strand(
-                bool(closed),
-                float(arc_lengths[-1]),
-                points,
-                normals,
-                _tangents(points, bool(closed)),
-                arc_lengths[: len(points)],
-                *_known(data, begin, end),
-            )
+    return [
+        strand_of(
+            np.asarray(polylines.positions[begin:end], dtype=np.float64),
+            np.asarray(polylines.normals[begin:end], dtype=np.float64),
+            bool(closed),
+            *_known(data, begin, end),
         )
-    return strands
+        for begin, end, closed in zip(offsets[:-1], offsets[1:], polylines.closed, strict=True)
+    ]
 
 
 def _known(data: PointData | None, begin: int, end: int) -> tuple:
@@ -194,19 +207,17 @@ def resampled_by_tolerance(strand: Strand, tolerance: float) -> Strand:
 
 
 def resampled(
-    polylines: Polylines,
+    strands: Sequence[Strand],
     step: float | None = None,
     tolerance: float | None = None,
-    data: PointData | None = None,
     mesh: Mesh | None = None,
 ) -> list[Strand]:
-    """The strands of polylines, resampled by a step or by a chord tolerance, or with all points."""
-    strands = strands_of(polylines, data)
+    """Strands resampled by a step or by a chord tolerance, or with all points; see above."""
     if step is not None:
         return [resampled_by_step(strand, step, mesh) for strand in strands]
     if tolerance is not None:
         return [resampled_by_tolerance(strand, tolerance) for strand in strands]
-    return strands
+    return list(strands)
 
 
 def _unit(vectors: np.ndarray, otherwise: np.ndarray) -> np.ndarray:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import bpy
 import numpy as np
 from mathutils.bvhtree import BVHTree
@@ -19,7 +21,20 @@ def bind(
     points: np.ndarray, vertices: np.ndarray, faces: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """For each point the nearest triangle and the weights of its corners there."""
+    return nearest_on(vertices, faces)(points)
+
+
+def nearest_on(
+    vertices: np.ndarray, faces: np.ndarray
+) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:
+    """What bind() does, for points that come later."""
     tree = BVHTree.FromPolygons(vertices.tolist(), faces.tolist())
+    return lambda points: _bound(points, tree, vertices, faces)
+
+
+def _bound(
+    points: np.ndarray, tree: BVHTree, vertices: np.ndarray, faces: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     index = np.array([tree.find_nearest(point)[2] for point in points.tolist()], dtype=np.int64)
     a, b, c = (vertices[faces[index, corner]] for corner in range(3))
     u, v, w = b - a, c - a, points - a
@@ -57,16 +72,10 @@ def polylines_of(
 
 
 def strands_of_result(
-    result: bpy.types.Object,
-    depsgraph: bpy.types.Depsgraph,
-    step: float | None = None,
-    tolerance: float | None = None,
+    result: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> list[toolpath.Strand]:
-    """A result's strands with all that is known of them. Raises DataError, FileError."""
+    """A result's strands with all that is known of them. Raises DataError."""
     curve, index, weights = polylines_of(result, depsgraph)
-    surface = result.meander.surface
-    matrix = world_matrix(surface.evaluated_get(depsgraph))
+    matrix = world_matrix(result.meander.surface.evaluated_get(depsgraph))
     radii = point_attributes.medial_radii_of(result, len(curve.positions), matrix)
-    data = point_attributes.data_of(index, weights, radii)
-    mesh = toolpath.Mesh(*triangles_of(surface, depsgraph))
-    return toolpath.resampled(curve, step, tolerance, data, mesh)
+    return toolpath.strands_of(curve, point_attributes.data_of(index, weights, radii))

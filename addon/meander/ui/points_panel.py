@@ -1,116 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is known of every point of a result: as a file for machines, as attributes of an object."""
+"""The sub-panel "Export", and what is known of every point of a result as an object."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import bpy
-from bpy.props import EnumProperty, FloatProperty, StringProperty
 
-from .. import core
-from ..model import toolpath
-from ..model.whole_files import FileError
 from ..scene import point_attributes
 from ..scene.errors import DataError
 from ..scene.surface_points import strands_of_result
 from ..scene.transforms import mean_scale, world_matrix
 from .declared import rows
+from .export_operator import MEANDER_OT_export_toolpath
 from .light_operator import MEANDER_OT_make_light
 from .on_result import OnResult
 from .sidebar import ORDER, SubPanel, columns
-
-_SUFFIXES = {"CSV": ".csv", "JSON": ".json"}
-
-
-class MEANDER_OT_export_toolpath(OnResult, bpy.types.Operator):
-    """Write the points of the curve in order, with surface normals, for machines"""
-
-    bl_idname = "meander.export_toolpath"
-    bl_label = "Export Toolpath"
-
-    filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
-    file_format: EnumProperty(
-        name="Format",
-        description="Format of the file",
-        items=(
-            ("CSV", "CSV", "A row for every point"),
-            ("JSON", "JSON", "A list of strands"),
-        ),
-    )
-    resample: EnumProperty(
-        name="Points",
-        description="Which points are written",
-        items=(
-            ("ALL", "All", "Every point of the curve"),
-            ("STEP", "By Step", "At equal arc lengths along each strand"),
-            ("TOLERANCE", "By Tolerance", "As few as keep the chords between them near the curve"),
-        ),
-    )
-    step: FloatProperty(
-        name="Step",
-        description="Largest arc length between two points",
-        unit="LENGTH",
-        default=0.01,
-        min=1e-6,
-    )
-    tolerance: FloatProperty(
-        name="Tolerance",
-        description="Largest distance of the chord between two points from the curve",
-        unit="LENGTH",
-        default=0.001,
-        min=1e-9,
-        precision=4,
-    )
-
-    def draw(self, _context: bpy.types.Context) -> None:
-        layout = self.layout
-        layout.use_property_split = True
-        layout.prop(self, "file_format")
-        layout.prop(self, "resample")
-        if self.resample == "STEP":
-            layout.prop(self, "step")
-        elif self.resample == "TOLERANCE":
-            layout.prop(self, "tolerance")
-
-    def check(self, _context: bpy.types.Context) -> bool:
-        changed = self._with_suffix()
-        if str(changed) == self.filepath:
-            return False
-        self.filepath = str(changed)
-        return True
-
-    def _with_suffix(self) -> Path:
-        path = Path(self.filepath)
-        known = path.suffix.lower() in toolpath.SUFFIXES
-        suffix = _SUFFIXES[self.file_format]
-        return path.with_suffix(suffix) if known else path.with_name(path.name + suffix)
-
-    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
-        if not self.filepath:
-            self.filepath = bpy.path.clean_name(context.active_object.name)
-        self.filepath = str(self._with_suffix())
-        context.window_manager.fileselect_add(self)
-        return {"RUNNING_MODAL"}
-
-    def execute(self, context: bpy.types.Context) -> set[str]:
-        result = context.active_object
-        try:
-            strands = strands_of_result(
-                result,
-                context.evaluated_depsgraph_get(),
-                self.step if self.resample == "STEP" else None,
-                self.tolerance if self.resample == "TOLERANCE" else None,
-            )
-            path = self._with_suffix()
-            toolpath.write(path, strands, core.VERSION)
-        except (DataError, core.MeanderError, FileError) as error:
-            text = str(error)
-            self.report({"ERROR"}, text[:1].upper() + text[1:])
-            return {"CANCELLED"}
-        count = sum(len(strand.points) for strand in strands)
-        self.report({"INFO"}, f"{path.name}: {count:,} points in {len(strands):,} strands")
-        return {"FINISHED"}
 
 
 class _PointsToObject(OnResult):
@@ -187,7 +90,6 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
 
 
 _CLASSES = (
-    MEANDER_OT_export_toolpath,
     MEANDER_OT_points_to_mesh,
     MEANDER_OT_points_to_curves,
     MEANDER_PT_points,

@@ -6,6 +6,7 @@ from __future__ import annotations
 from ..run import estimates, following, session, suspended
 from ..scene import after_undo, changes, identity
 from . import (
+    export_operator,
     light_operator,
     look_panel,
     motion_panel,
@@ -38,6 +39,7 @@ _MODULES = (
     look_panel,
     term_panels,
     motion_panel,
+    export_operator,
     light_operator,
     points_panel,
     preparation_panels,

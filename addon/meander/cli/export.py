@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options of the batch command that write the curve for plotters, machines and hoops."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from .. import core
+from ..model import embroidery, export, toolpath
+from ..model.drawing import laid_out
+from ..model.export_options import GROUP, ROWS
+from . import flags
+from .input import Input
+from .values import BadInput
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group(
+        GROUP, f"How the curve is drawn in an --output of kind {', '.join(export.SUFFIXES)}."
+    )
+    flags.add_flags(group, GROUP, ROWS)
+    group.add_argument(
+        "--layout-map", metavar="NAME", help="the UV map of --layout uv; default: the active one"
+    )
+
+
+def problem_of(arguments: argparse.Namespace) -> str | None:
+    """What is wrong with the options, as a sentence, or None."""
+    kind = export.format_of(arguments.output)
+    suffix = arguments.output.suffix.lower()
+    for row in ROWS:
+        given = getattr(arguments, row.flag.destination) is not None
+        if given and (kind is None or row.setting not in kind.options):
+            return f"{row.flag.name} does nothing for an --output of kind {suffix}; leave it out"
+    if arguments.layout == "view":
+        return "--layout view needs a window; choose space, top, front, side or uv"
+    if arguments.layout == "uv" and arguments.input.suffix.lower() != ".blend":
+        return "--layout uv needs a UV map; give a .blend as --input"
+    if arguments.layout_map is not None and arguments.layout != "uv":
+        return "--layout-map needs --layout uv"
+    if kind is not None and embroidery.is_wanted(arguments.output) and not embroidery.is_there():
+        return embroidery.missing_text(None)
+    return None
+
+
+def echo(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What is in effect, for the report; null: nothing, as the format does not take it."""
+    kind = export.format_of(arguments.output)
+    taken = () if kind is None else kind.options
+    values = _values(arguments)
+    found = {
+        row.flag.entry: values[row.setting] if row.setting in taken else None for row in ROWS
+    }
+    return found | {"layout_map": arguments.layout_map}
+
+
+def laid(
+    strands: Sequence[toolpath.Strand], arguments: argparse.Namespace, given: Input
+) -> list[toolpath.Strand]:
+    """The strands as the file is to have them, in scene units. Raises BadInput."""
+    kind = export.format_of(arguments.output)
+    layout = _values(arguments)["layout_as"]
+    if layout != "uv":
+        return laid_out(strands, layout, kind.flat)
+    import bpy
+
+    from ..scene.errors import DataError
+    from ..scene.layouts import unrolled_strands
+
+    depsgraph, name = bpy.context.evaluated_depsgraph_get(), arguments.layout_map or ""
+    try:
+        return unrolled_strands(strands, given.surface_object, depsgraph, name)
+    except DataError as refusal:
+        raise BadInput(f"--layout uv is not possible here: {refusal}") from refusal
+
+
+def write(
+    path: Path, arguments: argparse.Namespace, strands: Sequence[toolpath.Strand], given: Input
+) -> int:
+    """Writes strands that are laid out already. Returns the number of points in the file.
+
+    Raises FileError for what is no drawing.
+    """
+    kind, values = export.format_of(arguments.output), _values(arguments)
+    drawing = export.prepared(strands, kind, values, _metres(given))
+    title = arguments.output.stem
+    export.write(path, kind, drawing, values, title, core.library_version())
+    if not arguments.quiet:
+        print(f"meander: {drawing.described()}")
+    return drawing.point_count
+
+
+def _metres(given: Input) -> float:
+    if given.surface_object is None:
+        return 1.0
+    import bpy
+
+    from ..scene.layouts import metres_of
+
+    return metres_of(bpy.context.scene)
+
+
+def _values(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What the flags say, and the defaults for those that are not given."""
+    given = {row.setting: getattr(arguments, row.flag.destination) for row in ROWS}
+    return {
+        name: export.DEFAULTS[name] if value is None else value for name, value in given.items()
+    }

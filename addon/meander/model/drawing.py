@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Strands as a drawing for a machine: laid into a plane or not, in a unit of length; no bpy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .toolpath import Strand, strand_of
+from .whole_files import FileError
+
+# Metres, and the name that files use.
+UNITS = {"mm": 0.001, "cm": 0.01, "in": 0.0254}
+
+# To the right and up on paper: what one sees from above, from the front and from the right.
+VIEWS = {
+    "top": ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+    "front": ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)),
+    "side": ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
+}
+
+# Machines count in hundredths of a millimetre: a drawing this small, in millimetres, is a point.
+_LEAST_SIZE = 0.01
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """Strands in the unit of a file.
+
+    flat   they lie in the plane z = 0, with their lower left corner at the origin
+    """
+
+    strands: Sequence[Strand]
+    unit: str
+    flat: bool
+
+    @property
+    def millimetres(self) -> float:
+        """How many millimetres the unit is."""
+        return UNITS[self.unit] * 1000.0
+
+    @property
+    def point_count(self) -> int:
+        return sum(len(strand.points) for strand in self.strands)
+
+    @property
+    def length(self) -> float:
+        """Of all strands, as they are drawn."""
+        return sum(_length(strand) for strand in self.strands)
+
+    def box(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The least and the greatest coordinates, (3,) each."""
+        return _box(self.strands)
+
+    def described(self) -> str:
+        """Its size, strands and points, in words."""
+        low, high = self.box()
+        sides = high - low
+        size = " x ".join(f"{side:.4g}" for side in (sides[:2] if self.flat else sides))
+        paths = f"{len(self.strands):,} path{'s' * (len(self.strands) != 1)}"
+        return f"{size} {self.unit}, {paths}, {self.point_count:,} points"
+
+
+def seen_along(strands: Sequence[Strand], right: ArrayLike, up: ArrayLike) -> list[Strand]:
+    """Strands projected into a plane, at z = 0, their normals towards the eye.
+
+    right, up   (3,) each, unit and at right angles: the axes of the plane in space
+    """
+    axes = np.column_stack([np.asarray(right, float), np.asarray(up, float)])
+    flat = []
+    for strand in strands:
+        points = np.column_stack([strand.points @ axes, np.zeros(len(strand.points))])
+        flat.append(strand_of(points, np.tile([0.0, 0.0, 1.0], (len(points), 1)), strand.closed))
+    return flat
+
+
+def laid_out(strands: Sequence[Strand], layout: str, flat: bool) -> list[Strand]:
+    """Strands in a layout that needs nothing but them: one of VIEWS, or "space".
+
+    flat   the format is, so that what is in space is seen from the top
+    """
+    if layout == "space" and not flat:
+        return list(strands)
+    return seen_along(strands, *VIEWS["top" if layout == "space" else layout])
+
+
+def drawing_of(
+    strands: Sequence[Strand], unit: str, metres: float, scale: float, size: float, flat: bool
+) -> Drawing:
+    """Strands in a unit of length.
+
+    unit     one of UNITS
+    metres   the length of a scene unit
+    scale    by which the true size is multiplied
+    size     the longest side of the drawing in the unit, instead of the true size; 0: true size
+    flat     the strands lie at z = 0 already, and may be moved to the origin
+
+    Raises FileError with one sentence for what is no drawing: no points, points that are not
+    numbers, or all of them in one place.
+    """
+    if not strands:
+        raise FileError("The curve has no strands; fill the surface first")
+    if not all(np.isfinite(strand.points).all() for strand in strands):
+        raise FileError("The curve has points that are not numbers; fill the surface again")
+    low, high = _box(strands)
+    extent = float((high - low).max())
+    factor = scale * metres / UNITS[unit] if size <= 0.0 else size / extent if extent > 0.0 else 0.0
+    width = factor * extent * UNITS[unit] * 1000.0
+    if not width >= _LEAST_SIZE or not np.isfinite(width):
+        raise FileError(
+            f"The drawing would be {width:.2g} mm wide; choose a larger Scale, or a Size"
+        )
+    origin = low if flat else np.zeros(3)
+    return Drawing(
+        [
+            replace(
+                strand,
+                length=strand.length * factor,
+                points=(strand.points - origin) * factor,
+                arc_lengths=strand.arc_lengths * factor,
+            )
+            for strand in strands
+        ],
+        unit,
+        flat,
+    )
+
+
+def ring(strand: Strand) -> NDArray[np.float64]:
+    """The points in order, (n, 3), of a closed strand with the first one again at the end."""
+    return np.vstack([strand.points, strand.points[:1]]) if strand.closed else strand.points
+
+
+def number(value: float, decimals: int) -> str:
+    """A number as every program reads it: a point, no exponent, no zeros at the end, no -0."""
+    text = f"{value:.{decimals}f}"
+    if "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def _length(strand: Strand) -> float:
+    return float(np.linalg.norm(np.diff(ring(strand), axis=0), axis=1).sum())
+
+
+def _box(strands: Sequence[Strand]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    return (
+        np.min([strand.points.min(axis=0) for strand in strands], axis=0),
+        np.max([strand.points.max(axis=0) for strand in strands], axis=0),
+    )

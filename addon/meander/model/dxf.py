@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drawings as DXF files, release 12 in ASCII, which every program reads; no bpy.
+
+A POLYLINE for every strand: a flat one of a flat drawing, else one in space. The values are those
+of AutoCAD's DXF reference for release 12, and $INSUNITS, which later releases added and earlier
+readers pass over.
+"""
+
+from __future__ import annotations
+
+from .drawing import Drawing, number
+
+LAYER = "MEANDER"
+_UNIT_CODES = {"mm": 4, "cm": 5, "in": 1}
+_DECIMALS = {"mm": 6, "cm": 7, "in": 8}
+_CLOSED, _IN_SPACE, _VERTEX_IN_SPACE = 1, 8, 32
+
+
+def dxf_text(drawing: Drawing) -> str:
+    """The file's text: pairs of lines, a group code and its value."""
+    low, high = drawing.box()
+    decimals = _DECIMALS[drawing.unit]
+    pairs: list[tuple[int, str | int]] = [
+        (0, "SECTION"),
+        (2, "HEADER"),
+        (9, "$ACADVER"),
+        (1, "AC1009"),
+        (9, "$INSUNITS"),
+        (70, _UNIT_CODES[drawing.unit]),
+        (9, "$EXTMIN"),
+        *_place(low, decimals),
+        (9, "$EXTMAX"),
+        *_place(high, decimals),
+        (0, "ENDSEC"),
+        (0, "SECTION"),
+        (2, "TABLES"),
+        (0, "TABLE"),
+        (2, "LAYER"),
+        (70, 1),
+        (0, "LAYER"),
+        (2, LAYER),
+        (70, 0),
+        (62, 7),
+        (6, "CONTINUOUS"),
+        (0, "ENDTAB"),
+        (0, "ENDSEC"),
+        (0, "SECTION"),
+        (2, "ENTITIES"),
+    ]
+    kind = 0 if drawing.flat else _IN_SPACE
+    for strand in drawing.strands:
+        pairs += [(0, "POLYLINE"), (8, LAYER), (66, 1), *_place((0.0, 0.0, 0.0), decimals)]
+        pairs.append((70, kind | (_CLOSED if strand.closed else 0)))
+        for point in strand.points.tolist():
+            pairs += [(0, "VERTEX"), (8, LAYER), *_place(point, decimals)]
+            if not drawing.flat:
+                pairs.append((70, _VERTEX_IN_SPACE))
+        pairs += [(0, "SEQEND"), (8, LAYER)]
+    pairs += [(0, "ENDSEC"), (0, "EOF")]
+    return "".join(f"{code:3d}\n{value}\n" for code, value in pairs)
+
+
+def _place(point, decimals: int) -> list[tuple[int, str | int]]:
+    return [(code, number(value, decimals)) for code, value in zip((10, 20, 30), point)]

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flat drawings as embroidery files, by the Python package pyembroidery, if it is there; no bpy."""
+
+from __future__ import annotations
+
+import importlib.util
+import io
+from pathlib import Path
+from typing import Any
+
+from .drawing import Drawing, ring
+from .toolpath import resampled_by_step
+from .whole_files import FileError
+
+PACKAGE = "pyembroidery"
+SUFFIXES = (".dst", ".pes")
+
+# A machine counts in tenths of a millimetre, and its longest stitch is 12.1 mm.
+_TENTHS = 10.0
+LONGEST_STITCH = 12.1
+# No hoop is wider, in millimetres: a drawing that is has the wrong unit.
+_WIDEST = 1000.0
+
+
+def is_there() -> bool:
+    """Whether the package can be imported."""
+    return importlib.util.find_spec(PACKAGE) is not None
+
+
+def missing_text(folder: str | None) -> str:
+    """What to do about a package that is not there, as a sentence.
+
+    folder   of modules that Blender finds; None: not known
+    """
+    target = f'--target "{folder}" ' if folder else ""
+    return (
+        f"Embroidery files need the Python package {PACKAGE}, which is not there; install it with "
+        f"python3 -m pip install {target}{PACKAGE}, and start Blender again"
+    )
+
+
+def embroidery_bytes(drawing: Drawing, stitch_length: float, title: str, suffix: str) -> bytes:
+    """The file's content: one thread that follows every strand, trimmed between them.
+
+    drawing         flat
+    stitch_length   in millimetres: stitches are equally long along each strand, at most that
+    suffix          one of SUFFIXES
+
+    Raises FileError with one sentence where the package is missing, and for a drawing that is wider
+    than any hoop.
+    """
+    if not is_there():
+        raise FileError(missing_text(None))
+    import pyembroidery
+
+    low, high = drawing.box()
+    width = float((high - low)[:2].max()) * drawing.millimetres
+    if width > _WIDEST:
+        raise FileError(
+            f"The embroidery would be {width:,.0f} mm wide, which no machine can do; choose a Size"
+        )
+    middle = (low + high) / 2.0
+    pattern = pyembroidery.EmbPattern()
+    pattern.add_thread({"hex": "#000000", "name": "Black"})
+    pattern.metadata("name", _plain(title))
+    for strand in drawing.strands:
+        stitched = resampled_by_step(strand, stitch_length / drawing.millimetres)
+        # The y axis of the package points down.
+        places = (ring(stitched) - middle)[:, :2] * [1.0, -1.0] * drawing.millimetres * _TENTHS
+        _add(pattern, places.round().tolist(), pyembroidery)
+    pattern.end()
+    stream = io.BytesIO()
+    settings = {"tie_on": True, "tie_off": True}
+    write = {".dst": pyembroidery.write_dst, ".pes": pyembroidery.write_pes}[suffix]
+    write(pattern, stream, settings)
+    return stream.getvalue()
+
+
+def _add(pattern: Any, places: list[list[float]], pyembroidery: Any) -> None:
+    """One strand: the needle goes to its beginning without thread."""
+    pattern.add_stitch_absolute(pyembroidery.JUMP, *places[0])
+    for place in places:
+        pattern.add_stitch_absolute(pyembroidery.STITCH, *place)
+    pattern.add_command(pyembroidery.TRIM)
+
+
+def _plain(text: str) -> str:
+    """A name as the head of a file may have it."""
+    letters = "".join(letter if letter.isascii() and letter.isalnum() else "_" for letter in text)
+    return letters[:16] or "Meander"
+
+
+def is_wanted(path: Path) -> bool:
+    """Whether a file is one of these formats."""
+    return path.suffix.lower() in SUFFIXES

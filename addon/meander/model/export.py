@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The formats of files for machines, by their suffix, and the options of each; no bpy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+from . import embroidery
+from .drawing import Drawing, drawing_of
+from .dxf import dxf_text
+from .export_options import ROWS
+from .gcode import Motion, gcode_text
+from .option import Values
+from .svg import svg_text
+from .toolpath import Strand
+from .whole_files import whole_file
+
+_OF_SIZE = ("layout_as", "unit", "scale", "size")
+_OF_MOTION = tuple(field.name for field in fields(Motion))
+
+
+@dataclass(frozen=True)
+class Format:
+    """A format of files.
+
+    name, label, tip   as Blender lists it
+    suffixes           the first one is added to names without any
+    options            the settings of export_options.ROWS that it takes
+    flat               everything in it lies in a plane
+    """
+
+    name: str
+    label: str
+    tip: str
+    suffixes: tuple[str, ...]
+    options: tuple[str, ...]
+    flat: bool
+
+
+FORMATS: tuple[Format, ...] = (
+    Format(
+        "SVG",
+        "SVG",
+        "Flat drawing for plotters, lasers and print",
+        (".svg",),
+        (*_OF_SIZE, "line_width"),
+        True,
+    ),
+    Format("DXF", "DXF", "Flat or in space, for CAD and lasers", (".dxf",), _OF_SIZE, False),
+    Format(
+        "GCODE",
+        "G-code",
+        "Moves of a plotter, mill or printer",
+        (".gcode", ".nc", ".ngc"),
+        (*_OF_SIZE, *_OF_MOTION),
+        False,
+    ),
+    Format(
+        "DST",
+        "Embroidery DST",
+        "Stitches, for most machines",
+        (".dst",),
+        ("layout_as", "scale", "size", "stitch_length"),
+        True,
+    ),
+    Format(
+        "PES",
+        "Embroidery PES",
+        "Stitches, for machines of Brother",
+        (".pes",),
+        ("layout_as", "scale", "size", "stitch_length"),
+        True,
+    ),
+)
+SUFFIXES = tuple(suffix for kind in FORMATS for suffix in kind.suffixes)
+DEFAULTS: Values = {row.setting: row.default for row in ROWS}
+
+
+def format_of(path: Path) -> Format | None:
+    """The format of a file by its name; None: it is none of these."""
+    suffix = path.suffix.lower()
+    return next((kind for kind in FORMATS if suffix in kind.suffixes), None)
+
+
+def prepared(strands: Sequence[Strand], kind: Format, values: Values, metres: float) -> Drawing:
+    """The drawing that a file of a format holds.
+
+    strands   as they are laid: in scene units, at z = 0 where the layout is flat
+    values    of export_options.ROWS, by setting
+    metres    the length of a scene unit
+
+    Raises FileError with one sentence for what is no drawing.
+    """
+    unit = values["unit"] if "unit" in kind.options else "mm"
+    return drawing_of(
+        strands,
+        unit,
+        metres,
+        values["scale"],
+        values["size"],
+        flat=kind.flat or values["layout_as"] != "space",
+    )
+
+
+def write(
+    path: Path, kind: Format, drawing: Drawing, values: Values, title: str, version: str
+) -> None:
+    """Writes a drawing, whole or not at all. Raises FileError."""
+    if kind.name in ("DST", "PES"):
+        content = embroidery.embroidery_bytes(
+            drawing, values["stitch_length"], title, kind.suffixes[0]
+        )
+    elif kind.name == "SVG":
+        content = svg_text(drawing, values["line_width"], title, version).encode("utf-8")
+    elif kind.name == "DXF":
+        content = dxf_text(drawing).encode("ascii")
+    else:
+        motion = Motion(**{name: values[name] for name in _OF_MOTION})
+        content = gcode_text(drawing, motion, title, version).encode("ascii")
+    with whole_file(path) as temporary:
+        temporary.write_bytes(content)

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flat drawings as SVG 1.1 files, in real units: a path for every strand; no bpy."""
+
+from __future__ import annotations
+
+from xml.sax.saxutils import escape
+
+import numpy as np
+
+from .drawing import Drawing, number
+
+# A thousandth of a millimetre is finer than any plotter.
+_DECIMALS = {"mm": 3, "cm": 4, "in": 5}
+
+
+def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> str:
+    """The file's text.
+
+    drawing      flat
+    line_width   in millimetres; so much margin is left all around
+    title        what the picture is of
+
+    One unit of the file's coordinates is one unit of the drawing, and its size on paper says so
+    (width="120mm"). The y axis points down, as SVG has it.
+    """
+    decimals = _DECIMALS[drawing.unit]
+    width = line_width / drawing.millimetres
+    low, high = drawing.box()
+    sides = [number(side + 2.0 * width, decimals) for side in (high - low)[:2]]
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f'<svg xmlns="http://www.w3.org/2000/svg" version="1.1" width="{sides[0]}{drawing.unit}" '
+        f'height="{sides[1]}{drawing.unit}" viewBox="0 0 {sides[0]} {sides[1]}">',
+        f"<title>{escape(title)}</title>",
+        f"<desc>Meander {escape(version)}; unit {drawing.unit}</desc>",
+        f'<g fill="none" stroke="#000000" stroke-width="{number(width, decimals)}" '
+        'stroke-linecap="round" stroke-linejoin="round">',
+    ]
+    shift = np.array([width - low[0], high[1] + width])
+    for place, strand in enumerate(drawing.strands, start=1):
+        x = strand.points[:, 0] + shift[0]
+        y = shift[1] - strand.points[:, 1]
+        places = [f"{number(a, decimals)} {number(b, decimals)}" for a, b in zip(x, y)]
+        end = "Z" if strand.closed else ""
+        lines.append(f'<path id="strand{place}" d="M{places[0]}L{" ".join(places[1:])}{end}"/>')
+    return "\n".join([*lines, "</g>", "</svg>", ""])

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Strands laid flat by a UV map: each triangle carries its pieces into the plane; no bpy.
+
+Where the map is cut along a seam the strand is cut as well, exactly on the edge. What lies on both
+sides of a seam becomes several open strands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .drawing import ring
+from .toolpath import Mesh, Strand, strand_of
+
+# The triangle nearest to each point and the weights of its corners.
+Nearest = Callable[[NDArray[np.float64]], tuple[NDArray[np.int64], NDArray[np.float64]]]
+
+# A piece lies in a triangle if its ends are no farther outside than this share of its height:
+# results are kept in single precision.
+_ON = 1e-4
+# Two places of the map are one if they are no farther apart than this share of a triangle's side.
+_SAME = 1e-3
+# Pieces that pass over several triangles are halved so often at most.
+_MOST_HALVINGS = 12
+
+
+def unrolled(
+    strands: Sequence[Strand], mesh: Mesh, uv: NDArray[np.float64], nearest: Nearest | None = None
+) -> list[Strand]:
+    """The strands in the plane z = 0, in their order, enlarged so that areas are the surface's.
+
+    strands   with faces, whose pieces may pass over several triangles where `nearest` is given
+    uv        (faces, 3, 2), the map at the corners of the mesh's triangles
+    nearest   finds points on the mesh; None: every piece lies in one triangle
+    """
+    scale = _scale(mesh, uv)
+    flat = []
+    for strand in strands:
+        points, faces = ring(strand), strand.faces
+        if strand.closed:
+            faces = np.append(faces, faces[:1])
+        points, faces = _divided(points, faces, mesh, nearest)
+        runs = _runs(*_in_the_map(points, faces, mesh, uv))
+        flat += [_strand(run * scale, closed) for run, closed in _joined(runs, strand.closed)]
+    return [strand for strand in flat if strand is not None]
+
+
+def _scale(mesh: Mesh, uv: NDArray[np.float64]) -> float:
+    """The root of the surface's area over the map's."""
+    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
+    u, v = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
+    flat = np.abs(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]).sum()
+    return float(np.sqrt(area / flat)) if flat > 0.0 else 0.0
+
+
+def _divided(
+    points: np.ndarray, faces: np.ndarray, mesh: Mesh, nearest: Nearest | None
+) -> tuple[np.ndarray, np.ndarray]:
+    """Points between those of pieces that pass over more than two triangles, on the surface."""
+    for _ in range(_MOST_HALVINGS if nearest is not None else 0):
+        here, there = faces[:-1], faces[1:]
+        good = (here == there) | _holds(points[1:], here, mesh) | _holds(points[:-1], there, mesh)
+        shared, _first, _second = _shared_edges(here, there, mesh)
+        long = np.flatnonzero(~(good | shared))
+        if not len(long):
+            break
+        index, weights = nearest((points[long] + points[long + 1]) / 2.0)
+        places = np.einsum("nk,nkj->nj", weights, mesh.vertices[mesh.faces[index]])
+        points = np.insert(points, long + 1, places, axis=0)
+        faces = np.insert(faces, long + 1, index)
+    return points, faces
+
+
+def _in_the_map(
+    points: np.ndarray, faces: np.ndarray, mesh: Mesh, uv: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Every piece as one or two in the map: their begins and ends, (n, 2), and a length that is
+    nothing there."""
+    here, there = faces[:-1], faces[1:]
+    begin, end = points[:-1], points[1:]
+    in_here = (here == there) | _holds(end, here, mesh)
+    in_there = ~in_here & _holds(begin, there, mesh)
+    shared, first, second = _shared_edges(here, there, mesh)
+    across = ~in_here & ~in_there & shared
+    middle = (begin + end) / 2.0
+    middle[across] = _nearest_on(
+        begin[across], end[across], mesh.vertices[first[across]], mesh.vertices[second[across]]
+    )
+    # In two parts, the second of which is nothing where one triangle holds the whole.
+    face_1, face_2 = np.where(in_there, there, here), np.where(in_here, here, there)
+    parts = np.stack([_carried(begin, face_1, mesh, uv), _carried(middle, face_1, mesh, uv)], 1)
+    more = np.stack([_carried(middle, face_2, mesh, uv), _carried(end, face_2, mesh, uv)], 1)
+    both = np.stack([parts, more], axis=1).reshape(-1, 2, 2)
+    sides = np.linalg.norm(uv - np.roll(uv, 1, axis=1), axis=2).max(axis=1)
+    small = _SAME * np.column_stack([sides[face_1], sides[face_2]]).reshape(-1)
+    return both[:, 0], both[:, 1], small
+
+
+def _runs(begin: np.ndarray, end: np.ndarray, small: np.ndarray) -> list[np.ndarray]:
+    """Polylines of pieces that continue one another."""
+    apart = np.linalg.norm(begin[1:] - end[:-1], axis=1) > np.maximum(small[1:], small[:-1])
+    cuts = [0, *(np.flatnonzero(apart) + 1).tolist(), len(begin)]
+    return [np.vstack([begin[a:b], end[b - 1 : b]]) for a, b in zip(cuts[:-1], cuts[1:])]
+
+
+def _joined(runs: list[np.ndarray], closed: bool) -> list[tuple[np.ndarray, bool]]:
+    """The runs of a closed strand begin in the middle of one: its halves are put together."""
+    if not closed:
+        return [(run, False) for run in runs]
+    first, last = runs[0], runs[-1]
+    gap = np.linalg.norm(first[0] - last[-1])
+    if gap > _SAME * max(float(np.ptp(np.vstack(runs), axis=0).max()), 1e-300):
+        return [(run, False) for run in runs]
+    if len(runs) == 1:
+        return [(first[:-1], True)]
+    return [(np.vstack([last[:-1], first]), False), *((run, False) for run in runs[1:-1])]
+
+
+def _strand(points: np.ndarray, closed: bool) -> Strand | None:
+    """A flat strand without points on top of one another; None: there is nothing of it."""
+    ends = np.roll(points, -1, axis=0) if closed else points[1:]
+    steps = np.linalg.norm(ends - points[: len(ends)], axis=1)
+    size = float(np.ptp(points, axis=0).max())
+    keep = np.append(True, (steps[:-1] if closed else steps) > 1e-9 * size)
+    if keep.sum() < (3 if closed else 2) or size == 0.0:
+        return None
+    if not closed:
+        keep[-1] = True
+    flat = np.column_stack([points[keep], np.zeros(int(keep.sum()))])
+    return strand_of(flat, np.tile([0.0, 0.0, 1.0], (len(flat), 1)), closed)
+
+
+def _weights(points: np.ndarray, faces: np.ndarray, mesh: Mesh) -> np.ndarray:
+    """Of the corners of triangles, at the places in their planes nearest to points."""
+    a, b, c = (mesh.vertices[mesh.faces[faces, corner]] for corner in range(3))
+    u, v, w = b - a, c - a, points - a
+    normal = np.cross(u, v)
+    square = np.maximum(np.einsum("nk,nk->n", normal, normal), np.finfo(float).tiny)
+    second = np.einsum("nk,nk->n", np.cross(w, v), normal) / square
+    third = np.einsum("nk,nk->n", np.cross(u, w), normal) / square
+    return np.column_stack([1.0 - second - third, second, third])
+
+
+def _holds(points: np.ndarray, faces: np.ndarray, mesh: Mesh) -> np.ndarray:
+    """Whether triangles hold points, but for rounding."""
+    weights = _weights(points, faces, mesh)
+    corners = mesh.vertices[mesh.faces[faces]]
+    off = np.linalg.norm(np.einsum("nk,nkj->nj", weights, corners) - points, axis=1)
+    side = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).min(axis=1)
+    return (weights.min(axis=1) >= -_ON) & (off <= _ON * side)
+
+
+def _shared_edges(here: np.ndarray, there: np.ndarray, mesh: Mesh) -> tuple:
+    """Whether two triangles have an edge in common, and its vertices."""
+    a, b = mesh.faces[here].astype(np.int64), mesh.faces[there].astype(np.int64)
+    common = (a[:, :, None] == b[:, None, :]).any(axis=2)
+    shared = common.sum(axis=1) == 2
+    lone = np.argmin(common, axis=1)  # the corner of the first that is not in the second
+    rows = np.arange(len(a))
+    return shared, a[rows, (lone + 1) % 3], a[rows, (lone + 2) % 3]
+
+
+def _nearest_on(
+    begin: np.ndarray, end: np.ndarray, low: np.ndarray, high: np.ndarray
+) -> np.ndarray:
+    """The places on edges where lines from begin to end pass them most nearly."""
+    u, v, w = end - begin, high - low, begin - low
+    uu, uv, vv = (np.einsum("nk,nk->n", *pair) for pair in ((u, u), (u, v), (v, v)))
+    uw, vw = (np.einsum("nk,nk->n", *pair) for pair in ((u, w), (v, w)))
+    determinant = uu * vv - uv * uv
+    share = np.divide(
+        uu * vw - uv * uw,
+        determinant,
+        out=np.full_like(uu, 0.5),
+        where=determinant > 1e-12 * uu * vv,
+    )
+    return low + np.clip(share, 0.0, 1.0)[:, None] * v
+
+
+def _carried(points: np.ndarray, faces: np.ndarray, mesh: Mesh, uv: np.ndarray) -> np.ndarray:
+    """Points of triangles in the map."""
+    weights = np.clip(_weights(points, faces, mesh), 0.0, 1.0)
+    weights /= weights.sum(axis=1, keepdims=True)
+    return np.einsum("nk,nkj->nj", weights, uv[faces])

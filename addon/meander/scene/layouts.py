@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a drawing takes from the scene: the UV map that lays it flat, the view, the unit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+from ..model import toolpath
+from ..model.drawing import seen_along
+from ..model.unrolling import unrolled
+from .attributes import uv_layer_of
+from .errors import DataError
+from .evaluated import surface_mesh
+from .meshes import triangles_of
+from .surface_points import nearest_on
+
+
+def metres_of(scene: bpy.types.Scene) -> float:
+    """The length of a scene unit."""
+    units = scene.unit_settings
+    return float(units.scale_length) if units.system != "NONE" else 1.0
+
+
+def unrolled_strands(
+    strands: Sequence[toolpath.Strand],
+    surface: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    uv_map: str,
+) -> list[toolpath.Strand]:
+    """Strands laid flat by a UV map of their surface, in the scene's units.
+
+    strands   with faces, as triangles_of() numbers them
+    uv_map    its name; empty: the active one
+
+    Raises DataError where there is no such map, or nothing in it.
+    """
+    vertices, faces = triangles_of(surface, depsgraph)
+    mesh = toolpath.Mesh(vertices, faces)
+    flat = unrolled(
+        strands, mesh, _map_of(surface, depsgraph, uv_map), nearest_on(vertices, faces)
+    )
+    if not flat:
+        raise DataError(f"The UV map of '{surface.name}' has no area; unwrap the mesh again")
+    return flat
+
+
+def _map_of(
+    surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph, uv_map: str
+) -> np.ndarray:
+    """The map at the corners of the triangles of triangles_of(), (n, 3, 2)."""
+    with surface_mesh(surface, depsgraph) as (mesh, matrix):
+        layer = uv_layer_of(mesh, uv_map, surface)
+        places = np.empty(2 * len(mesh.loops), dtype=np.float32)
+        layer.data.foreach_get("uv", places)
+        mesh.calc_loop_triangles()
+        corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+        mesh.loop_triangles.foreach_get("loops", corners)
+    corners = corners.reshape(-1, 3)
+    if np.linalg.det(matrix[:3, :3]) < 0.0:
+        corners = corners[:, ::-1]
+    return places.reshape(-1, 2).astype(np.float64)[corners]
+
+
+def strands_in_view(
+    strands: Sequence[toolpath.Strand], view: bpy.types.RegionView3D | None
+) -> list[toolpath.Strand]:
+    """Strands as a 3D view shows them, without perspective. Raises DataError without a view."""
+    if view is None:
+        raise DataError("There is no 3D view to see the curve in; choose another layout")
+    rotation = view.view_rotation
+    return seen_along(strands, rotation @ Vector((1, 0, 0)), rotation @ Vector((0, 1, 0)))

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The export of a result to files for machines: the dialog, and the entry in File > Export."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import bpy
+from bpy.props import EnumProperty, FloatProperty, StringProperty
+
+from .. import core
+from ..model import embroidery, export, toolpath
+from ..model.drawing import Drawing, laid_out
+from ..model.export_options import ROWS
+from ..model.whole_files import FileError
+from ..scene.errors import DataError
+from ..scene.layouts import metres_of, strands_in_view, unrolled_strands
+from ..scene.meshes import triangles_of
+from ..scene.surface_points import strands_of_result
+from .declared import declared
+from .on_result import OnResult
+from .sidebar import notice
+
+_TABLES = {"CSV": ".csv", "JSON": ".json"}
+_SUFFIXES = _TABLES | {kind.name: kind.suffixes[0] for kind in export.FORMATS}
+_BY_NAME = {kind.name: kind for kind in export.FORMATS}
+
+
+class ExportOptions:
+    """The options of a drawing, which the table declares."""
+
+    __annotations__ = declared(ROWS)
+
+    def option_values(self) -> dict[str, Any]:
+        """What is chosen, by setting."""
+        values = {row.setting: getattr(self, row.setting) for row in ROWS}
+        # What the user has typed, and not the float32 that Blender keeps of it.
+        return {
+            row.setting: float(f"{values[row.setting]:.6g}")
+            if row.kind is float
+            else values[row.setting].lower()
+            if row.kind is str
+            else values[row.setting]
+            for row in ROWS
+        }
+
+
+class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
+    """Write the curve to a file for plotters, lasers, mills, printers or embroidery"""
+
+    bl_idname = "meander.export_toolpath"
+    bl_label = "Export Curve"
+
+    filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
+    filter_glob: StringProperty(
+        default=";".join(f"*{suffix}" for suffix in (*_TABLES.values(), *export.SUFFIXES)),
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
+    file_format: EnumProperty(
+        name="Format",
+        description="Format of the file",
+        items=(
+            *((kind.name, kind.label, kind.tip) for kind in export.FORMATS),
+            ("CSV", "CSV", "A row for every point, with normals and triangles"),
+            ("JSON", "JSON", "A list of strands, with normals and triangles"),
+        ),
+    )
+    resample: EnumProperty(
+        name="Points",
+        description="Which points are written",
+        items=(
+            ("ALL", "All", "Every point of the curve"),
+            ("STEP", "By Step", "At equal arc lengths along each strand"),
+            ("TOLERANCE", "By Tolerance", "As few as keep the chords between them near the curve"),
+        ),
+    )
+    step: FloatProperty(
+        name="Step",
+        description="Largest arc length between two points",
+        unit="LENGTH",
+        default=0.01,
+        min=1e-6,
+    )
+    tolerance: FloatProperty(
+        name="Tolerance",
+        description="Largest distance of the chord between two points from the curve",
+        unit="LENGTH",
+        default=0.001,
+        min=1e-9,
+        precision=4,
+    )
+    uv_map: StringProperty(
+        name="UV Map", description="UV map that lays the curve flat; the active one if empty"
+    )
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        layout.prop(self, "file_format")
+        kind = _BY_NAME.get(self.file_format)
+        for setting in () if kind is None else kind.options:
+            layout.prop(self, setting)
+            if setting == "layout_as" and self.layout_as == "UV":
+                surface = context.active_object.meander.surface
+                layout.prop_search(self, "uv_map", surface.data, "uv_layers")
+        if kind is not None and kind.name in ("DST", "PES"):
+            if not embroidery.is_there():
+                notice(layout, f"{embroidery.PACKAGE} is not installed", "ERROR")
+            return  # stitches are points of their own
+        layout.prop(self, "resample")
+        if self.resample == "STEP":
+            layout.prop(self, "step")
+        elif self.resample == "TOLERANCE":
+            layout.prop(self, "tolerance")
+
+    def check(self, _context: bpy.types.Context) -> bool:
+        before = (self.filepath, self.file_format)
+        if self.file_format == self._format:  # it is the name that has changed
+            self._take_format_of_name()
+        self._format = self.file_format
+        self.filepath = str(self._with_suffix())
+        return (self.filepath, self.file_format) != before
+
+    def _with_suffix(self) -> Path:
+        path = Path(self.filepath)
+        suffix = path.suffix.lower()
+        kind = _BY_NAME.get(self.file_format)
+        if kind is not None and suffix in kind.suffixes:
+            return path
+        known = suffix in (*_TABLES.values(), *export.SUFFIXES)
+        wanted = _SUFFIXES[self.file_format]
+        return path.with_suffix(wanted) if known else path.with_name(path.name + wanted)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if not self.filepath:
+            self.filepath = bpy.path.clean_name(context.active_object.name)
+        self.filepath = str(self._with_suffix())
+        # In the dialog there is no 3D view to ask.
+        self._view, self._format = _view_of(context), self.file_format
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        if not self.properties.is_property_set("file_format"):
+            self._take_format_of_name()
+        path, kind = self._with_suffix(), _BY_NAME.get(self.file_format)
+        depsgraph = context.evaluated_depsgraph_get()
+        try:
+            strands = strands_of_result(context.active_object, depsgraph)
+            if kind is None:
+                text = self._write_table(path, context, strands)
+            else:
+                text = self._write_drawing(path, kind, context, strands).described()
+        except (DataError, core.MeanderError, FileError) as error:
+            text = str(error)
+            self.report({"ERROR"}, text[:1].upper() + text[1:])
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"{path.name}: {text}")
+        return {"FINISHED"}
+
+    def _take_format_of_name(self) -> None:
+        """A known suffix says what the format is."""
+        path = Path(self.filepath)
+        kind = export.format_of(path)
+        table = path.suffix.lower()[1:].upper()
+        if kind is not None:
+            self.file_format = kind.name
+        elif table in _TABLES:
+            self.file_format = table
+
+    def _resampled(
+        self, strands: Sequence[toolpath.Strand], mesh: toolpath.Mesh | None
+    ) -> list[toolpath.Strand]:
+        return toolpath.resampled(
+            strands,
+            self.step if self.resample == "STEP" else None,
+            self.tolerance if self.resample == "TOLERANCE" else None,
+            mesh,
+        )
+
+    def _write_table(
+        self, path: Path, context: bpy.types.Context, strands: Sequence[toolpath.Strand]
+    ) -> str:
+        surface = context.active_object.meander.surface
+        mesh = toolpath.Mesh(*triangles_of(surface, context.evaluated_depsgraph_get()))
+        strands = self._resampled(strands, mesh)
+        toolpath.write(path, strands, core.VERSION)
+        count = sum(len(strand.points) for strand in strands)
+        return f"{count:,} points in {len(strands):,} strands"
+
+    def _write_drawing(
+        self,
+        path: Path,
+        kind: export.Format,
+        context: bpy.types.Context,
+        strands: Sequence[toolpath.Strand],
+    ) -> Drawing:
+        values, result = self.option_values(), context.active_object
+        if kind.name in ("DST", "PES") and not embroidery.is_there():
+            modules = bpy.utils.user_resource("SCRIPTS", path="modules")
+            raise FileError(embroidery.missing_text(modules))
+        if values["layout_as"] == "uv":
+            depsgraph = context.evaluated_depsgraph_get()
+            strands = unrolled_strands(strands, result.meander.surface, depsgraph, self.uv_map)
+        elif values["layout_as"] == "view":
+            strands = strands_in_view(strands, getattr(self, "_view", None) or _view_of(context))
+        else:
+            strands = laid_out(strands, values["layout_as"], kind.flat)
+        if kind.name not in ("DST", "PES"):
+            strands = self._resampled(strands, None)
+        drawing = export.prepared(strands, kind, values, metres_of(context.scene))
+        export.write(path, kind, drawing, values, result.name, core.VERSION)
+        return drawing
+
+
+def _view_of(context: bpy.types.Context) -> bpy.types.RegionView3D | None:
+    """The 3D view in which the mouse is, or else the largest one of the window."""
+    if context.area is not None and context.area.type == "VIEW_3D":
+        return context.space_data.region_3d
+    areas = [area for area in context.screen.areas if area.type == "VIEW_3D"]
+    if not areas:
+        return None
+    return max(areas, key=lambda area: area.width * area.height).spaces.active.region_3d
+
+
+def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    self.layout.operator(
+        MEANDER_OT_export_toolpath.bl_idname,
+        text="Meander Curve (.svg, .dxf, .gcode, .dst, .pes, .csv)",
+    )
+
+
+def register() -> None:
+    bpy.utils.register_class(MEANDER_OT_export_toolpath)
+    bpy.types.TOPBAR_MT_file_export.append(_menu)
+
+
+def unregister() -> None:
+    bpy.types.TOPBAR_MT_file_export.remove(_menu)
+    bpy.utils.unregister_class(MEANDER_OT_export_toolpath)

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The export of results to files for machines: the operator, the batch command, the embroidery."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+import scenes
+from meander import batch
+from meander.model import embroidery, export
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def _export(path: Path, **options) -> None:
+    assert bpy.ops.meander.export_toolpath(filepath=str(path), **options) == {"FINISHED"}
+
+
+def _refused(path: Path, **options) -> str:
+    with pytest.raises(RuntimeError) as caught:
+        bpy.ops.meander.export_toolpath(filepath=str(path), **options)
+    assert not path.exists()
+    return str(caught.value).removeprefix("Error: ").strip()
+
+
+def _paths(path: Path) -> tuple[list[tuple[np.ndarray, bool]], np.ndarray]:
+    """The paths of an SVG file, and whether they are closed; the size of its paper."""
+    root = ElementTree.parse(path).getroot()
+    found = []
+    for element in root.iter(f"{SVG}path"):
+        numbers = [float(text) for text in re.findall(r"-?\d+\.?\d*", element.get("d"))]
+        found.append((np.array(numbers).reshape(-1, 2), element.get("d").endswith("Z")))
+    return found, np.array([float(text) for text in root.get("viewBox").split()[2:]])
+
+
+def _length(points: np.ndarray, closed: bool) -> float:
+    around = np.vstack([points, points[:1]]) if closed else points
+    return float(np.linalg.norm(np.diff(around, axis=0), axis=1).sum())
+
+
+def _sheet() -> bpy.types.Object:
+    """A square of side 2 with a UV map that is twice as wide as high, and filled."""
+    sheet = scenes.grid(cells=8)
+    return scenes.fill(sheet, 0.3)
+
+
+def test_the_view_from_the_top_has_the_scenes_size(tmp_path: Path) -> None:
+    result = _sheet()
+    splines = scenes.world_splines(result)
+    bpy.context.scene.unit_settings.scale_length = 0.01
+    _export(tmp_path / "a.svg", line_width=0.5)
+    paths, paper = _paths(tmp_path / "a.svg")
+    low, high = np.min([s[0].min(0) for s in splines], 0), np.max([s[0].max(0) for s in splines], 0)
+    assert np.allclose(paper, (high - low)[:2] * 10.0 + 1.0, atol=0.01)
+    for (points, closed), (wanted, cyclic) in zip(paths, splines, strict=True):
+        assert closed == cyclic
+        wanted = wanted[:, :2] * [10.0, -10.0]
+        assert np.allclose(points - points[0], wanted - wanted[0], atol=0.003)
+
+
+def test_the_unrolled_curve_keeps_its_length_and_is_cut_at_seams(tmp_path: Path) -> None:
+    result = _sheet()
+    whole = scenes.length_of(result)
+    _export(tmp_path / "flat.svg", layout_as="UV", unit="CM", scale=0.1)
+    paths, paper = _paths(tmp_path / "flat.svg")
+    assert paper.max() < 20.1
+    assert sum(_length(*path) for path in paths) == pytest.approx(10.0 * whole, rel=1e-3)
+    bpy.ops.mesh.primitive_cube_add(size=2.0, location=(5.0, 0.0, 0.0))
+    cube = scenes.activate(bpy.context.active_object)
+    cube.scale = (-1.0, 1.0, 1.0)  # a mirrored surface is not a mirrored map
+    result = scenes.fill(cube, 0.4, use_light=True, light_tolerance=0.05)
+    whole = scenes.length_of(result)
+    _export(tmp_path / "cube.svg", layout_as="UV", scale=0.1)
+    paths, _paper = _paths(tmp_path / "cube.svg")
+    assert len(paths) > 3
+    assert sum(_length(*path) for path in paths) == pytest.approx(100.0 * whole, rel=0.02)
+    cube.data.uv_layers.remove(cube.data.uv_layers[0])
+    cube.data.update()
+    assert "has no UV map; unwrap it first" in _refused(tmp_path / "no.svg", layout_as="UV")
+
+
+def test_a_script_may_leave_the_format_to_the_name(tmp_path: Path) -> None:
+    result = _sheet()
+    splines = scenes.world_splines(result)
+    _export(tmp_path / "a.dxf")
+    assert (tmp_path / "a.dxf").read_text().count("\nVERTEX\n") == sum(
+        len(points) for points, _cyclic in splines
+    )
+    _export(tmp_path / "a.nc", scale=0.1, resample="STEP", step=0.1)
+    text = (tmp_path / "a.nc").read_text()
+    assert "G21" in text and text.count("\nG1 X") > 50
+    _export(tmp_path / "b", file_format="GCODE", layers=2)
+    assert "; layer 2, strand 1" in (tmp_path / "b.gcode").read_text()
+    assert "larger Scale" in _refused(tmp_path / "c.svg", scale=1e-8)
+    assert "inches" in _refused(tmp_path / "c.gcode", unit="CM")
+
+
+def test_without_the_package_embroidery_says_how_to_get_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    _sheet()
+    monkeypatch.setitem(sys.modules, "pyembroidery", None)
+    sentence = _refused(tmp_path / "a.dst")
+    folder = bpy.utils.user_resource("SCRIPTS", path="modules")
+    assert f'pip install --target "{folder}" pyembroidery' in sentence
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    given = ["--input", str(tmp_path / "scene.blend"), "--object", "Grid", "--spacing", "0.3"]
+    assert batch.main([*given, "--output", str(tmp_path / "a.pes")]) == 2
+    assert "pip install pyembroidery" in capsys.readouterr().err
+
+
+def _stitches(path: Path) -> tuple[list[np.ndarray], int]:
+    """The stitches of an embroidery in millimetres, in runs between jumps, and its trims."""
+    pyembroidery = pytest.importorskip("pyembroidery")
+    pattern = pyembroidery.read(str(path))
+    runs, trims = [[]], 0
+    for x, y, command in pattern.stitches:
+        command &= pyembroidery.COMMAND_MASK
+        if command == pyembroidery.STITCH:
+            runs[-1].append((x / 10.0, -y / 10.0))
+        elif runs[-1]:
+            runs.append([])
+        trims += command == pyembroidery.TRIM
+    return [np.array(run) for run in runs if len(run) > 8], trims
+
+
+@pytest.mark.parametrize("suffix", [".dst", ".pes"])
+def test_embroidery_has_the_curve_in_stitches(tmp_path: Path, suffix: str) -> None:
+    pytest.importorskip("pyembroidery")
+    result = _sheet()
+    splines = scenes.world_splines(result)
+    path = tmp_path / f"a{suffix}"
+    _export(path, size=80.0, stitch_length=2.0)
+    runs, _trims = _stitches(path)
+    everything = np.vstack([points for points, _cyclic in splines])[:, :2]
+    factor = 80.0 / np.ptp(everything, axis=0).max()
+    assert len(runs) == len(splines)
+    for run, (points, cyclic) in zip(runs, splines):
+        wanted = _length(points[:, :2] * factor, cyclic)
+        steps = np.linalg.norm(np.diff(run, axis=0), axis=1)
+        assert steps.max() <= 2.0 + 0.2  # positions are whole tenths
+        assert steps.sum() == pytest.approx(wanted, rel=0.05)
+        assert cyclic == bool(np.linalg.norm(run[-1] - run[0]) < 1.0)
+    spread = np.ptp(np.vstack(runs), axis=0).max()
+    assert spread == pytest.approx(80.0, abs=1.5)
+    once = path.read_bytes()
+    _export(path, size=80.0, stitch_length=2.0)
+    assert path.read_bytes() == once
+    assert "choose a Size" in _refused(tmp_path / f"b{suffix}")
+
+
+def test_dxf_is_what_another_reader_finds(tmp_path: Path) -> None:
+    ezdxf = pytest.importorskip("ezdxf")
+    result = _sheet()
+    splines = scenes.world_splines(result)
+    for layout in ("SPACE", "FRONT"):
+        _export(tmp_path / "a.dxf", unit="IN", layout_as=layout, scale=0.1)
+        document = ezdxf.readfile(tmp_path / "a.dxf")
+        assert not document.audit().errors
+        assert document.header["$INSUNITS"] == 1
+        polylines = list(document.modelspace().query("POLYLINE"))
+        for polyline, (points, cyclic) in zip(polylines, splines, strict=True):
+            found = np.array([tuple(vertex.dxf.location) for vertex in polyline.vertices])
+            assert polyline.is_closed == cyclic
+            assert polyline.is_3d_polyline == (layout == "SPACE")
+            if layout == "SPACE":
+                assert np.allclose(found, points * 100.0 / 25.4, atol=1e-5)
+
+
+def test_the_command_draws_what_the_scene_has(tmp_path: Path) -> None:
+    scenes.grid(cells=8)
+    bpy.context.scene.unit_settings.scale_length = 0.01
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    report = tmp_path / "report.json"
+    given = ["--input", str(tmp_path / "scene.blend"), "--object", "Grid", "--spacing", "0.3"]
+    given += ["--report", str(report), "--quiet"]
+    output = tmp_path / "a.svg"
+    flags = ["--layout", "uv", "--light", "0.01", "--line-width", "1"]
+    assert batch.main([*given, "--output", str(output), *flags]) == 0
+    record = json.loads(report.read_text())
+    paths, paper = _paths(output)
+    assert record["options"]["layout"] == "uv" and record["options"]["feed"] is None
+    assert record["options"]["line_width"] == 1.0 and record["options"]["scale"] == 1.0
+    assert sum(len(points) for points, _closed in paths) == record["points"]["written"]
+    assert sum(_length(*path) for path in paths) == pytest.approx(10.0 * record["length"], rel=0.01)
+    assert paper.max() < 21.0
+
+
+@pytest.mark.parametrize(
+    ("output", "flags", "words"),
+    [
+        ("a.svg", ["--feed", "100"], "--feed does nothing for an --output of kind .svg"),
+        ("a.csv", ["--size", "10"], "--size does nothing for an --output of kind .csv"),
+        ("a.svg", ["--layout", "view"], "needs a window"),
+        ("a.svg", ["--layout", "uv"], "give a .blend"),
+        ("a.svg", ["--layout-map", "UVMap"], "needs --layout uv"),
+        ("a.gcode", ["--unit", "cm"], "millimetres and inches"),
+        ("a.gcode", ["--layers", "0"], "from 1 to"),
+    ],
+)
+def test_flags_that_cannot_be_meant_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture, output: str, flags: list[str], words: str
+) -> None:
+    mesh = tmp_path / "mesh.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    given = ["--input", str(mesh), "--spacing", "0.3", "--quiet", "--iterations", "1"]
+    assert batch.main([*given, "--output", str(tmp_path / output), *flags]) == 2
+    assert words in capsys.readouterr().err
+    assert not (tmp_path / output).exists()
+
+
+def test_formats_have_suffixes_of_their_own() -> None:
+    assert len(set(export.SUFFIXES)) == len(export.SUFFIXES)
+    assert set(embroidery.SUFFIXES) < set(export.SUFFIXES)
