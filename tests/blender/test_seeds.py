@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+import re
+
 import bpy
 import numpy as np
 import pytest
+from meander.run import seed_preview
 from scenes import (
     activate,
     circle_points,
@@ -147,3 +150,63 @@ def test_a_seed_off_the_surface_is_laid_on_it_and_the_summary_says_so(capfd):
     result.matrix_parent_inverse = np.diag([1 / 1.4, 1 / 1.4, 1 / 1.4, 1.0]).tolist()
     bpy.context.view_layer.update()
     assert "away from the surface" in refused(result)
+
+
+# -- drawing and looking ---------------------------------------------------------------------------
+
+
+def test_a_seed_is_drawn_in_edit_mode_and_nothing_drawn_changes_nothing():
+    surface = grid(4)
+    earlier = surface.meander.seed = poly_curve("Earlier", [[(-0.5, 0, 0), (0.5, 0, 0)]], False)
+    paint = bpy.context.scene.tool_settings.curve_paint_settings
+    paint.depth_mode, paint.surface_offset = "CURSOR", 0.25
+    before = counts()
+    assert bpy.ops.meander.draw_seed() == {"FINISHED"}
+    assert bpy.context.mode == "EDIT_CURVE" and paint.depth_mode == "SURFACE"
+    assert bpy.ops.meander.end_seed() == {"FINISHED"}
+    assert surface.meander.seed == earlier and counts() == before
+    assert (paint.depth_mode, paint.surface_offset) == ("CURSOR", 0.25)
+    assert bpy.context.view_layer.objects.active == surface and bpy.context.mode == "OBJECT"
+    assert not bpy.ops.meander.end_seed.poll()
+    bpy.ops.meander.draw_seed()
+    assert bpy.ops.curve.primitive_bezier_curve_add(radius=0.4) == {"FINISHED"}
+    assert bpy.ops.meander.end_seed() == {"FINISHED"}
+    drawn = surface.meander.seed
+    assert drawn != earlier and drawn.parent == surface and len(drawn.data.splines) == 1
+    result = fill(surface, 0.3)
+    ((_points, cyclic),) = world_splines(result)
+    assert not cyclic
+
+
+def test_the_preview_shows_what_a_run_starts_from_until_that_changes(capfd):
+    surface = grid(8)
+    assert bpy.ops.meander.preview_seed() == {"FINISHED"}
+    assert "Starts from one strand" in capfd.readouterr().out
+    assert seed_preview.is_shown(surface)
+    surface.meander.guides = poly_curve("Wall", [[(0, -1, 0), (0, 1, 0)]], False)
+    assert not seed_preview.is_shown(surface)
+    assert bpy.ops.meander.preview_seed() == {"FINISHED"}
+    assert "Starts from 2 strands and one guide" in capfd.readouterr().out
+    assert bpy.ops.meander.preview_seed() == {"FINISHED"}  # no longer
+    assert not seed_preview.is_shown(surface)
+    # A seed that is refused is shown as drawn, with the places marked.
+    bow = [(-0.8, -0.5, 0.1), (-0.2, 0.5, 0.1), (-0.8, 0.5, 0.2), (-0.2, -0.5, 0.2)]
+    surface.meander.seed = poly_curve("Bow", [bow], False)
+    with pytest.raises(RuntimeError, match="just after points 1 and 3 of spline 1 of 'Bow'"):
+        bpy.ops.meander.preview_seed()
+    assert seed_preview.is_shown(surface)
+    surface.meander.seed = None
+    fill(surface, 0.3)
+    assert not seed_preview.is_shown(surface)
+
+
+def test_points_of_a_bezier_curve_are_told_by_its_control_points():
+    surface = grid(8)
+    bow = [(-0.8, -0.5, 0), (-0.2, 0.5, 0), (-0.8, 0.5, 0), (-0.2, -0.5, 0)]
+    line = [(0.2, 0.5, 0), (0.2, -0.5, 0)]
+    seed = poly_curve("Bow", [line, bow], False, "BEZIER")
+    for spline in seed.data.splines:
+        for point in spline.bezier_points:
+            point.handle_left_type = point.handle_right_type = "VECTOR"
+    sentence = refused(surface, seed=seed)
+    assert re.search(r"after points [12] and [34] of spline 2 of 'Bow'", sentence), sentence

@@ -16,7 +16,7 @@ from .. import core
 from ..model import strands
 from ..model.problem import Problem
 from ..scene.alignment import directions_of
-from ..scene.curve_reader import strands_of_curve
+from ..scene.curve_reader import point_numbers, strands_of_curve
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
 from ..scene.meshes import in_polygons as renumbered
@@ -118,11 +118,13 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
         seed_object = _curve_object(arguments, "seed_object")
         given.fixed_ends = fixed_ends
         seed = strands_of_curve(seed_object, depsgraph, fixed_ends)
-        given.parts.append(strands.Part(seed_object.name, seed))
+        numbers = point_numbers(seed_object, seed)
+        given.parts.append(strands.Part(seed_object.name, seed, numbers=numbers))
     if arguments.guides_object is not None:
         guides_object = _curve_object(arguments, "guides_object")
         guides = strands_of_curve(guides_object, depsgraph)
-        given.parts.append(strands.Part(guides_object.name, guides, guide=True))
+        numbers = point_numbers(guides_object, guides)
+        given.parts.append(strands.Part(guides_object.name, guides, guide=True, numbers=numbers))
     return given
 
 

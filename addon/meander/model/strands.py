@@ -26,6 +26,8 @@ class Part:
     seed: core.Seed
     guide: bool = False
     first_spline: int = 0  # of these strands, among the splines of that place
+    # (n,) of the points in their spline, as the user counts them; None: from 1, one by one
+    numbers: NDArray[np.int64] | None = None
 
 
 def stroke(begin: ArrayLike, end: ArrayLike) -> core.Seed:
@@ -153,6 +155,8 @@ def _place(point: int, parts: Sequence[Part]) -> tuple[int, int, str]:
         if point < len(part.seed.points):
             strand = int(np.searchsorted(part.seed.offsets, point, side="right")) - 1
             number = point - int(part.seed.offsets[strand]) + 1
+            if part.numbers is not None:
+                number = int(part.numbers[point])
             return number, part.first_spline + strand + 1, part.name
         point -= len(part.seed.points)
     return point + 1, 1, "the outline"  # laid after what is drawn

@@ -35,6 +35,8 @@ class GrowingCurve:
     find         gives the surface, or None when it is gone
     find_scene   likewise
     matrix       world matrix of the surface when the curve was computed
+    color        red, green, blue; None: that of curves that are not selected
+    width        of the lines, in pixels
     """
 
     def __init__(
@@ -42,7 +44,10 @@ class GrowingCurve:
         find: Callable[[], bpy.types.Object | None],
         find_scene: Callable[[], bpy.types.Scene | None],
         matrix: np.ndarray,
+        color: tuple[float, float, float] | None = None,
+        width: float = 1.0,
     ) -> None:
+        self._color, self._width = color, width
         self._find = find
         self._find_scene = find_scene
         self._inverse = Matrix(np.linalg.inv(matrix).tolist())
@@ -87,11 +92,10 @@ class GrowingCurve:
         )
         if self._batch is None:
             self._batch = self._new_batch(shader)
-        # The colour of curves that are not selected.
-        color = context.preferences.themes[0].view_3d.wire
+        color = self._color or context.preferences.themes[0].view_3d.wire
         test, width = gpu.state.depth_test_get(), gpu.state.line_width_get()
         gpu.state.depth_test_set("LESS_EQUAL")
-        gpu.state.line_width_set(1.0)
+        gpu.state.line_width_set(self._width)
         with gpu.matrix.push_pop():
             gpu.matrix.multiply_matrix(surface.matrix_world @ self._inverse)
             shader.bind()

@@ -21,7 +21,7 @@ from ..scene.errors import DataError
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
 from ..scene.results import is_present
-from . import estimates, suspended
+from . import estimates, seed_preview, suspended
 from .meaning import meaning_of
 from .plan import Plan
 from .preview import Preview
@@ -54,6 +54,7 @@ class Session:
             self.plan, self.stepper = suspended_run.plan, suspended_run.stepper
             self.latest = suspended_run.latest
             self._meaning = suspended_run.meaning
+        seed_preview.hide()
         suspended.drop()  # a run that begins takes the place of the one before it
         self._shown = True  # whether the view has what is in `latest`
         self._polled = 0.0  # when a copy of the curve was last asked for

@@ -48,6 +48,33 @@ def strands_of_curve(
     )
 
 
+def point_numbers(object: bpy.types.Object, seed: core.Seed) -> np.ndarray | None:
+    """Which point of its spline each point of a curve's strands is, counted from 1: that control
+    point which is nearest to it.
+
+    seed   of strands_of_curve()
+
+    None where the strands have the points of the splines, and where modifiers make others of them.
+    """
+    splines = [spline for spline in object.data.splines if _count(spline) > 1]
+    if _is_plain(object) or len(splines) != len(seed.closed):
+        return None
+    numbers = []
+    for spline, begin, end in zip(splines, seed.offsets[:-1], seed.offsets[1:], strict=True):
+        points = spline.bezier_points if spline.type == "BEZIER" else spline.points
+        controls = np.array([point.co[:3] for point in points])
+        places = to_world(controls, world_matrix(object))
+        numbers += [
+            int(((places - point) ** 2).sum(axis=1).argmin()) + 1
+            for point in seed.points[begin:end]
+        ]
+    return np.array(numbers, dtype=np.int64)
+
+
+def _count(spline: bpy.types.Spline) -> int:
+    return len(spline.points) + len(spline.bezier_points)
+
+
 def _is_plain(object: bpy.types.Object) -> bool:
     """Whether the points of the splines are the curve: nothing to evaluate, so no copy needed."""
     return (

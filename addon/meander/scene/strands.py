@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
+from .. import core
 from ..model import strands
-from .curve_reader import strands_of_curve
+from .curve_reader import point_numbers, strands_of_curve
 from .errors import DataError
 from .transforms import world_matrix
 
@@ -42,7 +43,7 @@ def parts_of(
     if active.type == "MESH" or restart:
         if settings.seed is not None:
             seed = strands_of_curve(settings.seed, depsgraph, settings.fixed_ends)
-            parts = [strands.Part(settings.seed.name, seed)]
+            parts = [_part_of(settings.seed, seed)]
             return parts + guides, _materials_of([settings.seed, *guide_objects], parts + guides)
         parts = _stroke(settings) + guides
         return parts, _materials_of([None] * (len(parts) - len(guides)) + guide_objects, parts)
@@ -70,6 +71,11 @@ def parts_of(
         drawn = sum(len(part.seed.closed) for part in guides)
         indices = (*indices[:begin], *([0] * drawn), *indices[end:])
     return parts, SplineMaterials((), indices)
+
+
+def _part_of(curve_object: bpy.types.Object, seed: core.Seed, guide: bool = False) -> strands.Part:
+    numbers = point_numbers(curve_object, seed)
+    return strands.Part(curve_object.name, seed, guide, numbers=numbers)
 
 
 def _has_stroke(settings: bpy.types.PropertyGroup) -> bool:
@@ -104,10 +110,7 @@ def _drawn_guides(
                 "in it, or leave the field empty"
             )
         objects += [other for other in found if other != settings.seed]
-    parts = [
-        strands.Part(other.name, strands_of_curve(other, depsgraph), guide=True)
-        for other in objects
-    ]
+    parts = [_part_of(other, strands_of_curve(other, depsgraph), guide=True) for other in objects]
     return parts, objects
 
 

@@ -13,6 +13,7 @@ from ..scene.settings import surface_of
 from .declared import rows
 from .operators import MEANDER_OT_propose_spacing, MEANDER_OT_show_gaps
 from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
+from .seed_drawing import surface_drawn_on
 from .settings import STOP_TEXTS, MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, ORDER, Sidebar, SubPanel, columns
 
@@ -31,7 +32,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         surface = surface_of(context.active_object)
         if surface is not None:
             self._draw_settings(layout.column(), context.active_object, surface)
-        elif running is None:
+        elif running is None and surface_drawn_on(context.active_object) is None:
             column = layout.column(align=True)
             column.label(text="Select a mesh to fill", icon="INFO")
         if running is not None:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from ..run import estimates, following, session, suspended
+from ..run import estimates, following, seed_preview, session, suspended
 from ..scene import after_undo, changes, identity
 from . import (
     export_operator,
@@ -16,6 +16,7 @@ from . import (
     preferences,
     preparation_panels,
     run_operators,
+    seed_drawing,
     seed_operators,
     settings,
     strand_panel,
@@ -31,6 +32,7 @@ _MODULES = (
     settings,
     session,
     suspended,
+    seed_preview,
     estimates,
     following,
     run_operators,
@@ -43,6 +45,7 @@ _MODULES = (
     light_operator,
     points_panel,
     preparation_panels,
+    seed_drawing,
     seed_operators,
     strand_panel,
 )

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import bpy
 
+from ..run import seed_preview
+from .seed_drawing import MEANDER_OT_draw_seed, MEANDER_OT_preview_seed
 from .seed_operators import (
     MEANDER_OT_seed_from_boundary,
     MEANDER_OT_seed_from_edges,
@@ -26,6 +28,11 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         active = context.active_object
         settings: MeanderSettings = active.meander
         layout.prop(settings, "seed", icon="CURVE_DATA")
+        layout.operator(
+            MEANDER_OT_preview_seed.bl_idname,
+            icon="HIDE_OFF",
+            depress=seed_preview.is_shown(active),
+        )
         if active.type == "MESH":
             _draw_makers(layout.column(align=True), active)
         stroke = layout.column(align=True)
@@ -45,14 +52,18 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
 
 
 def _draw_makers(column: bpy.types.UILayout, surface: bpy.types.Object) -> None:
-    """The buttons that make a seed of this mesh."""
+    """The buttons that make a seed of this mesh; their full names are too long for the sidebar."""
+    column.operator(MEANDER_OT_draw_seed.bl_idname, icon="GREASEPENCIL")
     if surface.mode == "EDIT":
-        column.operator(MEANDER_OT_seed_from_edges.bl_idname, icon="EDGESEL")
+        edges = MEANDER_OT_seed_from_edges.bl_idname
+        column.operator(edges, text="Seed from Edges", icon="EDGESEL")
+        column.operator(edges, text="Guides from Edges", icon="EDGESEL").guides = True
         column.operator(
-            MEANDER_OT_seed_from_edges.bl_idname, text="Guides from Selected Edges"
-        ).guides = True
-        column.operator(MEANDER_OT_stroke_from_vertices.bl_idname, icon="VERTEXSEL")
-    column.operator(MEANDER_OT_seed_from_boundary.bl_idname, icon="MOD_EDGESPLIT")
+            MEANDER_OT_stroke_from_vertices.bl_idname, text="Stroke from Vertices", icon="VERTEXSEL"
+        )
+    column.operator(
+        MEANDER_OT_seed_from_boundary.bl_idname, text="Seed from Boundary", icon="MESH_CIRCLE"
+    )
 
 
 def register() -> None:

@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seeds drawn on the surface with Blender's own draw tool, set up in one click, and looked at.
+
+While a seed is drawn, the tool of Edit Mode and the settings of curve painting are borrowed. They
+are given back by Done, and also when the user leaves Edit Mode by himself or the curve goes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .. import core
+from ..run import seed_preview, session
+from ..scene.curve_writer import new_curve_object
+from ..scene.errors import DataError
+from ..scene.identity import Key
+from ..scene.settings import surface_of
+from .run_operators import sentence_of
+from .sidebar import Sidebar
+
+_DRAW_TOOL = "builtin.draw"
+# What makes a stroke lie on what is seen under the mouse; Blender without one of them goes without.
+_PAINT = {
+    "curve_type": "BEZIER",
+    "depth_mode": "SURFACE",
+    "surface_offset": 0.0,
+    "use_offset_absolute": False,
+    "use_stroke_endpoints": False,
+    "use_project_only_selected": False,
+}
+_STATUS = "Draw on the surface: drag with the left button    Tab or Done: end"
+# How often it is looked whether the user has left Edit Mode, in seconds.
+_INTERVAL = 0.3
+
+
+@dataclass
+class _Drawing:
+    """A seed that is being drawn, and what was borrowed for it."""
+
+    curve: Key
+    surface: Key
+    scene: Key
+    earlier_seed: Key | None
+    paint: dict[str, Any]
+    tool: str | None
+    workspaces: list[Key] = field(default_factory=list)
+
+
+_drawing: _Drawing | None = None
+
+
+def surface_drawn_on(active: bpy.types.Object | None) -> bpy.types.Object | None:
+    """The surface for which the active curve is being drawn; None: it is no such curve."""
+    if _drawing is None or active is None or active.mode != "EDIT":
+        return None
+    return _drawing.surface.find() if _drawing.curve.find() == active else None
+
+
+# ------------------------------------------------------------------------------------------------
+# Borrowing
+
+
+def _borrow(context: bpy.types.Context, curve: bpy.types.Object, surface: bpy.types.Object) -> None:
+    """Sets up the draw tool. Edit Mode of the curve is on."""
+    global _drawing
+    paint = context.tool_settings.curve_paint_settings
+    before = {name: getattr(paint, name) for name in _PAINT if hasattr(paint, name)}
+    for name in before:
+        setattr(paint, name, _PAINT[name])
+    earlier = surface.meander.seed
+    _drawing = _Drawing(
+        Key(curve),
+        Key(surface),
+        Key(context.scene),
+        None if earlier is None else Key(earlier),
+        before,
+        None,
+    )
+    if context.area is not None and context.area.type == "VIEW_3D":
+        tool = context.workspace.tools.from_space_view3d_mode("EDIT_CURVE", create=False)
+        _drawing.tool = "builtin.select_box" if tool is None else tool.idname
+        bpy.ops.wm.tool_set_by_id(name=_DRAW_TOOL)
+        _drawing.workspaces.append(Key(context.workspace))
+        context.workspace.status_text_set(_STATUS)
+    if not bpy.app.background and not bpy.app.timers.is_registered(_watch):
+        bpy.app.timers.register(_watch, first_interval=_INTERVAL)
+
+
+def _give_back() -> None:
+    """Returns what was borrowed. Does nothing when nothing was."""
+    global _drawing
+    drawing, _drawing = _drawing, None
+    if drawing is None:
+        return
+    scene, curve = drawing.scene.find(), drawing.curve.find()
+    if scene is not None:
+        paint = scene.tool_settings.curve_paint_settings
+        for name, value in drawing.paint.items():
+            setattr(paint, name, value)
+    for key in drawing.workspaces:
+        workspace = key.find()
+        if workspace is not None:
+            with bpy.context.temp_override(workspace=workspace):
+                workspace.status_text_set(None)
+    if drawing.tool is not None:
+        _choose_tool(drawing.tool, curve)
+
+
+def _choose_tool(name: str, curve: bpy.types.Object | None) -> None:
+    """Chooses the tool that Edit Mode of curves has, whatever mode it is now."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type != "VIEW_3D":
+                continue
+            region = next(region for region in area.regions if region.type == "WINDOW")
+            with bpy.context.temp_override(
+                window=window, area=area, region=region, edit_object=curve
+            ):
+                if bpy.context.mode == "EDIT_CURVE":
+                    bpy.ops.wm.tool_set_by_id(name=name, space_type="VIEW_3D")
+            return
+
+
+def _watch() -> float | None:
+    """Whether the curve is still being drawn; a timer asks."""
+    if _drawing is None:
+        return None
+    curve = _drawing.curve.find()
+    if curve is not None and curve.mode == "EDIT":
+        return _INTERVAL
+    _give_back()
+    return None
+
+
+@persistent
+def _before_load(*_arguments: object) -> None:
+    global _drawing
+    _drawing = None  # the settings and the tool go with the file
+
+
+# ------------------------------------------------------------------------------------------------
+# Operators
+
+
+class MEANDER_OT_draw_seed(bpy.types.Operator):
+    """Draw the seed on the surface with the mouse"""
+
+    bl_idname = "meander.draw_seed"
+    bl_label = "Draw Seed"
+    bl_description = (
+        "Draw the seed on the surface with the mouse: makes a curve, the seed of this mesh, and "
+        "sets up Blender's draw tool for it. Every stroke becomes a strand; Done ends"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif active is None or active.type != "MESH":
+            cls.poll_message_set("Choose the mesh to draw on")
+        elif active.library is not None:
+            cls.poll_message_set("The mesh is linked from another file and cannot be changed")
+        elif not active.visible_get():
+            cls.poll_message_set("The mesh is hidden, so there is nothing to draw on")
+        else:
+            return True
+        return False
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        _give_back()
+        surface = context.active_object
+        if context.mode != "OBJECT":
+            bpy.ops.object.mode_set(mode="OBJECT")
+        curve = new_curve_object(f"{surface.name} Seed", surface)
+        curve.data.dimensions = "3D"
+        _activate(context, curve)
+        bpy.ops.object.mode_set(mode="EDIT")
+        _borrow(context, curve, surface)
+        surface.meander.seed = curve
+        return {"FINISHED"}
+
+
+class MEANDER_OT_end_seed(bpy.types.Operator):
+    """Leave Edit Mode and go back to the surface, with what was drawn as its seed"""
+
+    bl_idname = "meander.end_seed"
+    bl_label = "Done"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if surface_drawn_on(context.active_object) is None:
+            cls.poll_message_set("No seed is being drawn")
+            return False
+        return True
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        drawing, curve = _drawing, context.active_object
+        surface = surface_drawn_on(curve)
+        _give_back()
+        bpy.ops.object.mode_set(mode="OBJECT")
+        _activate(context, surface)
+        strokes = len(curve.data.splines)
+        if not strokes:
+            earlier = drawing.earlier_seed.find() if drawing.earlier_seed is not None else None
+            surface.meander.seed = earlier
+            bpy.data.batch_remove([curve, curve.data])
+            self.report({"INFO"}, "Nothing was drawn; the seed is what it was")
+            return {"FINISHED"}
+        count = "one strand" if strokes == 1 else f"{strokes} strands"
+        self.report({"INFO"}, f"{curve.name}, {count}, is the seed of {surface.name}")
+        return {"FINISHED"}
+
+
+class MEANDER_OT_preview_seed(bpy.types.Operator):
+    """Show on the surface what a run would start from, or show it no longer"""
+
+    bl_idname = "meander.preview_seed"
+    bl_label = "Preview Seed"
+    bl_description = (
+        "Show what a run would start from, laid on the surface: strands in orange, guides in blue, "
+        "the loops of a mesh without a seed. Again: show it no longer"
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif surface_of(context.active_object) is None:
+            cls.poll_message_set("Choose a mesh to fill, or a curve that Meander has made")
+        else:
+            return True
+        return False
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        active = context.active_object
+        if seed_preview.is_shown(active):
+            seed_preview.hide()
+            return {"FINISHED"}
+        try:
+            found = seed_preview.show(active, context)
+        except (DataError, core.MeanderError) as error:
+            self.report({"ERROR"}, sentence_of(error))
+            return {"CANCELLED"}
+        if found.warning:
+            self.report({"WARNING"}, found.warning)
+        counts = "one strand" if found.strands == 1 else f"{found.strands} strands"
+        if found.guides:
+            counts += " and one guide" if found.guides == 1 else f" and {found.guides} guides"
+        self.report({"INFO"}, "; ".join(filter(None, (f"Starts from {counts}", found.remark))))
+        return {"FINISHED"}
+
+
+def _activate(context: bpy.types.Context, object: bpy.types.Object) -> None:
+    for other in list(context.selected_objects):
+        other.select_set(False)
+    object.select_set(True)
+    context.view_layer.objects.active = object
+
+
+# ------------------------------------------------------------------------------------------------
+# Panel
+
+
+class MEANDER_PT_drawing(Sidebar, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_drawing"
+    bl_label = "Draw Seed"
+    bl_parent_id = "MEANDER_PT_main"
+    bl_options = {"HIDE_HEADER"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return surface_drawn_on(context.active_object) is not None
+
+    def draw(self, context: bpy.types.Context) -> None:
+        column = self.layout.column(align=True)
+        surface = surface_drawn_on(context.active_object)
+        column.label(text=f"Draw on {surface.name}", icon="GREASEPENCIL")
+        column.label(text="Each stroke is a strand", icon="BLANK1")
+        row = column.row()
+        row.scale_y = 1.4
+        row.operator(MEANDER_OT_end_seed.bl_idname, icon="CHECKMARK")
+
+
+_CLASSES = (MEANDER_OT_draw_seed, MEANDER_OT_end_seed, MEANDER_OT_preview_seed, MEANDER_PT_drawing)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.app.handlers.load_pre.append(_before_load)
+
+
+def unregister() -> None:
+    if bpy.app.timers.is_registered(_watch):
+        bpy.app.timers.unregister(_watch)
+    _give_back()
+    bpy.app.handlers.load_pre.remove(_before_load)
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

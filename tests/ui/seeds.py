@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script: a seed is drawn with the mouse, looked at, undone and filled, in a window.
+
+Started as run.py beside it is.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import bpy
+
+HERE = Path(__file__).resolve().parent
+ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
+sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
+
+from meander.run import seed_preview, session  # noqa: E402
+from stage import (  # noqa: E402
+    changed_share,
+    choose_spacing,
+    ended,
+    key,
+    look_at_surface,
+    picture,
+    press_run,
+    show_panel,
+    status_texts,
+    step,
+    tell,
+    until,
+    window_override,
+)
+
+
+def view_center() -> tuple[int, int]:
+    area = window_override()["area"]
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    return region.x + (region.width - window_override()["region"].width) // 2, (
+        region.y + region.height // 2
+    )
+
+
+def drag(begin: tuple[int, int], end: tuple[int, int]) -> Iterator[float]:
+    """One stroke with the left button."""
+    window = bpy.context.window_manager.windows[0]
+    places = [
+        (
+            round(begin[0] + (end[0] - begin[0]) * i / 12),
+            round(begin[1] + (end[1] - begin[1]) * i / 12),
+        )
+        for i in range(13)
+    ]
+    window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=places[0][0], y=places[0][1])
+    yield 0.1
+    window.event_simulate(type="LEFTMOUSE", value="PRESS", x=places[0][0], y=places[0][1])
+    yield 0.05
+    for x, y in places:
+        window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
+        yield 0.02
+    window.event_simulate(type="LEFTMOUSE", value="RELEASE", x=places[-1][0], y=places[-1][1])
+    yield 0.3
+
+
+def press(operator: str, **options: object) -> set[str]:
+    with bpy.context.temp_override(**window_override()):
+        return getattr(bpy.ops.meander, operator)("INVOKE_DEFAULT", True, **options)
+
+
+def tool() -> str | None:
+    found = bpy.context.workspace.tools.from_space_view3d_mode("EDIT_CURVE", create=False)
+    return None if found is None else found.idname
+
+
+def surface() -> bpy.types.Object:
+    return bpy.data.objects["Sphere"]
+
+
+def window_opens() -> Iterator[float]:
+    yield 1.0
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=16)
+    bpy.ops.object.shade_smooth()
+    choose_spacing(0.35)
+    yield 0.3
+    look_at_surface()
+    yield from show_panel()
+
+
+def drawing() -> Iterator[float]:
+    step("a seed is drawn on the surface")
+    paint = bpy.context.scene.tool_settings.curve_paint_settings
+    paint.depth_mode, paint.surface_offset = "CURSOR", 0.5
+    assert press("draw_seed") == {"FINISHED"}
+    curve = surface().meander.seed
+    assert bpy.context.view_layer.objects.active == curve and curve.mode == "EDIT"
+    assert tool() == "builtin.draw" and paint.depth_mode == "SURFACE"
+    yield 0.5
+    picture("seeds_1_drawing")
+    x, y = view_center()
+    yield from drag((x - 70, y - 40), (x + 70, y - 40))
+    yield from drag((x - 70, y + 40), (x + 70, y + 40))
+    yield from until(lambda: len(curve.data.splines) == 2, "two strokes")
+    picture("seeds_2_drawn")
+    assert status_texts[-1] is not None and "Draw on the surface" in status_texts[-1]
+    assert press("end_seed") == {"FINISHED"}
+    yield 0.3
+    assert bpy.context.view_layer.objects.active == surface() and surface().mode == "OBJECT"
+    assert (paint.depth_mode, round(paint.surface_offset, 3)) == ("CURSOR", 0.5)
+    assert tool() != "builtin.draw" and status_texts[-1] is None
+    points = [point.co for spline in curve.data.splines for point in spline.bezier_points]
+    assert points and all(abs(point.length - 1.0) < 0.06 for point in points), points
+
+
+def previewing() -> Iterator[float]:
+    step("what a run would start from is shown, and hidden when it changes")
+    press("preview_seed")
+    press("preview_seed")  # hidden again
+    assert not seed_preview.is_shown(surface())
+    yield 0.3
+    picture("seeds_3_before")
+    assert press("preview_seed") == {"FINISHED"}
+    assert seed_preview.is_shown(surface())
+    yield 0.5
+    picture("seeds_4_preview")
+    seen = changed_share("seeds_3_before", "seeds_4_preview")
+    assert seen > 0.0005, seen
+    surface().meander.spacing = 0.3
+    yield 0.3
+    assert not seed_preview.is_shown(surface())
+    picture("seeds_5_stale")
+    assert changed_share("seeds_3_before", "seeds_5_stale") < seen / 4
+    press("preview_seed")
+    assert seed_preview.is_shown(surface())
+
+
+def filling() -> Iterator[float]:
+    step("the drawn strands are filled from, and the preview goes")
+    press_run()
+    assert not seed_preview.is_shown(surface())
+    yield from until(ended, "the end of the run")
+    yield 0.3
+    result = bpy.data.objects["Sphere Seed Meander"]
+    assert [spline.use_cyclic_u for spline in result.data.splines] == [False, False]
+    picture("seeds_6_filled")
+    assert session.current() is None
+
+
+def leaving_by_tab() -> Iterator[float]:
+    step("leaving by Tab gives everything back, and undo takes the seed back")
+    bpy.context.view_layer.objects.active = surface()
+    seed = surface().meander.seed.name
+    bpy.ops.ed.undo_push(message="Surface")
+    press("draw_seed")
+    yield 0.3
+    assert tool() == "builtin.draw"
+    key("TAB", view_center())
+    yield from until(lambda: bpy.context.mode == "OBJECT", "Object Mode")
+    yield from until(lambda: status_texts[-1] is None, "the status bar given back")
+    paint = bpy.context.scene.tool_settings.curve_paint_settings
+    assert (paint.depth_mode, round(paint.surface_offset, 3)) == ("CURSOR", 0.5)
+    key("TAB", view_center())
+    yield from until(lambda: bpy.context.mode == "EDIT_CURVE", "Edit Mode")
+    assert tool() != "builtin.draw", "the tool is still borrowed"
+    key("TAB", view_center())
+    yield 0.3
+    for _ in range(8):
+        if surface().meander.seed is not None and surface().meander.seed.name == seed:
+            break
+        bpy.ops.ed.undo()
+        yield 0.2
+    assert surface().meander.seed.name == seed
+    assert sum(thing.name.startswith("Sphere Seed") for thing in bpy.data.objects) == 2
+
+
+def edges_and_undo() -> Iterator[float]:
+    step("a seed of edges is undone in one step")
+    bpy.context.view_layer.objects.active = surface()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.ed.undo_push(message="Edit Mode")
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.mesh.select_all(action="DESELECT")
+        bpy.ops.object.mode_set(mode="OBJECT")
+        for edge in surface().data.edges:
+            edge.select = all(abs(surface().data.vertices[i].co.z) < 1e-6 for i in edge.vertices)
+        bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.ed.undo_push(message="Select")
+    before = sorted(bpy.data.objects.keys())
+    yield 0.5
+    picture("seeds_7_edit_mode")
+    assert press("seed_from_edges") == {"FINISHED"}
+    yield 0.3
+    assert len(bpy.data.objects) == len(before) + 1
+    assert surface().meander.seed.data.splines[0].use_cyclic_u
+    key("Z", view_center(), ctrl=True)
+    yield from until(lambda: sorted(bpy.data.objects.keys()) == before, "the undone seed")
+    yield 0.3
+    assert surface().mode == "EDIT"
+
+
+def story() -> Iterator[float]:
+    yield from window_opens()
+    yield from drawing()
+    yield from previewing()
+    yield from filling()
+    yield from leaving_by_tab()
+    yield from edges_and_undo()
+
+
+tell(story())
