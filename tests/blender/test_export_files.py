@@ -86,6 +86,39 @@ def test_the_unrolled_curve_keeps_its_length_and_is_cut_at_seams(tmp_path: Path)
     assert "has no UV map; unwrap it first" in _refused(tmp_path / "no.svg", layout_as="UV")
 
 
+def test_what_the_surface_hides_is_left_out(tmp_path: Path) -> None:
+    """A ball seen from above is half hidden; of one with a roof nothing is left in its shadow."""
+    result = scenes.fill(scenes.sphere(), 0.2)
+    splines = scenes.world_splines(result)
+    upper = 0.0
+    for points, cyclic in splines:
+        around = np.vstack([points, points[:1]]) if cyclic else points
+        steps = np.linalg.norm(np.diff(around[:, :2], axis=0), axis=1)
+        upper += steps[(around[:-1, 2] + around[1:, 2]) > 0.0].sum()
+    _export(tmp_path / "top.svg", visible_only=True, scale=0.1)
+    paths, _paper = _paths(tmp_path / "top.svg")
+    found = sum(_length(*path) for path in paths)
+    assert found == pytest.approx(100.0 * upper, rel=0.01)
+    sheet = scenes.grid(cells=8)
+    with_roof = scenes.mesh_object(
+        "Roofed",
+        [*(v.co for v in sheet.data.vertices), (-1, -2, 1), (0, -2, 1), (0, 2, 1), (-1, 2, 1)],
+        [*(p.vertices for p in sheet.data.polygons), [81, 82, 83, 84]],
+    )
+    ring = scenes.poly_curve("Ring", [scenes.circle_points(0.3, 0.0)], True)
+    scenes.fill(with_roof, 0.2, seed=ring)
+    _export(tmp_path / "roof.svg", visible_only=True, scale=0.1)
+    paths, paper = _paths(tmp_path / "roof.svg")
+    assert len(paths) > 3 and not any(closed for _points, closed in paths)
+    assert 88.0 < paper[0] <= 100.6 and paper[1] > 180.0
+    # Every part ends under the edge of the roof, to a tenth of a millimetre.
+    edge = min(points[:, 0].min() for points, _closed in paths)
+    for points, _closed in paths:
+        assert np.abs(points[[0, -1], 0] - edge).max() < 0.1
+    _export(tmp_path / "all.svg", scale=0.1)
+    assert _paths(tmp_path / "all.svg")[1][0] > 180.0
+
+
 def test_a_script_may_leave_the_format_to_the_name(tmp_path: Path) -> None:
     result = _sheet()
     splines = scenes.world_splines(result)
@@ -108,7 +141,7 @@ def test_without_the_package_embroidery_says_how_to_get_it(
     _sheet()
     monkeypatch.setitem(sys.modules, "pyembroidery", None)
     sentence = _refused(tmp_path / "a.dst")
-    folder = bpy.utils.user_resource("SCRIPTS", path="modules")
+    folder = bpy.utils.user_resource("SCRIPTS", path="addons/modules")
     assert f'pip install --target "{folder}" pyembroidery' in sentence
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
     given = ["--input", str(tmp_path / "scene.blend"), "--object", "Grid", "--spacing", "0.3"]
@@ -200,6 +233,8 @@ def test_the_command_draws_what_the_scene_has(tmp_path: Path) -> None:
         ("a.csv", ["--size", "10"], "--size does nothing for an --output of kind .csv"),
         ("a.svg", ["--layout", "view"], "needs a window"),
         ("a.svg", ["--layout", "uv"], "give a .blend"),
+        ("a.gcode", ["--visible-only"], "needs --layout top"),
+        ("a.obj", ["--visible-only"], "does nothing for an --output of kind .obj"),
         ("a.svg", ["--layout-map", "UVMap"], "needs --layout uv"),
         ("a.gcode", ["--unit", "cm"], "millimetres and inches"),
         ("a.gcode", ["--layers", "0"], "from 1 to"),

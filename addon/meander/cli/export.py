@@ -10,10 +10,11 @@ from typing import Any
 
 from .. import core
 from ..model import embroidery, export, toolpath
-from ..model.drawing import laid_out
+from ..model.drawing import axes_of, seen_along
 from ..model.export_options import GROUP, ROWS
 from . import flags
 from .input import Input
+from .reading import need_bpy
 from .values import BadInput
 
 
@@ -32,13 +33,15 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
     kind = export.format_of(arguments.output)
     suffix = arguments.output.suffix.lower()
     for row in ROWS:
-        given = getattr(arguments, row.flag.destination) is not None
+        given = getattr(arguments, row.flag.destination) not in (None, False)
         if given and (kind is None or row.setting not in kind.options):
             return f"{row.flag.name} does nothing for an --output of kind {suffix}; leave it out"
     if arguments.layout == "view":
         return "--layout view needs a window; choose space, top, front, side or uv"
     if arguments.layout == "uv" and arguments.input.suffix.lower() != ".blend":
         return "--layout uv needs a UV map; give a .blend as --input"
+    if arguments.visible_only and not export.is_seen(kind, _values(arguments)["layout_as"]):
+        return "--visible-only needs --layout top, front or side"
     if arguments.layout_map is not None and arguments.layout != "uv":
         return "--layout-map needs --layout uv"
     if kind is not None and embroidery.is_wanted(arguments.output) and not embroidery.is_there():
@@ -64,7 +67,15 @@ def laid(
     kind = export.format_of(arguments.output)
     layout = _values(arguments)["layout_as"]
     if layout != "uv":
-        return laid_out(strands, layout, kind.flat)
+        if arguments.visible_only:
+            need_bpy(arguments.output)
+            from ..scene.visible import visible_strands
+
+            mesh = given.problem
+            strands = visible_strands(strands, *axes_of(layout), mesh.vertices, mesh.faces)
+        if not export.is_seen(kind, layout):
+            return list(strands)
+        return seen_along(strands, *axes_of(layout))
     import bpy
 
     from ..scene.errors import DataError

@@ -77,14 +77,9 @@ def seen_along(strands: Sequence[Strand], right: ArrayLike, up: ArrayLike) -> li
     return flat
 
 
-def laid_out(strands: Sequence[Strand], layout: str, flat: bool) -> list[Strand]:
-    """Strands in a layout that needs nothing but them: one of VIEWS, or "space".
-
-    flat   the format is, so that what is in space is seen from the top
-    """
-    if layout == "space" and not flat:
-        return list(strands)
-    return seen_along(strands, *VIEWS["top" if layout == "space" else layout])
+def axes_of(layout: str) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """To the right and up in a layout that is one of VIEWS; "space" is seen from the top."""
+    return VIEWS["top" if layout == "space" else layout]
 
 
 def drawing_of(

@@ -17,7 +17,8 @@ from .svg import svg_text
 from .toolpath import Strand
 from .whole_files import whole_file
 
-_OF_SIZE = ("layout_as", "unit", "scale", "size")
+_OF_LAYOUT = ("layout_as", "visible_only")
+_OF_SIZE = (*_OF_LAYOUT, "unit", "scale", "size")
 _OF_MOTION = tuple(field.name for field in fields(Motion))
 
 
@@ -62,7 +63,7 @@ FORMATS: tuple[Format, ...] = (
         "Embroidery DST",
         "Stitches, for most machines",
         (".dst",),
-        ("layout_as", "scale", "size", "stitch_length"),
+        (*_OF_LAYOUT, "scale", "size", "stitch_length"),
         True,
     ),
     Format(
@@ -70,7 +71,7 @@ FORMATS: tuple[Format, ...] = (
         "Embroidery PES",
         "Stitches, for machines of Brother",
         (".pes",),
-        ("layout_as", "scale", "size", "stitch_length"),
+        (*_OF_LAYOUT, "scale", "size", "stitch_length"),
         True,
     ),
 )
@@ -82,6 +83,11 @@ def format_of(path: Path) -> Format | None:
     """The format of a file by its name; None: it is none of these."""
     suffix = path.suffix.lower()
     return next((kind for kind in FORMATS if suffix in kind.suffixes), None)
+
+
+def is_seen(kind: Format, layout: str) -> bool:
+    """Whether a layout shows the curve as an eye sees it, so that the surface can hide it."""
+    return layout != "uv" and (kind.flat or layout != "space")
 
 
 def prepared(strands: Sequence[Strand], kind: Format, values: Values, metres: float) -> Drawing:

@@ -40,6 +40,20 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "visible_only",
+        "Visible Only",
+        "Leave out what the surface hides from where the layout sees it",
+        PANEL,
+        kind=bool,
+        default=False,
+        flag=Flag(
+            "--visible-only",
+            "leave out what the surface hides in the layouts top, front and side",
+            GROUP,
+            entry="visible_only",
+        ),
+    ),
+    Option(
         "unit",
         "Unit",
         "Unit of length of the file",

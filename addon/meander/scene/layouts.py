@@ -10,7 +10,6 @@ import numpy as np
 from mathutils import Vector
 
 from ..model import toolpath
-from ..model.drawing import seen_along
 from ..model.unrolling import unrolled
 from .attributes import uv_layer_of
 from .errors import DataError
@@ -65,11 +64,9 @@ def _map_of(
     return places.reshape(-1, 2).astype(np.float64)[corners]
 
 
-def strands_in_view(
-    strands: Sequence[toolpath.Strand], view: bpy.types.RegionView3D | None
-) -> list[toolpath.Strand]:
-    """Strands as a 3D view shows them, without perspective. Raises DataError without a view."""
+def axes_of_view(view: bpy.types.RegionView3D | None) -> tuple[Vector, Vector]:
+    """To the right and up in a 3D view. Raises DataError without a view."""
     if view is None:
         raise DataError("There is no 3D view to see the curve in; choose another layout")
     rotation = view.view_rotation
-    return seen_along(strands, rotation @ Vector((1, 0, 0)), rotation @ Vector((0, 1, 0)))
+    return rotation @ Vector((1, 0, 0)), rotation @ Vector((0, 1, 0))

@@ -12,13 +12,14 @@ from bpy.props import EnumProperty, FloatProperty, StringProperty
 
 from .. import core
 from ..model import embroidery, export, toolpath
-from ..model.drawing import Drawing, laid_out
+from ..model.drawing import Drawing, axes_of, seen_along
 from ..model.export_options import ROWS
 from ..model.whole_files import FileError
 from ..scene.errors import DataError
-from ..scene.layouts import metres_of, strands_in_view, unrolled_strands
+from ..scene.layouts import axes_of_view, metres_of, unrolled_strands
 from ..scene.meshes import triangles_of
 from ..scene.surface_points import strands_of_result
+from ..scene.visible import visible_strands
 from .declared import declared
 from .on_result import OnResult
 from .sidebar import notice
@@ -102,7 +103,11 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         layout.prop(self, "file_format")
         kind = _BY_NAME.get(self.file_format)
         for setting in () if kind is None else kind.options:
-            layout.prop(self, setting)
+            if setting == "visible_only" and not export.is_seen(kind, self.layout_as.lower()):
+                continue
+            row = layout.row()
+            row.active = setting != "scale" or self.size == 0.0
+            row.prop(self, setting)
             if setting == "layout_as" and self.layout_as == "UV":
                 surface = context.active_object.meander.surface
                 layout.prop_search(self, "uv_map", surface.data, "uv_layers")
@@ -200,20 +205,36 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
     ) -> Drawing:
         values, result = self.option_values(), context.active_object
         if kind.name in ("DST", "PES") and not embroidery.is_there():
-            modules = bpy.utils.user_resource("SCRIPTS", path="modules")
+            modules = bpy.utils.user_resource("SCRIPTS", path="addons/modules")
             raise FileError(embroidery.missing_text(modules))
-        if values["layout_as"] == "uv":
-            depsgraph = context.evaluated_depsgraph_get()
-            strands = unrolled_strands(strands, result.meander.surface, depsgraph, self.uv_map)
-        elif values["layout_as"] == "view":
-            strands = strands_in_view(strands, getattr(self, "_view", None) or _view_of(context))
-        else:
-            strands = laid_out(strands, values["layout_as"], kind.flat)
+        strands = self._laid_out(kind, values, context, strands)
         if kind.name not in ("DST", "PES"):
             strands = self._resampled(strands, None)
         drawing = export.prepared(strands, kind, values, metres_of(context.scene))
         export.write(path, kind, drawing, values, result.name, core.VERSION)
         return drawing
+
+
+    def _laid_out(
+        self,
+        kind: export.Format,
+        values: dict[str, Any],
+        context: bpy.types.Context,
+        strands: Sequence[toolpath.Strand],
+    ) -> Sequence[toolpath.Strand]:
+        layout, depsgraph = values["layout_as"], context.evaluated_depsgraph_get()
+        surface = context.active_object.meander.surface
+        if layout == "uv":
+            return unrolled_strands(strands, surface, depsgraph, self.uv_map)
+        if not export.is_seen(kind, layout):
+            return strands
+        if layout == "view":
+            axes = axes_of_view(getattr(self, "_view", None) or _view_of(context))
+        else:
+            axes = axes_of(layout)
+        if values["visible_only"]:
+            strands = visible_strands(strands, *axes, *triangles_of(surface, depsgraph))
+        return seen_along(strands, *axes)
 
 
 def _view_of(context: bpy.types.Context) -> bpy.types.RegionView3D | None:

@@ -76,17 +76,17 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
+        layout.operator_context = "INVOKE_DEFAULT"
+        if active.type == "CURVE":
+            layout.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
         rows(layout, active.meander, "Export")
         if active.type == "CURVE":
             layout.operator(MEANDER_OT_make_light.bl_idname, icon="MOD_DECIM")
         layout.prop(active.meander, "points_as")
-        if active.type != "CURVE":
-            return
-        layout.operator_context = "INVOKE_DEFAULT"
-        column = layout.column(align=True)
-        column.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
-        column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
-        column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")
+        if active.type == "CURVE":
+            column = layout.column(align=True)
+            column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
+            column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")
 
 
 _CLASSES = (

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script: a light result and an export by the dialog, in a window; started like run.py."""
+
+from __future__ import annotations
+
+import os
+import sys
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Iterator
+from pathlib import Path
+
+import bpy
+
+HERE = Path(__file__).resolve().parent
+# Another add-on folder can be tried with the same story.
+ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
+sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
+
+from meander.ui import panels, points_panel  # noqa: E402
+from stage import (  # noqa: E402
+    PICTURES,
+    key,
+    look_at_surface,
+    picture,
+    show_panel,
+    step,
+    tell,
+    until,
+    window_override,
+)
+
+# Open from the start, and what is above it closed, so that it is in the pictures.
+points_panel.MEANDER_PT_points.bl_options = set()
+panels.MEANDER_PT_figures.bl_options = {"DEFAULT_CLOSED"}
+
+FILES = PICTURES / "exported"
+
+
+def points() -> int:
+    splines = bpy.context.view_layer.objects.active.data.splines
+    return sum(len(spline.points) for spline in splines)
+
+
+def browser() -> bpy.types.Area | None:
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "FILE_BROWSER":
+                return area
+    return None
+
+
+def paper(path: Path) -> list[float]:
+    box = ElementTree.parse(path).getroot().get("viewBox")
+    return [float(text) for text in box.split()[2:]]
+
+
+def made_light() -> Iterator[float]:
+    before = points()
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.make_light("INVOKE_DEFAULT", True) == {"FINISHED"}
+    assert points() < 0.6 * before, (points(), before)
+    yield 0.5
+    picture("export_panel")
+    key("Z", ctrl=True)
+    yield from until(lambda: points() == before, "the points are back")
+    assert not bpy.context.view_layer.objects.active.meander.use_light
+
+
+def chosen_in_the_dialog() -> Iterator[float]:
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.meander.export_toolpath("INVOKE_DEFAULT", file_format="SVG", size=90.0)
+    yield from until(lambda: browser() is not None, "the dialog")
+    yield 1.0
+    area = browser()
+    operator = area.spaces.active.active_operator
+    assert operator.bl_idname == "MEANDER_OT_export_toolpath"
+    picture("export_dialog")
+    area.spaces.active.params.directory = os.fsencode(f"{FILES}/")
+    area.spaces.active.params.filename = "dialog.svg"
+    yield 0.5
+    window = bpy.context.window_manager.windows[0]
+    with bpy.context.temp_override(window=window, area=area, region=area.regions[-1]):
+        bpy.ops.file.execute()
+    path = FILES / "dialog.svg"
+    yield from until(path.is_file, "the file")
+    assert abs(max(paper(path)) - 90.6) < 0.01
+
+
+def seen_in_the_view() -> Iterator[float]:
+    override = window_override()
+    override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
+    with bpy.context.temp_override(**override):
+        bpy.ops.view3d.view_axis(type="FRONT")
+    yield 0.6
+    thing = bpy.context.view_layer.objects.active
+    places = [thing.matrix_world @ p.co.to_3d() for s in thing.data.splines for p in s.points]
+    wide, high = (max(p[axis] for p in places) - min(p[axis] for p in places) for axis in (0, 2))
+    path = FILES / "view.svg"
+    with bpy.context.temp_override(**override):
+        bpy.ops.meander.export_toolpath(filepath=str(path), layout_as="VIEW", scale=0.1)
+    found = paper(path)
+    assert abs(found[0] - 0.6 - 100.0 * wide) < 0.1 and abs(found[1] - 0.6 - 100.0 * high) < 0.1
+
+
+def story() -> Iterator[float]:
+    yield 1.0
+    FILES.mkdir(parents=True, exist_ok=True)
+    for path in FILES.iterdir():
+        path.unlink()
+    bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
+    for thing in list(bpy.data.objects):
+        if thing.type == "MESH":
+            bpy.data.objects.remove(thing)
+    bpy.ops.mesh.primitive_torus_add()
+    look_at_surface()
+    bpy.context.active_object.meander.spacing = 0.2
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    bpy.ops.ed.undo_push(message="Filled")
+    yield from show_panel()
+    step("a result is made light, and Ctrl+Z brings its points back")
+    yield from made_light()
+    step("the dialog writes a file with the settings beside it")
+    yield from chosen_in_the_dialog()
+    step("the view as the layout")
+    yield from seen_in_the_view()
+
+
+tell(story())
