@@ -31,6 +31,7 @@ from .binding.choices import (
     CURVATURES,
     DIRECTIONS,
     ELEMENT_KINDS,
+    PHASES,
     PRESETS,
     STOP_REASONS,
 )
@@ -58,6 +59,7 @@ __all__ = [
     "ELEMENT_KINDS",
     "LIBRARY_VARIABLE",
     "NO_STRAND",
+    "PHASES",
     "PRESETS",
     "STATUS_NO_LIBRARY",
     "STOP_REASONS",

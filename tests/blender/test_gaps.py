@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Show Gaps: the places that a run has left empty, stored with the result and selected."""
+"""Show Gaps: the places that a run has left empty, stored with the result and marked."""
 
 from __future__ import annotations
 
 import bpy
 import numpy as np
 import pytest
+from meander.run import gap_marks
 from meander.run import result as result_of_run
-from meander.ui import operators, panels
+from meander.ui import gaps_operator, panels
 from scenes import activate, cube, fill, grid, matrix_of, poly_curve, sphere, world_splines
 from test_addon import draw
 
@@ -17,12 +18,6 @@ EARLY = 40
 
 def stopped_early(surface: bpy.types.Object) -> bpy.types.Object:
     return fill(surface, 0.2, iteration_limit=EARLY)
-
-
-def selected(result: bpy.types.Object) -> np.ndarray:
-    """For every point of the splines, whether it is selected, as Edit Mode has it."""
-    result.update_from_editmode()
-    return np.array([point.select for spline in result.data.splines for point in spline.points])
 
 
 def world_points(result: bpy.types.Object) -> np.ndarray:
@@ -38,7 +33,7 @@ def world_gaps(result: bpy.types.Object) -> np.ndarray:
 def messages(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """What the operator reports, which bpy.ops does not return."""
     told: list[str] = []
-    original = operators.MEANDER_OT_show_gaps.execute
+    original = gaps_operator.MEANDER_OT_show_gaps.execute
 
     class Recorder:
         def __init__(self, operator):
@@ -48,36 +43,60 @@ def messages(monkeypatch: pytest.MonkeyPatch) -> list[str]:
             told.append(text)
 
     monkeypatch.setattr(
-        operators.MEANDER_OT_show_gaps,
+        gaps_operator.MEANDER_OT_show_gaps,
         "execute",
         lambda self, context: original(Recorder(self), context),
     )
     return told
 
 
+def data() -> dict:
+    """What Show Gaps must leave as it is."""
+    return {
+        name: len(getattr(bpy.data, name))
+        for name in ("objects", "curves", "meshes", "materials", "collections", "node_groups")
+    } | {"selected": [thing.name for thing in bpy.context.selected_objects]}
+
+
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_points_around_every_gap_are_selected(monkeypatch, mode):
+def test_gaps_that_matter_are_marked_and_nothing_else_changes(monkeypatch, mode):
     surface = grid()
     surface.scale = (1.0, 2.0, 1.0)
     surface.rotation_euler = (0.5, 0.6, 0.7)
     surface.location = (1.0, 2.0, 3.0)
     result = stopped_early(surface)
-    gaps, points = world_gaps(result), world_points(result)
-    assert len(gaps)
+    points = world_points(result)
     told = messages(monkeypatch)
     bpy.ops.object.mode_set(mode=mode)
+    before = data()
     assert bpy.ops.meander.show_gaps() == {"FINISHED"}
-    assert result.mode == "EDIT"
-    chosen = selected(result)
-    assert 0 < chosen.sum() < len(chosen)
-    near = np.zeros(len(points), dtype=bool)
-    for gap in gaps:
-        distance = np.linalg.norm(points - gap, axis=1)
-        assert chosen[distance.argmin()]
-        near |= distance <= 1.3 * distance.min()
-    assert not np.any(chosen & ~near)
-    assert f"{len(gaps)} gaps" in told[-1]
+    assert result.mode == mode and data() == before
+    assert gap_marks.shown_of(result)
+    places, sizes = gap_marks.places(result)
+    figures = result.meander.figures
+    assert 0 < len(places) == figures.wide_gaps < figures.gap_count
+    for place, size in zip(places, sizes, strict=True):
+        distance = np.linalg.norm(points - place, axis=1).min()
+        assert distance == pytest.approx(size, rel=0.03) and distance > 1.45 * 0.1
+    assert f"{len(places)} gaps" in told[-1]
+    assert "Hide Gaps" in draw(panels.MEANDER_PT_figures)
+    assert bpy.ops.meander.show_gaps() == {"FINISHED"}
+    assert not gap_marks.shown_of(result) and data() == before
     bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_rings_face_the_viewer_around_their_places():
+    generator = np.random.default_rng(4)
+    centres, radii = generator.normal(size=(5, 3)), generator.uniform(0.1, 2.0, 5)
+    axes, _ = np.linalg.qr(generator.normal(size=(3, 3)))
+    right, up = axes[:, 0], axes[:, 1]
+    towards = np.cross(right, up)
+    corners = gap_marks.rings(centres, radii, right, up).reshape(5, -1, 2, 3)
+    away = corners - (centres + radii[:, None] * towards)[:, None, None]
+    assert np.allclose(np.linalg.norm(away, axis=3), radii[:, None, None])
+    assert np.allclose(away @ towards, 0.0)
+    # Each line goes on where the one before has ended, all the way round.
+    assert np.array_equal(corners[:, :, 1], np.roll(corners[:, :, 0], -1, axis=1))
 
 
 def test_sizes_are_distances_over_half_the_spacing():
@@ -93,37 +112,28 @@ def test_sizes_are_distances_over_half_the_spacing():
         assert np.linalg.norm(points - gap, axis=1).min() / 0.1 == pytest.approx(size, rel=0.03)
 
 
-def test_a_selection_made_before_is_gone():
-    result = stopped_early(sphere())
-    for spline in result.data.splines:
-        spline.points.foreach_set("select", np.ones(len(spline.points), dtype=bool))
-    assert bpy.ops.meander.show_gaps() == {"FINISHED"}
-    assert not selected(result).all()
-    bpy.ops.object.mode_set(mode="OBJECT")
-
-
 def test_without_gaps_a_plain_message(monkeypatch):
     result = fill(cube(), 0.5)
     figures = result.meander.figures
     figures.gaps.clear()
-    figures.gap_count = 0
+    figures.gap_count = figures.wide_gaps = 0
     told = messages(monkeypatch)
     assert bpy.ops.meander.show_gaps() == {"CANCELLED"}
     assert result.mode == "OBJECT"
     assert told == [f"{result.name}: the last run left no gaps"]
     shown = draw(panels.MEANDER_PT_figures)
-    assert "None" in shown and "Show Gaps" not in shown
+    assert "Gaps" not in shown and "Show Gaps" not in shown
 
 
-def test_the_panel_names_the_largest():
+def test_only_wide_gaps_are_named():
     surface = sphere()
     result = stopped_early(surface)
     figures = result.meander.figures
     shown = draw(panels.MEANDER_PT_figures)
-    assert f"{figures.gap_count:,}" in shown
-    assert f"{figures.largest_gap:.2f}" in shown
+    assert shown[shown.index("Gaps") + 1] == f"{figures.wide_gaps:,}"
+    assert figures.wide_gaps == sum(gap.size > 1.5 for gap in figures.gaps)
     assert "Show Gaps" in shown
-    # The surface has the figures of the run, but no points to select.
+    # The surface has the figures of the run, but no places.
     activate(surface)
     assert figures.gap_count == surface.meander.figures.gap_count
     assert len(surface.meander.figures.gaps) == 0
@@ -152,9 +162,11 @@ def test_gaps_are_saved_with_the_file(tmp_path):
     bpy.ops.wm.open_mainfile(filepath=path)
     result = activate(bpy.data.objects[name])
     assert np.array_equal(world_gaps(result), gaps)
+    result.meander.figures.wide_gaps = -1  # as results of earlier versions have it
     assert bpy.ops.meander.show_gaps() == {"FINISHED"}
-    assert selected(result).any()
-    bpy.ops.object.mode_set(mode="OBJECT")
+    assert gap_marks.shown_of(result)
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    assert gap_marks._marks is None, "another file has no marks"
 
 
 def test_going_on_replaces_the_gaps():
@@ -171,11 +183,10 @@ def test_of_many_gaps_the_largest_are_kept(monkeypatch):
     monkeypatch.setattr(result_of_run, "MOST_GAPS", 2)
     result = stopped_early(grid())
     figures = result.meander.figures
-    assert figures.gap_count > 2 == len(figures.gaps)
+    assert figures.wide_gaps > 2 == len(figures.gaps)
     told = messages(monkeypatch)
     assert bpy.ops.meander.show_gaps() == {"FINISHED"}
-    assert f"2 of {figures.gap_count} gaps" in told[-1]
-    bpy.ops.object.mode_set(mode="OBJECT")
+    assert f"2 of {figures.wide_gaps} gaps" in told[-1]
 
 
 def test_the_tooltip_follows_the_guidelines():

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 
-from .abi import Alignment, Curvature, Directions, Element, Preset, StopReason
+from .abi import Alignment, Curvature, Directions, Element, Phase, Preset, StopReason
 
 
 def _names(numbers: type[IntEnum]) -> tuple[str, ...]:
@@ -18,6 +18,7 @@ def _names(numbers: type[IntEnum]) -> tuple[str, ...]:
 # What the indices of an error count; the first is no element at all.
 ELEMENT_KINDS: tuple[str | None, ...] = (None, *_names(Element)[1:])
 PRESETS = _names(Preset)
+PHASES = _names(Phase)
 STOP_REASONS = _names(StopReason)
 CURVATURES = _names(Curvature)
 DIRECTIONS = _names(Directions)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from ctypes import byref, c_void_p
 
+from .choices import PHASES
 from .native_library import Handle, MeanderError, call, native
 
 
@@ -60,6 +61,12 @@ class Context(Handle):
         """How far the present run of a flow is, from 0 to 1; never falls during one run."""
         with self._use() as pointer:
             return native().meander_context_progress(pointer)
+
+    @property
+    def phase(self) -> str:
+        """What the present run is about: one of PHASES."""
+        with self._use() as pointer:
+            return PHASES[native().meander_context_phase(pointer)]
 
     def close(self) -> None:
         """Frees the context, at once or as soon as the last call that uses it has ended."""

@@ -64,6 +64,7 @@ def build_report(
             "p05": flow["spacing_p05"],
             "p95": flow["spacing_p95"],
         },
+        "evenness": flow["evenness"],
         "gap_count": len(gaps),
         "gaps": [
             {"position": position, "radius": radius, "size": size}

@@ -6,9 +6,11 @@ from __future__ import annotations
 from typing import Any
 
 import bpy
+import numpy as np
 
 from .. import core
 from ..model import strands, toolpath
+from ..model.last_run import GAP_THAT_MATTERS
 from ..model.preparation import described
 from ..model.profile import radius_factors
 from ..model.simplification import result_points
@@ -69,16 +71,18 @@ def write_result(
     factors = radius_factors(data.radii[kept], radius) if plan.radius_follows else None
     set_tilt_and_radius(result.data, curve, plan.matrix, plan.flat, factors)
     scene_strands.assign_materials(result.data, plan.materials)
-    _store(plan, stepper, result, statistics, stop_reason)
+    guides = stepper.guides
+    closed = int(np.count_nonzero(np.asarray(snapshot.polylines.closed, dtype=bool)[~guides]))
+    _store(plan, stepper, result, statistics | {"closed_lines": closed}, stop_reason)
     result.meander.figures.least_spacing = spacing
-    guides, keep_guides = stepper.guides, result.meander.keep_guides
+    keep_guides = result.meander.keep_guides
     scene_strands.note_guides(result, guides, keep_guides)
     grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)
     point_attributes.store_medial_radii(result, data.radii[kept][grown], plan.matrix)
     if plan.points_as != "NONE":
         _make_points(plan, stepper, result, snapshot.polylines)
     if earlier is None or not plan.from_surface:
-        _select_only(context, result)
+        _make_active(context, result)
     return result
 
 
@@ -132,6 +136,9 @@ def _store(
         figures.length = float(statistics["length"])
         figures.spacing_median = float(statistics["spacing_median"])
         figures.seconds = float(statistics["seconds_total"])
+        figures.evenness = float(statistics["evenness"])
+        figures.lines = int(statistics["strands"] - statistics["guides"])
+        figures.closed_lines = statistics["closed_lines"]
         figures.empty_parts = int(statistics["empty_components"])
         figures.preparation = preparation_text(plan, stepper)
         _store_gaps(figures, stepper.gaps, plan, target == result)
@@ -140,8 +147,9 @@ def _store(
 def _store_gaps(
     figures: bpy.types.PropertyGroup, gaps: core.Gaps | None, plan: Plan, on_result: bool
 ) -> None:
-    """None: they were not searched for, which a count of -1 says."""
+    """None: they were not searched for, which counts of -1 say."""
     figures.gap_count = -1 if gaps is None else len(gaps)
+    figures.wide_gaps = -1 if gaps is None else int(np.sum(gaps.sizes > GAP_THAT_MATTERS))
     figures.largest_gap = float(gaps.sizes[0]) if gaps else 0.0
     figures.gaps.clear()
     if gaps is None or not on_result:  # positions mean nothing beside another object's curve
@@ -153,15 +161,16 @@ def _store_gaps(
         gap.size = size
 
 
-def _select_only(context: bpy.types.Context, object: bpy.types.Object) -> None:
-    """Makes the object active and the only one selected, as Blender does with what it adds.
+def _make_active(context: bpy.types.Context, object: bpy.types.Object) -> None:
+    """Makes the object active, and selects nothing: not while painting, which goes on.
 
-    Not while painting weights: the user goes on painting on the surface.
+    Blender selects what it adds, but the outline of a selected curve as dense as this covers it and
+    the surface with one bright colour. The panel and Edit Mode follow the active object, a result
+    is not to be moved away from its surface, and Undo takes it away; one click selects it.
     """
     view_layer = context.view_layer
     if context.mode != "OBJECT" or view_layer.objects.get(object.name) != object:
         return
     for other in list(context.selected_objects):
         other.select_set(False)
-    object.select_set(True)
     view_layer.objects.active = object

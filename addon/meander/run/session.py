@@ -16,6 +16,7 @@ from bpy.app.handlers import persistent
 
 from .. import core
 from ..model import strands
+from ..model.remaining import Remaining, in_words, told
 from ..scene import refused_element
 from ..scene.errors import DataError
 from ..scene.lengths import length_text
@@ -56,6 +57,7 @@ class Session:
             self._meaning = suspended_run.meaning
         seed_preview.hide()
         suspended.drop()  # a run that begins takes the place of the one before it
+        self._remaining = Remaining()
         self._shown = True  # whether the view has what is in `latest`
         self._polled = 0.0  # when a copy of the curve was last asked for
         self._skipped = False  # whether a tick has passed since
@@ -104,20 +106,31 @@ class Session:
         before, self._polled = self._polled, time.perf_counter()
         if snapshot is not None:
             self.latest = snapshot
+            self._remaining.note(self._polled, snapshot.progress)
             self._shown = False
             # It was made after the last copy was taken, perhaps right after.
             self._stale = self._skipped and self._polled - before > STALE
         self._skipped = False
 
     def progress(self) -> float:
-        """How much of its expected length the curve has, in [0, 1]."""
+        """How much of the run is done, in [0, 1]: about the share of its time."""
         return self.latest.progress if self.latest is not None else 0.0
 
     def progress_text(self) -> str:
-        """How far the run is, in words."""
-        if self.latest is None:
-            return "Preparing the surface"
-        return f"{100.0 * self.progress():.0f} %, iteration {self.latest.iterations}"
+        """What the run is about and how long it will still take, in words."""
+        return told(self._phase(), self._remaining.seconds())
+
+    def phase_text(self) -> str:
+        """What the run is about, such as "Growing"."""
+        return told(self._phase(), None)
+
+    def left_text(self) -> str:
+        """How long it will still take, such as "12 s"; empty while that is not known."""
+        seconds = self._remaining.seconds()
+        return in_words(seconds) if seconds is not None else ""
+
+    def _phase(self) -> str:
+        return self.latest.phase if self.latest is not None else "none"
 
     @property
     def shown_points(self) -> int:

@@ -28,6 +28,7 @@ class Snapshot:
     length: float
     seconds: float
     progress: float  # how far the run is, in [0, 1]; core.Context.progress
+    phase: str  # what it is about; core.Context.phase
 
 
 class Stepper:
@@ -52,7 +53,8 @@ class Stepper:
         self.guides: np.ndarray | None = None
         self.point_data: core.PointData | None = None  # of every point
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
-        self._progress = 0.0  # of the library, while the run was going
+        # Of the library, while the run was going.
+        self._progress, self._phase = 0.0, "none"
 
     def start(self) -> None:
         """Prepares the surface and begins the run, which goes on by itself.
@@ -111,7 +113,7 @@ class Stepper:
             return None
         preview, progress = self._flow.preview(), self._context.progress
         if self._flow.running:  # at the end the library says 1, also of a run that was cancelled
-            self._progress = progress
+            self._progress, self._phase = progress, self._context.phase
         return None if preview is None else self._snapshot(*preview)
 
     def cancel(self) -> None:
@@ -158,4 +160,6 @@ class Stepper:
         length: float,
         seconds: float,
     ) -> Snapshot:
-        return Snapshot(polylines, iterations, nodes, length, seconds, self._progress)
+        return Snapshot(
+            polylines, iterations, nodes, length, seconds, self._progress, self._phase
+        )

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from .transforms import mean_scale, to_local, to_world, world_matrix
+from .transforms import mean_scale, to_local, world_matrix
 
 
 def write_curve(
@@ -79,41 +79,6 @@ def write_splines(curve: bpy.types.Curve, polylines: core.Polylines, matrix: np.
         spline.points.foreach_set("co", points.ravel())
         spline.use_cyclic_u = bool(closed)
     curve.update_tag()
-
-
-def select_points_around(curve_object: bpy.types.Object, centres: np.ndarray, reach: float) -> int:
-    """Selects the points of poly splines around places, and deselects all others.
-
-    centres   (n, 3), in the object's own space
-    reach     how far a point may be from a centre, in distances of the point nearest to it: 1.2
-              takes what limits the place, on all its sides
-
-    Distances are those that are seen: in world space. Call it in Object Mode, or Edit Mode would
-    write its own selection back. Returns the number of points selected.
-    """
-    matrix = world_matrix(curve_object)
-    splines = [spline for spline in curve_object.data.splines if spline.type == "POLY"]
-    points = []
-    for spline in splines:
-        buffer = np.empty(4 * len(spline.points), dtype=np.float32)
-        spline.points.foreach_get("co", buffer)
-        points.append(to_world(buffer.reshape(-1, 4)[:, :3], matrix))
-    everything = np.vstack(points) if points else np.empty((0, 3))
-    chosen = np.zeros(len(everything), dtype=bool)
-    if len(everything):
-        for centre in to_world(centres, matrix):
-            squares = ((everything - centre) ** 2).sum(axis=1)
-            chosen |= squares <= reach * reach * squares.min()
-    begin = 0
-    for spline in splines:
-        end = begin + len(spline.points)
-        spline.points.foreach_set("select", chosen[begin:end])
-        begin = end
-    for spline in curve_object.data.splines:  # that somebody has added by hand
-        for point in spline.bezier_points:
-            point.select_control_point = False
-            point.select_left_handle = point.select_right_handle = False
-    return int(chosen.sum())
 
 
 def collection_of(object: bpy.types.Object) -> bpy.types.Collection:

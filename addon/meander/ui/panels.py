@@ -6,16 +6,18 @@ from __future__ import annotations
 import bpy
 from bpy.props import FloatProperty
 
+from ..model import last_run
 from ..model.estimate import described
-from ..run import estimates, session, suspended
+from ..run import estimates, gap_marks, session, suspended
 from ..scene.results import last_result
 from ..scene.settings import surface_of
 from .declared import rows
-from .operators import MEANDER_OT_propose_spacing, MEANDER_OT_show_gaps
+from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
+from .operators import MEANDER_OT_propose_spacing
 from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
 from .seed_drawing import surface_drawn_on
-from .settings import STOP_TEXTS, MeanderFigures, MeanderSettings
-from .sidebar import ADVANCED, ORDER, Sidebar, SubPanel, columns
+from .settings import MeanderFigures, MeanderSettings
+from .sidebar import ADVANCED, ORDER, Sidebar, SubPanel, columns, notice
 
 
 def _is_result(object: bpy.types.Object) -> bool:
@@ -99,7 +101,8 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         else:
             bar = column.column()
             bar.enabled = False
-            bar.prop(context.window_manager, "meander_progress", text="Done", slider=True)
+            phase = running.phase_text()
+            bar.prop(context.window_manager, "meander_progress", text=phase, slider=True)
         row = column.row()
         row.scale_y = 1.4
         row.operator(MEANDER_OT_stop.bl_idname, icon="SNAP_FACE")
@@ -108,8 +111,8 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         _figures(
             layout,
             (
-                ("Iteration", f"{latest.iterations:,}" if latest else ""),
-                ("Nodes", f"{latest.nodes:,}" if latest else ""),
+                ("Time Left", running.left_text()),
+                ("Points", f"{latest.nodes:,}" if latest else ""),
                 ("Length", _length(context, latest.length) if latest else ""),
             ),
         )
@@ -142,29 +145,32 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         active = context.active_object
         figures = active.meander.figures
+        layout = self.layout
+        if figures.stop_reason in last_run.ENDED:
+            notice(layout, last_run.ENDED[figures.stop_reason])
+        if figures.lines:
+            layout.label(text=last_run.lines(figures.lines, figures.closed_lines))
+        gaps = wide_gaps(figures)
         _figures(
-            self.layout,
+            layout,
             (
-                ("Ended", STOP_TEXTS.get(figures.stop_reason, figures.stop_reason)),
+                *_evenness(figures),
+                *((("Gaps", f"{gaps:,}"),) if gaps > 0 else ()),
                 ("Spacing", _length(context, figures.spacing_median)),
                 ("Length", _length(context, figures.length)),
-                ("Nodes", f"{figures.nodes:,}"),
-                ("Iterations", f"{figures.iterations:,}"),
                 ("Time", f"{figures.seconds:.1f} s"),
-                *_gaps(figures),
             ),
         )
-        if _is_result(active) and figures.gap_count > 0:
-            self.layout.operator(MEANDER_OT_show_gaps.bl_idname, icon="RESTRICT_SELECT_OFF")
+        if _is_result(active) and gaps > 0:
+            layout.operator(
+                MEANDER_OT_show_gaps.bl_idname,
+                text="Hide Gaps" if gap_marks.shown_of(active) else "Show Gaps",
+                icon="HIDE_OFF",
+            )
 
 
-def _gaps(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
-    """How many, and the largest in units of half the spacing there: a row each, to fit."""
-    if figures.gap_count < 0:
-        return (("Gaps", "Not searched"),)
-    if not figures.gap_count:
-        return (("Gaps", "None"),)
-    return (("Gaps", f"{figures.gap_count:,}"), ("Largest", f"{figures.largest_gap:.2f}"))
+def _evenness(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
+    return (("Even", last_run.evenness(figures.evenness)),) if figures.evenness >= 0.0 else ()
 
 
 def _length(context: bpy.types.Context, value: float) -> str:

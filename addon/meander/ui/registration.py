@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from ..run import estimates, following, seed_preview, session, suspended
+from ..run import estimates, following, gap_marks, seed_preview, session, suspended
 from ..scene import after_undo, changes, identity
 from . import (
     export_operator,
+    gaps_operator,
     light_operator,
     look_panel,
     motion_panel,
@@ -35,8 +36,10 @@ _MODULES = (
     seed_preview,
     estimates,
     following,
+    gap_marks,
     run_operators,
     operators,
+    gaps_operator,
     panels,
     look_panel,
     term_panels,

@@ -14,7 +14,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from .. import core
-from ..model import strands
+from ..model import last_run, strands
 from ..model.estimate import described
 from ..run import estimates, session, suspended
 from ..run.plan import Plan, plan_run
@@ -33,12 +33,11 @@ def sentence_of(error: Exception) -> str:
     return text[:1].upper() + text[1:]
 
 
-def _summary(figures: dict[str, Any]) -> str:
-    return (
-        f"{figures['nodes']:,} nodes after {figures['iterations']} iterations, "
-        f"spacing {figures['spacing_median']:.4g} in the median, "
-        f"{figures['seconds_total']:.1f} s"
-    )
+def _summary(result: bpy.types.Object) -> str:
+    figures = result.meander.figures
+    line = last_run.lines(figures.lines, figures.closed_lines)
+    line = line[:1].lower() + line[1:]
+    return f"{line}, {last_run.evenness(figures.evenness)} even, {figures.seconds:.1f} s"
 
 
 def _poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
@@ -112,7 +111,7 @@ class _Watched:
             if keep:
                 result, figures = self._session.keep(context)
                 remark, warning = self._session.seed_remarks(context, figures)
-                done = (_summary(figures), self._session.preparation_text(), remark)
+                done = (_summary(result), self._session.preparation_text(), remark)
                 self.report({"INFO"}, f"{result.name}: {'; '.join(filter(None, done))}")
                 if warning:
                     self.report({"WARNING"}, warning)

@@ -24,14 +24,6 @@ from .result_settings import PointSettings, ProfileSettings
 from .strand_settings import StrandSettings
 from .table_settings import MotionSettings, TableSettings
 
-# What run() returns, as a user reads it.
-STOP_TEXTS = {
-    "converged": "Converged",
-    "iteration_limit": "Iteration limit",
-    "stalled": "Stalled",
-    "cancelled": "Stopped",
-}
-
 
 def _is_mesh(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
     return object.type == "MESH"
@@ -75,6 +67,21 @@ class MeanderFigures(bpy.types.PropertyGroup):
     strands: IntProperty(name="Strands", options=set())
     first_guide: IntProperty(name="First Guide", options=set())
     guides: IntProperty(name="Guides", options=set())
+    # Of results made before this was counted there are no figures: -1, and no lines at all.
+    evenness: FloatProperty(
+        name="Evenness",
+        description="Share of the curve whose spacing is within a fifth of what is wanted",
+        default=-1.0,
+        options=set(),
+    )
+    lines: IntProperty(name="Lines", options=set())
+    closed_lines: IntProperty(name="Closed Lines", options=set())
+    wide_gaps: IntProperty(
+        name="Gaps That Matter",
+        description="Those farther than 0.75 spacings from the curve",
+        default=-1,
+        options=set(),
+    )
     gap_count: IntProperty(name="Gaps", options=set())
     largest_gap: FloatProperty(name="Largest Gap", options=set())
     preparation: StringProperty(name="Preparation", options=set())

@@ -188,6 +188,20 @@ MEANDER_API void meander_context_reset(meander_context* context);
  * run; 0 before the first run, after a reset, and for NULL. Any thread. */
 MEANDER_API double meander_context_progress(const meander_context* context);
 
+/* What the present run of a flow is about. */
+typedef uint32_t meander_phase;
+enum {
+  MEANDER_PHASE_NONE = 0,      /* no iteration yet */
+  MEANDER_PHASE_GROWTH = 1,    /* the curve becomes longer until it fills the surface */
+  MEANDER_PHASE_UNFOLDING = 2, /* its hairpins are drawn in, see ripening_iterations */
+  MEANDER_PHASE_POLISH = 3     /* it becomes even, and comes to rest */
+};
+
+/* The phase that the last iteration of the present run has left the flow in. Updated with the
+ * progress; MEANDER_PHASE_NONE before the first run, after a reset, and for NULL. Without a polish, as
+ * in the preset paper, all of a run is growth. Any thread. */
+MEANDER_API meander_phase meander_context_phase(const meander_context* context);
+
 /* ------------------------------------------------------------------------------------------ */
 /* Surface                                                                                      */
 
@@ -789,7 +803,9 @@ typedef struct meander_flow_statistics {
   uint32_t seed_jumps;       /* jumps of the seed, strokes from one point to another left out */
   uint32_t seed_jump_point;  /* the points before and after the longest jump */
   uint32_t seed_jump_point2;
-  uint64_t reserved[4];
+  double evenness;        /* share of the sides of all nodes on which twice the medial radius is within
+                             a fifth of spacing_target, scaled as the percentiles are; in [0, 1] */
+  uint64_t reserved[3];
 } meander_flow_statistics;
 
 /* Prepares the struct; see "Structs".

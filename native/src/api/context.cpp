@@ -21,9 +21,18 @@ void meander_context_cancel(meander_context* context) {
 void meander_context_reset(meander_context* context) {
   if (!context) return;
   context->control->cancelled = false;
-  context->control->progress = 0;
+  context->control->begin();
 }
 
 double meander_context_progress(const meander_context* context) {
   return context ? context->control->progress.load() : 0;
+}
+
+meander_phase meander_context_phase(const meander_context* context) {
+  if (!context || !context->control->under_way) return MEANDER_PHASE_NONE;
+  switch (context->control->phase.load()) {
+    case Phase::kGrowing: return MEANDER_PHASE_GROWTH;
+    case Phase::kHairpinRemoval: return MEANDER_PHASE_UNFOLDING;
+    default: return MEANDER_PHASE_POLISH;
+  }
 }

@@ -78,10 +78,10 @@ meander_status meander_flow_step(meander_flow* flow, meander_context* context, m
 meander_status meander_flow_run(meander_flow* flow, meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
-    if (context) context->control->progress = 0;
+    if (context) context->control->begin();
     require_finished(flow->flow->run([&] { return cancelled(context); },
                                      [&](double progress) {
-                                       if (context) context->control->progress = progress;
+                                       if (context) context->control->tell(*flow->flow, progress);
                                      }));
   });
 }

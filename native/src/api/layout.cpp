@@ -70,7 +70,7 @@ constexpr auto flow_statistics_layout() {
                                 AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract),
                                 AT(seconds_reconnect), AT(seconds_crossings), AT(seconds_refine),
                                 AT(seed_distance), AT(seed_jump_length), AT(seed_point), AT(seed_jumps),
-                                AT(seed_jump_point), AT(seed_jump_point2), AT(reserved)});
+                                AT(seed_jump_point), AT(seed_jump_point2), AT(evenness), AT(reserved)});
 }
 
 constexpr auto iteration_layout() {

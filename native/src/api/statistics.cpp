@@ -10,6 +10,9 @@ using namespace meander;
 
 namespace {
 
+/// How far the spacing may be from what is wanted and still be even, as a share of that.
+constexpr double kEvenWithin = 0.2;
+
 void count_strands(const Flow& flow, meander_flow_statistics& figures) {
   const Curve& curve = flow.curve();
   std::vector<uint8_t> grown(flow.surface().component_count(), 0);
@@ -25,6 +28,14 @@ void count_strands(const Flow& flow, meander_flow_statistics& figures) {
 double percentile(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0;
   return sorted[static_cast<size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+/// The share of the values that are within `tolerance` times `wanted` of it.
+double share_within(const std::vector<double>& sorted, double wanted, double tolerance) {
+  if (sorted.empty()) return 0;
+  const auto first = std::ranges::lower_bound(sorted, (1 - tolerance) * wanted);
+  const auto last = std::ranges::upper_bound(sorted, (1 + tolerance) * wanted);
+  return first < last ? static_cast<double>(last - first) / static_cast<double>(sorted.size()) : 0;
 }
 
 void add_seconds(const FlowSeconds& seconds, meander_flow_statistics& figures) {
@@ -66,6 +77,7 @@ meander_flow_statistics statistics_of(const meander_flow& handle) {
   figures.spacing_p05 = percentile(m.spacing, 0.05) * scale;
   figures.spacing_median = percentile(m.spacing, 0.5) * scale;
   figures.spacing_p95 = percentile(m.spacing, 0.95) * scale;
+  figures.evenness = share_within(m.spacing, 2 * flow.settings().radius, kEvenWithin);
   add_seconds(flow.seconds(), figures);
   add_fit(flow, figures);
   return figures;

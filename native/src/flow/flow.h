@@ -58,6 +58,7 @@ class Flow {
   /// Why a run would end now; kCancelled after a cancelled step or run, until the next one.
   StopReason stop_reason() const;
   /// Is it past its growth?
+  Phase phase() const { return convergence_.phase(); }
   bool polishing() const { return plan().polishing; }
   /// How well the seed fitted the surface that the flow began on.
   const SeedFit& seed_fit() const { return seed_fit_; }

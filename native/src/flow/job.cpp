@@ -8,6 +8,17 @@
 
 namespace meander {
 
+void RunControl::begin() {
+  progress = 0;
+  under_way = false;
+}
+
+void RunControl::tell(const Flow& flow, double share) {
+  phase = flow.phase();
+  under_way = true;
+  progress = share;
+}
+
 Job::~Job() {
   quit_ = true;
   if (thread_.joinable()) thread_.join();
@@ -15,7 +26,7 @@ Job::~Job() {
 
 void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
   control_ = std::move(control);
-  if (control_) control_->progress = 0;
+  if (control_) control_->begin();
   reason_ = StopReason::kRunning;
   error_ = nullptr;
   newest_.serial = 0;
@@ -39,7 +50,7 @@ void Job::work(Flow& flow, RunControl* control) noexcept {
   try {
     reason_ = flow.run([&] { return quit_ || (control && control->cancelled); },
                        [&](double progress) {
-                         if (control) control->progress = progress;
+                         if (control) control->tell(flow, progress);
                          if (wanted_) copy(flow);
                        });
   } catch (...) {

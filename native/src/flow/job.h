@@ -20,6 +20,13 @@ namespace meander {
 struct RunControl {
   std::atomic<bool> cancelled{false};
   std::atomic<double> progress{0};
+  std::atomic<Phase> phase{Phase::kGrowing};
+  std::atomic<bool> under_way{false};  ///< an iteration has told its phase
+
+  /// As before the first iteration.
+  void begin();
+  /// How far a run is after an iteration.
+  void tell(const Flow& flow, double share);
 };
 
 /// The curve between two iterations of a started run; lengths in the caller's units.

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What came of a run, as a user reads it; no bpy."""
+
+from __future__ import annotations
+
+# What run() returns. That a run has come to its end is nothing to mention.
+ENDED = {
+    "iteration_limit": "At the iteration limit",
+    "stalled": "Nothing could move",
+    "cancelled": "Stopped by hand",
+}
+# Gaps that matter are farther from the curve than this, in half spacings. Smaller ones are what is
+# left where strands turn: they are not seen, and no run is without them.
+GAP_THAT_MATTERS = 1.5
+
+
+def lines(strands: int, closed: int, guides: int = 0) -> str:
+    """Whether the curve is one line: "One closed line", "One open line", "3 lines".
+
+    strands, closed   how many strands there are, and how many of them are closed; without guides
+    guides            how many strands are guides besides
+    """
+    if strands == 1:
+        text = "One closed line" if closed else "One open line"
+    else:
+        text = f"{strands:,} lines"
+    if not guides:
+        return text
+    return f"{text}, {guides:,} guide" + ("s" if guides > 1 else "")
+
+
+def evenness(share: float) -> str:
+    """As per cent; 100 only where nothing at all is uneven."""
+    percent = 100.0 * share
+    return f"{min(percent, 99.0) if percent < 100.0 else percent:.0f} %"

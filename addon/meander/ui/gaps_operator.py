@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The button Show Gaps: rings around the places that a run has left empty."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..model.last_run import GAP_THAT_MATTERS
+from ..run import gap_marks, session
+from ..scene.settings import surface_of
+from .settings import MeanderFigures
+
+
+def wide_gaps(figures: MeanderFigures) -> int:
+    """How many gaps matter; -1 where none were searched for."""
+    if figures.wide_gaps < 0 <= figures.gap_count:  # made before these were counted
+        return sum(gap.size > GAP_THAT_MATTERS for gap in figures.gaps)
+    return figures.wide_gaps
+
+
+class MEANDER_OT_show_gaps(bpy.types.Operator):
+    """Mark the places that are too far from the curve, or take the marks away again"""
+
+    bl_idname = "meander.show_gaps"
+    bl_label = "Show Gaps"
+    bl_description = (
+        "Mark the places in the views that are farther than 0.75 spacings from the curve, or "
+        "take the marks away again; nothing else changes"
+    )
+    bl_options = {"REGISTER"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif active is None or active.type != "CURVE" or surface_of(active) is None:
+            cls.poll_message_set("Choose a curve that Meander has made")
+        elif not active.visible_get():
+            cls.poll_message_set("The curve is hidden")
+        else:
+            return True
+        return False
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        active = context.active_object
+        if gap_marks.shown_of(active):
+            gap_marks.hide()
+            return {"FINISHED"}
+        figures = active.meander.figures
+        count = wide_gaps(figures)
+        if count <= 0:
+            self.report(
+                {"INFO"},
+                f"{active.name}: the last run left no gaps"
+                if count == 0
+                else f"{active.name}: a run that was stopped has gaps everywhere; let it go on",
+            )
+            return {"CANCELLED"}
+        gap_marks.show(active)
+        shown = len(gap_marks.places(active)[0])
+        of_all = f" of {count:,}" if count > shown else ""
+        gaps = "gap" if count == 1 else "gaps"
+        self.report(
+            {"INFO"},
+            f"{active.name}: {shown:,}{of_all} {gaps}, the largest "
+            f"{figures.largest_gap:.2f} times as far from the curve as wanted",
+        )
+        return {"FINISHED"}
+
+
+def register() -> None:
+    bpy.utils.register_class(MEANDER_OT_show_gaps)
+
+
+def unregister() -> None:
+    bpy.utils.unregister_class(MEANDER_OT_show_gaps)

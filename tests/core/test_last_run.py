@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a user reads while a run goes on, and of what came of it."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import pytest
+from geometry import icosphere
+from meander import core
+from meander.model import last_run
+from meander.model.remaining import Remaining, in_words, told
+
+
+def test_one_line_is_called_so():
+    assert last_run.lines(1, 1) == "One closed line"
+    assert last_run.lines(1, 0) == "One open line"
+    assert last_run.lines(3, 2) == "3 lines"
+    assert last_run.lines(1, 1, 1) == "One closed line, 1 guide"
+    assert last_run.lines(1, 0, 2) == "One open line, 2 guides"
+
+
+def test_only_what_is_wholly_even_is_100_per_cent():
+    assert last_run.evenness(0.9996) == "99 %"
+    assert last_run.evenness(1.0) == "100 %"
+    assert last_run.evenness(0.947) == "95 %"
+
+
+def test_what_is_left_of_a_steady_run():
+    remaining = Remaining()
+    assert remaining.seconds() is None
+    for k in range(41):
+        remaining.note(100.0 + k, k / 50)
+    assert remaining.seconds() == pytest.approx(10.0)
+    # It goes on after a pause; the pause counts nothing.
+    remaining = Remaining()
+    remaining.note(1000.0, 0.8)
+    assert remaining.seconds() is None
+    remaining.note(1002.0, 0.9)
+    assert remaining.seconds() == pytest.approx(2.0)
+    # There is more to do than before: what went before counts no more.
+    remaining.note(1003.0, 0.2)
+    assert remaining.seconds() is None
+    remaining.note(1007.0, 0.6)
+    assert remaining.seconds() == pytest.approx(4.0)
+
+
+def test_the_words_of_what_is_left():
+    assert told("growth", 12.3) == "Growing, 12 s left"
+    assert told("polish", 0.01) == "Evening out, 1 s left"
+    assert told("none", None) == "Preparing"
+    assert (in_words(200.0), in_words(7200.0)) == ("3 min", "2 h")
+
+
+def test_evenness_is_counted_over_nodes_and_phases_come_in_order():
+    vertices, faces = icosphere(3)
+    options = core.default_options("even")
+    options.radius = 0.1
+    context, phases = core.Context(), []
+    assert context.phase == "none"
+    flow = core.Flow(core.Surface(vertices, faces), options)
+    flow.start(context)
+    while flow.running:
+        phases.append(context.phase)
+        time.sleep(0.001)
+    flow.wait()
+    order = [phase for k, phase in enumerate(phases) if k == 0 or phase != phases[k - 1]]
+    assert order == [phase for phase in core.PHASES if phase in order] and "unfolding" in order
+    figures = flow.statistics()
+    spacing = 2.0 * flow.nodes().radii
+    even = np.abs(spacing / figures["spacing_target"] - 1.0) <= 0.2
+    assert figures["evenness"] == pytest.approx(even.mean())
+    assert 0.85 < figures["evenness"] <= 1.0
+    context.reset()
+    assert context.phase == "none"
