@@ -31,6 +31,7 @@ from .binding.choices import (
     CURVATURES,
     DIRECTIONS,
     ELEMENT_KINDS,
+    FAULTS,
     PHASES,
     PRESETS,
     STOP_REASONS,
@@ -48,7 +49,7 @@ from .binding.native_library import (
     struct_layouts,
 )
 from .binding.seed import Seed
-from .binding.surface import Surface, SurfaceOptions
+from .binding.surface import Faults, Surface, SurfaceOptions, find_faults
 
 # What hosts use; they import nothing else of these modules.
 __all__ = [
@@ -57,6 +58,7 @@ __all__ = [
     "CURVATURES",
     "DIRECTIONS",
     "ELEMENT_KINDS",
+    "FAULTS",
     "LIBRARY_VARIABLE",
     "NO_STRAND",
     "PHASES",
@@ -67,6 +69,7 @@ __all__ = [
     "BoundaryRule",
     "Context",
     "CutSurface",
+    "Faults",
     "Flow",
     "FlowOptions",
     "Gaps",
@@ -83,6 +86,7 @@ __all__ = [
     "SurfaceOptions",
     "cut_surface",
     "default_options",
+    "find_faults",
     "library_path",
     "library_version",
     "option_warnings",

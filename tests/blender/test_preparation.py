@@ -129,10 +129,13 @@ def soup(surface: bpy.types.Object) -> bpy.types.Object:
 
 def test_merging_makes_one_surface_of_a_soup():
     surface = soup(grid(6))
-    curve = fill(surface, 0.2, use_merge=True, merge_distance=0.001)
+    curve = fill(surface, 0.2, use_merge=True, merge_distance=0.001, strict=True)
     assert len(world_splines(curve)) == 1
     assert surface.meander.figures.preparation == "merged 95 vertices"
     assert len(surface.data.vertices) == 144  # the mesh itself is left alone
+    curve = fill(activate(surface), 0.2, use_merge=False, strict=False)
+    assert len(world_splines(curve)) == 1
+    assert surface.meander.figures.preparation == "closed 60 edges of seams"
 
 
 def bow_tie() -> bpy.types.Object:
@@ -149,36 +152,63 @@ def flat() -> bpy.types.Object:
     return mesh_object("Flat", [*SQUARE, (2, 0, 0)], [(0, 1, 2), (0, 2, 3), (0, 1, 4)])
 
 
+def torn() -> bpy.types.Object:
+    """The same fault twice, and another: a bow-tie, and two fins."""
+    first = fin()
+    x = [(v.co.x + 5, v.co.y, v.co.z) for v in first.data.vertices]
+    both = [*(v.co[:] for v in first.data.vertices), *x, (2, -1, 0), (1, -1, 0)]
+    faces = [tuple(face.vertices) for face in first.data.polygons]
+    bpy.data.objects.remove(first)
+    faces += [tuple(v + 5 for v in face) for face in faces] + [(1, 10, 11)]
+    return mesh_object("Torn", both, faces)
+
+
 @pytest.mark.parametrize(
-    ("build", "setting", "kind", "chosen", "word"),
+    ("build", "setting", "mode", "chosen", "fault", "word"),
     [
-        (bow_tie, "split_bow_ties", "vertex", {0}, "split 1 vertex"),
-        (fin, "cut_non_manifold", "edge", {0, 2}, "cut 1 edge with more than two faces"),
-        (flat, "drop_degenerate", "face", {0, 1, 4}, "dropped 1 face without area"),
+        (bow_tie, "split_bow_ties", 0, {0}, "1 place where parts touch", "split 1 vertex"),
+        (fin, "", 1, {0, 2}, "1 place where more than two", "cut 1 edge with more"),
+        (flat, "drop_degenerate", 2, {0, 1, 4}, "1 face without area", "dropped 1 face"),
+        (torn, "", 0, {0, 1, 2, 5, 7}, "2 places where more than two faces", "split 1 vertex"),
     ],
 )
-def test_a_problem_can_be_selected_and_mended(build, setting, kind, chosen, word):
+def test_faults_are_shown_and_mended(build, setting, mode, chosen, fault, word):
     surface = build()
-    assert not bpy.ops.meander.select_problem.poll()
-    refused(surface, spacing=0.1)
-    assert surface.meander.problem.kind == kind
+    sentence = refused(surface, spacing=0.1, strict=True)
+    assert fault in sentence and "turn off Strict" in sentence
+    assert surface.meander.problem.sentence == sentence
     assert bpy.ops.meander.select_problem() == {"FINISHED"}
     assert surface.mode == "EDIT"
-    modes = bpy.context.tool_settings.mesh_select_mode
-    assert modes[("vertex", "edge", "face").index(kind)]
+    assert bpy.context.tool_settings.mesh_select_mode[mode]
     bpy.ops.object.mode_set(mode="OBJECT")
     assert {vertex.index for vertex in surface.data.vertices if vertex.select} == chosen
-    fill(activate(surface), 0.1, **{setting: True})
+    if setting:  # by itself
+        fill(activate(surface), 0.1, **{setting: True})
+        assert word in surface.meander.figures.preparation
+        bpy.data.objects.remove(bpy.context.object)
+    before = len(surface.data.vertices), len(surface.data.polygons)
+    fill(activate(surface), 0.1, strict=False)
     assert word in surface.meander.figures.preparation
-    assert not bpy.ops.meander.select_problem.poll()
+    assert surface.meander.figures.mended > 0 and not surface.meander.problem.sentence
+    assert (len(surface.data.vertices), len(surface.data.polygons)) == before
 
 
-def test_a_problem_that_modifiers_made_is_not_guessed():
-    surface = bow_tie()
-    surface.modifiers.new("Array", "ARRAY")
-    refused(surface, spacing=0.1)
+def test_faults_that_modifiers_make_are_not_guessed():
+    corners = [(0, 0, 0), (1, 1, 0), (1, -1, 0), (0, 0, 0), (-1, 1, 0), (-1, -1, 0)]
+    surface = mesh_object("Welded", corners, [(0, 1, 2), (3, 4, 5)])
+    surface.modifiers.new("Weld", "WELD")
+    assert "touch in one point" in refused(surface, spacing=0.1, strict=True)
     with pytest.raises(RuntimeError, match="modifiers"):
         bpy.ops.meander.select_problem()
+
+
+def test_vertices_without_a_position_remain_and_are_shown():
+    surface = mesh_object("Lost", [*SQUARE, (0, float("nan"), 0)], [(0, 1, 2, 3), (0, 1, 4)])
+    sentence = refused(surface, spacing=0.1)
+    assert "1 vertex without a position" in sentence and "correct" in sentence
+    assert bpy.ops.meander.select_problem() == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert [vertex.index for vertex in surface.data.vertices if vertex.select] == [4]
 
 
 def test_results_keep_how_they_were_made():
@@ -216,6 +246,7 @@ def test_the_batch_command(tmp_path):
     assert record["guides"] == 1 and record["preparation"]["skipped_outlines"] == 0
     x = [float(line.split()[1]) for line in curve.read_text().splitlines() if line[:2] == "v "]
     assert min(x) > 0.3
+    assert record["options"]["strict"] is False
     before = curve.read_bytes()
     for extra, word in (
         (("--mask-group", "Nowhere"), "Nowhere"),

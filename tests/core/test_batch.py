@@ -339,7 +339,26 @@ BAD_MESHES = {
 
 @pytest.mark.parametrize("name", BAD_MESHES)
 def test_bad_mesh(refused, tmp_path: Path, name: str) -> None:
-    refused(write_mesh(tmp_path / "bad.obj", *BAD_MESHES[name]), *GOOD)
+    refused(write_mesh(tmp_path / "bad.obj", *BAD_MESHES[name]), *GOOD, "--strict")
+
+
+@pytest.mark.parametrize(
+    ("name", "counted"),
+    [
+        ("three faces on an edge", {"cut_edges": 1}),
+        ("bow-tie", {"split_vertices": 1}),
+        ("Moebius", {"opened_edges": 1}),
+    ],
+)
+def test_faults_are_repaired_and_counted(run, tmp_path: Path, name: str, counted: dict) -> None:
+    bad = write_mesh(tmp_path / "bad.obj", *BAD_MESHES[name])
+    code, out, err = run(bad, "--spacing", "0.2", "--iterations", "20")
+    assert code == 0, err
+    record = json.loads((tmp_path / "out.json").read_text())
+    assert {key: count for key, count in record["preparation"].items() if count} == counted
+    assert record["options"]["strict"] is False
+    assert any(f"{count} " in out for count in counted.values())
+
 
 
 def test_bad_seed(refused, square: Path, tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 
-from .abi import Alignment, Curvature, Directions, Element, Phase, Preset, StopReason
+from .abi import Alignment, Curvature, Directions, Element, Fault, Phase, Preset, StopReason
 
 
 def _names(numbers: type[IntEnum]) -> tuple[str, ...]:
@@ -23,6 +23,7 @@ STOP_REASONS = _names(StopReason)
 CURVATURES = _names(Curvature)
 DIRECTIONS = _names(Directions)
 ALIGNMENTS = _names(Alignment)
+FAULTS = _names(Fault)
 
 # Settings, flags and reports keep these names; the header has others.
 C_OPTIONS = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ctypes import byref, c_size_t, c_void_p
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -40,6 +40,9 @@ class SurfaceOptions:
     cut_non_manifold  edges with more than two faces become boundaries of each
     face_mask         (m,) bool: faces that are False are left out; None: all are in
     vertex_mask       (n,) float64: what lies below mask_threshold is cut away, also across faces
+    make_manifold     what keeps faces from being a surface is parted there, so that the faces which
+                      continue each other stay joined
+    weld_distance     boundary edges that lie this near to each other become one; 0: none
     """
 
     merge_distance: float = 0.0
@@ -49,6 +52,8 @@ class SurfaceOptions:
     face_mask: NDArray[np.bool_] | None = None
     vertex_mask: NDArray[np.float64] | None = None
     mask_threshold: float = 0.0
+    make_manifold: bool = False
+    weld_distance: float = 0.0
 
 
 def _surface_options_record(
@@ -60,6 +65,8 @@ def _surface_options_record(
     record.split_bow_ties = bool(options.split_bow_ties)
     record.cut_non_manifold = bool(options.cut_non_manifold)
     record.merge_distance = float(options.merge_distance)
+    record.make_manifold = bool(options.make_manifold)
+    record.weld_distance = float(options.weld_distance)
     record.mask_threshold = float(options.mask_threshold)
     arrays: list[NDArray[Any]] = []
     for name, dtype, count, element in (
@@ -79,6 +86,48 @@ def _surface_options_record(
         setattr(record, name, address_of(array))
         setattr(record, f"{name}_count", len(array))
     return record, tuple(arrays)
+
+
+class Faults(NamedTuple):
+    """All faults of a mesh.
+
+    kinds      (n,) uint32: places in FAULTS, rising
+    elements   (n, 2) uint32: a vertex or a face twice, or the two vertices of an edge
+    """
+
+    kinds: NDArray[np.uint32]
+    elements: NDArray[np.uint32]
+
+
+def find_faults(vertices: ArrayLike, faces: ArrayLike, weld_distance: float = 0.0) -> Faults:
+    """All that is wrong with a mesh, where Surface names the first; see meander_mesh_find_faults.
+
+    vertices, faces   as for Surface; coordinates may be anything
+    weld_distance     how near to each other boundary edges count as a seam; 0: none do
+
+    Raises MeanderError for a mesh without faces and for indices out of range.
+    """
+    vertex_array = checked_array("vertices", vertices, np.float64, 3)
+    face_array = checked_array("faces", faces, np.uint32, 3)
+    room, count = 1024, c_size_t()
+    while True:
+        kinds, elements = np.empty(room, np.uint32), np.empty((room, 2), np.uint32)
+        call(
+            native().meander_mesh_find_faults,
+            address_of(vertex_array),
+            len(vertex_array),
+            address_of(face_array),
+            len(face_array),
+            float(weld_distance),
+            address_of(kinds),
+            address_of(elements),
+            room,
+            byref(count),
+            None,
+        )
+        if count.value <= room:
+            return Faults(kinds[: count.value].copy(), elements[: count.value].copy())
+        room = count.value
 
 
 # Figures that reports know by another name than the C header.
@@ -144,8 +193,8 @@ class Surface(Handle):
 
         vertices (used ones), faces, components, boundary_loops, turned_faces, unused_vertices, and
         what the options did, merged_vertices, dropped_faces, split_vertices, cut_edges,
-        masked_faces, clipped_faces: int; area (square units) and diagonal (of the bounding box):
-        float.
+        masked_faces, clipped_faces, welded_edges, opened_edges: int; area (square units) and
+        diagonal (of the bounding box): float.
         """
         record = prepared(SurfaceStatisticsRecord)
         call(native().meander_surface_get_statistics, self._alive(), byref(record))

@@ -23,6 +23,8 @@ _COUNTED = (
     "dropped_faces",
     "split_vertices",
     "cut_edges",
+    "welded_edges",
+    "opened_edges",
     "masked_faces",
     "clipped_faces",
 )
@@ -40,7 +42,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add_flags(mask, "part to fill")
     repair = parser.add_argument_group(
         "mesh repair",
-        "A mesh with faults is refused unless these repair it; the report says what was done.",
+        "Faults that are safe to repair are repaired in a copy; the report counts what was done.",
     )
     add_flags(repair, "mesh repair")
 
@@ -75,6 +77,7 @@ def repair_of(arguments: argparse.Namespace) -> Repair:
         arguments.drop_degenerate,
         arguments.split_bow_ties,
         arguments.cut_non_manifold,
+        arguments.strict,
     )
 
 

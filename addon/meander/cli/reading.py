@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 import importlib.util
-from dataclasses import asdict
 from pathlib import Path
 
 from .. import core
@@ -38,7 +37,7 @@ def read_input(arguments: argparse.Namespace, options: core.FlowOptions) -> Inpu
     if arguments.input.suffix.lower() != ".blend":
         _set_fields(given, arguments)
     if given.mask.source == "NONE":
-        problem.surface_options = core.SurfaceOptions(**asdict(given.repair))
+        problem.surface_options = given.repair.options(problem.vertices, arguments.spacing / 2)
     _put_seed_together(given, arguments)
     problem.alignment = given.alignment.kind
     options.alignment_weight = given.alignment.weight

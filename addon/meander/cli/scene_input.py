@@ -107,8 +107,8 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
     given = Input(problem, choice, surface_object=surface_object)
     given.mask = preparation.mask_of(arguments)
     if given.mask.source != "NONE":
-        repair = preparation.repair_of(arguments)
-        problem.surface_options = surface_options(repair, given.mask, surface_object, depsgraph)
+        mended = preparation.repair_of(arguments).options(problem.vertices, arguments.spacing / 2)
+        problem.surface_options = surface_options(mended, given.mask, surface_object, depsgraph)
     given.loose_edges = loose_edge_count(surface_object, depsgraph)
     radius = arguments.spacing / 2
     alignment = terms.alignment_of(arguments)

@@ -138,6 +138,16 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "strict",
+        "Strict",
+        "Refuse a mesh with faults and say what is wrong, instead of repairing the copy that is "
+        "filled. The mesh itself never changes",
+        _REPAIR,
+        kind=bool,
+        default=False,
+        flag=Flag("--strict", "refuse a mesh with faults instead of repairing them", _REPAIRS),
+    ),
+    Option(
         "use_merge",
         "Merge Close Vertices",
         "Treat vertices that are very close together as one; the mesh itself does not change",
@@ -168,32 +178,41 @@ ROWS: tuple[Option, ...] = (
     Option(
         "drop_degenerate",
         "Dissolve Degenerate",
-        "Remove faces without area and duplicate faces, instead of refusing the mesh",
-        _REPAIR,
-        kind=bool,
-        default=False,
-        flag=Flag("--drop-degenerate", "dissolve faces without area", _REPAIRS),
-    ),
-    Option(
-        "split_bow_ties",
-        "Split Bow-Ties",
-        "Separate faces that meet in one vertex only, instead of refusing the mesh",
+        "Remove faces without area and duplicate faces even if Strict refuses other faults",
         _REPAIR,
         kind=bool,
         default=False,
         flag=Flag(
-            "--split-bow-ties", "separate fans of faces that meet in one vertex only", _REPAIRS
+            "--drop-degenerate", "with --strict: dissolve faces without area all the same", _REPAIRS
+        ),
+    ),
+    Option(
+        "split_bow_ties",
+        "Split Bow-Ties",
+        "Separate faces that meet in one vertex only even if Strict refuses other faults",
+        _REPAIR,
+        kind=bool,
+        default=False,
+        flag=Flag(
+            "--split-bow-ties",
+            "with --strict: separate faces that meet in one vertex only all the same",
+            _REPAIRS,
         ),
     ),
     Option(
         "cut_non_manifold",
         "Cut Non-Manifold Edges",
-        "Treat edges with more than two faces as borders, at which every sheet ends, instead "
-        "of refusing the mesh",
+        "Treat edges with more than two faces as borders, at which every sheet ends. Off: faces "
+        "that continue each other stay joined there",
         _REPAIR,
         kind=bool,
         default=False,
-        flag=Flag("--cut-non-manifold", "edges with more than two faces become borders", _REPAIRS),
+        flag=Flag(
+            "--cut-non-manifold",
+            "edges with more than two faces become borders of each; else faces that continue each "
+            "other stay joined",
+            _REPAIRS,
+        ),
     ),
     Option(
         "motion",

@@ -8,18 +8,51 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import core
 
 
 @dataclass(frozen=True)
 class Repair:
-    """What is done to a mesh with faults; by default nothing, so that it is refused."""
+    """What is done to a mesh with faults, in the copy that is filled.
+
+    strict             it is refused, but for what the others mend; else all that is safe is mended
+    cut_non_manifold   edges with more than two faces become borders of each; else those faces that
+                       continue each other stay joined
+    """
 
     merge_distance: float = 0.0  # world units; 0: none
     drop_degenerate: bool = False
     split_bow_ties: bool = False
     cut_non_manifold: bool = False
+    strict: bool = False
+
+    def options(self, vertices: NDArray[np.float64], radius: float) -> core.SurfaceOptions:
+        """For the surface; `radius` is half the spacing, in the unit of the vertices."""
+        return core.SurfaceOptions(
+            merge_distance=self.merge_distance,
+            drop_degenerate=self.drop_degenerate or not self.strict,
+            split_bow_ties=self.split_bow_ties,
+            cut_non_manifold=self.cut_non_manifold,
+            make_manifold=not self.strict,
+            weld_distance=0.0 if self.strict else seam_width(vertices, radius),
+        )
+
+
+# An open seam is closed where it is narrower than these shares of the size of the mesh and of half
+# the spacing. Both are far below what is seen, and single precision is finer still.
+_SEAM_OF_SIZE = 1e-4
+_SEAM_OF_RADIUS = 0.02
+
+
+def seam_width(vertices: NDArray[np.float64], radius: float) -> float:
+    """How far apart the two sides of a seam may be to be closed; 0: there is nothing to close."""
+    finite = vertices[np.isfinite(vertices).all(axis=1)]
+    if not len(finite):
+        return 0.0
+    size = float(np.linalg.norm(np.ptp(finite, axis=0)))
+    return min(_SEAM_OF_SIZE * size, _SEAM_OF_RADIUS * radius)
 
 
 @dataclass(frozen=True)
@@ -30,6 +63,18 @@ class Mask:
     name: str = ""
     threshold: float = 0.5  # of a vertex group
     inverted: bool = False  # fill the rest instead
+
+
+# Figures that say that something was wrong and has been mended.
+_MENDED = ("dropped_faces", "split_vertices", "cut_edges", "welded_edges", "opened_edges")
+
+
+def mended(figures: Mapping[str, Any], masked: bool) -> int:
+    """How many faults were repaired.
+
+    masked   whether a part was filled, whose edge splits vertices that are no faults
+    """
+    return sum(int(figures[key]) for key in _MENDED if not (masked and key == "split_vertices"))
 
 
 def _count(number: int, one: str, many: str) -> str:
@@ -49,6 +94,8 @@ def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
             ("merged_vertices", "merged", "vertex", "vertices"),
             ("dropped_faces", "dropped", "face without area", "faces without area"),
             ("split_vertices", "split", "vertex", "vertices"),
+            ("welded_edges", "closed", "edge of a seam", "edges of seams"),
+            ("opened_edges", "cut open", "edge of a one-sided part", "edges of one-sided parts"),
             ("cut_edges", "cut", "edge with more than two faces", "edges with more than two faces"),
             ("masked_faces", "left out", "face", "faces"),
             ("clipped_faces", "clipped", "face", "faces"),

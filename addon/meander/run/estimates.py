@@ -115,7 +115,8 @@ def measure(active: bpy.types.Object) -> None:
         automatic = spacing_for(area_of(vertices, faces))
         options = options_of(settings, settings.spacing or automatic)
         density = density_of(choice_of(settings), surface, depsgraph, options.radius)
-        prepared = surface_options(repair_of(settings), mask_of(settings), surface, depsgraph)
+        mended = repair_of(settings).options(vertices, options.radius)
+        prepared = surface_options(mended, mask_of(settings), surface, depsgraph)
         extent = _extent(vertices, faces, density, prepared, options)
     except (DataError, core.MeanderError):
         pass  # the button says what is wrong

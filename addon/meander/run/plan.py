@@ -95,7 +95,8 @@ def plan_of(
     drawn = active.type == "MESH" or restart
     reach = strands.reach_of(vertices) if drawn else 0.0
     seed = strands.assembled(parts, settings.seed_every_part, reach)
-    prepared = surface_options(repair_of(settings), mask_of(settings), surface, depsgraph)
+    mended = repair_of(settings).options(vertices, spacing / 2.0)
+    prepared = surface_options(mended, mask_of(settings), surface, depsgraph)
     options = options_of(settings, spacing)
     options.alignment_weight = alignment.weight if directions is not None else 0.0
     outline = _outline_distance(active, surface, options, restart)

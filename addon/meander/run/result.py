@@ -11,11 +11,11 @@ import numpy as np
 from .. import core
 from ..model import strands, toolpath
 from ..model.last_run import GAP_THAT_MATTERS
-from ..model.preparation import described
+from ..model.preparation import described, mended
 from ..model.profile import radius_factors
 from ..model.simplification import result_points
 from ..model.thinning import least_spacing, with_points
-from ..scene import point_attributes, refused_element, results
+from ..scene import mesh_faults, point_attributes, results
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
 from ..scene.profile import set_tilt_and_radius
@@ -35,6 +35,13 @@ def preparation_text(plan: Plan, stepper: Stepper) -> str:
     return described(stepper.surface_figures, plan.loose_edges)
 
 
+def _masked(plan: Plan) -> bool:
+    options = plan.problem.surface_options
+    return options is not None and (
+        options.face_mask is not None or options.vertex_mask is not None
+    )
+
+
 def write_result(
     context: bpy.types.Context,
     plan: Plan,
@@ -49,7 +56,7 @@ def write_result(
     """
     snapshot, statistics, stop_reason = outcome
     surface = plan.surface.find()
-    refused_element.forget_problem(surface)
+    mesh_faults.remember_problem(surface, "")
     radius = plan.problem.options.radius
     spacing = least_spacing(radius, stepper.density)
     kept = result_points(snapshot.polylines, spacing, plan.light)
@@ -141,6 +148,7 @@ def _store(
         figures.closed_lines = statistics["closed_lines"]
         figures.empty_parts = int(statistics["empty_components"])
         figures.preparation = preparation_text(plan, stepper)
+        figures.mended = mended(stepper.surface_figures, _masked(plan))
         _store_gaps(figures, stepper.gaps, plan, target == result)
 
 

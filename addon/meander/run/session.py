@@ -17,12 +17,11 @@ from bpy.app.handlers import persistent
 from .. import core
 from ..model import strands
 from ..model.remaining import Remaining, in_words, told
-from ..scene import refused_element
 from ..scene.errors import DataError
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
 from ..scene.results import is_present
-from . import estimates, seed_preview, suspended
+from . import estimates, refused_mesh, seed_preview, suspended
 from .meaning import meaning_of
 from .plan import Plan
 from .preview import Preview
@@ -137,13 +136,6 @@ class Session:
         """How many points the curve has that the views show."""
         return self._preview.point_count if self._preview is not None else 0
 
-    def remember_problem(self, context: bpy.types.Context, error: Exception) -> None:
-        """Keeps the element that an error names with the surface, for Select Problem."""
-        surface = self.plan.surface.find()
-        if surface is not None and isinstance(error, core.MeanderError):
-            depsgraph = context.evaluated_depsgraph_get()
-            refused_element.remember_problem(error, surface, depsgraph)
-
     def preparation_text(self) -> str:
         """What was done to the mesh, in words; empty if nothing was."""
         return preparation_text(self.plan, self.stepper)
@@ -157,6 +149,7 @@ class Session:
             outcome = self.stepper.result()
         except core.MeanderError as error:
             self._check_alive()
+            refused_mesh.explain(self.plan, error)
             named = in_polygons(error, self.plan.surface.find(), context.evaluated_depsgraph_get())
             raise strands.explained(
                 named, self.plan.parts, lambda value: length_text(context.scene, value)

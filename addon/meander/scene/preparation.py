@@ -20,6 +20,7 @@ def repair_of(settings: bpy.types.PropertyGroup) -> Repair:
         settings.drop_degenerate,
         settings.split_bow_ties,
         settings.cut_non_manifold,
+        settings.strict,
     )
 
 
@@ -30,6 +31,7 @@ def store_repair(repair: Repair, settings: bpy.types.PropertyGroup) -> None:
     settings.drop_degenerate = repair.drop_degenerate
     settings.split_bow_ties = repair.split_bow_ties
     settings.cut_non_manifold = repair.cut_non_manifold
+    settings.strict = repair.strict
 
 
 def mask_of(settings: bpy.types.PropertyGroup) -> Mask:
@@ -51,18 +53,15 @@ def store_mask(mask: Mask, settings: bpy.types.PropertyGroup) -> None:
 
 
 def surface_options(
-    repair: Repair, mask: Mask, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+    options: core.SurfaceOptions,
+    mask: Mask,
+    surface: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
 ) -> core.SurfaceOptions:
-    """The options for the triangles of meshes.triangles_of().
+    """The options for the triangles of meshes.triangles_of(), with the mask put into `options`.
 
     Raises DataError for a mask that does not exist or has no faces.
     """
-    options = core.SurfaceOptions(
-        repair.merge_distance,
-        repair.drop_degenerate,
-        repair.split_bow_ties,
-        repair.cut_non_manifold,
-    )
     if mask.source == "NONE":
         return options
     if not mask.name:

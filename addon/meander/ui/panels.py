@@ -14,6 +14,7 @@ from ..scene.settings import surface_of
 from .declared import rows
 from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
 from .operators import MEANDER_OT_propose_spacing
+from .preparation_panels import draw_faults
 from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
 from .seed_drawing import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
@@ -41,6 +42,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             self._draw_progress(layout, context, running)
         elif surface is not None:
             self._draw_buttons(layout, context.active_object, context.scene)
+            draw_faults(layout, context.active_object)
 
     def _draw_settings(
         self, layout: bpy.types.UILayout, active: bpy.types.Object, surface: bpy.types.Object

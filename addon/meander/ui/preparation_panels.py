@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels for the part to fill, its border and faults of the mesh; the button Select Problem."""
+"""The panels for the part to fill, its border and faults of the mesh; the button Show."""
 
 from __future__ import annotations
 
+import textwrap
+
 import bpy
 
+from .. import core
+from ..model import faults
 from ..run import session
-from ..scene import refused_element
+from ..scene import mesh_faults
 from ..scene.errors import DataError
+from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
 from .declared import row
 from .settings import MeanderSettings
@@ -15,10 +20,10 @@ from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns
 
 
 class MEANDER_OT_select_problem(bpy.types.Operator):
-    """Select, in Edit Mode, the element because of which the mesh was refused"""
+    """Select all faults of the mesh in Edit Mode and bring them into view"""
 
     bl_idname = "meander.select_problem"
-    bl_label = "Select Problem"
+    bl_label = "Show"
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
@@ -26,8 +31,8 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
         surface = surface_of(context.active_object)
         if session.current() is not None:
             cls.poll_message_set("A curve is growing")
-        elif surface is None or not surface.meander.problem.kind:
-            cls.poll_message_set("No element of this mesh has been refused")
+        elif surface is None or surface.type != "MESH":
+            cls.poll_message_set("Choose a mesh, or a curve that Meander has made on one")
         elif surface.library is not None or surface.data.library is not None:
             cls.poll_message_set("The mesh is linked from another file and cannot be edited")
         elif not surface.visible_get():
@@ -38,12 +43,15 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         surface = surface_of(context.active_object)
+        spacing = context.active_object.meander.spacing
         if context.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
-        depsgraph = context.evaluated_depsgraph_get()
         try:
-            refused_element.locate_problem(surface, depsgraph)
-        except DataError as error:
+            if not spacing:
+                depsgraph = context.evaluated_depsgraph_get()
+                spacing = proposed_spacing(*triangles_of(surface, depsgraph))
+            mesh_faults.locate_faults(surface, spacing / 2.0)
+        except (DataError, core.MeanderError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         for other in list(context.selected_objects):
@@ -56,13 +64,49 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
         bpy.ops.mesh.select_all(action="DESELECT")
         bpy.ops.object.mode_set(mode="OBJECT")
         # Only now: switching modes recreates the elements of the mesh.
-        mode, elements = refused_element.locate_problem(surface, depsgraph)
-        for element in elements:
-            element.select = True
+        located = mesh_faults.locate_faults(surface, spacing / 2.0)
+        mesh_faults.select_located(surface.data, located)
         bpy.ops.object.mode_set(mode="EDIT")
-        bpy.ops.mesh.select_mode(type=mode)
-        self.report({"INFO"}, f"{surface.name}: {surface.meander.problem.sentence}")
+        bpy.ops.mesh.select_mode(type=located.mode)
+        if core.FAULTS.index("not_finite") not in located.faults.kinds:
+            _view_selected(context)
+        self.report({"INFO"}, f"{surface.name}: {faults.described(located.faults)}")
         return {"FINISHED"}
+
+
+def _view_selected(context: bpy.types.Context) -> None:
+    """Frames what is selected in the 3D view of the button, or else in all of the window."""
+    if context.window is None or bpy.app.background:
+        return
+    here = context.area
+    own = here is not None and here.type == "VIEW_3D"
+    for area in [here] if own else context.window.screen.areas:
+        if area.type != "VIEW_3D":
+            continue
+        region = next(region for region in area.regions if region.type == "WINDOW")
+        with context.temp_override(area=area, region=region):
+            bpy.ops.view3d.view_selected()
+
+
+def draw_faults(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
+    """Why the mesh was refused, or how much of it was repaired, and the button that shows where."""
+    surface, count = surface_of(active), active.meander.figures.mended
+    sentence = surface.meander.problem.sentence
+    if not sentence and not count:
+        return
+    column = layout.column(align=True)
+    if sentence:
+        for number, line in enumerate(textwrap.wrap(sentence, _LINE)):
+            column.label(text=line, icon="BLANK1" if number else "ERROR")
+    row = column.row()
+    if not sentence:
+        what = "fault" if count == 1 else "faults"
+        row.label(text=f"Repaired {count:,} {what}", icon="CHECKMARK")
+    row.operator(MEANDER_OT_select_problem.bl_idname, icon="RESTRICT_SELECT_OFF")
+
+
+# What fits beside an icon in a sidebar as wide as Blender makes it.
+_LINE = 30
 
 
 class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
@@ -103,6 +147,7 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
+        layout.prop(settings, "strict")
         column = layout.column(heading="Merge Close Vertices")
         row = column.row(align=True)
         row.prop(settings, "use_merge", text="")
@@ -110,11 +155,14 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
         sub.active = settings.use_merge
         sub.prop(settings, "merge_distance", text="")
         column = layout.column(align=True)
-        column.prop(settings, "drop_degenerate")
-        column.prop(settings, "split_bow_ties")
         column.prop(settings, "cut_non_manifold")
-        if surface_of(context.active_object).meander.problem.kind:
-            layout.operator(MEANDER_OT_select_problem.bl_idname, icon="RESTRICT_SELECT_OFF")
+        sub = column.column(align=True)
+        sub.active = settings.strict  # else done in any case
+        sub.prop(settings, "drop_degenerate")
+        sub.prop(settings, "split_bow_ties")
+        done = context.active_object.meander.figures.preparation
+        for number, line in enumerate(textwrap.wrap(done, _LINE)):
+            column.label(text=line, icon="BLANK1" if number else "INFO")
 
 
 _CLASSES = (MEANDER_OT_select_problem, MEANDER_PT_mask, MEANDER_PT_repair)

@@ -2,7 +2,7 @@
 """What is done to the mesh, and which part of it is filled, as settings on an object."""
 
 import bpy
-from bpy.props import EnumProperty, IntVectorProperty, StringProperty
+from bpy.props import EnumProperty, StringProperty
 
 from ..scene.attributes import mask_names
 
@@ -43,8 +43,6 @@ class PreparationSettings:
 
 
 class MeanderProblem(bpy.types.PropertyGroup):
-    """The element of the mesh because of which the last run did not begin."""
+    """Why the mesh was refused last."""
 
-    kind: StringProperty(name="Kind", options=set())  # "vertex", "edge", "face"; empty: none
-    elements: IntVectorProperty(name="Elements", size=2, options=set())
-    sentence: StringProperty(name="Sentence", options=set())
+    sentence: StringProperty(name="Sentence", options=set())  # empty: it was not

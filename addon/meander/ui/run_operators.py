@@ -121,7 +121,6 @@ class _Watched:
             self._session.suspend()
         except (DataError, core.MeanderError) as error:
             self.report({"ERROR"}, sentence_of(error))
-            self._session.remember_problem(context, error)
         finally:
             self._session.end()
         return {"CANCELLED"}

@@ -85,6 +85,7 @@ class MeanderFigures(bpy.types.PropertyGroup):
     gap_count: IntProperty(name="Gaps", options=set())
     largest_gap: FloatProperty(name="Largest Gap", options=set())
     preparation: StringProperty(name="Preparation", options=set())
+    mended: IntProperty(name="Faults Repaired", options=set())
     # On results only, and of many gaps only the largest.
     gaps: CollectionProperty(type=MeanderGap, options=set())
     least_spacing: FloatProperty(name="Least Spacing", options=set())  # world units; 0: unknown
@@ -162,7 +163,7 @@ class MeanderSettings(
     problem: PointerProperty(
         type=MeanderProblem,
         name="Problem",
-        description="The element of the mesh because of which it was refused last",
+        description="Why the mesh was refused last",
         options=set(),
     )
 

@@ -9,6 +9,7 @@
  * open or closed), nodes and segments; a segment is a geodesic path between two nodes, straight in
  * every face that it crosses. The radius r is half the spacing asked for between neighbouring strands.
  *
+ *     meander_mesh_find_faults         what is wrong with a mesh, all of it
  *     meander_surface_create           mesh in; checked, copied, ready for any number of flows
  *     meander_surface_compute_...      its curvature and direction fields, for density and alignment
  *     meander_surface_find_outlines    lines along its boundary, to serve as guides
@@ -209,8 +210,11 @@ typedef struct meander_surface meander_surface;
 
 /* What to do with a mesh before it is checked, for a mesh with faults or for a part of one. Always
  * start from meander_surface_options_init, which sets everything to 0: nothing is done, and the
- * check is strict. The work is done in this order: face_mask, merging, dissolving, vertex_mask, then
- * the cutting of edges and the splitting of vertices; meander_surface_statistics counts it. */
+ * check is strict. The work is done in this order: face_mask, merging, dissolving, welding, vertex_mask,
+ * then the cutting of edges and the splitting of vertices; meander_surface_statistics counts it.
+ *
+ * drop_degenerate, make_manifold and weld_distance together make a surface of any list of triangles
+ * with an area and finite coordinates, and leave a mesh without faults as it is, to the last bit. */
 typedef struct meander_surface_options {
   uint32_t struct_size;      /* set by meander_surface_options_init */
   uint32_t drop_degenerate;  /* 1: faces without area are dissolved: one with two corners in the same
@@ -229,8 +233,16 @@ typedef struct meander_surface_options {
   size_t vertex_mask_count;  /* the number of vertices of the mesh; 0 for NULL */
   double mask_threshold;     /* finite */
   uint32_t threads;          /* 0: as many as the machine has; at most 256; the result is the same */
-  uint32_t reserved32;
-  uint64_t reserved[6];
+  uint32_t make_manifold;    /* 1: whatever keeps faces from being a surface is parted there: bow-ties
+                                as split_bow_ties does; an edge with more than two faces, where pairs
+                                that continue each other stay joined (those whose orientation agrees
+                                first, of these those that are joined elsewhere, of these the
+                                flattest) and the rest ends, or with cut_non_manifold all of it; and a component that cannot be oriented,
+                                along a line */
+  double weld_distance;      /* boundary edges whose ends are this close to those of another, and
+                                closer than a quarter of every edge there, become one with it, unless
+                                the faces lie on each other; 0: none. Mesh units, >= 0 */
+  uint64_t reserved[5];
 } meander_surface_options;
 
 /* Fills in the defaults; see "Structs".
@@ -292,10 +304,12 @@ typedef struct meander_surface_statistics {
   uint32_t cut_edges;       /* that had more than two faces */
   uint32_t masked_faces;    /* left out by a mask as a whole */
   uint32_t clipped_faces;   /* cut by the edge of a vertex_mask */
-  uint32_t reserved32;
+  uint32_t welded_edges;    /* pairs of boundary edges that became one */
   double area;     /* square units */
   double diagonal; /* of the axis-aligned bounding box */
-  uint64_t reserved[6];
+  uint32_t opened_edges;    /* cut because the surface had only one side there */
+  uint32_t reserved32;
+  uint64_t reserved[5];
 } meander_surface_statistics;
 
 /* Prepares the struct; see "Structs".
@@ -311,6 +325,38 @@ MEANDER_API meander_status meander_surface_statistics_init(meander_surface_stati
 MEANDER_API meander_status meander_surface_get_statistics(const meander_surface* surface,
                                                           meander_surface_statistics* statistics,
                                                           meander_error* error);
+
+/* What is wrong with a mesh, and what the two elements of a fault are: a vertex or a face twice, or the
+ * two vertices of an edge. */
+typedef uint32_t meander_fault;
+enum {
+  MEANDER_FAULT_NOT_FINITE = 0,    /* vertex: a coordinate is NaN or infinite */
+  MEANDER_FAULT_NO_AREA = 1,       /* face: without area, or with a vertex twice */
+  MEANDER_FAULT_DOUBLED_FACE = 2,  /* face: it has the vertices of one with a lower index */
+  MEANDER_FAULT_CROWDED_EDGE = 3,  /* edge: it has more than two faces */
+  MEANDER_FAULT_BOW_TIE = 4,       /* vertex: fans of faces meet in this point only */
+  MEANDER_FAULT_ONE_SIDED = 5,     /* edge: here the surface would have to be cut to have two sides */
+  MEANDER_FAULT_SEAM = 6           /* edge: a boundary edge that lies on another one */
+};
+
+/* Finds all faults of a mesh, where meander_surface_create names the first. Two-call sizing. What is found
+ * with the faces of the kinds 1 and 2 and those at a vertex of kind 0 left out is in order of the kinds,
+ * and within one in rising order.
+ *
+ * vertices, vertex_count, faces, face_count   as for meander_surface_create; coordinates may be anything
+ * weld_distance   how close boundary edges count as seams, as in meander_surface_options; 0: none do
+ * kinds           receives uint32_t[count], each a meander_fault, or NULL
+ * elements        receives uint32_t[2 * count], or NULL
+ * capacity        of both, in faults; where it is too small, only the count is written
+ * count           receives how many there are
+ * context         or NULL; asked before the work begins and after it
+ *
+ * Refused with MEANDER_STATUS_INVALID_MESH: no faces, an index out of range. Any thread. */
+MEANDER_API meander_status meander_mesh_find_faults(const double* vertices, size_t vertex_count,
+                                                    const uint32_t* faces, size_t face_count,
+                                                    double weld_distance, uint32_t* kinds,
+                                                    uint32_t* elements, size_t capacity, size_t* count,
+                                                    meander_context* context, meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Surface: fields and outlines                                                                 */

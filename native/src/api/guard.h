@@ -47,6 +47,9 @@ void require_flag(uint32_t value, const char* name);
 /// Refuses more threads than a pool takes.
 void require_threads(uint32_t threads);
 
+/// Refuses a mesh that is not there, or has more vertices or faces than the header allows.
+void require_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count);
+
 inline bool cancelled(const meander_context* context) { return context && context->control->cancelled; }
 
 /// For calls that cannot be cancelled from inside: throws where the context has been cancelled.

@@ -24,7 +24,7 @@ constexpr auto surface_options_layout() {
   return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(drop_degenerate), AT(split_bow_ties),
                                 AT(cut_non_manifold), AT(merge_distance), AT(face_mask), AT(vertex_mask),
                                 AT(face_mask_count), AT(vertex_mask_count), AT(mask_threshold), AT(threads),
-                                AT(reserved32), AT(reserved)});
+                                AT(make_manifold), AT(weld_distance), AT(reserved)});
 }
 
 constexpr auto surface_statistics_layout() {
@@ -32,7 +32,8 @@ constexpr auto surface_statistics_layout() {
   return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(vertices), AT(faces), AT(components),
                                 AT(boundary_loops), AT(flipped_faces), AT(unused_vertices), AT(merged_vertices),
                                 AT(dropped_faces), AT(split_vertices), AT(cut_edges), AT(masked_faces),
-                                AT(clipped_faces), AT(reserved32), AT(area), AT(diagonal), AT(reserved)});
+                                AT(clipped_faces), AT(welded_edges), AT(area), AT(diagonal),
+                                AT(opened_edges), AT(reserved32), AT(reserved)});
 }
 
 constexpr auto seed_layout() {

@@ -3,11 +3,14 @@
 // Options of a surface, and surfaces from meshes that are prepared first.
 #include "api/preparation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "api/structs.h"
 #include "base/thread_pool.h"
 #include "mesh/mesh_check.h"
+#include "mesh/mesh_faults.h"
 
 namespace meander {
 namespace {
@@ -26,6 +29,10 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
   if (!(std::isfinite(o.merge_distance) && o.merge_distance >= 0)) {
     refuse("The merge distance is " + number(o.merge_distance) + "; it must be 0 or a positive number.");
   }
+  if (!(std::isfinite(o.weld_distance) && o.weld_distance >= 0)) {
+    refuse("The weld distance is " + number(o.weld_distance) + "; it must be 0 or a positive number.");
+  }
+  require_flag(o.make_manifold, "make_manifold");
   require_flag(o.drop_degenerate, "drop_degenerate");
   require_flag(o.split_bow_ties, "split_bow_ties");
   require_flag(o.cut_non_manifold, "cut_non_manifold");
@@ -35,6 +42,8 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
   s.drop_degenerate = o.drop_degenerate != 0;
   s.split_bow_ties = o.split_bow_ties != 0;
   s.cut_non_manifold = o.cut_non_manifold != 0;
+  s.make_manifold = o.make_manifold != 0;
+  s.weld_distance = o.weld_distance;
   s.mask_threshold = o.mask_threshold;
   s.face_mask = checked_mask(o.face_mask, o.face_mask_count, face_count, "face_mask", "faces");
   s.vertex_mask = checked_mask(o.vertex_mask, o.vertex_mask_count, vertex_count, "vertex_mask", "vertices");
@@ -61,6 +70,25 @@ std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned thr
   }
 }
 
+/// The surface of a mesh that has nothing to be mended, or null. Nothing is then prepared, and the curve is that of the
+/// strict check to the last bit.
+std::shared_ptr<const Surface> faultless_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
+                                                 double weld_distance, unsigned threads) {
+  try {
+    auto surface = std::make_shared<const Surface>(vertices, faces, threads);
+    if (weld_distance == 0) return surface;
+    std::vector<uint32_t> boundary;
+    for (const HalfEdge e : surface->boundary()) {  // of a flipped face the half-edges 0 and 2 have changed places
+      boundary.push_back(surface->flipped(e / 3) ? 3 * (e / 3) + 2 - e % 3 : e);
+    }
+    std::ranges::sort(boundary);
+    return has_seams(vertices, faces, boundary, weld_distance) ? nullptr : surface;
+  } catch (const Failure& failure) {
+    if (failure.kind != FailureKind::kInvalidMesh) throw;
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
@@ -72,6 +100,10 @@ std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertic
     return made;
   }
   check_numbers(vertices, faces);
+  if (settings.only_mends()) {
+    made->surface = faultless_surface(vertices, faces, settings.weld_distance, options.threads);
+    if (made->surface) return made;
+  }
   PreparedMesh mesh = prepare_mesh(vertices, faces, settings);
   made->surface = surface_of(mesh, options.threads);
   made->prepared = mesh.counts;

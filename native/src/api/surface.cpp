@@ -8,16 +8,6 @@
 
 using namespace meander;
 
-namespace {
-
-void require_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count) {
-  require((vertices || vertex_count == 0) && (faces || face_count == 0), "The vertices or the faces are NULL.");
-  require(vertex_count <= (size_t{1} << 30) && face_count <= (size_t{1} << 30),
-          "The mesh has more than 2^30 vertices or faces; decimate it.");
-}
-
-}  // namespace
-
 meander_status meander_surface_create(const double* vertices, size_t vertex_count, const uint32_t* faces,
                                       size_t face_count, const meander_surface_options* options,
                                       meander_surface** surface, meander_context* context, meander_error* error) {
@@ -63,6 +53,8 @@ meander_status meander_surface_get_statistics(const meander_surface* surface, me
     figures.cut_edges = p.cut_edges;
     figures.masked_faces = p.masked_faces;
     figures.clipped_faces = p.clipped_faces;
+    figures.welded_edges = p.welded_edges;
+    figures.opened_edges = p.opened_edges;
     figures.area = s.area() * s.scale() * s.scale();
     figures.diagonal = s.scale();
     write_struct(statistics, figures);

@@ -314,10 +314,8 @@ void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& n
 
 }  // namespace
 
-void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces) {
-  const size_t vertex_count = vertices.size() / 3;
+void check_indices(size_t vertex_count, std::span<const uint32_t> faces) {
   if (faces.empty()) refuse("The mesh has no faces; give a mesh with at least one triangle.");
-  check_coordinates(vertices, Names{nullptr});
   for (size_t f = 0; f < faces.size() / 3; ++f) {
     for (int k = 0; k < 3; ++k) {
       if (faces[3 * f + k] >= vertex_count) {
@@ -327,6 +325,11 @@ void check_numbers(std::span<const double> vertices, std::span<const uint32_t> f
       }
     }
   }
+}
+
+void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces) {
+  if (!faces.empty()) check_coordinates(vertices, Names{nullptr});
+  check_indices(vertices.size() / 3, faces);
 }
 
 Placement check_placement(std::span<const double> vertices, const Table<Triangle>& faces, ThreadPool& pool,

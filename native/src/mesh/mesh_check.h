@@ -44,7 +44,10 @@ struct CheckedMesh {
   uint32_t used_vertices = 0;
 };
 
-/// Refuses coordinates that are not finite, and faces that refer to vertices that do not exist.
+/// Refuses a mesh without faces, and faces that refer to vertices that do not exist.
+void check_indices(size_t vertex_count, std::span<const uint32_t> faces);
+
+/// The same, and refuses coordinates that are not finite before.
 void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces);
 
 /// Checks `faces` over `vertices` (xyz xyz ...). Throws Failure(FailureKind::kInvalidMesh) that names the

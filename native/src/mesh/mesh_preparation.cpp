@@ -11,6 +11,8 @@
 #include "base/disjoint_sets.h"
 #include "base/failure.h"
 #include "mesh/mesh_check.h"
+#include "mesh/seams.h"
+#include "mesh/sheets.h"
 
 namespace meander {
 namespace {
@@ -65,7 +67,10 @@ class MeshPreparation {
   void merge_vertices(double distance);
   void dissolve_degenerate();
   void clip(std::span<const double> values, double threshold);
+  bool weld_seams(double distance);
+  void drop_flat();
   void split_vertices(bool bow_ties, bool non_manifold);
+  void split_sheets(bool join_flattest);
   PreparedMesh result();
   bool empty() const { return faces_.empty(); }
 
@@ -101,6 +106,7 @@ class MeshPreparation {
   void replace_vertices(DisjointSets& sets);
   void drop_doubled();
   std::vector<uint32_t> flat_faces() const;
+  std::vector<Triangle> triangles() const;
   bool dissolve_pass();
   /// Per edge, in order of the key: key and face.
   std::vector<std::pair<uint64_t, uint32_t>> edges() const;
@@ -442,6 +448,66 @@ void MeshPreparation::split_vertices(bool bow_ties, bool non_manifold) {
   }
 }
 
+std::vector<Triangle> MeshPreparation::triangles() const {
+  std::vector<Triangle> triangles(faces_.size());
+  for (size_t f = 0; f < faces_.size(); ++f) triangles[f] = faces_[f].v;
+  return triangles;
+}
+
+/// Makes boundary edges that lie on each other one. True if there were any.
+bool MeshPreparation::weld_seams(double distance) {
+  const std::vector<Triangle> faces = triangles();
+  const std::vector<Seam> seams = find_seams(positions_, faces, boundary_of(faces), distance);
+  DisjointSets sets(positions_.size());
+  for (const Seam& seam : seams) {
+    const Triangle &f = faces[seam.one / 3], &g = faces[seam.other / 3];
+    const uint32_t a = f[seam.one % 3], b = f[(seam.one % 3 + 1) % 3];
+    const uint32_t c = g[seam.other % 3], d = g[(seam.other % 3 + 1) % 3];
+    sets.join(a, seam.opposed ? d : c);
+    sets.join(b, seam.opposed ? c : d);
+  }
+  counts_.welded_edges += static_cast<uint32_t>(seams.size());
+  replace_vertices(sets);
+  return !seams.empty();
+}
+
+/// Removes what has resisted dissolving, such as pieces that a mask has cut off.
+void MeshPreparation::drop_flat() {
+  const std::vector<uint32_t> flat = flat_faces();
+  if (flat.empty()) return;
+  std::vector<Face> kept;
+  for (uint32_t f = 0; f < faces_.size(); ++f) {
+    if (!std::binary_search(flat.begin(), flat.end(), f)) kept.push_back(faces_[f]);
+  }
+  faces_ = std::move(kept);
+  counts_.dropped_faces += static_cast<uint32_t>(flat.size());
+}
+
+/// Gives every fan of faces at a vertex a vertex of its own, after the faces have been parted into sheets.
+void MeshPreparation::split_sheets(bool join_flattest) {
+  const Sheets sheets = find_sheets(positions_, triangles(), join_flattest);
+  counts_.cut_edges += static_cast<uint32_t>(sheets.crowded.size());
+  counts_.opened_edges += static_cast<uint32_t>(sheets.opened.size());
+  std::vector<uint8_t> is_bow_tie(positions_.size(), 0);
+  for (const uint32_t v : sheets.bow_ties) is_bow_tie[v] = 1;
+  std::vector<uint32_t> first_fan(positions_.size(), kGone);           // per vertex, the fan that keeps it
+  std::vector<uint32_t> vertex_of_fan(sheets.fan.size(), kGone);       // of the others
+  for (uint32_t f = 0; f < faces_.size(); ++f) {
+    for (uint32_t k = 0; k < 3; ++k) {
+      const uint32_t v = faces_[f].v[k], fan = sheets.fan[3 * f + k];
+      if (first_fan[v] == kGone) first_fan[v] = fan;
+      if (first_fan[v] == fan) continue;
+      if (vertex_of_fan[fan] == kGone) {
+        vertex_of_fan[fan] = static_cast<uint32_t>(positions_.size());
+        positions_.push_back(Vec3(positions_[v]));
+        origins_.push_back(MeshMap::VertexOrigin(origins_[v]));
+        counts_.split_vertices += is_bow_tie[v];
+      }
+      faces_[f].v[k] = vertex_of_fan[fan];
+    }
+  }
+}
+
 PreparedMesh MeshPreparation::result() {
   PreparedMesh mesh;
   MeshMap& map = mesh.map;
@@ -478,6 +544,9 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
   }
   if (settings.merge_distance > 0) mesh.merge_vertices(settings.merge_distance);
   if (settings.drop_degenerate) mesh.dissolve_degenerate();
+  if (settings.weld_distance > 0 && mesh.weld_seams(settings.weld_distance) && settings.drop_degenerate) {
+    mesh.dissolve_degenerate();
+  }
   if (mesh.empty()) {
     throw Failure(FailureKind::kInvalidMesh,
                   "Merging and dropping leave no faces of the mesh; choose a smaller merge distance.");
@@ -490,7 +559,15 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
                         number(settings.mask_threshold) + "; choose a lower threshold.");
     }
   }
-  mesh.split_vertices(settings.split_bow_ties, settings.cut_non_manifold);
+  if (!settings.make_manifold) {
+    mesh.split_vertices(settings.split_bow_ties, settings.cut_non_manifold);
+    return mesh.result();
+  }
+  if (settings.drop_degenerate) mesh.drop_flat();
+  if (mesh.empty()) {
+    throw Failure(FailureKind::kInvalidMesh, "No face of the mesh has an area; give a mesh with a surface.");
+  }
+  mesh.split_sheets(!settings.cut_non_manifold);
   return mesh.result();
 }
 

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh that the library has refused: what is wrong with all of it, instead of the first fault."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .. import core
+from ..model.faults import refusal
+from ..scene.errors import DataError
+from ..scene.mesh_faults import remember_problem
+from .plan import Plan
+
+
+def explain(plan: Plan, error: core.MeanderError) -> None:
+    """Raises DataError with the faults of the mesh that a run was refused for, in words.
+
+    The sentence stays with the surface, for the panel. Returns where the error has another reason.
+    """
+    surface, options = plan.surface.find(), plan.problem.surface_options
+    if error.status != core.Status.INVALID_MESH or surface is None or options is None:
+        return
+    faces = plan.problem.faces
+    if options.face_mask is not None:
+        faces = faces[np.asarray(options.face_mask, dtype=bool)]
+    if not len(faces):
+        return
+    faults = core.find_faults(plan.problem.vertices, faces)
+    if not len(faults.kinds):
+        return
+    sentence = refusal(surface.name, faults, strict=not options.make_manifold)
+    remember_problem(surface, sentence)
+    raise DataError(sentence) from error

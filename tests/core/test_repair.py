@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes with faults are repaired in a copy and filled; those without stay as they are."""
+
+from __future__ import annotations
+
+import geometry
+import numpy as np
+import pytest
+from meander import core
+from meander.model import faults as words
+from meander.model.preparation import Repair, seam_width
+
+RADIUS = 0.12
+
+
+def grow(vertices: np.ndarray, faces: np.ndarray, repair: Repair | None) -> tuple[core.Flow, dict]:
+    """A short run, its mesh repaired first; None: the mesh as it is."""
+    options = core.default_options()
+    options.radius = RADIUS
+    options.iteration_limit = 10
+    prepared = repair.options(vertices, RADIUS) if repair else None
+    surface = core.Surface(vertices, faces, prepared)
+    flow = core.Flow(surface, options)
+    flow.run()
+    return flow, surface.statistics()
+
+
+def broken(generator: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """A sphere, parts of it a soup, with fins, flat and doubled faces, and bow-ties."""
+    vertices, faces = (np.asarray(part) for part in geometry.icosphere(2)[:2])
+    points, triangles = [*vertices.tolist()], faces.tolist()
+    for f in generator.choice(len(triangles), 40, replace=False).tolist():  # loose from the rest
+        corners = [len(points) + k for k in range(3)]
+        points += (vertices[faces[f]] + generator.uniform(-1e-6, 1e-6, (3, 3))).tolist()
+        triangles[f] = corners
+    for f in generator.choice(len(faces), 6, replace=False).tolist():
+        a, b, c = faces[f].tolist()
+        points.append((1.4 * vertices[a]).tolist())
+        triangles += [[a, b, len(points) - 1]]  # a fin
+        triangles += [[b, c, b], [c, a, b]]  # without area, and doubled
+        points += [(1.3 * vertices[c] + d).tolist() for d in ([0.2, 0, 0], [0, 0.2, 0])]
+        triangles += [[c, len(points) - 2, len(points) - 1]]  # touches in c only
+    return np.array(points), np.array(triangles, dtype=np.uint32)
+
+
+@pytest.mark.parametrize("number", range(4))
+def test_a_curve_fills_what_was_broken(number: int) -> None:
+    vertices, faces = broken(np.random.default_rng(number))
+    with pytest.raises(core.MeanderError):
+        core.Surface(vertices, faces)
+    flow, figures = grow(vertices, faces, Repair())
+    assert flow.statistics()["crossings"] == 0
+    assert all(figures[key] > 0 for key in ("dropped_faces", "cut_edges", "welded_edges"))
+    # The sphere is one again, and all else lies beside it: nothing of its area has gone.
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0
+    _kept, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
+    assert figures["area"] == pytest.approx(areas[first].sum(), rel=0.02)
+    assert figures["boundary_loops"] <= 6 + 6 + 6  # of the fins, the ties, and around the fins
+    # Nodes name the faces that were passed, and lie where these are.
+    nodes = flow.nodes()
+    positions = np.einsum("nk,nkj->nj", nodes.barycentrics, vertices[faces[nodes.faces]])
+    curve = flow.polylines().positions
+    gaps = np.linalg.norm(positions[:, None] - curve[None], axis=2).min(axis=1)
+    assert gaps.max() < 1e-4
+
+
+def test_meshes_without_faults_grow_the_same_curve_to_the_last_bit() -> None:
+    for mesh in (geometry.icosphere(2), geometry.torus(24, 12), geometry.grid(8)):
+        vertices, faces = np.asarray(mesh[0], dtype=float), np.asarray(mesh[1])
+        plain, _ = grow(vertices, faces, None)
+        mended, figures = grow(vertices, faces, Repair())
+        assert plain.polylines().positions.tobytes() == mended.polylines().positions.tobytes()
+        assert figures["welded_edges"] == figures["split_vertices"] == figures["dropped_faces"] == 0
+
+
+def test_a_one_sided_surface_is_opened_along_a_line() -> None:
+    vertices, faces = geometry.moebius(24)
+    with pytest.raises(core.MeanderError, match="one side"):
+        grow(vertices, faces, Repair(strict=True))
+    flow, figures = grow(vertices, faces, Repair())
+    # Across the strip, which is one face wide, and nowhere else: one strip with one border.
+    assert figures["opened_edges"] == 1
+    assert (figures["components"], figures["boundary_loops"]) == (1, 1)
+    assert flow.statistics()["crossings"] == 0
+
+
+def test_strict_refuses_and_all_faults_are_named_in_words() -> None:
+    vertices, faces = broken(np.random.default_rng(9))
+    with pytest.raises(core.MeanderError):
+        grow(vertices, faces, Repair(strict=True))
+    found = core.find_faults(vertices, faces, seam_width(vertices, RADIUS))
+    text = words.described(found)
+    assert text.startswith("6 faces without area, ")
+    assert "places where more than two faces share an edge" in text and " and " in text
+    assert not any(word in text for word in ("vertex 1", "index", "manifold"))
+    assert "turn off Strict" in words.refusal("Ball", found, strict=True)
+    # Faults that Strict refuses are those without which it does not.
+    clean = geometry.icosphere(2)
+    none = core.find_faults(clean[0], clean[1], seam_width(np.asarray(clean[0]), RADIUS))
+    assert not len(none.kinds) and words.described(none) == ""
+
+
+def test_bad_arguments_are_refused() -> None:
+    vertices, faces = np.eye(3), np.array([[0, 1, 2]])
+    for options, word in (
+        (core.SurfaceOptions(weld_distance=-1.0), "weld distance"),
+        (core.SurfaceOptions(weld_distance=float("nan")), "weld distance"),
+    ):
+        with pytest.raises(core.MeanderError, match=word):
+            core.Surface(vertices, faces, options)
+    with pytest.raises(core.MeanderError, match="weld distance"):
+        core.find_faults(vertices, faces, -1.0)
+    with pytest.raises(core.MeanderError, match="refers to vertex 7"):
+        core.find_faults(vertices, [[0, 1, 7]])
+    with pytest.raises(core.MeanderError, match="no faces"):
+        core.find_faults(vertices, np.empty((0, 3), np.uint32))
