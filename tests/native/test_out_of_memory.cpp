@@ -231,8 +231,10 @@ struct Seen {
   }
 };
 
-/// A boundary, a density, a guide, and vertices that double the size of the surface.
-TEST(OutOfMemory, AFlowIsAsItWasWhereItsSurfaceCannotMove) {
+/// A boundary, a density, a guide, and vertices that double the size of the surface, or another spacing.
+class FlowOutOfMemory : public testing::TestWithParam<bool> {};
+
+TEST_P(FlowOutOfMemory, IsAsItWasWhereItCannotChange) {
   const Mesh mesh = flat_grid(5);
   auto surface = std::make_shared<const Surface>(make_surface(mesh));
   const std::vector<Line> lines{{{{0.2, 0.5, 0}, {0.8, 0.5, 0}}, false, true, false}};
@@ -241,6 +243,13 @@ TEST(OutOfMemory, AFlowIsAsItWasWhereItsSurfaceCannotMove) {
   std::vector<double> moved = mesh.vertices;
   density[0] = 2;
   for (double& x : moved) x *= 2;
+  const auto change = [&](Flow& flow) {
+    if (GetParam()) {
+      flow.set_vertices(moved);
+    } else {
+      flow.revise(flow.settings().with_radius(0.9 * flow.settings().radius));
+    }
+  };
   const auto flow_at = [&](int iterations) {
     FlowSettings settings = checked_settings(options_of(0.3), *surface);
     settings.threads = 2;
@@ -251,12 +260,12 @@ TEST(OutOfMemory, AFlowIsAsItWasWhereItsSurfaceCannotMove) {
   for (const int iterations : {6, 60}) {  // while it grows, and in the polish
     const auto undisturbed = flow_at(iterations);
     const Seen before(*undisturbed);
-    undisturbed->set_vertices(moved);
+    change(*undisturbed);
     const Seen after(*undisturbed);
     ASSERT_FALSE(before == after);
     const auto flow = flow_at(iterations);
     long failures = 0, n = 0;
-    for (; runs_out_of_memory(n, [&] { flow->set_vertices(moved); }); n += failures < 60 ? 1 : 7) {
+    for (; runs_out_of_memory(n, [&] { change(*flow); }); n += failures < 60 ? 1 : 7) {
       ++failures;
       ASSERT_TRUE(Seen(*flow) == before) << "allocation " << n;
       ASSERT_EQ(&flow->surface(), surface.get());
@@ -271,6 +280,8 @@ TEST(OutOfMemory, AFlowIsAsItWasWhereItsSurfaceCannotMove) {
     EXPECT_TRUE(Seen(*flow) == Seen(*undisturbed));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(SurfaceMoves, FlowOutOfMemory, testing::Bool());
 
 TEST(OutOfMemory, ARunThatCannotStartIsNotRunning) {
   auto surface = std::make_shared<const Surface>(make_surface(sphere(2)));

@@ -327,6 +327,49 @@ class Flow(Handle):
         with self._use() as pointer:
             call(native().meander_flow_set_vertices, pointer, address_of(array), len(array), None)
 
+    def set_radius(self, radius: float) -> None:
+        """Asks for another radius, half the spacing, from here on; see the C header.
+
+        radius  > 0, in the units of the surface
+
+        The local radii and the other lengths of the options change in proportion. The curve goes on
+        from where it is: run or step until it is even again. Raises MeanderError, and leaves the
+        flow as it was, for a radius that a new flow would refuse.
+        """
+        with self._use() as pointer:
+            call(native().meander_flow_set_radius, pointer, float(radius))
+
+    def set_density(self, density: ArrayLike | None) -> None:
+        """Asks for another density from here on, as set_radius does for the radius.
+
+        density  (vertex count of the surface,) float64, each > 0, or None for 1 everywhere
+
+        Raises MeanderError, and leaves the flow as it was, for one that a new flow would refuse.
+        """
+        array = None
+        if density is not None:
+            array = checked_array("density", density, np.float64, None)
+        with self._use() as pointer:
+            call(
+                native().meander_flow_set_density,
+                pointer,
+                address_of(array),
+                0 if array is None else len(array),
+            )
+
+    def set_options(self, options: FlowOptions) -> None:
+        """Asks for other options from here on, the radius among them, as set_radius does.
+
+        options  all of them: what is not to change must be as it was. Those that only a beginning
+                 needs (widen_loops, start_spacing_factor) and threads have no effect
+
+        Other weights of growth make the curve grow again, from where it is. Raises MeanderError,
+        and leaves the flow as it was, for options that a new flow would refuse.
+        """
+        record = options_record(options)
+        with self._use() as pointer:
+            call(native().meander_flow_set_options, pointer, byref(record))
+
     def statistics(self) -> dict[str, Any]:
         """Figures of the present state, named as in meander_flow_statistics.
 

@@ -784,6 +784,53 @@ MEANDER_API meander_status meander_flow_get_preview(meander_flow* flow, meander_
                                                     meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
+/* Flow: other wishes                                                                           */
+
+/* What follows changes what a flow is asked for, while its curve stays and goes on from where it is:
+ * a slider that is dragged, a density that is painted. Between two iterations only: a started run is
+ * cancelled and waited for first, which takes one iteration, and is then started again.
+ *
+ * A curve that is still growing, or not even yet, goes on with that. One that has been finished is
+ * fitted: it takes a few iterations of the polish and a few short ones, about a quarter of the time of
+ * a run from scratch where the spacing has changed by a tenth. Where the spacing, in the mean along
+ * the curve, has changed by more than a fifth since the curve grew, all such changes taken
+ * together, and where the weights of growth change, it grows again, from the curve as it is: as even
+ * as one from scratch, in about the same time. Without a polish, as in MEANDER_PRESET_PAPER, it
+ * always does.
+ *
+ * Nothing crosses, strands and fixed nodes are as seeded, and guides stay as drawn. Convergence is
+ * judged from here on, and the iteration limit counts from here. What asks for what is there already
+ * changes nothing. The same calls between the same iterations give the same bytes for any number of
+ * threads. Costs about two iterations. Whatever the failure, the flow is then as before. */
+
+/* Another radius. The local radii, segment_length and max_radius change in proportion.
+ *
+ * radius    r, half the spacing; > 0 and finite, in the units of the surface as it is now
+ *
+ * Refused with MEANDER_STATUS_INVALID_ARGUMENT: what meander_flow_create refuses as a radius. */
+MEANDER_API meander_status meander_flow_set_radius(meander_flow* flow, double radius,
+                                                   meander_error* error);
+
+/* Another density.
+ *
+ * density        double[density_count], as in meander_flow_create; NULL: 1 everywhere
+ * density_count  the number of vertices passed to meander_surface_create; 0 for NULL
+ *
+ * Refused with MEANDER_STATUS_INVALID_ARGUMENT: what meander_flow_create refuses as a density. */
+MEANDER_API meander_status meander_flow_set_density(meander_flow* flow, const double* density,
+                                                    size_t density_count, meander_error* error);
+
+/* Other options, the radius among them; the density stays as it is. What only a beginning needs has
+ * no effect: widen_loops, start_spacing_factor (a wide start that is under way goes on), threads.
+ *
+ * options   as for meander_flow_create, all of them: what is not to change must be as it was
+ *
+ * Refused with MEANDER_STATUS_INVALID_ARGUMENT: what meander_flow_create refuses as options. */
+MEANDER_API meander_status meander_flow_set_options(meander_flow* flow,
+                                                    const meander_flow_options* options,
+                                                    meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
 /* Flow: a surface that moves                                                                   */
 
 /* Moves the vertices of the flow's surface, for a mesh that is animated: the faces stay as they were

@@ -2,6 +2,7 @@
 //
 // Flows: from a surface and a seed, step after step.
 #include <cmath>
+#include <functional>
 
 #include "api/caller_mesh.h"
 #include "api/flow_options.h"
@@ -12,19 +13,37 @@ using namespace meander;
 
 namespace {
 
+/// Of a density that is found again from the r that it made.
+constexpr double kRounding = 1e-12;
+
+using DensityAt = std::function<double(uint32_t)>;
+
+/// Of every vertex; empty: 1.
+DensityAt density_at(const VertexData<double>& density) {
+  return [&density](uint32_t v) { return density.empty() ? 1 : density[v]; };
+}
+
+/// That of a flow as it is.
+DensityAt density_at(const Flow& flow) {
+  return [&flow](uint32_t v) {
+    const double share = flow.settings().radius / flow.wanted_radius().at(v);
+    return share * share;
+  };
+}
+
 /// Refuses what would not fit the mesh or the machine.
-void check_size(const Surface& surface, const FlowSettings& s, const VertexData<double>& density,
-                const MeshMap* map) {
-  const double nodes = expected_nodes(surface, s, [&](uint32_t v) { return density.empty() ? 1 : density[v]; });
+void check_size(const Surface& surface, const FlowSettings& s, const DensityAt& density, const MeshMap* map) {
+  const double nodes = expected_nodes(surface, s, density);
   if (!(nodes <= kMostNodes)) {
     refuse("The curve would need about " + number(nodes) +
            " nodes, and more than 500 million are not supported; choose a larger spacing or a smaller density.");
   }
-  for (size_t v = 0; v < density.size(); ++v) {
-    if (s.radius <= std::sqrt(density[v])) continue;
-    const uint32_t vertex = caller_vertex(map, static_cast<uint32_t>(v));
+  for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
+    // A settled radius of the whole surface is no larger than half of it.
+    if (s.radius <= std::sqrt(density(v)) * (1 + kRounding)) continue;
+    const uint32_t vertex = caller_vertex(map, v);
     throw Failure(FailureKind::kInvalidArgument,
-                  "The density " + number(density[v]) + " at vertex " + std::to_string(vertex) +
+                  "The density " + number(density(v)) + " at vertex " + std::to_string(vertex) +
                       " makes the spacing there larger than the surface; choose a larger density.",
                   ElementKind::kVertex, vertex);
   }
@@ -50,9 +69,10 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     require(surface != nullptr, "The surface is NULL.");
     require(flow != nullptr, "The pointer for the flow is NULL.");
     const FlowSettings settings = checked_settings(read_options(options), *surface->surface);
-    const VertexData<double> densities = checked_density(density, density_count, *surface);
+    const VertexData<double> densities =
+        checked_density(density, density_count, *surface->surface, surface->map.get());
     check_cancelled(context);
-    check_size(*surface->surface, settings, densities, surface->map.get());
+    check_size(*surface->surface, settings, density_at(densities), surface->map.get());
     SeedStrands strands;
     if (seed) strands = checked_seed(seed);
     strands.reach /= surface->surface->scale();
@@ -83,6 +103,38 @@ meander_status meander_flow_run(meander_flow* flow, meander_context* context, me
                                      [&](double progress) {
                                        if (context) context->control->tell(*flow->flow, progress);
                                      }));
+  });
+}
+
+meander_status meander_flow_set_radius(meander_flow* flow, double radius, meander_error* error) {
+  return guard(error, [&] {
+    require_idle(flow);
+    Flow& f = *flow->flow;
+    const FlowSettings settings = f.settings().with_radius(checked_radius(radius, f.surface()));
+    check_size(f.surface(), settings, density_at(f), flow->map.get());
+    f.revise(settings);
+  });
+}
+
+meander_status meander_flow_set_density(meander_flow* flow, const double* density, size_t density_count,
+                                        meander_error* error) {
+  return guard(error, [&] {
+    require_idle(flow);
+    Flow& f = *flow->flow;
+    const VertexData<double> densities = checked_density(density, density_count, f.surface(), flow->map.get());
+    check_size(f.surface(), f.settings(), density_at(densities), flow->map.get());
+    f.revise(f.settings(), &densities);
+  });
+}
+
+meander_status meander_flow_set_options(meander_flow* flow, const meander_flow_options* options,
+                                        meander_error* error) {
+  return guard(error, [&] {
+    require_idle(flow);
+    Flow& f = *flow->flow;
+    const FlowSettings settings = checked_settings(read_options(options), f.surface());
+    check_size(f.surface(), settings, density_at(f), flow->map.get());
+    f.revise(settings);
   });
 }
 

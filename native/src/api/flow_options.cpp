@@ -20,14 +20,7 @@ void require_ratio(double value, double low, double high, const char* name) {
 }
 
 void set_lengths(const meander_flow_options& o, const Surface& surface, FlowSettings& s) {
-  if (!(std::isfinite(o.radius) && o.radius > 0)) {
-    refuse("The spacing must be a positive number; it is " + number(2 * o.radius) + ".");
-  }
-  s.radius = settle(o.radius / surface.scale());
-  if (2 * s.radius > 1 || 4 * s.radius * s.radius > surface.area()) {
-    refuse("The spacing " + number(2 * o.radius) + " is larger than the surface (its diagonal is " +
-           number(surface.scale()) + "); choose a smaller spacing.");
-  }
+  s.radius = checked_radius(o.radius, surface);
   if (o.segment_length != 0) require_ratio(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
   if (o.max_radius != 0) require_ratio(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
   require_range(o.max_radius_factor, 1.5, 1e6, "max_radius_factor");
@@ -167,6 +160,18 @@ meander_flow_options read_options(const meander_flow_options* given) {
   require_struct(given);
   require(given->preset <= MEANDER_PRESET_FINEST, "The option preset is none of MEANDER_PRESET_...");
   return read_struct(given, default_options(given->preset));
+}
+
+double checked_radius(double radius, const Surface& surface) {
+  if (!(std::isfinite(radius) && radius > 0)) {
+    refuse("The spacing must be a positive number; it is " + number(2 * radius) + ".");
+  }
+  const double r = settle(radius / surface.scale());
+  if (2 * r > 1 || 4 * r * r > surface.area()) {
+    refuse("The spacing " + number(2 * radius) + " is larger than the surface (its diagonal is " +
+           number(surface.scale()) + "); choose a smaller spacing.");
+  }
+  return r;
 }
 
 FlowSettings checked_settings(const meander_flow_options& options, const Surface& surface) {

@@ -15,6 +15,9 @@ meander_flow_options default_options(meander_preset preset);
 /// Options of the caller's as this library knows them; throws Failure.
 meander_flow_options read_options(const meander_flow_options* given);
 
+/// r in the surface's own unit; throws Failure where it is no length, or has no room on the surface.
+double checked_radius(double radius, const Surface& surface);
+
 /// Options as the flow wants them, lengths in the surface's own unit; throws Failure.
 FlowSettings checked_settings(const meander_flow_options& options, const Surface& surface);
 

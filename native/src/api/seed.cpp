@@ -39,8 +39,8 @@ SeedStrands checked_seed(const meander_seed* given) {
   return strands;
 }
 
-VertexData<double> checked_density(const double* density, size_t count, const meander_surface& surface) {
-  const size_t wanted = caller_vertex_count(*surface.surface, surface.map.get());
+VertexData<double> checked_density(const double* density, size_t count, const Surface& surface, const MeshMap* map) {
+  const size_t wanted = caller_vertex_count(surface, map);
   if (count != (density ? wanted : 0)) {
     refuse("The density has " + std::to_string(count) + " values; it must have one for each of the " +
            std::to_string(wanted) + " vertices of the surface, or be NULL and have none.");
@@ -58,7 +58,7 @@ VertexData<double> checked_density(const double* density, size_t count, const me
   if (most > 1e4 * least) {
     refuse("The density varies by a factor of " + number(most / least) + "; at most 10000 is allowed.");
   }
-  return surface_values(surface.map.get(), {density, count});
+  return surface_values(map, {density, count});
 }
 
 }  // namespace meander

@@ -13,6 +13,6 @@ namespace meander {
 SeedStrands checked_seed(const meander_seed* given);
 
 /// The density at the vertices of the surface, or none; throws Failure.
-VertexData<double> checked_density(const double* density, size_t count, const meander_surface& surface);
+VertexData<double> checked_density(const double* density, size_t count, const Surface& surface, const MeshMap* map);
 
 }  // namespace meander

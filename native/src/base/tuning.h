@@ -175,6 +175,16 @@ inline constexpr double kGrownForSure = 0.005;
 /// Iterations of the polish with long segments: until the picture is at rest (docs/quality.md, on momentum).
 inline constexpr uint32_t kPolishIterations = 30;
 
+/// So many of them fit a finished curve to another spacing, and more of them hardly make it more even: near_target of
+/// bunny after 10, 15, 20 and 30 is .932, .937, .939 and .943 for a spacing a tenth wider, .950, .953, .952 and .956 for
+/// one a tenth closer, and .951 and .955 from scratch (docs/live.md).
+inline constexpr uint32_t kFittingIterations = 18;
+
+/// Where the spacing has changed by more than this since the curve grew, as the logarithm of r, it grows again: fitted
+/// in steps of a twentieth to a spacing 5, 10, 15, 20 and 25 % wider, bunny has a near_target of .946, .943, .932, .922
+/// and .908; fitted to half the spacing of .90, of .955 once it has grown again, and of .964 from scratch.
+inline constexpr double kMostFitted = 0.22;
+
 /// A curve has settled when its length changes by less than this share in a window, and the mean distance of its nodes
 /// from what it was is less than so many r: .05 instead of .04 takes a tenth of the work (docs/quality.md).
 inline constexpr double kSettledLength = 0.0025, kSettledDistance = 0.05;

@@ -41,11 +41,29 @@ Convergence Convergence::restarted(double clamped_share) const {
   Convergence next(rule_, polish_wanted_, hairpin_removal_iterations_);
   next.removed_for_ = removed_for_;
   next.polished_ = polished_;
+  next.fitting_ = fitting_;
+  next.change_ = change_;
   const bool grown = phase_ != Phase::kGrowing || clamped_share < tuning::kGrownClamped;
   // What is past its growth but has long segments still goes on where it is: else they would all be cut at
   // once.
   const bool under_way = phase_ == Phase::kHairpinRemoval || phase_ == Phase::kPolishing;
   next.phase_ = under_way ? phase_ : grown && polish_wanted_ ? Phase::kFinishing : Phase::kGrowing;
+  return next;
+}
+
+Convergence Convergence::revised(const FlowSettings& settings, double change, bool regrow) const {
+  Convergence next(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations);
+  if (!settings.polish || !polish_wanted_ || phase_ == Phase::kGrowing) return next;
+  next.change_ = change_ + change;
+  if (regrow || next.change_ > tuning::kMostFitted) {
+    next.change_ = 0;
+    return next;
+  }
+  next.fitting_ = fitting_ || phase_ == Phase::kCooling;
+  next.removed_for_ = removed_for_;
+  const bool removing = phase_ == Phase::kHairpinRemoval && removed_for_ < next.hairpin_removal_iterations_;
+  next.phase_ = removing ? phase_ : Phase::kPolishing;
+  next.polished_ = std::min(polished_, tuning::kPolishIterations - tuning::kFittingIterations);
   return next;
 }
 
@@ -116,7 +134,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
       if (++removed_for_ >= hairpin_removal_iterations_) begin(Phase::kPolishing);
       break;
     case Phase::kPolishing:
-      if (++polished_ >= tuning::kPolishIterations) begin(Phase::kFinishing);
+      if (++polished_ >= tuning::kPolishIterations) begin(fitting_ ? Phase::kCooling : Phase::kFinishing);
       break;
     case Phase::kFinishing:
       if (has_settled(surface, curve, metric, change, pool)) begin(Phase::kCooling);

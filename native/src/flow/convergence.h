@@ -9,6 +9,7 @@
 #include "base/thread_pool.h"
 #include "curve/local_metric.h"
 #include "flow/plan.h"
+#include "flow/settings.h"
 
 namespace meander {
 
@@ -43,6 +44,15 @@ class Convergence {
   /// already, with little of it at the clamp (see clamped_share), need not grow again and is only finished.
   Convergence restarted(double clamped_share) const;
 
+  /// What it is once something else is asked for. A curve that is still growing, or that has not been made even yet,
+  /// goes on with that. One that was at its end is fitted: a shorter polish, and no waiting until the picture rests.
+  /// Where too much has changed since it grew, or other weights grow another curve, it grows again.
+  ///
+  /// `settings`  those from now on
+  /// `change`    of r: the mean over the curve of |ln(r / r before)|
+  /// `regrow`    whether the weights of growth are others
+  Convergence revised(const FlowSettings& settings, double change, bool regrow) const;
+
   Phase phase() const { return phase_; }
   /// How many iterations of the present phase have been noted.
   uint32_t iterations_in_phase() const;
@@ -62,6 +72,8 @@ class Convergence {
 
   StopRule rule_;
   bool polish_wanted_, converged_ = false, stalled_ = false;
+  bool fitting_ = false;  // the polish is followed by the last iterations
+  double change_ = 0;     // of r since the curve grew; see revised()
   uint32_t hairpin_removal_iterations_, removed_for_ = 0, polished_ = 0;
   Phase phase_ = Phase::kGrowing;
   std::vector<double> lengths_;

@@ -8,8 +8,14 @@
 namespace meander {
 namespace {
 
-std::unique_ptr<const BoundaryObstacle> sampled_boundary(const Surface& surface, const FlowSettings& settings) {
-  return std::make_unique<const BoundaryObstacle>(surface, tuning::kBoundarySampling * settings.segment_length);
+std::shared_ptr<const BoundaryObstacle> sampled_boundary(const Surface& surface, const FlowSettings& settings) {
+  return std::make_shared<const BoundaryObstacle>(surface, tuning::kBoundarySampling * settings.segment_length);
+}
+
+std::shared_ptr<const SurfacePatches> patches_for(const Surface& surface, const RadiusField& radius,
+                                                  const FlowSettings& settings, ThreadPool& pool) {
+  if (settings.medial_axis != MedialAxis::kGeodesic) return nullptr;
+  return std::make_shared<const SurfacePatches>(surface, radius, pool);
 }
 
 double filling_length(const Surface& surface, const RadiusField& radius) {
@@ -43,10 +49,8 @@ Domain::Domain(std::shared_ptr<const Surface> where, const VertexData<double>& d
       radius(wanted_radius),
       expected_length(filling_length(*surface, wanted_radius)),
       boundary(sampled_boundary(*surface, settings)),
-      patches(settings.medial_axis == MedialAxis::kGeodesic
-                  ? std::make_unique<const SurfacePatches>(*surface, wanted_radius, pool)
-                  : nullptr),
-      normals(std::make_unique<const NormalField>(*surface, settings.radius)) {}
+      patches(patches_for(*surface, wanted_radius, settings, pool)),
+      normals(std::make_shared<const NormalField>(*surface, settings.radius)) {}
 
 Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius, const FlowSettings& settings,
                         ThreadPool& pool) const {
@@ -58,6 +62,25 @@ Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius,
   moved.directions = directions;
   moved.directions.ride(*surface, *moved.surface);
   return moved;
+}
+
+Domain Domain::revised(const FlowSettings& old, const FlowSettings& settings, const VertexData<double>* density,
+                       ThreadPool& pool) const {
+  Domain next = *this;
+  if (density) {
+    next.wanted_radius = RadiusField(settings.radius, *density);
+  } else {
+    next.wanted_radius.rescale(old.radius, settings.radius);
+  }
+  next.radius = next.wanted_radius;
+  const bool same_radius = next.wanted_radius == wanted_radius;
+  if (!same_radius) next.expected_length = filling_length(*surface, next.wanted_radius);
+  if (settings.segment_length != old.segment_length) next.boundary = sampled_boundary(*surface, settings);
+  if (!same_radius || settings.medial_axis != old.medial_axis) {
+    next.patches = patches_for(*surface, next.wanted_radius, settings, pool);
+  }
+  if (settings.radius != old.radius) next.normals = std::make_shared<const NormalField>(*surface, settings.radius);
+  return next;
 }
 
 }  // namespace meander

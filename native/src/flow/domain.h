@@ -26,14 +26,19 @@ struct Domain {
   Domain moved_to(std::shared_ptr<const Surface> surface, double old_radius, const FlowSettings& settings,
                   ThreadPool& pool) const;
 
+  /// The same for other settings than `old` ones. `density` as in the constructor; null: as it is. What does not
+  /// depend on what has changed is shared.
+  Domain revised(const FlowSettings& old, const FlowSettings& settings, const VertexData<double>* density,
+                 ThreadPool& pool) const;
+
   std::shared_ptr<const Surface> surface;
   RadiusField wanted_radius;  ///< r as it is to be in the end,
   RadiusField radius;         ///< and as it is while the curve approaches its spacing
   double expected_length;     ///< of a curve that fills the surface: area over spacing
   LineField directions;       ///< that strands are to follow; may be empty
-  std::unique_ptr<const BoundaryObstacle> boundary;
-  std::unique_ptr<const SurfacePatches> patches;  ///< for MedialAxis::kGeodesic, else null
-  std::unique_ptr<const NormalField> normals;  ///< found when they are asked for
+  std::shared_ptr<const BoundaryObstacle> boundary;
+  std::shared_ptr<const SurfacePatches> patches;  ///< for MedialAxis::kGeodesic, else null
+  std::shared_ptr<const NormalField> normals;     ///< found when they are asked for
 };
 
 /// More nodes than this are refused, for want of memory.

@@ -47,9 +47,17 @@ class Flow {
   /// or too large for the spacing; whatever it throws, all is then as it was.
   void set_vertices(std::span<const double> vertices, const MeshMap* map = nullptr);
 
+  /// Asks for something else from here on: `settings` are those wanted on the present surface, `density` as for a new
+  /// flow, null: as it is. What only a beginning needs (first loops, a wide start) and the number of threads stay.
+  /// The curve goes on from where it is, see Convergence::revised; counts for run() as a new beginning. What asks for
+  /// nothing else changes nothing. Whatever it throws, all is then as it was.
+  void revise(FlowSettings settings, const VertexData<double>* density = nullptr);
+
   const Surface& surface() const { return *state_.domain.surface; }
   const Curve& curve() const { return state_.curve; }
   const FlowSettings& settings() const { return state_.settings; }
+  /// r as it is to be in the end.
+  const RadiusField& wanted_radius() const { return state_.domain.wanted_radius; }
   /// Found when they are asked for first: a flow that is not looked at needs none. Any thread.
   const NormalField& normals() const { return *state_.domain.normals; }
   const NodeData<Radii>& radii() const { return state_.nodes.radii; }  ///< of the last medial axis

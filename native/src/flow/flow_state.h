@@ -11,7 +11,7 @@
 namespace meander {
 
 /// A flow between two iterations, without how long it has been running. Whoever wants to change what a flow is about
-/// (its surface today) builds another one, and puts it in the place of this when nothing can fail any more.
+/// (its surface, its spacing) builds another one, and puts it in the place of this when nothing can fail any more.
 struct FlowState {
   FlowSettings settings;
   Domain domain;

@@ -11,4 +11,11 @@ FlowSettings FlowSettings::rescaled(double factor) const {
   return settings;
 }
 
+FlowSettings FlowSettings::with_radius(double r) const {
+  FlowSettings settings = *this;
+  for (double* length : {&settings.segment_length, &settings.max_radius}) *length = settle(*length / radius * r);
+  settings.radius = r;
+  return settings;
+}
+
 }  // namespace meander

@@ -44,6 +44,10 @@ struct FlowSettings {
 
   /// The same on a surface whose unit is so many times smaller.
   FlowSettings rescaled(double factor) const;
+  /// The same with another r, and lengths that are in proportion to it.
+  FlowSettings with_radius(double r) const;
+
+  bool operator==(const FlowSettings&) const = default;
 };
 
 }  // namespace meander

@@ -52,6 +52,8 @@ class RadiusField {
     for (double& r : at_vertex_) r = r / before * after;
   }
 
+  bool operator==(const RadiusField& other) const = default;
+
  private:
   double everywhere_;             // where it does not vary
   VertexData<double> at_vertex_;  // empty where it does not

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Another spacing, another density, other weights: the flow goes on from where it is.
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "flow/flow.h"
+#include "flow/free_nodes.h"
+
+namespace meander {
+namespace {
+
+/// How much r changes along the curve: the mean of the logarithm of its factor, without its sign.
+double mean_change(const FlowState& before, const FlowState& next, ThreadPool& pool) {
+  const Curve& curve = before.curve;
+  const Surface& surface = *before.domain.surface;
+  const double sum = sum_over_free(curve, pool, [&](uint32_t i) {
+    const SurfacePoint& p = curve.nodes[i];
+    return std::abs(std::log(next.domain.wanted_radius.at(surface, p) / before.domain.wanted_radius.at(surface, p)));
+  });
+  return sum / std::max(1.0, free_nodes(curve, pool));
+}
+
+/// Whether growth would make another curve, whatever its spacing. A polish forgets these weights; it has its own.
+bool grows_otherwise(const FlowSettings& a, const FlowSettings& b) {
+  return a.length_weight != b.length_weight || a.bending_weight != b.bending_weight ||
+         a.medial_weight != b.medial_weight || a.alignment_weight != b.alignment_weight ||
+         a.length_power != b.length_power || a.medial_power != b.medial_power ||
+         a.medial_axis != b.medial_axis || a.boundary_rule != b.boundary_rule ||
+         a.boundary_distance != b.boundary_distance || a.grow_into_empty != b.grow_into_empty ||
+         a.hold_ends != b.hold_ends || a.hairpin_removal_iterations != b.hairpin_removal_iterations;
+}
+
+}  // namespace
+
+void Flow::revise(FlowSettings settings, const VertexData<double>* density) {
+  settings.threads = state_.settings.threads;
+  FlowState next{settings, state_.domain.revised(state_.settings, settings, density, pool_), {}, {}, {}};
+  if (settings == state_.settings && next.domain.wanted_radius == state_.domain.wanted_radius) return;
+  if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
+  next.curve = state_.curve;
+  next.nodes.radii = state_.nodes.radii;
+  Convergence convergence = convergence_.revised(settings, mean_change(state_, next, pool_),
+                                                 grows_otherwise(state_.settings, settings));
+  const double segment_length = plan_iteration(settings, convergence.phase()).segment_length;
+  refiner_.cut_guides(next, segment_length, pool_);
+  refiner_.refine(next, segment_length, pool_);
+  update_metric(next, pool_);
+
+  static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);
+  state_ = std::move(next);
+  convergence_ = std::move(convergence);
+  record_.restart(1);
+}
+
+}  // namespace meander
