@@ -67,6 +67,7 @@ def write_scene(
         _store(arguments, given, surface_object, curve_object)
         scene_strands.note_guides(curve_object, grown.guides, keep=True)
         curve_object.meander.figures.least_spacing = spacing
+        curve_object.meander.figures.whole_points = len(grown.curve.positions)
         matrix = world_matrix(surface_object)
         point_attributes.store_medial_radii(curve_object, grown.data.radii[kept], matrix)
         if arguments.points is not None:

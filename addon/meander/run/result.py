@@ -82,6 +82,7 @@ def write_result(
     closed = int(np.count_nonzero(np.asarray(snapshot.polylines.closed, dtype=bool)[~guides]))
     _store(plan, stepper, result, statistics | {"closed_lines": closed}, stop_reason)
     result.meander.figures.least_spacing = spacing
+    result.meander.figures.whole_points = len(snapshot.polylines.positions)
     keep_guides = result.meander.keep_guides
     scene_strands.note_guides(result, guides, keep_guides)
     grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)

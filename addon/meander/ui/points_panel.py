@@ -82,11 +82,22 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         rows(layout, active.meander, "Export")
         if active.type == "CURVE":
             layout.operator(MEANDER_OT_make_light.bl_idname, icon="MOD_DECIM")
+            _draw_counts(layout, active)
         layout.prop(active.meander, "points_as")
         if active.type == "CURVE":
             column = layout.column(align=True)
             column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
             column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")
+
+
+def _draw_counts(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
+    """How light it is, where it is not the whole curve."""
+    whole = result.meander.figures.whole_points
+    if whole and result.meander.use_light:
+        row = layout.row()
+        row.active = False
+        count = sum(len(spline.points) for spline in result.data.splines)
+        row.label(text=f"{count:,} of {whole:,} points")
 
 
 _CLASSES = (

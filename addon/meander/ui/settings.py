@@ -88,6 +88,7 @@ class MeanderFigures(bpy.types.PropertyGroup):
     mended: IntProperty(name="Faults Repaired", options=set())
     # On results only, and of many gaps only the largest.
     gaps: CollectionProperty(type=MeanderGap, options=set())
+    whole_points: IntProperty(name="Points of the Whole Curve", options=set())
     least_spacing: FloatProperty(name="Least Spacing", options=set())  # world units; 0: unknown
     room: StringProperty(name="Room", options=set())  # r+ and r- of every point, packed
     points: PointerProperty(type=bpy.types.Object, name="Points", options=set())
