@@ -9,8 +9,9 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 bash scripts/install_dependencies.sh --site
-# The variable keeps a notice about the generator's next version out of the log.
-NO_MKDOCS_2_WARNING=1 build/site-tools/bin/mkdocs build --strict --quiet --clean
+# Not --quiet: with it, mkdocs counts no warnings. The variable keeps a notice about its next version
+# out of the log.
+NO_MKDOCS_2_WARNING=1 build/site-tools/bin/mkdocs build --strict --clean
 if grep -rnoE --include='*.html' '(src="|stylesheet" href=")https?:[^"]*' build/site; then
   echo "These pages load something from elsewhere; a reader may be without a network." >&2
   exit 1
