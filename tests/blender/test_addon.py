@@ -111,7 +111,7 @@ def test_panel_on_a_mesh():
     assert {"Surface", "Spacing", "Fill with Curve"} <= set(shown)
     assert draw(panels.MEANDER_PT_figures) is None
     assert "Group" in draw(term_panels.MEANDER_PT_density)
-    assert "Preset" in draw(panels.MEANDER_PT_advanced)
+    assert "Quality" in draw(panels.MEANDER_PT_advanced)
     assert "Seed" in draw(strand_panel.MEANDER_PT_strands)
     assert "Round Bevel" in draw(look_panel.MEANDER_PT_look)
 
@@ -127,7 +127,7 @@ def test_density_panel_shows_what_its_source_needs():
     ):
         settings.density_source = source
         shown = draw(term_panels.MEANDER_PT_density)
-        assert {"Source", label, "Factor Low", "Factor High", "Ramp"} <= set(shown)
+        assert {"Source", label, "At Low", "At High", "Ramp"} <= set(shown)
     settings.density_source = "NONE"
     assert draw(term_panels.MEANDER_PT_density) == ["Source"]
 
@@ -138,19 +138,19 @@ def test_alignment_panel_shows_what_its_source_needs():
     for source, label in (
         ("AXIS", "Space"),
         ("CURVATURE", "Smoothing"),
-        ("SMOOTH", "Weight"),
+        ("SMOOTH", "Strength"),
         ("STROKES", "Curves"),
         ("UV", "UV Map"),
         ("ATTRIBUTE", "Attribute"),
     ):
         settings.alignment_source = source
-        assert {label, "Weight", "Across"} <= set(draw(term_panels.MEANDER_PT_alignment))
+        assert {label, "Strength", "Across"} <= set(draw(term_panels.MEANDER_PT_alignment))
 
 
 def test_weights_panel_warns_of_what_is_seldom_meant():
     settings = cube().meander
     quiet = draw(term_panels.MEANDER_PT_weights)
-    assert {"Custom", "Bending", "Segments", "Reach", "Start At"} <= set(quiet)
+    assert {"Custom", "Stiffness", "Detail", "Sight", "Start Wide"} <= set(quiet)
     settings.segment_share = 0.9
     warned = draw(term_panels.MEANDER_PT_weights)
     assert len(warned) > len(quiet)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from .option import OF_PRESET, Flag, Option
 
-_MAIN, _ADVANCED, _WEIGHTS, _REGION = "Meander", "Advanced", "Weights", "Region"
+_MAIN, _ADVANCED, _SHAPE, _REGION = "Meander", "Advanced", "Strand Shape", "Region"
 _TERMS, _PART = "terms of the energy", "part to fill"
 
 ROWS: tuple[Option, ...] = (
@@ -31,15 +31,15 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "preset",
-        "Preset",
-        "Weights, step and stopping rule of the flow",
+        "Quality",
+        "How much time is taken to make the curve even",
         _ADVANCED,
         kind=str,
         default="even",
         choices=(
             ("even", "Even", "Evenly spaced, few hairpins, no gaps"),
             ("finest", "Finest", "A third fewer hairpins than Even, in up to three times the time"),
-            ("paper", "Paper", "As published: faster, more winding, less even"),
+            ("paper", "As Published", "Faster, more winding, less even: the method as published"),
         ),
         field="preset",
         flag=Flag("--preset", "weights, step and stopping rule; default: even", default="even"),
@@ -54,8 +54,8 @@ ROWS: tuple[Option, ...] = (
         choices=(
             (
                 OF_PRESET,
-                "As Preset",
-                "Along the surface in Even and Finest, through space in Paper",
+                "Automatic",
+                "Along the surface in Even and Finest, through space in As Published",
             ),
             (
                 "geodesic",
@@ -65,7 +65,7 @@ ROWS: tuple[Option, ...] = (
             ),
             (
                 "euclidean",
-                "Through Space",
+                "In Space",
                 "For a filament of constant width in space, as in printing: strands on sheets "
                 "that lie close together keep clear of each other, and one side of a thin part "
                 "stays empty",
@@ -85,8 +85,9 @@ ROWS: tuple[Option, ...] = (
     Option(
         "iteration_limit",
         "Iteration Limit",
-        "Stop after at most this many iterations; 0 leaves it to the preset",
+        "Stop after at most this many rounds; 0 leaves it to the quality",
         _ADVANCED,
+        row="Most Steps",
         kind=int,
         default=0,
         least=0,
@@ -117,19 +118,18 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "use_weights",
-        "Custom Weights",
-        "Use the weights and powers below instead of the preset's",
-        _WEIGHTS,
+        "Custom Shape",
+        "Use the four values below instead of those of the quality",
+        _SHAPE,
         row="Custom",
         kind=bool,
         default=False,
     ),
     Option(
         "length_weight",
-        "Length",
-        "Weight of the curve's length: more keeps strands taut and farther apart, "
-        "with more corners",
-        _WEIGHTS,
+        "Tension",
+        "More keeps strands taut and farther apart, with more corners",
+        _SHAPE,
         least=0.0,
         greatest=1e6,
         soft_greatest=2.0,
@@ -141,10 +141,9 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "bending_weight",
-        "Bending",
-        "Weight of bending: more makes turns rounder and fewer, less lets the curve wind. "
-        "The final polish follows in proportion",
-        _WEIGHTS,
+        "Stiffness",
+        "More makes turns rounder and fewer, less lets the curve wind",
+        _SHAPE,
         default=1.0,
         least=0.0,
         greatest=5e5,  # of the polish, which follows, the library takes no more than a million
@@ -164,10 +163,9 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "length_power",
-        "Length Power",
-        "Power p of the length term; 2 is plain, larger values make segments more alike",
-        _WEIGHTS,
-        row="Power p",
+        "Regularity",
+        "Larger values make the segments of the curve more alike; 2 is plain",
+        _SHAPE,
         default=2.0,
         least=1.5,
         greatest=8.0,
@@ -179,10 +177,9 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "medial_power",
-        "Spacing Power",
-        "Power q of the spacing term; 2 is plain, larger values weigh the worst gaps more",
-        _WEIGHTS,
-        row="Power q",
+        "Close Gaps",
+        "Larger values close the worst gaps first; 2 treats all places alike",
+        _SHAPE,
         default=2.0,
         least=2.0,
         greatest=8.0,
@@ -195,10 +192,10 @@ ROWS: tuple[Option, ...] = (
     Option(
         "segment_share",
         "Segment Length",
-        "Shortest segment in half spacings. Longer is faster and coarser; 0 leaves it "
-        "to the preset, which takes 0.2",
-        _WEIGHTS,
-        row="Segments",
+        "Shortest segment, in spacings. Longer is faster and coarser; 0 leaves it "
+        "to the quality, which takes 0.1",
+        _SHAPE,
+        row="Detail",
         unit="r",
         least=0.0,
         greatest=1.0,
@@ -218,10 +215,10 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "reach",
-        "Reach",
-        "How far strands look for others, in half spacings. Less follows the seed's "
-        "shape longer, below 2 parts may stay empty; 0 leaves it to the preset",
-        _WEIGHTS,
+        "Sight",
+        "How far strands see others, in spacings. Less follows the seed's shape longer, "
+        "below 1 parts may stay empty; 0 leaves it to the quality",
+        _SHAPE,
         unit="r",
         least=0.0,
         greatest=1e6,
@@ -245,8 +242,8 @@ ROWS: tuple[Option, ...] = (
         "Start Spacing",
         "Fill at this many times the spacing first and shrink to it: fewer corners for more "
         "iterations. 1 is off",
-        _WEIGHTS,
-        row="Start At",
+        _SHAPE,
+        row="Start Wide",
         default=1.0,
         least=1.0,
         greatest=16.0,
@@ -265,11 +262,11 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "border_distance",
-        "Distance",
+        "Border Distance",
         "Distance of the last strand from borders and holes, in spacings. "
         "At 0 strands run along the border",
         _REGION,
-        row="Border Distance",
+        row="To Border",
         unit="spacing",
         default=0.5,
         least=0.0,

@@ -15,7 +15,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "density_smoothing",
         "Smoothing",
-        "Radius over which the curvature is averaged, in half spacings; a larger one "
+        "Radius over which the curvature is averaged, in spacings; a larger one "
         "ignores small features, 0 keeps every dent",
         _DENSITY,
         unit="r",
@@ -34,7 +34,7 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "alignment_weight",
-        "Weight",
+        "Strength",
         "How strongly strands follow the directions; 1 is clearly visible, much larger values "
         "make the spacing less even",
         _DIRECTION,
@@ -62,7 +62,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "alignment_smoothing",
         "Smoothing",
-        "Radius over which the curvature is averaged, in half spacings; a larger one "
+        "Radius over which the curvature is averaged, in spacings; a larger one "
         "ignores small features, 0 keeps every dent",
         _DIRECTION,
         unit="r",

@@ -14,9 +14,14 @@ _OWN = frozenset(
 )
 
 
+# What ends so shows another setting, which counts in halves of the spacing, in whole ones.
+IN_SPACINGS = "_in_spacings"
+
+
 def copied(settings: bpy.types.PropertyGroup) -> list[str]:
     """The names of the settings that a result takes over from those that it was made with."""
-    return [name for name in settings.bl_rna.properties.keys() if name not in _OWN]
+    names = settings.bl_rna.properties.keys()
+    return [name for name in names if name not in _OWN and not name.endswith(IN_SPACINGS)]
 
 
 def copy_settings(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGroup) -> None:

@@ -11,6 +11,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from ..model.option import Option
 from ..model.options import BY_SETTING, in_panel
+from ..scene.settings import IN_SPACINGS
 
 
 def declared(options: Iterable[Option], update: Callable | None = None) -> dict[str, Any]:
@@ -18,7 +19,42 @@ def declared(options: Iterable[Option], update: Callable | None = None) -> dict[
 
     update   called with settings and context when the user has changed one
     """
-    return {option.setting: _property(option, update) for option in options}
+    properties = {}
+    for option in options:
+        properties[option.setting] = _property(option, update)
+        if option.unit == "r":
+            properties[option.setting + IN_SPACINGS] = _in_spacings(option)
+    return properties
+
+
+def _in_spacings(option: Option) -> Any:
+    """A setting that counts in halves of the spacing, as a panel shows it: in spacings.
+
+    Files, scripts and the library keep the halves; this one holds nothing of its own.
+    """
+
+    def get(settings: bpy.types.PropertyGroup) -> float:
+        return getattr(settings, option.setting) / 2.0
+
+    def put(settings: bpy.types.PropertyGroup, value: float) -> None:
+        setattr(settings, option.setting, 2.0 * value)
+
+    limits = {
+        "min": option.least,
+        "max": option.greatest,
+        "soft_min": option.soft_least,
+        "soft_max": option.soft_greatest,
+    }
+    return FloatProperty(
+        name=option.row or option.label,
+        description=option.tip,
+        precision=option.digits,
+        step=option.step,
+        options={"SKIP_SAVE"},
+        get=get,
+        set=put,
+        **{name: limit / 2.0 for name, limit in limits.items() if limit is not None},
+    )
 
 
 def _property(option: Option, update: Callable | None) -> Any:
@@ -53,11 +89,27 @@ def _property(option: Option, update: Callable | None) -> Any:
     return kind(**{name: value for name, value in given.items() if value is not None})
 
 
+def switch(
+    layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup, setting: str, text: str = ""
+) -> None:
+    """A check box over the whole width of a panel, which has room for its label."""
+    line = layout.row()
+    line.use_property_split = False
+    if text:
+        line.prop(settings, setting, text=text)
+    else:
+        line.prop(settings, setting)
+
+
 def row(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup, setting: str) -> None:
     """One option in a panel."""
-    short = BY_SETTING[setting].row
-    if short:
-        layout.prop(settings, setting, text=short)
+    option = BY_SETTING[setting]
+    if option.unit == "r":
+        layout.prop(settings, setting + IN_SPACINGS)
+    elif option.kind is bool:
+        switch(layout, settings, setting, option.row)
+    elif option.row:
+        layout.prop(settings, setting, text=option.row)
     else:
         layout.prop(settings, setting)
 
@@ -73,7 +125,10 @@ def rows(
     switches = {option.switch for option in in_panel(panel)}
     for option in in_panel(panel):
         if option.setting in switches:
-            row(layout.column(heading=heading), settings, option.setting)
+            if heading:
+                layout.column(heading=heading).prop(settings, option.setting, text=option.row)
+            else:
+                row(layout, settings, option.setting)
             continue
         if option.switch != before:
             column, before = layout.column(align=True), option.switch

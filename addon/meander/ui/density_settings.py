@@ -26,7 +26,7 @@ class DensitySettings:
             ("NONE", "None", "The same spacing everywhere"),
             ("GROUP", "Vertex Group", "Weights, as painted in Weight Paint"),
             ("ATTRIBUTE", "Attribute", "Float attribute of points, such as Geometry Nodes create"),
-            ("COLOR", "Color Attribute", "The brightness of painted vertex colors"),
+            ("COLOR", "Vertex Color", "The brightness of painted vertex colors"),
             ("IMAGE", "Image", "The brightness of an image through a UV map"),
             ("CURVATURE", "Curvature", "How strongly the surface bends, in whatever direction"),
         ),

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import bpy
 
+from .declared import switch
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns
 
@@ -19,12 +20,12 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
-        layout.prop(settings, "use_bevel")
+        switch(layout, settings, "use_bevel")
         row = layout.row()
         row.active = settings.use_bevel
         row.prop(settings, "bevel_share")
-        layout.prop(settings, "flat_profile")
-        layout.prop(settings, "radius_follows")
+        switch(layout, settings, "flat_profile")
+        switch(layout, settings, "radius_follows")
 
 
 def register() -> None:

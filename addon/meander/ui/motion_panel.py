@@ -12,6 +12,7 @@ from .. import core
 from ..run import baking, following, session
 from ..scene import baked_frames
 from ..scene.errors import DataError
+from .declared import switch
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns, notice
 
@@ -131,7 +132,7 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
         row = layout.row()
         row.active = settings.motion == "EVEN"
         row.prop(settings, "motion_steps")
-        layout.prop(settings, "follow")
+        switch(layout, settings, "follow")
         problem = following.problem_of(result) if settings.follow else None
         if problem:
             notice(layout, problem, "ERROR")

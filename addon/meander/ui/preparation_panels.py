@@ -14,7 +14,7 @@ from ..scene import mesh_faults
 from ..scene.errors import DataError
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
-from .declared import row
+from .declared import row, switch
 from .settings import MeanderSettings
 from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns
 
@@ -130,8 +130,8 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
                 layout.prop(settings, "mask_attribute", icon="SPREADSHEET")
             else:
                 layout.prop_search(settings, "mask_group", surface, "vertex_groups")
-                layout.prop(settings, "mask_threshold")
-            layout.prop(settings, "mask_inverted")
+                row(layout, settings, "mask_threshold")
+            row(layout, settings, "mask_inverted")
         row(layout, settings, "border_distance")
         row(layout, settings, "use_outline")
 
@@ -147,19 +147,17 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
-        layout.prop(settings, "strict")
-        column = layout.column(heading="Merge Close Vertices")
-        row = column.row(align=True)
-        row.prop(settings, "use_merge", text="")
-        sub = row.row(align=True)
-        sub.active = settings.use_merge
-        sub.prop(settings, "merge_distance", text="")
+        switch(layout, settings, "strict")
+        switch(layout, settings, "use_merge")
+        column = layout.column()
+        column.active = settings.use_merge
+        row(column, settings, "merge_distance")
         column = layout.column(align=True)
-        column.prop(settings, "cut_non_manifold")
+        switch(column, settings, "cut_non_manifold")
         sub = column.column(align=True)
         sub.active = settings.strict  # else done in any case
-        sub.prop(settings, "drop_degenerate")
-        sub.prop(settings, "split_bow_ties")
+        switch(sub, settings, "drop_degenerate")
+        switch(sub, settings, "split_bow_ties")
         done = context.active_object.meander.figures.preparation
         for number, line in enumerate(textwrap.wrap(done, _LINE)):
             column.label(text=line, icon="BLANK1" if number else "INFO")

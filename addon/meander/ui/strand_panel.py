@@ -6,6 +6,7 @@ from __future__ import annotations
 import bpy
 
 from ..run import seed_preview
+from .declared import switch
 from .seed_drawing import MEANDER_OT_draw_seed, MEANDER_OT_preview_seed
 from .seed_operators import (
     MEANDER_OT_seed_from_boundary,
@@ -37,18 +38,18 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
             _draw_makers(layout.column(align=True), active)
         stroke = layout.column(align=True)
         stroke.active = settings.seed is None
-        stroke.prop(settings, "stroke_from", text="Stroke From")
+        stroke.prop(settings, "stroke_from", text="From")
         stroke.prop(settings, "stroke_to", text="To")
-        layout.prop(settings, "fixed_ends")
-        layout.prop(settings, "seed_every_part")
+        switch(layout, settings, "fixed_ends")
+        switch(layout, settings, "seed_every_part")
         guides = layout.column(align=True)
         guides.prop(settings, "guides", icon="CURVE_DATA")
         guides.prop(settings, "guide_collection")
         row = layout.row()
         row.active = bool(settings.guides or settings.guide_collection)
-        row.prop(settings, "keep_guides")
+        switch(row, settings, "keep_guides")
         if active.meander.figures.empty_parts:
-            notice(layout, "Parts of the mesh are empty", "ERROR")
+            notice(layout, "Parts remain empty", "ERROR")
 
 
 def _draw_makers(column: bpy.types.UILayout, surface: bpy.types.Object) -> None:

@@ -11,7 +11,7 @@ from ..scene import ramp
 from ..scene.density import choice_of
 from ..scene.flow_options import warnings_of
 from ..scene.settings import surface_of
-from .declared import rows
+from .declared import row, rows
 from .settings import MeanderSettings
 from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns, notice
 
@@ -46,14 +46,14 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
             layout.prop_search(settings, "density_uv_map", surface.data, "uv_layers")
         else:
             layout.prop(settings, "density_curvature")
-            layout.prop(settings, "density_smoothing")
+            row(layout, settings, "density_smoothing")
         self._draw_ramp(layout.column(), settings)
 
     def _draw_ramp(self, layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
         layout.active = choice_of(settings).varies
         column = layout.column(align=True)
-        column.prop(settings, "factor_0")
-        column.prop(settings, "factor_1")
+        column.prop(settings, "factor_0", text="At Low")
+        column.prop(settings, "factor_1", text="At High")
         layout.prop(settings, "density_interpolation", text="Ramp")
         if settings.density_interpolation == "FREE":
             node = ramp.node_of(settings.density_ramp)
@@ -86,7 +86,7 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
             layout.row().prop(settings, "alignment_space", expand=True)
         elif source == "CURVATURE":
             layout.row().prop(settings, "alignment_curvature", expand=True)
-            layout.prop(settings, "alignment_smoothing")
+            row(layout, settings, "alignment_smoothing")
         elif source == "STROKES":
             layout.prop(settings, "alignment_strokes", icon="CURVE_DATA")
         elif source == "UV":
@@ -95,13 +95,13 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
             layout.prop_search(settings, "alignment_uv_map", data, "uv_layers")
         elif source == "ATTRIBUTE":
             layout.prop(settings, "alignment_attribute", icon="SPREADSHEET")
-        layout.prop(settings, "alignment_weight")
-        layout.prop(settings, "align_across")
+        row(layout, settings, "alignment_weight")
+        row(layout, settings, "align_across")
 
 
 class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_weights"
-    bl_label = "Weights"
+    bl_label = "Strand Shape"
     bl_parent_id = ADVANCED
     bl_order = ADVANCED_ORDER["weights"]
     bl_options = {"DEFAULT_CLOSED"}
@@ -110,7 +110,7 @@ class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         settings: MeanderSettings = context.active_object.meander
-        rows(layout, settings, "Weights", heading="Weights")
+        rows(layout, settings, "Strand Shape", heading="Shape")
         for warning in warnings_of(settings):
             first, *others = textwrap.wrap(warning, _LINE)
             lines = layout.column(align=True)

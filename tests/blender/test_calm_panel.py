@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tab Meander in every state: every text fits into the sidebar as it is first opened.
+
+The states are those of one setting after the other: every choice of every list, every switch both
+ways, on a mesh, in Edit Mode, on a result, and while a curve grows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import bpy
+from panel_layout import drawn, panels
+from scenes import activate, cube, fill
+
+
+def excesses(state: str) -> Iterator[str]:
+    for panel in panels():
+        layout = drawn(panel, bpy.context)
+        for text in layout.texts() if layout is not None else ():
+            if text.excess > 0.0:
+                yield f"{panel.bl_label}: {text.text!r} by {text.excess:.0f} pixels ({state})"
+
+
+def of_every_setting(settings: bpy.types.PropertyGroup) -> Iterator[str]:
+    yield from excesses("as it is")
+    for known in settings.bl_rna.properties:
+        before = getattr(settings, known.identifier)
+        if known.type == "ENUM":
+            values = [item.identifier for item in known.enum_items]
+        elif known.type == "BOOLEAN":
+            values = [not before]
+        else:
+            continue
+        for value in values:
+            setattr(settings, known.identifier, value)
+            yield from excesses(f"{known.identifier} {value}")
+        setattr(settings, known.identifier, before)
+
+
+def one_each(found: Iterator[str]) -> list[str]:
+    """Of a text that is too wide in many states, the first."""
+    return sorted({line.partition(" (")[0]: line for line in reversed(list(found))}.values())
+
+
+def test_every_text_fits_on_a_mesh():
+    surface = cube()
+    found = list(of_every_setting(surface.meander))
+    bpy.ops.object.mode_set(mode="EDIT")
+    found += excesses("in Edit Mode")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    surface.meander.problem.kind = "face"
+    surface.meander.figures.empty_parts = 2
+    found += excesses("refused")
+    assert not one_each(found), "\n".join(one_each(found))
+
+
+def test_every_text_fits_on_a_result():
+    result = fill(cube(), 0.5)
+    found = list(of_every_setting(result.meander))
+    figures = result.meander.figures
+    figures.lines, figures.closed_lines, figures.wide_gaps = 1234, 0, 1234
+    for reason in ("converged", "iteration_limit", "stalled", "cancelled"):
+        figures.stop_reason = reason
+        found += excesses(reason)
+    activate(None)
+    found += excesses("nothing active")
+    assert not one_each(found), "\n".join(one_each(found))
+
+
+def test_the_panels_are_in_the_order_of_use():
+    top = [panel for panel in panels() if getattr(panel, "bl_parent_id", "") == "MEANDER_PT_main"]
+    top.sort(key=lambda panel: getattr(panel, "bl_order", 0))
+    labels = [panel.bl_label for panel in top]
+    order = [
+        "Last Run",
+        "Look",
+        "Density",
+        "Seed and Strands",
+        "Direction",
+        "Region",
+        "Motion",
+        "Export",
+        "Advanced",
+    ]
+    assert [label for label in labels if label in order] == order
+    for panel in top:
+        if panel.bl_label in order[1:]:
+            assert "DEFAULT_CLOSED" in panel.bl_options, panel.bl_label
+
+
+def test_what_counts_in_halves_of_the_spacing_is_shown_in_spacings():
+    result = fill(cube(), 0.5, density_smoothing=3.0, reach=5.0)
+    settings = result.meander
+    assert settings.density_smoothing_in_spacings == 1.5 and settings.reach_in_spacings == 2.5
+    settings.segment_share_in_spacings = 0.1
+    assert abs(settings.segment_share - 0.2) < 1e-6
+    for panel in panels():
+        layout = drawn(panel, bpy.context)
+        for text in layout.texts() if layout is not None else ():
+            assert "half" not in text.text.lower() and "power" not in text.text.lower()
