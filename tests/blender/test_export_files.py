@@ -135,6 +135,51 @@ def test_a_script_may_leave_the_format_to_the_name(tmp_path: Path) -> None:
     assert "inches" in _refused(tmp_path / "c.gcode", unit="CM")
 
 
+def _lengths_around_the_middle(path: Path, radius: float) -> tuple[float, float]:
+    """The length of what is drawn inside a circle around the middle of the paper, and outside."""
+    paths, paper = _paths(path)
+    inside = outside = 0.0
+    for points, closed in paths:
+        around = np.vstack([points, points[:1]]) if closed else points
+        steps = np.linalg.norm(np.diff(around, axis=0), axis=1)
+        away = np.linalg.norm((around[1:] + around[:-1]) / 2.0 - paper / 2.0, axis=1)
+        inside += steps[away < radius].sum()
+        outside += steps[away >= radius].sum()
+    return inside, outside
+
+
+def test_several_curves_are_one_drawing(tmp_path: Path) -> None:
+    first = scenes.fill(scenes.sphere(), 0.5)
+    ball = scenes.sphere()
+    ball.location = (0.0, 0.0, 5.0)  # above the other, which it hides but for its rim
+    ball.scale = (0.5, 0.5, 0.5)
+    second = scenes.fill(ball, 0.3)
+    counts = [sum(len(s.points) for s in result.data.splines) for result in (first, second)]
+    first.select_set(True)
+    _export(tmp_path / "one.svg", scale=0.1)
+    assert sum(len(points) for points, _c in _paths(tmp_path / "one.svg")[0]) == counts[1]
+    _export(tmp_path / "both.svg", selected=True, scale=0.1)
+    paths, paper = _paths(tmp_path / "both.svg")
+    assert sum(len(points) for points, _c in paths) == sum(counts)
+    assert 180.0 < paper.min() <= paper.max() < 201.0
+    # The lower one is seen around the upper one, and not through it.
+    _export(tmp_path / "seen.svg", selected=True, visible_only=True, scale=0.1)
+    _export(tmp_path / "upper.svg", visible_only=True, scale=0.1)
+    inside, outside = _lengths_around_the_middle(tmp_path / "seen.svg", 49.0)
+    alone, _nothing = _lengths_around_the_middle(tmp_path / "upper.svg", 49.0)
+    assert inside == pytest.approx(alone, rel=0.02)
+    assert outside > 0.5 * inside
+    assert "one surface" in _refused(tmp_path / "uv.svg", selected=True, layout_as="UV")
+
+
+def test_without_a_window_there_may_be_no_view(tmp_path: Path) -> None:
+    _sheet()
+    try:
+        _export(tmp_path / "view.svg", layout_as="VIEW", scale=0.1)
+    except RuntimeError as refusal:
+        assert "There is no 3D view" in str(refusal)
+
+
 def test_without_the_package_embroidery_says_how_to_get_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
 ) -> None:

@@ -75,6 +75,14 @@ def test_the_button_makes_a_result_light() -> None:
     assert _count(result) <= len(after) // 2
 
 
+def test_baked_frames_are_light_too() -> None:
+    result = scenes.fill(scenes.sphere(), 0.4, use_light=True)
+    final = _count(result)
+    assert bpy.ops.meander.bake_growth(every=40) == {"FINISHED"}
+    frames = sorted(result.meander.bake.objects, key=lambda thing: thing.name)
+    assert _count(frames[-1]) == final
+
+
 def test_what_cannot_be_light_says_why() -> None:
     result = scenes.fill(scenes.sphere(), 0.5)
     result.data.splines.new("BEZIER")

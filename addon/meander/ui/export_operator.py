@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty, StringProperty
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
 from ..model import embroidery, export, toolpath
@@ -92,6 +93,11 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         min=1e-9,
         precision=4,
     )
+    selected: BoolProperty(
+        name="All Selected",
+        description="Draw all selected curves that Meander has made, not only the active one",
+        default=False,
+    )
     uv_map: StringProperty(
         name="UV Map", description="UV map that lays the curve flat; the active one if empty"
     )
@@ -102,6 +108,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         layout.use_property_decorate = False
         layout.prop(self, "file_format")
         kind = _BY_NAME.get(self.file_format)
+        if kind is not None and len(_results(context)) > 1:
+            layout.prop(self, "selected")
         for setting in () if kind is None else kind.options:
             if setting == "visible_only" and not export.is_seen(kind, self.layout_as.lower()):
                 continue
@@ -152,13 +160,11 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         if not self.properties.is_property_set("file_format"):
             self._take_format_of_name()
         path, kind = self._with_suffix(), _BY_NAME.get(self.file_format)
-        depsgraph = context.evaluated_depsgraph_get()
         try:
-            strands = strands_of_result(context.active_object, depsgraph)
             if kind is None:
-                text = self._write_table(path, context, strands)
+                text = self._write_table(path, context)
             else:
-                text = self._write_drawing(path, kind, context, strands).described()
+                text = self._write_drawing(path, kind, context).described()
         except (DataError, core.MeanderError, FileError) as error:
             text = str(error)
             self.report({"ERROR"}, text[:1].upper() + text[1:])
@@ -186,46 +192,40 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             mesh,
         )
 
-    def _write_table(
-        self, path: Path, context: bpy.types.Context, strands: Sequence[toolpath.Strand]
-    ) -> str:
-        surface = context.active_object.meander.surface
-        mesh = toolpath.Mesh(*triangles_of(surface, context.evaluated_depsgraph_get()))
+    def _write_table(self, path: Path, context: bpy.types.Context) -> str:
+        result, depsgraph = context.active_object, context.evaluated_depsgraph_get()
+        strands = strands_of_result(result, depsgraph)
+        mesh = toolpath.Mesh(*triangles_of(result.meander.surface, depsgraph))
         strands = self._resampled(strands, mesh)
         toolpath.write(path, strands, core.VERSION)
         count = sum(len(strand.points) for strand in strands)
         return f"{count:,} points in {len(strands):,} strands"
 
     def _write_drawing(
-        self,
-        path: Path,
-        kind: export.Format,
-        context: bpy.types.Context,
-        strands: Sequence[toolpath.Strand],
+        self, path: Path, kind: export.Format, context: bpy.types.Context
     ) -> Drawing:
-        values, result = self.option_values(), context.active_object
+        values, title = self.option_values(), context.active_object.name
         if kind.name in ("DST", "PES") and not embroidery.is_there():
             modules = bpy.utils.user_resource("SCRIPTS", path="addons/modules")
             raise FileError(embroidery.missing_text(modules))
-        strands = self._laid_out(kind, values, context, strands)
+        strands = self._laid_out(kind, values, context)
         if kind.name not in ("DST", "PES"):
             strands = self._resampled(strands, None)
         drawing = export.prepared(strands, kind, values, metres_of(context.scene))
-        export.write(path, kind, drawing, values, result.name, core.VERSION)
+        export.write(path, kind, drawing, values, title, core.VERSION)
         return drawing
 
-
     def _laid_out(
-        self,
-        kind: export.Format,
-        values: dict[str, Any],
-        context: bpy.types.Context,
-        strands: Sequence[toolpath.Strand],
-    ) -> Sequence[toolpath.Strand]:
+        self, kind: export.Format, values: dict[str, Any], context: bpy.types.Context
+    ) -> list[toolpath.Strand]:
         layout, depsgraph = values["layout_as"], context.evaluated_depsgraph_get()
-        surface = context.active_object.meander.surface
+        results = _results(context) if self.selected else [context.active_object]
+        strands = [strand for each in results for strand in strands_of_result(each, depsgraph)]
+        surfaces = list(dict.fromkeys(result.meander.surface for result in results))
         if layout == "uv":
-            return unrolled_strands(strands, surface, depsgraph, self.uv_map)
+            if len(surfaces) > 1:
+                raise DataError("Unrolled takes curves on one surface; select no others")
+            return unrolled_strands(strands, surfaces[0], depsgraph, self.uv_map)
         if not export.is_seen(kind, layout):
             return strands
         if layout == "view":
@@ -233,15 +233,37 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         else:
             axes = axes_of(layout)
         if values["visible_only"]:
-            strands = visible_strands(strands, *axes, *triangles_of(surface, depsgraph))
+            meshes = [triangles_of(surface, depsgraph) for surface in surfaces]
+            strands = visible_strands(strands, *axes, *_joined(meshes))
         return seen_along(strands, *axes)
+
+
+def _results(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """The active curve, and the others that are selected and made by Meander."""
+    active = context.active_object
+    others = (
+        thing
+        for thing in context.selected_objects
+        if thing != active and thing.type == "CURVE" and thing.meander.surface is not None
+    )
+    return [active, *sorted(others, key=lambda thing: thing.name)]
+
+
+def _joined(meshes: Sequence[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and triangles of several meshes as those of one."""
+    firsts = np.cumsum([0] + [len(vertices) for vertices, _faces in meshes])
+    return (
+        np.vstack([vertices for vertices, _faces in meshes]),
+        np.vstack([faces + first for (_vertices, faces), first in zip(meshes, firsts)]),
+    )
 
 
 def _view_of(context: bpy.types.Context) -> bpy.types.RegionView3D | None:
     """The 3D view in which the mouse is, or else the largest one of the window."""
     if context.area is not None and context.area.type == "VIEW_3D":
         return context.space_data.region_3d
-    areas = [area for area in context.screen.areas if area.type == "VIEW_3D"]
+    areas = context.screen.areas if context.screen is not None else ()
+    areas = [area for area in areas if area.type == "VIEW_3D"]
     if not areas:
         return None
     return max(areas, key=lambda area: area.width * area.height).spaces.active.region_3d
