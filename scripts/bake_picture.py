@@ -91,7 +91,8 @@ def bake(path: Path) -> None:
     surface.meander.spacing = SPACING
     assert bpy.ops.meander.run() == {"FINISHED"}
     result = bpy.context.view_layer.objects.active
-    result.data.materials.append(material("Curve", (0.80, 0.22, 0.04)))
+    result.data.materials[0] = material("Curve", (0.80, 0.22, 0.04))
+    bpy.context.view_layer.update()
     assert bpy.ops.meander.bake_motion(frame_start=1, frame_end=FRAMES) == {"FINISHED"}
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     camera.data.type, camera.data.ortho_scale = "ORTHO", 5.0

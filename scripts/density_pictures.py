@@ -31,6 +31,7 @@ def begin() -> None:
 def painted(thing: bpy.types.Object, colour: tuple) -> None:
     made = bpy.data.materials.new("Paint")
     made.diffuse_color = (*colour, 1.0)
+    thing.data.materials.clear()
     thing.data.materials.append(made)
 
 

@@ -76,8 +76,8 @@ def fill(surface: bpy.types.Object, spacing: float, **settings) -> bpy.types.Obj
         setattr(surface.meander, name, value)
     assert bpy.ops.meander.run() == {"FINISHED"}
     result = bpy.context.view_layer.objects.active
-    if not result.data.materials:
-        result.data.materials.append(material("Ink", INK))
+    if not surface.meander.seed and not surface.meander.guides:
+        result.data.materials[0] = material("Ink", INK)
     return result
 
 

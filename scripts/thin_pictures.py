@@ -73,8 +73,7 @@ def four_fills(make, path: Path) -> None:
             surface.location = (1.15 * (2 * column - 1), -0.5 * (2 * row - 1), 0.0)
             bpy.context.view_layer.update()
             # Thinner than the sheet, so that the other side's line does not show through.
-            result = fill(surface, SPACING, medial_axis=axis)
-            result.data.bevel_depth = 0.06 * SPACING
+            fill(surface, SPACING, medial_axis=axis, bevel_share=0.06)
     render(path)
 
 

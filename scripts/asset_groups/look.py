@@ -74,14 +74,16 @@ def build() -> list[bpy.types.ID]:
 
 def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
     """What a material wants to know of a point: where along its strand it is, and which that is."""
-    place = tree.add("GeometryNodeSplineParameter").outputs
+    length = tree.add("GeometryNodeSplineParameter").outputs["Length"]
+    # Not the node's own factor: in Blender 3.4 that is 1 at the last point of a closed strand.
+    whole = tree.add("GeometryNodeSplineLength").outputs["Length"]
     index = tree.add("GeometryNodeInputIndex").outputs[0]
     strand = tree.add(
         "GeometryNodeFieldOnDomain", {"Value": index}, data_type="INT", domain="CURVE"
     )
     named = (
-        ("along", "FLOAT", place["Factor"]),
-        ("arc_length", "FLOAT", place["Length"]),
+        ("along", "FLOAT", tree.math("DIVIDE", length, whole)),
+        ("arc_length", "FLOAT", length),
         ("strand", "INT", nodes.visible(strand.outputs, "Value")),
     )
     for name, kind, value in named:

@@ -119,6 +119,10 @@ class Layout:
         self, data: Any, name: str, text: str | None = None, icon: str = "NONE",
         expand: bool = False, icon_only: bool = False, **_options: Any,
     ) -> None:
+        if name.startswith("["):  # an input of a modifier's group
+            data.path_resolve(name)
+            self._add(Item("FLOAT", text, icon != "NONE", split=self.use_property_split))
+            return
         known = data.bl_rna.properties[name]
         label = known.name if text is None else text
         values: tuple[str, ...] = ()
@@ -164,6 +168,9 @@ class Layout:
         self._add(Item("operator", text))
 
     def template_curve_mapping(self, *_arguments: Any, **_options: Any) -> None:
+        pass
+
+    def template_color_ramp(self, *_arguments: Any, **_options: Any) -> None:
         pass
 
     def texts(self, width: float = PANEL) -> list[Text]:

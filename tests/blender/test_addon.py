@@ -25,6 +25,10 @@ class Layout:
         self.shown = shown
 
     def prop(self, data, name, text=None, **_options) -> None:
+        if name.startswith("["):  # a custom property, such as an input of a modifier's group
+            data.path_resolve(name)
+            self.shown.append(text)
+            return
         known = data.bl_rna.properties[name]
         self.shown.append(known.name if text is None else text)
 
@@ -34,6 +38,9 @@ class Layout:
 
     def template_ID(self, data, name, text=None, **_options) -> None:
         self.prop(data, name, text)
+
+    def template_color_ramp(self, data, name, **_options) -> None:
+        assert isinstance(getattr(data, name), bpy.types.ColorRamp)
 
     def operator(self, idname, text=None, **_options) -> SimpleNamespace:
         kind, name = idname.split(".")
@@ -113,7 +120,7 @@ def test_panel_on_a_mesh():
     assert "Group" in draw(term_panels.MEANDER_PT_density)
     assert "Quality" in draw(panels.MEANDER_PT_advanced)
     assert "Seed" in draw(strand_panel.MEANDER_PT_strands)
-    assert "Round Bevel" in draw(look_panel.MEANDER_PT_look)
+    assert {"Thickness", "Profile"} <= set(draw(look_panel.MEANDER_PT_look))
 
 
 def test_density_panel_shows_what_its_source_needs():
@@ -163,6 +170,17 @@ def test_panel_on_a_result():
     assert {"Surface", "Continue", "Start Over"} <= set(shown)
     shown = draw(panels.MEANDER_PT_figures)
     assert shown[0] == "One closed line" and shown[1] == "Even" and shown[2].endswith(" %")
+    live = {"Profile", "Radius", "Resolution", "Lift", "By Spacing", "Solid View"}
+    assert live <= set(draw(look_panel.MEANDER_PT_look))
+    result = activate(bpy.context.active_object)
+    surface = activate(result.meander.surface)
+    assert {"Fill Again", "New Curve"} <= set(draw(panels.MEANDER_PT_main))
+    assert live | {"Result"} <= set(draw(look_panel.MEANDER_PT_look))
+    activate(result).modifiers.clear()
+    assert {"Radius", "Add Live Look"} <= set(draw(look_panel.MEANDER_PT_look))
+    bpy.data.objects.remove(result)
+    activate(surface)
+    assert "Thickness" in draw(look_panel.MEANDER_PT_look)
 
 
 @pytest.mark.parametrize("system", ["NONE", "METRIC", "IMPERIAL"])

@@ -49,7 +49,8 @@ def world(thing):
 
 shown = [o for o in scene.objects if o.type == "CURVE" and not o.hide_render]
 assert len(shown) == 1, [o.name for o in shown]
-shown[0].data.bevel_depth = 0.0
+assert len(shown[0].modifiers) == 1, "a baked frame has the look of its result"
+shown[0].modifiers.clear()
 depsgraph.update()
 vertices, faces = world(bpy.data.objects["Tube"])
 np.savez(found, vertices=vertices, faces=faces, curve=world(shown[0])[0])
@@ -137,7 +138,7 @@ def result() -> bpy.types.Object:
     scene.frame_set(1)
     scenes.activate(tube)
     filled = scenes.fill(tube, SPACING, use_bevel=True)
-    filled.data.materials.append(_emission("Curve", (1.0, 0.0, 0.0)))
+    filled.data.materials[0] = _emission("Curve", (1.0, 0.0, 0.0))
     _studio()
     return filled
 

@@ -11,6 +11,7 @@ import bpy
 import numpy as np
 import pytest
 import scenes
+from meander.scene import look
 
 
 def test_files_hold_the_curve_with_normals(tmp_path: Path) -> None:
@@ -150,7 +151,7 @@ def test_points_to_hair_curves() -> None:
     thing = bpy.data.objects[f"{result.name} Points"]
     _check_points(thing, result, 0.2)
     radius = _attribute(thing.data, "radius")
-    assert np.allclose(radius, result.data.bevel_depth)
+    assert np.allclose(radius, look.radius_of(result))
 
 
 @pytest.mark.parametrize("mirror", [1.0, -1.0])

@@ -12,7 +12,7 @@ import pytest
 from meander import core
 from meander.run import session
 from meander.run.preview import Preview
-from meander.scene import errors
+from meander.scene import errors, look
 from meander.scene.flow_options import options_of
 from scenes import (
     activate,
@@ -55,6 +55,7 @@ def test_a_surface_is_filled_without_a_seed(build):
     assert counts() == before | {
         "objects": before["objects"] + 1,
         "curves": before["curves"] + 1,
+        "node_groups": before["node_groups"] + 1,  # of its look
     }
     assert [cyclic for _points, cyclic in world_splines(result)] == [True]
     assert farthest_from(surface, result) < near(surface)
@@ -188,7 +189,7 @@ def test_the_result_knows_its_surface_settings_and_figures():
     settings = result.meander
     assert (settings.surface, settings.seed) == (surface, seed)
     assert (settings.preset, settings.threads) == ("PAPER", 1)
-    assert result.data.bevel_depth == pytest.approx(0.03)
+    assert look.radius_of(result) == pytest.approx(0.03)
     for figures in (settings.figures, surface.meander.figures):
         assert figures.stop_reason == "converged"
         assert figures.nodes > 100 and figures.iterations > 5 and figures.seconds > 0.0
@@ -196,8 +197,9 @@ def test_the_result_knows_its_surface_settings_and_figures():
         assert figures.spacing_median == pytest.approx(0.3, rel=0.2)
 
 
-def test_the_bevel_can_be_left_out():
-    assert fill(cube(), 0.5, use_bevel=False).data.bevel_depth == 0.0
+def test_the_thickness_can_be_left_out():
+    result = fill(cube(), 0.5, use_bevel=False)
+    assert result.data.bevel_depth == 0.0 and not result.modifiers
 
 
 def test_the_iteration_limit_holds():

@@ -206,8 +206,9 @@ def renamed_during_a_run() -> Iterator[float]:
     yield from grows()
     key("RET")
     yield from until(ended, "the end after Enter")
-    result = bpy.context.view_layer.objects.active
+    result = bpy.data.objects["Monkey"].meander.last_result
     assert result.type == "CURVE" and result.meander.surface.name == "Monkey"
+    assert result.meander.figures.stop_reason == "cancelled"
 
 
 def repeat_last() -> Iterator[float]:

@@ -23,7 +23,7 @@ ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
 import meander  # noqa: E402
-from meander.scene import ramp  # noqa: E402
+from meander.scene import look, ramp  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
     FINE,
@@ -122,7 +122,7 @@ def run_to_the_end() -> Generator[float, None, dict]:
     result = bpy.data.objects[RESULT]
     assert bpy.context.view_layer.objects.active == result
     assert result.meander.surface.name == SURFACE
-    assert result.data.bevel_depth > 0.0
+    assert look.radius_of(result) > 0.0
     assert result.meander.figures.stop_reason == "converged", result.meander.figures.stop_reason
     assert all(spline.use_cyclic_u for spline in result.data.splines)
     assert set(bpy.data.curves.keys()) == {result.data.name}

@@ -74,7 +74,7 @@ def of_plan(plan: Plan) -> Estimate:
     extent = _extent(
         problem.vertices, problem.faces, problem.density, problem.surface_options, problem.options
     )
-    return estimated(extent, problem.options, plan.bevel_depth > 0.0, speeds)
+    return estimated(extent, problem.options, plan.look.radius > 0.0, speeds)
 
 
 def _order(active: bpy.types.Object) -> None:

@@ -21,6 +21,7 @@ from ..model.simplification import result_points
 from ..model.thinning import least_spacing, with_points
 from ..scene.curve_reader import strands_of_curve
 from ..scene.errors import DataError
+from ..scene.look_modifier import modifier_of
 from ..scene.meshes import surface_now
 from ..scene.surface_points import bind
 from .plan import Plan, plan_of
@@ -91,7 +92,8 @@ class EvenFollower:
     def __init__(self, plan: Plan, steps: int) -> None:
         problem = plan.problem
         self.factors = None
-        self._radius = problem.options.radius if plan.radius_follows else 0.0
+        has_room = plan.radius_follows or modifier_of(plan.result.find()) is not None
+        self._radius = problem.options.radius if has_room else 0.0
         problem.options.growth_coarsening = 1.0  # the curve has grown already
         self._faces, self._steps = problem.faces, steps
         try:

@@ -20,7 +20,7 @@ _LOOKS = frozenset(
     {
         "use_bevel",
         "bevel_share",
-        "flat_profile",
+        "profile",
         "radius_follows",
         "points_as",
         "motion",

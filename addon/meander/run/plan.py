@@ -25,6 +25,7 @@ from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
 from ..scene.identity import Key
+from ..scene.look import Look
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import surface_of
@@ -41,15 +42,14 @@ class Plan:
     result: Key | None  # the result that gets the curve; None makes a new one
     matrix: np.ndarray  # of the surface
     spacing: float
-    bevel_depth: float  # world units
+    look: Look  # of a new result
     parts: tuple[strands.Part, ...]  # what the seed was put together from
     materials: scene_strands.SplineMaterials  # materials of the splines
     name: str  # of a new result
     from_surface: bool = True  # the surface was filled; else a result goes on or starts over
     loose_edges: int = 0  # of the surface, in no face
     keeps_guides: bool = True  # the result has the guides as splines of its own
-    flat: bool = False  # tilt for profiles that lie on the surface
-    radius_follows: bool = False
+    radius_follows: bool = False  # points have their room as radius, for a bevel
     points_as: str = "NONE"  # a second object of all points: one of point_attributes.KINDS
     light: Light | None = None  # which points the result has; None: all
 
@@ -121,17 +121,23 @@ def plan_of(
         from_surface=active is surface,
         matrix=world_matrix(surface.evaluated_get(depsgraph)),
         spacing=spacing,
-        bevel_depth=settings.bevel_share * spacing if settings.use_bevel else 0.0,
+        look=_look_of(settings),
         parts=tuple(parts),
         materials=materials,
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=loose_edge_count(surface, depsgraph),
         keeps_guides=settings.keep_guides,
-        flat=settings.flat_profile,
         radius_follows=settings.radius_follows,
         points_as=settings.points_as,
         light=light_of(chosen(in_panel("Export"), settings)),
     )
+
+
+def _look_of(settings: bpy.types.PropertyGroup) -> Look:
+    """What a new result is to look like."""
+    profile = settings.bl_rna.properties["profile"].enum_items[settings.profile].value
+    radius = settings.bevel_share if settings.use_bevel else 0.0
+    return Look(radius, profile, settings.radius_follows)
 
 
 def _outline_distance(

@@ -15,12 +15,13 @@ from ..model.preparation import described, mended
 from ..model.profile import radius_factors
 from ..model.simplification import result_points
 from ..model.thinning import least_spacing, with_points
-from ..scene import mesh_faults, point_attributes, results
+from ..scene import look, mesh_faults, point_attributes, results
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
+from ..scene.look_modifier import modifier_of
 from ..scene.profile import set_tilt_and_radius
 from ..scene.settings import copy_settings
-from ..scene.transforms import to_local
+from ..scene.transforms import mean_scale, to_local
 from .plan import Plan
 from .stepper import Snapshot, Stepper
 
@@ -72,12 +73,17 @@ def write_result(
         plan.name,
         curve_object=earlier,
         matrix=plan.matrix,
-        bevel_depth=plan.bevel_depth,
     )
-    data = stepper.point_data
-    factors = radius_factors(data.radii[kept], radius) if plan.radius_follows else None
-    set_tilt_and_radius(result.data, curve, plan.matrix, plan.flat, factors)
     scene_strands.assign_materials(result.data, plan.materials)
+    own_spacing = plan.spacing / mean_scale(plan.matrix)
+    if earlier is None:
+        look.dress(result, plan.look, own_spacing)
+    else:
+        look.follow_spacing(result, own_spacing)
+    data = stepper.point_data
+    has_room = plan.radius_follows or modifier_of(result) is not None
+    factors = radius_factors(data.radii[kept], radius) if has_room else None
+    set_tilt_and_radius(result.data, curve, plan.matrix, factors)
     guides = stepper.guides
     closed = int(np.count_nonzero(np.asarray(snapshot.polylines.closed, dtype=bool)[~guides]))
     _store(plan, stepper, result, statistics | {"closed_lines": closed}, stop_reason)
@@ -110,7 +116,7 @@ def _make_points(
         every,
         plan.surface.find(),
         plan.matrix,
-        plan.bevel_depth,
+        look.radius_of(result) * mean_scale(plan.matrix),
     )
 
 

@@ -72,9 +72,8 @@ def taken(now: Plan) -> SuspendedRun | None:
         return None
     plan = replace(
         kept.plan,
-        bevel_depth=now.bevel_depth,
+        look=now.look,
         materials=now.materials,
-        flat=now.flat,
         radius_follows=now.radius_follows,
         points_as=now.points_as,
     )

@@ -9,6 +9,7 @@ import numpy as np
 from .. import core
 from . import point_attributes
 from .curve_writer import write_splines
+from .look import copy_look
 from .profile import set_tilt_and_radius
 
 
@@ -24,7 +25,7 @@ def write(
     write_splines(curve, polylines, matrix)
     if curve == result.data and result.meander.figures.room:
         point_attributes.clear_medial_radii(result)
-    set_tilt_and_radius(curve, polylines, matrix, result.meander.flat_profile, factors)
+    set_tilt_and_radius(curve, polylines, matrix, factors)
     for spline, index in zip(curve.splines, materials):
         spline.material_index = index
 
@@ -54,6 +55,7 @@ class Frames:
         curve = self._result.data.copy()
         write(self._result, curve, polylines, matrix, factors)
         shown = bpy.data.objects.new(f"{self._result.name} {frame:04d}", curve)
+        copy_look(self._result, shown)
         self.collection.objects.link(shown)
         shown.parent = self._surface
         if self._shown is not None:
@@ -70,6 +72,7 @@ class Frames:
         curve = self._result.data.copy()
         curve.animation_data_clear()
         shown = bpy.data.objects.new(f"{self._result.name} Sticking", curve)
+        copy_look(self._result, shown)
         self.collection.objects.link(shown)
         shown.parent = self._surface
         for frame, places in zip(frames, points, strict=True):

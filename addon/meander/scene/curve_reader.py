@@ -10,6 +10,7 @@ from .. import core
 from ..model.chains import branching, chains_of
 from .errors import DataError
 from .evaluated import linked_copy, mesh_of
+from .look_modifier import shaping_modifiers
 from .transforms import to_world, world_matrix
 
 
@@ -19,7 +20,8 @@ def strands_of_curve(
     """The strands of a curve object as a seed, in world units, in the order of its splines.
 
     Bezier, NURBS and poly splines, open and cyclic, with modifiers, shape keys, parents and
-    constraints; bevel, extrude and fill are left out. Works in Edit Mode and for hidden objects.
+    constraints; bevel, extrude, fill and the look of a result are left out. Works in Edit Mode and
+    for hidden objects.
 
     fixed_ends   the first and last point of every open strand never move
 
@@ -78,7 +80,7 @@ def _count(spline: bpy.types.Spline) -> int:
 def _is_plain(object: bpy.types.Object) -> bool:
     """Whether the points of the splines are the curve: nothing to evaluate, so no copy needed."""
     return (
-        not object.modifiers
+        not shaping_modifiers(object)
         and object.data.shape_keys is None
         and all(spline.type == "POLY" for spline in object.data.splines)
     )
@@ -101,6 +103,8 @@ def _evaluated_edges(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Points and edges of the evaluated curve without thickness, and its world matrix."""
     with linked_copy(object, depsgraph, with_data=True) as copy:
+        for modifier in list(copy.modifiers)[len(shaping_modifiers(copy)) :]:
+            copy.modifiers.remove(modifier)
         curve = copy.data
         curve.bevel_depth = 0.0
         curve.bevel_object = None

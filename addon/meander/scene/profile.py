@@ -14,16 +14,17 @@ def set_tilt_and_radius(
     curve: bpy.types.Curve,
     polylines: core.Polylines,
     matrix: np.ndarray,
-    flat: bool,
     factors: np.ndarray | None = None,
 ) -> None:
     """Gives the points of poly splines their tilt and their radius.
 
     polylines   what the splines were written from, with `matrix`
-    flat        tilt for a profile on the surface; else there is none
     factors     (n,) radius of every point; None: 1
+
+    They are tilted so that X of a profile is the surface normal, where the curve has the twist
+    method Z-Up, as new results have; with another one, chosen by hand, there is no tilt.
     """
-    curve.twist_mode = "Z_UP" if flat else "MINIMUM"
+    flat = curve.twist_mode == "Z_UP"
     offsets = np.asarray(polylines.offsets, dtype=np.int64)
     # The transpose, not the inverse: normals transform as planes do.
     normals = np.asarray(polylines.normals, dtype=np.float64) @ matrix[:3, :3]

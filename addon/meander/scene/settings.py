@@ -10,7 +10,17 @@ import bpy
 
 # What belongs to one object: what it lies on, what its last run came to, and what it does now.
 _OWN = frozenset(
-    {"rna_type", "name", "surface", "figures", "problem", "follow", "bake", "last_result"}
+    {
+        "rna_type",
+        "name",
+        "surface",
+        "figures",
+        "problem",
+        "follow",
+        "bake",
+        "last_result",
+        "shown_profile",
+    }
 )
 
 

@@ -1,13 +1,52 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sub-panel "Look": what a result looks like."""
+"""The sub-panel "Look": what a result looks like, and before there is one, what it will look like.
+
+What it shows of a result is the modifier's own, or the curve's: there is no other copy, so that all
+of it acts at once and can be animated, and whoever changes it there sees it here.
+"""
 
 from __future__ import annotations
 
 import bpy
 
+from ..scene import look_material, look_modifier
+from ..scene.errors import DataError
+from ..scene.look_upgrade import add_look
+from ..scene.results import last_result
 from .declared import switch
+from .on_result import OnResult
+from .run_operators import sentence_of
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns
+
+
+class MEANDER_OT_add_look(OnResult, bpy.types.Operator):
+    """Give this curve a modifier for its thickness, profile, lift and colour along the line"""
+
+    bl_idname = "meander.add_look"
+    bl_label = "Add Live Look"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if not super().poll(context):
+            return False
+        active = context.active_object
+        if active.library is not None or active.data.library is not None:
+            cls.poll_message_set("The curve is linked from another file")
+        elif look_modifier.modifier_of(active) is not None:
+            cls.poll_message_set("The curve has a live look")
+        else:
+            return True
+        return False
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        try:
+            add_look(context.active_object, context.evaluated_depsgraph_get())
+        except DataError as error:
+            self.report({"ERROR"}, sentence_of(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
 
 
 class MEANDER_PT_look(SubPanel, bpy.types.Panel):
@@ -19,18 +58,87 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
-        settings: MeanderSettings = context.active_object.meander
-        switch(layout, settings, "use_bevel")
-        row = layout.row()
-        row.active = settings.use_bevel
-        row.prop(settings, "bevel_share")
-        switch(layout, settings, "flat_profile")
-        switch(layout, settings, "radius_follows")
+        active = context.active_object
+        result = active if active.type == "CURVE" else last_result(active, context.scene)
+        if result is None:
+            _draw_seed(layout, active.meander)
+            return
+        if result is not active:
+            layout.prop(active.meander, "last_result", icon="CURVE_DATA")
+        modifier = look_modifier.modifier_of(result)
+        if modifier is None:
+            _draw_bevel(layout, result)
+        else:
+            _draw_look(layout, result, modifier)
+        _draw_colour(layout, result, modifier)
+
+
+def _draw_seed(layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
+    """What the first result of a surface will look like."""
+    switch(layout, settings, "use_bevel")
+    column = layout.column()
+    column.active = settings.use_bevel
+    column.prop(settings, "profile")
+    column.prop(settings, "bevel_share")
+    switch(column, settings, "radius_follows")
+
+
+def _draw_bevel(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
+    """A result of an earlier version, a bare one, or one whose strands have their materials."""
+    column = layout.column(align=True)
+    column.prop(result.data, "bevel_depth", text="Radius")
+    column.prop(result.data, "bevel_resolution", text="Resolution")
+    if result == bpy.context.active_object:
+        layout.operator(MEANDER_OT_add_look.bl_idname, icon="GEOMETRY_NODES")
+
+
+def _draw_look(
+    layout: bpy.types.UILayout, result: bpy.types.Object, modifier: bpy.types.NodesModifier
+) -> None:
+    def row(name: str, text: str = "") -> None:
+        path = look_modifier.path_of(modifier, name)
+        if path is not None:
+            layout.prop(modifier, path, text=text or name)
+
+    layout.prop(result.meander, "shown_profile")
+    row("Radius")
+    if result.meander.shown_profile == "ROUND":
+        row("Resolution")
+    row("Lift")
+    row("Radius Follows Spacing", "By Spacing")
+
+
+def _draw_colour(
+    layout: bpy.types.UILayout,
+    result: bpy.types.Object,
+    modifier: bpy.types.NodesModifier | None,
+) -> None:
+    """The colours of the material, where it has the ramp of the add-on's."""
+    if look_material.is_chosen_in_modifier(result):
+        path = look_modifier.path_of(modifier, "Material")
+        layout.prop_search(modifier, path, bpy.data, "materials", text="Material")
+    else:
+        column = layout.column()
+        column.use_property_split = False
+        column.template_ID(result, "active_material", new="material.new")
+    material = look_material.material_of(result)
+    if material is None:
+        return
+    layout.prop(material, "diffuse_color", text="Solid View")
+    node = look_material.ramp_node_of(material) if modifier is not None else None
+    if node is not None:
+        layout.label(text="Along the Line")
+        layout.template_color_ramp(node, "color_ramp", expand=False)
+
+
+_CLASSES = (MEANDER_OT_add_look, MEANDER_PT_look)
 
 
 def register() -> None:
-    bpy.utils.register_class(MEANDER_PT_look)
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
 
 
 def unregister() -> None:
-    bpy.utils.unregister_class(MEANDER_PT_look)
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

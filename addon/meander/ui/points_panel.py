@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..scene import point_attributes
+from ..scene import look, point_attributes
 from ..scene.errors import DataError
 from ..scene.surface_points import strands_of_result
 from ..scene.transforms import mean_scale, world_matrix
@@ -31,7 +31,7 @@ class _PointsToObject(OnResult):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         matrix = world_matrix(surface.evaluated_get(depsgraph))
-        thickness = result.data.bevel_depth * mean_scale(matrix)
+        thickness = look.radius_of(result) * mean_scale(matrix)
         thing = point_attributes.make(
             self.kind, f"{result.name} Points", strands, surface, matrix, thickness
         )

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from ..run import estimates, following, gap_marks, seed_preview, session, suspended
-from ..scene import after_undo, changes, identity
+from ..scene import after_undo, changes, identity, look_material
 from . import (
     export_operator,
     gaps_operator,
@@ -29,6 +29,7 @@ _MODULES = (
     identity,
     changes,
     after_undo,
+    look_material,
     preferences,
     settings,
     session,

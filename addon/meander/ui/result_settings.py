@@ -1,24 +1,53 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a result looks like, and what is made beside it, as settings on an object."""
 
+import bpy
 from bpy.props import BoolProperty, EnumProperty
+
+from ..scene import look_modifier
+
+# The cross sections that the look of a curve has, by the numbers that its modifier keeps.
+PROFILES = (
+    ("ROUND", "Round", "A tube"),
+    ("SQUARE", "Square", "A bar with four edges, one side on the surface"),
+    ("RIBBON", "Ribbon", "Flat on the surface"),
+    ("WALL", "Wall", "Thin, and upright on the surface"),
+)
+
+
+def _shown_profile(settings: bpy.types.PropertyGroup) -> int:
+    modifier = look_modifier.modifier_of(settings.id_data)
+    number = None if modifier is None else look_modifier.value_of(modifier, "Profile")
+    return min(max(int(number or 0), 0), len(PROFILES) - 1)
+
+
+def _choose_profile(settings: bpy.types.PropertyGroup, number: int) -> None:
+    modifier = look_modifier.modifier_of(settings.id_data)
+    if modifier is not None:
+        look_modifier.set_value(modifier, "Profile", number)
 
 
 class ProfileSettings:
     """Settings of the thickness of a result, mixed into MeanderSettings."""
 
-    flat_profile: BoolProperty(
-        name="Flat Profile",
-        description=(
-            "Tilt the points so that an extrusion or a bevel object lies flat on the surface, with "
-            "its X axis along the surface normal"
-        ),
-        default=False,
+    profile: EnumProperty(
+        name="Profile",
+        description="Cross section of a new curve",
+        items=PROFILES,
+        default="ROUND",
+        options=set(),
+    )
+    shown_profile: EnumProperty(
+        name="Profile",
+        description="Cross section of the curve",
+        items=PROFILES,
+        get=_shown_profile,
+        set=_choose_profile,
         options=set(),
     )
     radius_follows: BoolProperty(
         name="Radius Follows Spacing",
-        description="Make the curve thicker where neighbouring strands are farther apart",
+        description="Make a new curve thicker where neighbouring strands are farther apart",
         default=False,
         options=set(),
     )

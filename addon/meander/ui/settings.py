@@ -86,6 +86,9 @@ class MeanderFigures(bpy.types.PropertyGroup):
     largest_gap: FloatProperty(name="Largest Gap", options=set())
     preparation: StringProperty(name="Preparation", options=set())
     mended: IntProperty(name="Faults Repaired", options=set())
+    # On results only: what their look has been told, the spacing in their own space.
+    look_material: PointerProperty(type=bpy.types.Material, name="Material of the Look")
+    look_spacing: FloatProperty(name="Spacing of the Look", options=set())
     # On results only, and of many gaps only the largest.
     gaps: CollectionProperty(type=MeanderGap, options=set())
     whole_points: IntProperty(name="Points of the Whole Curve", options=set())
@@ -142,15 +145,15 @@ class MeanderSettings(
         options=set(),
     )
     use_bevel: BoolProperty(
-        name="Round Bevel",
-        description="Give the finished curve a round thickness",
+        name="Thickness",
+        description="Give a new curve a body, which the modifier of its look makes",
         default=True,
         options=set(),
     )
     bevel_share: FloatProperty(
         name="Radius",
         description=(
-            "Radius of the round bevel as a share of the spacing; at 0.5 neighbours touch"
+            "Half the thickness of a new curve as a share of the spacing; at 0.5 neighbours touch"
         ),
         default=0.2,
         min=0.001,

@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The look of a result: what body it gives, and that no later run touches it."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+import pytest
+from meander.scene import assets, curve_reader, look, look_material, look_modifier
+from meander.scene.results import last_result
+from scenes import activate, circle_points, fill, poly_curve, sphere, world_splines
+
+SPACING = 0.3
+
+
+def small(**settings) -> bpy.types.Object:
+    return fill(sphere(), SPACING, iteration_limit=60, **settings)
+
+
+def body_of(thing: bpy.types.Object) -> bpy.types.Mesh:
+    """The evaluated mesh; it lives until the next evaluation."""
+    bpy.context.view_layer.update()
+    return thing.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
+
+
+def heights(thing: bpy.types.Object) -> np.ndarray:
+    """How far the vertices of its body are from the middle of a sphere of radius 1."""
+    mesh = body_of(thing)
+    points = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.vertices.foreach_get("co", points)
+    return np.linalg.norm(points.reshape(-1, 3), axis=1)
+
+
+def choose(thing: bpy.types.Object, **values) -> bpy.types.Object:
+    modifier = look_modifier.modifier_of(thing)
+    for name, value in values.items():
+        look_modifier.set_value(modifier, name.replace("_", " "), value)
+    return thing
+
+
+def values_of(thing: bpy.types.Object) -> dict[str, object]:
+    modifier = look_modifier.modifier_of(thing)
+    names = ("Radius", "Profile", "Resolution", "Lift", "Radius Follows Spacing", "Material")
+    return {name: look_modifier.value_of(modifier, name) for name in names}
+
+
+# A line on facets of a sphere lies below it by so much at most, and so does its body.
+SAG = 0.012
+
+
+def test_a_new_result_has_a_live_body_in_a_dark_colour():
+    result = small(bevel_share=0.1)
+    found = heights(result)
+    assert found.max() == pytest.approx(1.0 + 0.1 * SPACING, abs=SAG)
+    assert found.min() == pytest.approx(1.0 - 0.1 * SPACING, abs=SAG)
+    material = look_material.material_of(result)
+    assert result.data.materials[:] == [material] and assets.is_asset(material, look.LINE)
+    assert [slot.name for slot in body_of(result).materials if slot] == [look.LINE]
+    assert max(material.diffuse_color[:3]) < 0.2, "surfaces are .8 grey"
+
+
+@pytest.mark.parametrize(
+    "profile, above", [("ROUND", 1.0), ("SQUARE", 1.0), ("RIBBON", 0.3), ("WALL", 1.0)]
+)
+def test_profiles_stand_on_the_surface(profile: str, above: float):
+    result = small(bevel_share=0.1, profile=profile)
+    assert result.meander.shown_profile == profile
+    result.meander.shown_profile = "ROUND"
+    assert values_of(result)["Profile"] == 0
+    result.meander.shown_profile = profile
+    found = heights(result)
+    radius = 0.1 * SPACING
+    assert np.percentile(found, 98) == pytest.approx(1.0 + above * radius, abs=SAG)
+    assert np.percentile(found, 2) == pytest.approx(1.0 - above * radius, abs=SAG)
+
+
+def test_lift_is_counted_in_radii():
+    result = choose(small(bevel_share=0.1), Lift=3.0)
+    found = heights(result)
+    assert found.min() == pytest.approx(1.0 + 2.0 * 0.1 * SPACING, abs=SAG)
+    assert found.max() == pytest.approx(1.0 + 4.0 * 0.1 * SPACING, abs=SAG)
+
+
+def test_a_body_knows_where_along_its_strand_it_is():
+    surface = sphere()
+    seed = poly_curve("Seed", [circle_points(0.45, 0.89), circle_points(0.45, -0.89)], True)
+    result = fill(surface, SPACING, seed=seed, iteration_limit=30)
+    mesh = body_of(result)
+    values = {}
+    for name in ("along", "arc_length", "strand"):
+        values[name] = np.empty(len(mesh.vertices), dtype=np.float32)
+        mesh.attributes[name].data.foreach_get("value", values[name])
+    for index, (points, _cyclic) in enumerate(world_splines(result)):
+        mine = values["strand"] == index
+        length = np.linalg.norm(np.diff(points, axis=0, append=points[:1]), axis=1).sum()
+        assert values["along"][mine].min() == 0.0 and 0.9 < values["along"][mine].max() < 1.0
+        share = values["arc_length"][mine] / length
+        assert np.allclose(share, values["along"][mine], atol=1e-3)
+    assert set(np.unique(values["strand"])) == {0.0, 1.0}
+
+
+def test_thickness_follows_the_spacing():
+    surface = sphere()
+    group = surface.vertex_groups.new(name="Fine")
+    for vertex in surface.data.vertices:
+        group.add([vertex.index], 1.0 if vertex.co.z > 0.0 else 0.0, "REPLACE")
+    result = fill(surface, SPACING, density_group="Fine", factor_0=1.0, factor_1=0.4)
+
+    def thickness(above: bool) -> float:
+        mesh = body_of(result)
+        sides = look_modifier.value_of(look_modifier.modifier_of(result), "Resolution")
+        rings = np.array([vertex.co[:] for vertex in mesh.vertices]).reshape(-1, sides, 3)
+        middles = rings.mean(axis=1)
+        sizes = np.linalg.norm(rings - middles[:, None], axis=2).mean(axis=1)
+        return float(np.median(sizes[middles[:, 2] > 0.4 if above else middles[:, 2] < -0.4]))
+
+    assert thickness(True) == pytest.approx(thickness(False), rel=1e-3)
+    choose(result, Radius_Follows_Spacing=1.0)
+    assert thickness(True) / thickness(False) == pytest.approx(0.4, abs=0.15)
+
+
+def test_no_run_touches_the_look():
+    result = small()
+    surface = result.meander.surface
+    mine = bpy.data.materials.new("Mine")
+    choose(result, Radius=0.4, Profile=2, Resolution=5, Lift=0.5, Material=mine)
+    chosen, modifiers = values_of(result), result.modifiers.keys()
+    surface.meander.bevel_share, surface.meander.use_bevel = 0.05, False
+    for thing, options in ((surface, {}), (result, {}), (result, {"restart": True})):
+        activate(thing)
+        thing.meander.iteration_limit = 20
+        assert bpy.ops.meander.run(**options) == {"FINISHED"}
+        assert values_of(result) == chosen and result.modifiers.keys() == modifiers
+    # The group is the user's as well.
+    group = look_modifier.modifier_of(result).node_group
+    group.nodes.remove(next(n for n in group.nodes if n.bl_idname == "GeometryNodeSetPosition"))
+    activate(surface)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert look_modifier.modifier_of(result).node_group == group
+    assert len(group.nodes) < len(assets.node_group(look_modifier.GROUP).nodes)
+
+
+def test_thickness_is_a_share_of_the_spacing_until_somebody_sets_that():
+    result = small(bevel_share=0.1)
+    surface = result.meander.surface
+    activate(surface)
+    surface.meander.spacing = 0.5 * SPACING
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert look.radius_of(result) == pytest.approx(0.05 * SPACING)
+    choose(result, Spacing=1.0)
+    surface.meander.spacing = SPACING
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert look.radius_of(result) == pytest.approx(0.1)
+
+
+def test_a_result_goes_on_from_its_line_and_not_from_its_body():
+    result = small()
+    points = np.vstack([points for points, _cyclic in world_splines(result)])
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    read = curve_reader.strands_of_curve(result, depsgraph)
+    assert np.abs(read.points - points).max() < 1e-6
+    result.modifiers.new("After", "SUBSURF")  # of the body
+    first = result.modifiers.new("Before", "HOOK")  # of the line
+    with bpy.context.temp_override(object=result):
+        bpy.ops.object.modifier_move_to_index(modifier=first.name, index=0)
+    read = curve_reader.strands_of_curve(result, bpy.context.evaluated_depsgraph_get())
+    assert len(read.points) == len(points)
+
+
+def test_strands_with_materials_of_their_own_have_a_bevel():
+    surface = sphere()
+    seed = poly_curve("Seed", [circle_points(0.45, 0.89), circle_points(0.45, -0.89)], True)
+    for name in ("Red", "Blue"):
+        seed.data.materials.append(bpy.data.materials.new(name))
+    seed.data.splines[1].material_index = 1
+    result = fill(surface, SPACING, seed=seed, iteration_limit=20)
+    assert look_modifier.modifier_of(result) is None and result.data.bevel_depth > 0.0
+    assert [spline.material_index for spline in result.data.splines] == [0, 1]
+    assert [material.name for material in result.data.materials] == ["Red", "Blue"]
+    seed.data.splines[1].material_index = 0
+    seed.data.materials.pop()
+    activate(surface)
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    single = last_result(surface, bpy.context.scene)
+    assert look_material.material_of(single).name == "Red"
+
+
+def test_a_line_is_kept_when_the_file_of_the_add_on_is_missing(monkeypatch, tmp_path):
+    monkeypatch.setattr(assets, "FILE", tmp_path / "meander.blend")
+    result = small()
+    assert len(result.data.splines) == 1 and look_modifier.modifier_of(result) is None
+    assert result.data.bevel_depth == pytest.approx(0.2 * SPACING)
+
+
+def test_a_result_of_an_earlier_version_keeps_its_bevel_and_may_get_a_look():
+    result = small(use_bevel=False)
+    data = result.data
+    data.bevel_depth, data.twist_mode = 0.05, "MINIMUM"
+    for spline in data.splines:
+        spline.points.foreach_set("tilt", np.zeros(len(spline.points), dtype=np.float32))
+    activate(result)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert data.bevel_depth == pytest.approx(0.05) and look_modifier.modifier_of(result) is None
+    assert bpy.ops.meander.add_look() == {"FINISHED"}
+    assert data.bevel_depth == 0.0 and look.radius_of(result) == pytest.approx(0.05)
+    assert heights(choose(result, Lift=1.0)).min() == pytest.approx(1.0, abs=SAG)
+    assert not bpy.ops.meander.add_look.poll()
+
+
+def test_the_material_is_the_first_slots_wherever_it_is_chosen():
+    result = small()
+    first, second = (bpy.data.materials.new(name) for name in ("First", "Second"))
+    result.data.materials[0] = first
+    bpy.context.view_layer.update()
+    assert look_material.material_of(result) == first
+    assert [slot.name for slot in body_of(result).materials if slot] == ["First"]
+    result.material_slots[0].link = "OBJECT"
+    result.material_slots[0].material = second
+    bpy.context.view_layer.update()
+    assert look_material.material_of(result) == second
+    # One that was chosen in the modifier stays.
+    choose(result, Material=first)
+    result.material_slots[0].material = None
+    bpy.context.view_layer.update()
+    assert look_material.material_of(result) == first
+    assert look_material.is_chosen_in_modifier(result)
