@@ -133,3 +133,71 @@ def one_stroke() -> None:
     dress(head, PALE, 0.6)
     dress(line, DARK, 0.5)
     place(head, line)
+
+
+def sheet(name: str, outline: list[tuple[float, float]], height: float) -> bpy.types.Object:
+    """A flat piece with an outline, at a height."""
+    data = bpy.data.curves.new(name, "CURVE")
+    data.dimensions, data.fill_mode = "2D", "BOTH"
+    spline = data.splines.new("POLY")
+    spline.points.add(len(outline) - 1)
+    spline.use_cyclic_u = True
+    for point, (x, y) in zip(spline.points, outline):
+        point.co = (x, y, 0.0, 1.0)
+    curve = bpy.data.objects.new(name, data)
+    mesh = bpy.data.meshes.new_from_object(curve)
+    bpy.data.objects.remove(curve)
+    thing = bpy.data.objects.new(name, mesh)
+    thing.location.z = height
+    bpy.context.scene.collection.objects.link(thing)
+    return thing
+
+
+def heart() -> list[tuple[float, float]]:
+    """The outline of a heart, about 2 wide."""
+    turns = [2.0 * math.pi * i / 120 for i in range(120)]
+    return [
+        (
+            math.sin(t) ** 3,
+            (13 * math.cos(t) - 5 * math.cos(2 * t) - 2 * math.cos(3 * t) - math.cos(4 * t)) / 16,
+        )
+        for t in turns
+    ]
+
+
+@scene
+def embroidery() -> None:
+    """A heart of one thread on linen, in rows like satin stitch."""
+    piece = sheet("Heart", heart(), 0.01)
+    thread = fill(
+        piece, 0.045, bevel_share=0.42, alignment_source="AXIS", alignment_axis="X",
+        alignment_weight=2.0, border_distance=0.4,
+    )
+    dress(piece, (0.35, 0.02, 0.03), 0.9)
+    dress(thread, (0.62, 0.03, 0.05), 0.45)
+    studio.add_lights()
+    studio.add_floor(0.0, (0.62, 0.58, 0.50))
+    studio.add_camera((0.0, -3.2, 4.6), (0.0, -0.02, 0.0), 72.0)
+
+
+@scene
+def one_line_print() -> None:
+    """Layers of a printed star, each one line from a nozzle that never lifts."""
+    spikes = [
+        (r * math.cos(a), r * math.sin(a))
+        for i in range(5)
+        for r, a in (
+            (1.25, math.radians(90 + 72 * i)),
+            (0.62, math.radians(126 + 72 * i)),
+        )
+    ]
+    colours = ((0.02, 0.25, 0.45), (0.03, 0.36, 0.60), (0.05, 0.48, 0.75))
+    for layer, colour in enumerate(colours):
+        share = 1.0 - 0.24 * layer
+        piece = sheet("Star", [(share * x, share * y) for x, y in spikes], 0.05 + 0.1 * layer)
+        line = fill(piece, 0.11, bevel_share=0.5)
+        dress(line, colour, 0.35)
+        piece.hide_render = True
+    studio.add_lights()
+    studio.add_floor(0.0, (0.05, 0.05, 0.06))
+    studio.add_camera((0.0, -4.6, 4.2), (0.0, 0.05, 0.0), 80.0)
