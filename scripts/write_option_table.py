@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the tables of docs/options.md and docs/export.md from those in the code.
+"""Writes the tables of docs/options.md, export.md and settings.md from those in the code.
 
     python3 scripts/write_option_table.py [--check]
 
@@ -21,10 +21,12 @@ from meander.model import export_options  # noqa: E402
 from meander.model.option import Option  # noqa: E402
 from meander.model.options import TABLE  # noqa: E402
 
-PAGES = {
-    ROOT / "docs" / "options.md": TABLE,
-    ROOT / "docs" / "export.md": export_options.ROWS,
-}
+DOCS = ROOT / "docs"
+# From top to bottom, as in the sidebar.
+PANELS = (
+    "Meander", "Look", "Density", "Seed and Strands", "Direction", "Region", "Mesh Repair",
+    "Motion", "Export", "Advanced", "Strand Shape",
+)
 BEGIN, END = "<!-- written by scripts/write_option_table.py -->", "<!-- to here -->"
 # Where 0 stands for the preset's own value: the field that has it, in the same unit.
 OF_THE_PRESET = {"max_radius": "max_radius_factor"}
@@ -98,11 +100,41 @@ def table(options: tuple[Option, ...]) -> str:
     return "\n".join(lines + [line(option) for option in options])
 
 
+def sentence(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def artists_table() -> str:
+    """Every setting with what low and high do, panel by panel."""
+    lines = []
+    unplaced = {option.panel for option in TABLE}.difference(PANELS)
+    if unplaced:
+        raise SystemExit(f"PANELS of this script lacks {', '.join(sorted(unplaced))}")
+    for panel in (panel for panel in PANELS if any(option.panel == panel for option in TABLE)):
+        lines += [f"### {panel}", "", "| setting | what it does | low | high |"]
+        lines.append("|---|---|---|---|")
+        for option in (option for option in TABLE if option.panel == panel):
+            what = option.tip
+            if option.choices:
+                what += ". " + "; ".join(f"*{label}*: {tip}" for _, label, tip in option.choices)
+            cells = (f"*{option.label}*", what, sentence(option.low), sentence(option.high))
+            lines.append("| " + " | ".join(cells) + " |")
+        lines.append("")
+    return "\n".join(lines).strip()
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
     arguments = parser.parse_args()
-    return max(write(page, table(options), arguments.check) for page, options in PAGES.items())
+    pages = {
+        "options": table(TABLE),
+        "export": table(export_options.ROWS),
+        "settings": artists_table(),
+    }
+    return max(
+        write(DOCS / f"{name}.md", lines, arguments.check) for name, lines in pages.items()
+    )
 
 
 def write(page: Path, lines: str, check: bool) -> int:

@@ -80,6 +80,12 @@ def test_labels_and_tips_follow_the_guidelines(option: Option) -> None:
     assert not option.numbers or len(set(option.numbers)) == len(option.choices)
 
 
+def test_numbers_say_what_low_and_high_do() -> None:
+    for option in TABLE:
+        is_number = option.kind in (int, float)
+        assert bool(option.low) == bool(option.high) == is_number, option.setting
+
+
 @pytest.mark.parametrize("option", OF_THE_FLOW, ids=names(OF_THE_FLOW))
 def test_defaults_are_the_librarys(option: Option) -> None:
     if option.zero_is_preset:

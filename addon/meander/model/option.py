@@ -64,6 +64,7 @@ class Option:
     label      its name, in Title Case; `row` is a shorter one for the panel
     tip        its tool-tip: the effect and its consequence, without a full stop
     panel      the label of its panel
+    low, high  what becomes of the curve with a low value and with a high one, where it is a number
     kind       float, int, bool, or str for one of `choices`
     unit       "length": of the scene; "r": half the spacing; "spacing"; "share": of one; empty:
                none. What counts in r means the same at every spacing
@@ -87,6 +88,8 @@ class Option:
     tip: str
     panel: str
     row: str = ""
+    low: str = ""
+    high: str = ""
     kind: type = float
     unit: str = ""
     default: Any = 0.0
