@@ -201,3 +201,34 @@ def one_line_print() -> None:
     studio.add_lights()
     studio.add_floor(0.0, (0.05, 0.05, 0.06))
     studio.add_camera((0.0, -4.6, 4.2), (0.0, 0.05, 0.0), 80.0)
+
+
+def make_of(line: bpy.types.Object, what: str, **settings: Any) -> bpy.types.Object:
+    """Presses a button of the panel Make on a result: the new object."""
+    bpy.context.view_layer.objects.active = line
+    getattr(bpy.ops.meander, what)(**settings)
+    return bpy.context.object
+
+
+@scene
+def two_tone() -> None:
+    """The head of Suzanne parted in two by one closed line, and each eye by its own."""
+    shell = make_of(fill(suzanne(), 0.11), "two_tone")
+    place(shell)
+
+
+@scene
+def brain_coral() -> None:
+    """The same line as the furrow of a relief."""
+    coral = make_of(fill(suzanne(), 0.13), "relief")
+    place(coral)
+
+
+@scene
+def running_lights() -> None:
+    """Comets of light on a ribbon that lies along the line."""
+    bpy.ops.mesh.primitive_torus_add(
+        major_segments=96, minor_segments=32, major_radius=1.0, minor_radius=0.42
+    )
+    band = make_of(fill(active(), 0.11), "ribbon")
+    place(band, lens=85.0, strength=0.25)

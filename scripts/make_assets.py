@@ -23,7 +23,7 @@ from asset_groups import nodes  # noqa: E402  (the path comes first)
 from meander.scene.assets import MARK  # noqa: E402
 
 # In the order in which one needs another.
-MODULES = ("materials", "look")
+MODULES = ("materials", "look", "making")
 # One more whenever what is in the file changes what it does; earlier copies stay as they are.
 VERSION = 1
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..model.export import SUFFIXES as EXPORTED
 from ..model.toolpath import SUFFIXES
-from . import density, export, flags, motion, preparation, strands, terms, toolpath, values
+from . import cut, density, export, flags, motion, preparation, strands, terms, toolpath, values
 from .values import BadInput
 
 # What --output may be, by its suffix.
@@ -44,6 +44,7 @@ def parser() -> argparse.ArgumentParser:
     toolpath.add_options(parser)
     export.add_options(parser)
     motion.add_options(parser)
+    cut.add_options(parser)
     return parser
 
 
@@ -81,7 +82,7 @@ def check_arguments(arguments: argparse.Namespace) -> None:
     if arguments.output.suffix.lower() not in OUTPUTS:
         kinds = ", ".join(OUTPUTS[:-1])
         raise BadInput(f"--output {arguments.output} is no {kinds} or {OUTPUTS[-1]} file")
-    for output in (toolpath, export):
+    for output in (toolpath, export, cut):
         wrong = output.problem_of(arguments)
         if wrong is not None:
             raise BadInput(wrong)
@@ -90,7 +91,12 @@ def check_arguments(arguments: argparse.Namespace) -> None:
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
     taken = {"--input": arguments.input, "--seed": arguments.seed, "--guides": arguments.guides}
-    for option, path in (("--output", arguments.output), ("--report", arguments.report)):
+    outputs = {
+        "--output": arguments.output,
+        "--report": arguments.report,
+        "--cut": arguments.cut,
+    }
+    for option, path in outputs.items():
         if path is None:
             continue
         if _is(Path.is_dir, option, path) or not path.name:

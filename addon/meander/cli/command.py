@@ -6,13 +6,14 @@ from __future__ import annotations
 import sys
 import traceback
 from collections.abc import Sequence
+from dataclasses import replace
 
 from .. import core
 from ..model import report, strands
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
-from . import preparation
+from . import cut, preparation
 from .arguments import arguments_of_process, check_arguments, parser
 from .flags import flow_options
 from .grown import grown_of
@@ -31,6 +32,8 @@ def _process(argv: Sequence[str]) -> None:
         from . import scene_output  # which needs bpy
 
         scene_output.refuse_points(arguments.points)
+    if arguments.cut is not None and arguments.cut.suffix.lower() == ".blend":
+        need_bpy(arguments.cut)
     options = flow_options(arguments)
     given = read_input(arguments, options)
     warnings = core.option_warnings(options)
@@ -49,6 +52,7 @@ def _process(argv: Sequence[str]) -> None:
             echo(arguments, options, given),
         )
         grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
+        grown = replace(grown, cut=cut.cut_of(flow, arguments))
     record["warnings"] = warnings
     record["preparation"] = preparation.counts(opened.figures, given.loose_edges)
     write_outputs(arguments, given, grown, record)
@@ -64,6 +68,8 @@ def _process(argv: Sequence[str]) -> None:
             print(f"meander: {done}")
         print(summary(reason, figures))
         print(f"meander: wrote {arguments.output}", flush=True)
+        if arguments.cut is not None:
+            print(f"meander: wrote {arguments.cut}", flush=True)
 
 
 def _open(given: Input) -> Opened:

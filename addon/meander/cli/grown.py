@@ -19,12 +19,14 @@ class Grown:
     """The curve, what is known of its points, and which of its strands are guides.
 
     density   per vertex of the surface; None: 1 everywhere
+    cut       of the surface along all of the curve; None: none is wanted
     """
 
     curve: core.Polylines
     data: core.PointData
     guides: NDArray[np.bool_]
     density: NDArray[np.float64] | None
+    cut: core.CutSurface | None = None
 
 
 def grown_of(flow: core.Flow, opened: Opened, without_guides: bool) -> Grown:

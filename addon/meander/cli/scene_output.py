@@ -8,6 +8,7 @@ from pathlib import Path
 
 import bpy
 
+from .. import core
 from ..model import thinning, toolpath
 from ..model.option import store
 from ..model.options import TABLE
@@ -18,6 +19,7 @@ from ..scene import point_attributes
 from ..scene import strands as scene_strands
 from ..scene.alignment import store_alignment
 from ..scene.curve_writer import write_curve
+from ..scene.cut_object import keep_shading, skin_of, write_cut
 from ..scene.density import store_choice
 from ..scene.errors import DataError
 from ..scene.preparation import store_mask, store_repair
@@ -79,8 +81,23 @@ def write_scene(
                 matrix,
             )
         _bake(arguments, curve_object)
-        _save(path, arguments)
+        _save(path, arguments.output)
     return len(kept)
+
+
+def write_cut_scene(
+    path: Path, arguments: argparse.Namespace, given: Input, cut: core.CutSurface
+) -> None:
+    """Adds the cut beside its surface and saves a copy of the scene at `path`."""
+    surface_object = given.surface_object or _new_surface(arguments.input.stem, given.problem)
+    skin = skin_of(surface_object, bpy.context.evaluated_depsgraph_get())
+    matrix = world_matrix(surface_object)
+    name = f"{surface_object.name} Cut"
+    faces = given.problem.faces
+    made = write_cut(name, cut, surface_object, faces, skin, matrix, arguments.spacing)
+    keep_shading(made)
+    with saved_settings():
+        _save(path, arguments.cut)
 
 
 def _new_surface(name: str, problem: Problem) -> bpy.types.Object:
@@ -125,11 +142,11 @@ def _bake(arguments: argparse.Namespace, curve_object: bpy.types.Object) -> None
         raise BadInput(f"the frames cannot be baked: {refusal}") from refusal
 
 
-def _save(path: Path, arguments: argparse.Namespace) -> None:
+def _save(path: Path, wanted: Path) -> None:
     try:
         bpy.ops.wm.save_as_mainfile(filepath=str(path.absolute()), copy=True, check_existing=False)
     except RuntimeError as failure:
         raise BadInput(
-            f"Blender cannot save {arguments.output} ({' '.join(str(failure).split())}); "
+            f"Blender cannot save {wanted} ({' '.join(str(failure).split())}); "
             "choose another place"
         ) from failure

@@ -13,7 +13,7 @@ from .. import core
 from ..model import mesh_files, report
 from ..model.simplification import light_of
 from ..model.whole_files import whole_file
-from . import density, export, flags, motion, preparation, strands, terms
+from . import cut, density, export, flags, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown, lightened
 from .input import Input
@@ -35,6 +35,7 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
         **preparation.echo(given.repair, given.mask),
         **terms.echo(arguments, options),
         **motion.echo(arguments),
+        **cut.echo(arguments),
         **flags.entries(arguments, options),
         **asdict(options),
     }
@@ -51,14 +52,19 @@ def write_outputs(
     grown: Grown,
     record: dict[str, Any],
 ) -> None:
-    """Writes both files beside their places first, then moves the curve in and then the report."""
+    """Writes all files beside their places first, then moves them in, the report at the end."""
     with ExitStack() as stack:  # leaves in reverse order
         report_path = None
         if arguments.report is not None:
             report_path = stack.enter_context(whole_file(arguments.report))
+        cut_path = None
+        if grown.cut is not None:
+            cut_path = stack.enter_context(whole_file(arguments.cut))
         curve_path = stack.enter_context(whole_file(arguments.output))
         written = _write_curve(curve_path, arguments, given, grown)
         record["points"] = {"all": len(grown.curve.positions), "written": written}
+        if cut_path is not None:
+            record["cut"] = cut.write(cut_path, arguments, given, grown.cut)
         if report_path is not None:
             report.write_report(report_path, record)
 

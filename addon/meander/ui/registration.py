@@ -6,6 +6,7 @@ from __future__ import annotations
 from ..run import estimates, following, gap_marks, seed_preview, session, suspended
 from ..scene import after_undo, changes, identity, look_material
 from . import (
+    cut_panel,
     export_operator,
     gaps_operator,
     light_operator,
@@ -45,6 +46,7 @@ _MODULES = (
     look_panel,
     term_panels,
     motion_panel,
+    cut_panel,
     export_operator,
     light_operator,
     points_panel,

@@ -23,6 +23,7 @@ ORDER = {
     "direction": 40,
     "region": 50,
     "motion": 60,
+    "make": 65,
     "export": 70,
     "advanced": 80,
 }
