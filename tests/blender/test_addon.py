@@ -108,7 +108,7 @@ def test_labels_and_tooltips_follow_the_guidelines():
 def test_panel_without_a_mesh_says_what_to_do():
     assert draw(panels.MEANDER_PT_main) == ["Select a mesh to fill"]
     activate(poly_curve("Any", [[(0, 0, 0), (1, 0, 0)]], False))
-    assert draw(panels.MEANDER_PT_main) == ["Select a mesh to fill"]
+    assert draw(panels.MEANDER_PT_main)[:2] == ["'Any' has no faces; give", "it a bevel or an"]
     assert draw(term_panels.MEANDER_PT_density) is None
 
 

@@ -257,7 +257,7 @@ def test_weight_paint_stays_where_it_is():
     assert bpy.ops.meander.run() == {"FINISHED"}
     assert bpy.context.view_layer.objects.active == surface
     assert surface.mode == "WEIGHT_PAINT"
-    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.object.mode_set(mode="SCULPT")
     assert not bpy.ops.meander.run.poll()
     bpy.ops.object.mode_set(mode="OBJECT")
 

@@ -16,7 +16,7 @@ from bpy.app.handlers import persistent
 
 from .. import core
 from ..model.estimate import Estimate, Extent, Speeds, estimated, extent_of
-from ..scene.density import choice_of, density_of
+from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
 from ..scene.identity import Key
@@ -114,7 +114,7 @@ def measure(active: bpy.types.Object) -> None:
         vertices, faces = triangles_of(surface, depsgraph)
         automatic = spacing_for(area_of(vertices, faces))
         options = options_of(settings, settings.spacing or automatic)
-        density = density_of(choice_of(settings), surface, depsgraph, options.radius)
+        density = density_of(chosen_density(settings, surface), surface, depsgraph, options.radius)
         mended = repair_of(settings).options(vertices, options.radius)
         prepared = surface_options(mended, mask_of(settings), surface, depsgraph)
         extent = _extent(vertices, faces, density, prepared, options)

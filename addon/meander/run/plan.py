@@ -16,18 +16,21 @@ from .. import core
 from ..model import strands
 from ..model.option import chosen
 from ..model.options import in_panel
+from ..model.preparation import Mask
 from ..model.problem import Problem
 from ..model.simplification import Light, light_of
 from ..scene import point_attributes, results
 from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
-from ..scene.density import choice_of, density_of
+from ..scene.density import chosen_density, density_of, unused_paint
 from ..scene.errors import DataError
+from ..scene.fillable import why_not
 from ..scene.flow_options import options_of
 from ..scene.identity import Key
 from ..scene.look import Look
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
+from ..scene.region import selected_faces, triangles_of_region
 from ..scene.settings import surface_of
 from ..scene.transforms import world_matrix
 
@@ -50,6 +53,9 @@ class Plan:
     loose_edges: int = 0  # of the surface, in no face
     keeps_guides: bool = True  # the result has the guides as splines of its own
     radius_follows: bool = False  # points have their room as radius, for a bevel
+    density_group: str = ""  # the vertex group that the spacing follows
+    region: np.ndarray | None = None  # polygons of the mesh, selected in Edit Mode; None: all
+    remark: str = ""  # on what the run leaves out, for its one line
     points_as: str = "NONE"  # a second object of all points: one of point_attributes.KINDS
     light: Light | None = None  # which points the result has; None: all
 
@@ -76,7 +82,7 @@ def plan_of(
     """The plan of a run on any object, wherever the context is; see plan_run()."""
     surface = surface_of(active)
     if surface is None:
-        raise DataError("Choose a mesh to fill, or a curve that Meander has made")
+        raise DataError(why_not(active))
     if scene not in surface.users_scene[:]:
         raise DataError(
             f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
@@ -87,16 +93,21 @@ def plan_of(
     vertices, faces = triangles_of(surface, depsgraph)
     # As stored, so that a run that proposes its spacing and one that is given it are the same.
     spacing = settings.spacing or float(np.float32(proposed_spacing(vertices, faces)))
-    density = density_of(choice_of(settings), surface, depsgraph, spacing / 2.0)
+    choice = chosen_density(settings, surface)
+    density = density_of(choice, surface, depsgraph, spacing / 2.0)
     alignment = alignment_of(settings)
     directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
     parts, materials = scene_strands.parts_of(active, depsgraph, restart)
     # What a result goes on from lies on the surface already, or is of another frame.
-    drawn = active.type == "MESH" or restart
+    drawn = active is surface or restart
     reach = strands.reach_of(vertices) if drawn else 0.0
     seed = strands.assembled(parts, settings.seed_every_part, reach)
     mended = repair_of(settings).options(vertices, spacing / 2.0)
-    prepared = surface_options(mended, mask_of(settings), surface, depsgraph)
+    region = selected_faces(surface) if active is surface else None
+    mask = mask_of(settings) if region is None else Mask()
+    prepared = surface_options(mended, mask, surface, depsgraph)
+    if region is not None:
+        prepared.face_mask = triangles_of_region(region, surface, depsgraph)
     options = options_of(settings, spacing)
     options.alignment_weight = alignment.weight if directions is not None else 0.0
     outline = _outline_distance(active, surface, options, restart)
@@ -129,6 +140,9 @@ def plan_of(
         keeps_guides=settings.keep_guides,
         radius_follows=settings.radius_follows,
         points_as=settings.points_as,
+        density_group=choice.name if choice.source == "GROUP" else "",
+        region=region,
+        remark=unused_paint(choice, surface),
         light=light_of(chosen(in_panel("Export"), settings)),
     )
 

@@ -20,6 +20,7 @@ from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
 from ..scene.look_modifier import modifier_of
 from ..scene.profile import set_tilt_and_radius
+from ..scene.region import store_region
 from ..scene.settings import copy_settings
 from ..scene.transforms import mean_scale, to_local
 from .plan import Plan
@@ -33,7 +34,8 @@ def preparation_text(plan: Plan, stepper: Stepper) -> str:
     """What was done to the mesh, in words; empty if nothing was."""
     if not stepper.surface_figures:
         return ""
-    return described(stepper.surface_figures, plan.loose_edges)
+    done = described(stepper.surface_figures, plan.loose_edges)
+    return ", ".join(filter(None, (done, plan.remark)))
 
 
 def _masked(plan: Plan) -> bool:
@@ -132,9 +134,14 @@ def _store(
     if source is None:
         source = result
     targets = {source.name: source, result.name: result}.values()
+    own_part = (result.meander.mask_source, result.meander.mask_attribute)
     if source != result:
         copy_settings(source.meander, result.meander)
-    result.meander.surface = plan.surface.find()
+    surface = plan.surface.find()
+    result.meander.surface = surface
+    if plan.region is not None:
+        result.meander.mask_source, result.meander.mask_attribute = own_part
+        store_region(plan.region, surface, result.meander)
     results.remember(result, result.meander.surface)
     for target in targets:
         if target.library is not None:  # linked objects cannot be changed
@@ -143,6 +150,8 @@ def _store(
         # which may be another one by now; only the proposed spacing he has yet to see.
         if target == result or not target.meander.spacing:
             target.meander.spacing = plan.spacing
+        if plan.density_group and not target.meander.density_group:
+            target.meander.density_group = plan.density_group
         figures = target.meander.figures
         figures.stop_reason = stop_reason
         figures.nodes = int(statistics["nodes"])

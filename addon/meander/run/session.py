@@ -21,7 +21,7 @@ from ..scene.errors import DataError
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
 from ..scene.results import is_present
-from . import estimates, refused_mesh, seed_preview, suspended
+from . import edit_mode, estimates, refused_mesh, seed_preview, suspended
 from .meaning import meaning_of
 from .plan import Plan
 from .preview import Preview
@@ -62,6 +62,7 @@ class Session:
         self._skipped = False  # whether a tick has passed since
         self._stale = False  # whether `latest` was old when it was taken
         self.stop_wanted = False
+        self.place = ""  # among several, such as "2 of 5"
         self.ended = False
         self._window: Window | None = None
         self._preview: Preview | None = None
@@ -117,11 +118,14 @@ class Session:
 
     def progress_text(self) -> str:
         """What the run is about and how long it will still take, in words."""
-        return told(self._phase(), self._remaining.seconds())
+        return self._placed(told(self._phase(), self._remaining.seconds()))
 
     def phase_text(self) -> str:
         """What the run is about, such as "Growing"."""
-        return told(self._phase(), None)
+        return self._placed(told(self._phase(), None))
+
+    def _placed(self, text: str) -> str:
+        return f"{self.place}: {text}" if self.place else text
 
     def left_text(self) -> str:
         """How long it will still take, such as "12 s"; empty while that is not known."""
@@ -157,7 +161,8 @@ class Session:
         self._check_alive()
         if self._preview is not None:
             self._preview.end()
-        result = write_result(context, self.plan, self.stepper, outcome)
+        with edit_mode.left(context):
+            result = write_result(context, self.plan, self.stepper, outcome)
         _snapshot, figures, stop_reason = outcome
         if stop_reason == "converged" and self.plan.from_surface:
             options = self.plan.problem.options

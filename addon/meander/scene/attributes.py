@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import DataError
+from .settings import surface_of
 
 _COLOR_TYPES = ("FLOAT_COLOR", "BYTE_COLOR")
 _FACE_TYPES = ("BOOLEAN", "INT", "INT8")
@@ -20,11 +21,11 @@ def attributes_seen(
 ) -> Iterable[bpy.types.Attribute]:
     """Those of the evaluated surface, so that what Geometry Nodes make is among them."""
     owner = settings.id_data
-    surface = owner if owner.type == "MESH" else settings.surface
+    surface = surface_of(owner)
     if surface is None:
         return ()
     evaluated = surface.evaluated_get(context.evaluated_depsgraph_get())
-    return evaluated.data.attributes
+    return getattr(evaluated.data, "attributes", ())  # a text has none
 
 
 def attribute_names(
@@ -49,11 +50,10 @@ def mask_names(
     settings: bpy.types.PropertyGroup, context: bpy.types.Context, _text: str
 ) -> Iterable[str]:
     owner = settings.id_data
-    surface = owner if owner.type == "MESH" else settings.surface
+    surface = surface_of(owner)
     if surface is None:
         return []
-    mesh = surface.evaluated_get(context.evaluated_depsgraph_get()).data
-    names = [item.name for item in mesh.attributes if is_face_mask(item)]
+    names = [item.name for item in attributes_seen(settings, context) if is_face_mask(item)]
     return [face_map.name for face_map in getattr(surface, "face_maps", ())] + [
         name for name in names if not name.startswith(".")
     ]

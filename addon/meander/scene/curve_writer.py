@@ -59,6 +59,11 @@ def new_curve_object(name: str, surface_object: bpy.types.Object) -> bpy.types.O
     curve_object = bpy.data.objects.new(name, bpy.data.curves.new(name, "CURVE"))
     collection_of(surface_object).objects.link(curve_object)
     curve_object.parent = surface_object
+    if surface_object.type == "CURVE" and surface_object.data.use_path:
+        # Such a parent carries its children along its path, to where it is in this frame.
+        bpy.context.view_layer.update()
+        carried = curve_object.matrix_world.inverted_safe() @ surface_object.matrix_world
+        curve_object.matrix_parent_inverse = carried
     return curve_object
 
 

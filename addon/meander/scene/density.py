@@ -8,6 +8,7 @@ it into the density.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import bpy
 import numpy as np
@@ -58,6 +59,52 @@ def choice_of(settings: bpy.types.PropertyGroup) -> Choice:
         smoothing=float(f"{settings.density_smoothing:.6g}"),
         stops=_stops_of(settings),
     )
+
+
+def active_group(surface: bpy.types.Object) -> str:
+    """The active vertex group, if it is not one that bones or modifiers use; else an empty name."""
+    group = surface.vertex_groups.active if surface.type == "MESH" else None
+    return "" if group is None or group.name in _groups_in_use(surface) else group.name
+
+
+def painted_group(surface: bpy.types.Object) -> str:
+    """active_group() if there is any weight in it; else an empty name."""
+    name = active_group(surface)
+    if not name:
+        return ""
+    index = surface.vertex_groups[name].index
+    painted = any(
+        element.group == index and element.weight > 0.0
+        for vertex in surface.data.vertices
+        for element in vertex.groups
+    )
+    return name if painted else ""
+
+
+def _groups_in_use(surface: bpy.types.Object) -> set[str]:
+    names: set[str] = set()
+    for modifier in surface.modifiers:
+        names.add(getattr(modifier, "vertex_group", ""))
+        if modifier.type == "ARMATURE" and modifier.object is not None:
+            names.update(bone.name for bone in modifier.object.data.bones)
+    return names
+
+
+def chosen_density(settings: bpy.types.PropertyGroup, surface: bpy.types.Object) -> Choice:
+    """What the settings say; where they name no vertex group, the painted one that is active."""
+    choice = choice_of(settings)
+    if choice.source == "GROUP" and not choice.name:
+        return replace(choice, name=painted_group(surface))
+    return choice
+
+
+def unused_paint(choice: Choice, surface: bpy.types.Object) -> str:
+    """A line about vertex groups that a run leaves out since none is chosen; empty if none."""
+    if choice.source != "GROUP" or choice.name or surface.type != "MESH":
+        return ""
+    if not len(surface.vertex_groups):
+        return ""
+    return "no vertex group is chosen under Density, so the spacing is the same everywhere"
 
 
 def _stops_of(settings: bpy.types.PropertyGroup) -> Stops:

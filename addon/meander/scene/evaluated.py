@@ -10,6 +10,7 @@ import bpy
 import numpy as np
 
 from .errors import DataError
+from .fillable import has_faces
 from .transforms import world_matrix
 
 
@@ -60,9 +61,9 @@ def surface_mesh(
 ) -> Iterator[tuple[bpy.types.Mesh, np.ndarray]]:
     """The evaluated mesh of a surface and its world matrix, freed after the block.
 
-    Works in Edit Mode and for hidden objects. Raises DataError for what is not a mesh.
+    Works in Edit Mode and for hidden objects. Raises DataError for what has no faces.
     """
-    if object.type != "MESH":
+    if not has_faces(object):
         raise DataError(f"'{object.name}' is not a mesh; choose a mesh object as the surface")
     if object.mode == "EDIT":
         object.update_from_editmode()

@@ -11,6 +11,7 @@ import numpy as np
 from .. import core
 from .errors import DataError
 from .evaluated import surface_mesh
+from .fillable import shows_instances
 from .transforms import check_invertible, to_world, world_matrix
 
 
@@ -34,6 +35,11 @@ def triangles_of(
         indices = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
         mesh.loop_triangles.foreach_get("vertices", indices)
     if not len(indices):
+        if shows_instances(object, depsgraph):
+            raise DataError(
+                f"'{object.name}' shows instances only; add a Realize Instances node at the end of "
+                "its Geometry Nodes, or use Object > Apply > Make Instances Real"
+            )
         raise DataError(f"'{object.name}' has no faces; choose a mesh with faces as the surface")
     faces = indices.reshape(-1, 3).astype(np.uint32)
     if np.linalg.det(matrix[:3, :3]) < 0.0:

@@ -75,7 +75,7 @@ def surface_options(
         options.mask_threshold = -threshold if mask.inverted else threshold
         empty = not (options.vertex_mask >= options.mask_threshold).any()
     else:
-        options.face_mask = _face_mask(mask, surface, depsgraph)
+        options.face_mask = face_mask(mask, surface, depsgraph)
         empty = not options.face_mask.any()
     if empty:
         raise DataError(
@@ -84,7 +84,7 @@ def surface_options(
     return options
 
 
-def _face_mask(mask: Mask, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
+def face_mask(mask: Mask, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
     """Per triangle of triangles_of(): is it to be filled?"""
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         mesh.calc_loop_triangles()

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import bpy
 
+from .fillable import has_faces
+
 
 def is_present(thing: bpy.types.Object | None) -> bool:
     """Whether an object is in a scene. One that was deleted lives on while something names it."""
@@ -24,7 +26,7 @@ def last_result(
     None also for what cannot be changed, and for a duplicate of the surface: what it names is the
     result of the original.
     """
-    if surface is None or surface.type != "MESH":
+    if not has_faces(surface):
         return None
     found = surface.meander.last_result
     if not is_result_of(found, surface) or scene not in found.users_scene[:]:

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import bpy
 
+from .fillable import has_faces, is_result
+
 # What belongs to one object: what it lies on, what its last run came to, and what it does now.
 _OWN = frozenset(
     {
@@ -43,10 +45,23 @@ def copy_settings(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGro
         target.density_ramp = target.density_ramp.copy()
 
 
+def adopt(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGroup) -> None:
+    """Gives settings that nobody has touched the choices that another object has made.
+
+    Only numbers, switches and choices: names and objects belong to the mesh that they are of.
+    """
+    names = copied(target)
+    if any(target.is_property_set(name) for name in names):
+        return
+    for name in names:
+        kind = source.bl_rna.properties[name].type
+        own = kind in {"POINTER", "STRING", "COLLECTION"} or name.endswith("_source")
+        if not own and source.is_property_set(name):
+            setattr(target, name, getattr(source, name))
+
+
 def surface_of(object: bpy.types.Object | None) -> bpy.types.Object | None:
-    """The surface that an object stands for: a mesh itself, or the surface of a result."""
-    if object is None:
-        return None
-    if object.type == "MESH":
-        return object
-    return object.meander.surface if object.type == "CURVE" else None
+    """The surface that an object stands for: what has faces itself, or the surface of a result."""
+    if is_result(object):
+        return object.meander.surface
+    return object if has_faces(object) else None

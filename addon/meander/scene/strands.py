@@ -12,6 +12,7 @@ from .. import core
 from ..model import strands
 from .curve_reader import point_numbers, strands_of_curve
 from .errors import DataError
+from .fillable import is_result
 from .transforms import world_matrix
 
 
@@ -40,7 +41,7 @@ def parts_of(
     settings: bpy.types.PropertyGroup = active.meander
     fixed_ends = settings.fixed_ends or _has_stroke(settings)
     guides, guide_objects = _drawn_guides(settings, depsgraph)
-    if active.type == "MESH" or restart:
+    if not is_result(active) or restart:
         if settings.seed is not None:
             seed = strands_of_curve(settings.seed, depsgraph, settings.fixed_ends)
             parts = [_part_of(settings.seed, seed)]

@@ -11,6 +11,7 @@ from ..model.cut import one_side
 from ..run.cutting import CutResult, cut_result, paint_sides
 from ..scene import assets
 from ..scene.errors import DataError
+from ..scene.fillable import is_result
 from ..scene.look_modifier import set_value
 from ..scene.transforms import mean_scale
 from .on_result import OnResult
@@ -203,7 +204,7 @@ class MEANDER_PT_make(SubPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return super().poll(context) and active.type == "CURVE"
+        return is_result(active) and super().poll(context)
 
     def draw(self, _context: bpy.types.Context) -> None:
         layout = self.layout

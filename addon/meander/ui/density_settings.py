@@ -36,7 +36,8 @@ class DensitySettings:
     density_group: StringProperty(
         name="Vertex Group",
         description=(
-            "Vertex group that varies the spacing over the surface. Empty: the same everywhere"
+            "Vertex group that varies the spacing over the surface. Empty: the active one, if it "
+            "is painted and no bone or modifier uses it"
         ),
         options=set(),
     )

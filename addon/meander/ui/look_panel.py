@@ -11,6 +11,7 @@ import bpy
 
 from ..scene import look_material, look_modifier
 from ..scene.errors import DataError
+from ..scene.fillable import is_result
 from ..scene.look_upgrade import add_look
 from ..scene.results import last_result
 from .declared import switch
@@ -59,7 +60,7 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
-        result = active if active.type == "CURVE" else last_result(active, context.scene)
+        result = active if is_result(active) else last_result(active, context.scene)
         if result is None:
             _draw_seed(layout, active.meander)
             return

@@ -12,6 +12,7 @@ from .. import core
 from ..run import baking, following, session
 from ..scene import baked_frames
 from ..scene.errors import DataError
+from ..scene.fillable import is_result
 from .declared import switch
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns, notice
@@ -121,7 +122,7 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return active is not None and active.type == "CURVE" and super().poll(context)
+        return is_result(active) and super().poll(context)
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

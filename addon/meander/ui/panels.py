@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import bpy
 from bpy.props import FloatProperty
 
 from ..model import last_run
 from ..model.estimate import described
 from ..run import estimates, gap_marks, session, suspended
+from ..scene.fillable import is_result, why_not_this
 from ..scene.results import last_result
 from ..scene.settings import surface_of
 from .declared import rows
@@ -20,9 +23,8 @@ from .seed_drawing import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, ORDER, Sidebar, SubPanel, columns, notice
 
-
-def _is_result(object: bpy.types.Object) -> bool:
-    return object.type == "CURVE"
+# What fits beside an icon in a sidebar as wide as Blender makes it.
+_LINE = 24
 
 
 class MEANDER_PT_main(Sidebar, bpy.types.Panel):
@@ -37,7 +39,9 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             self._draw_settings(layout.column(), context.active_object, surface)
         elif running is None and surface_drawn_on(context.active_object) is None:
             column = layout.column(align=True)
-            column.label(text="Select a mesh to fill", icon="INFO")
+            text = why_not_this(context.active_object) or "Select a mesh to fill"
+            for number, line in enumerate(textwrap.wrap(text, _LINE)):
+                column.label(text=line, icon="BLANK1" if number else "INFO")
         if running is not None:
             self._draw_progress(layout, context, running)
         elif surface is not None:
@@ -49,7 +53,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
     ) -> None:
         settings: MeanderSettings = active.meander
         columns(layout)
-        if _is_result(active):
+        if is_result(active):
             # Which surface it lies on is a fact, not a choice.
             row = layout.row()
             row.enabled = False
@@ -75,7 +79,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             # What has its whole length is still being made even.
             text = f"Resume at {min(100.0 * kept.progress, 99.0):.0f} %"
             column.operator(MEANDER_OT_resume.bl_idname, text=text, icon="PLAY")
-        if _is_result(active):
+        if is_result(active):
             column.operator(MEANDER_OT_run.bl_idname, text="Continue", icon="PLAY")
             column.operator(
                 MEANDER_OT_run.bl_idname, text="Start Over", icon="FILE_REFRESH"
@@ -163,7 +167,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
                 ("Time", f"{figures.seconds:.1f} s"),
             ),
         )
-        if _is_result(active) and gaps > 0:
+        if is_result(active) and gaps > 0:
             layout.operator(
                 MEANDER_OT_show_gaps.bl_idname,
                 text="Hide Gaps" if gap_marks.shown_of(active) else "Show Gaps",

@@ -7,6 +7,7 @@ import bpy
 
 from ..scene import look, point_attributes
 from ..scene.errors import DataError
+from ..scene.fillable import is_result
 from ..scene.surface_points import strands_of_result
 from ..scene.transforms import mean_scale, world_matrix
 from .declared import rows
@@ -77,14 +78,14 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         columns(layout)
         active = context.active_object
         layout.operator_context = "INVOKE_DEFAULT"
-        if active.type == "CURVE":
+        if is_result(active):
             layout.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
         rows(layout, active.meander, "Export")
-        if active.type == "CURVE":
+        if is_result(active):
             layout.operator(MEANDER_OT_make_light.bl_idname, icon="MOD_DECIM")
             _draw_counts(layout, active)
         layout.prop(active.meander, "points_as")
-        if active.type == "CURVE":
+        if is_result(active):
             column = layout.column(align=True)
             column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
             column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")

@@ -96,17 +96,16 @@ def draw_faults(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
         return
     column = layout.column(align=True)
     if sentence:
-        for number, line in enumerate(textwrap.wrap(sentence, _LINE)):
+        for number, line in enumerate(textwrap.wrap(sentence.partition(";")[0], _LINE)):
             column.label(text=line, icon="BLANK1" if number else "ERROR")
     row = column.row()
     if not sentence:
-        what = "fault" if count == 1 else "faults"
-        row.label(text=f"Repaired {count:,} {what}", icon="CHECKMARK")
+        row.label(text=f"{count:,} repaired", icon="CHECKMARK")
     row.operator(MEANDER_OT_select_problem.bl_idname, icon="RESTRICT_SELECT_OFF")
 
 
 # What fits beside an icon in a sidebar as wide as Blender makes it.
-_LINE = 30
+_LINE = 24
 
 
 class MEANDER_PT_mask(SubPanel, bpy.types.Panel):

@@ -16,15 +16,18 @@ from bpy.props import BoolProperty, StringProperty
 from .. import core
 from ..model import last_run, strands
 from ..model.estimate import described
-from ..run import estimates, session, suspended
+from ..run import session, suspended
+from ..run.edit_mode import push_undo
 from ..run.plan import Plan, plan_run
+from ..run.queue import Queue
 from ..scene.errors import DataError
+from ..scene.fillable import why_not
 from ..scene.settings import surface_of
 from .preferences import is_large
 
 # Weight painting uses the same undo as Object Mode, and is where densities come from. Undo in the
-# edit and sculpt modes knows nothing of new objects.
-_MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
+# sculpt modes knows nothing of new objects; for that of Edit Mode there is run.edit_mode.
+_MODES = ("OBJECT", "EDIT_MESH", "PAINT_WEIGHT", "PAINT_VERTEX")
 
 
 def sentence_of(error: Exception) -> str:
@@ -45,10 +48,10 @@ def _poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool
         cls.poll_message_set("A curve is growing already")
         return False
     if context.mode not in _MODES:
-        cls.poll_message_set("Works in Object Mode and Weight Paint")
+        cls.poll_message_set("Works in Object Mode, in Edit Mode of a mesh and in Weight Paint")
         return False
     if surface_of(context.active_object) is None:
-        cls.poll_message_set("Choose a mesh to fill, or a curve that Meander has made")
+        cls.poll_message_set(why_not(context.active_object))
         return False
     return True
 
@@ -92,21 +95,25 @@ class _Watched:
             going = self._session.tick(context)
         except DataError as error:
             self.report({"ERROR"}, sentence_of(error))
-            return self._finish(context, keep=False)
+            return self._go_on(context, self._finish(context, keep=False))
         except BaseException:
             # A defect of ours must not leave a timer and a run behind.
             self._finish(context, keep=False)
             raise
         if not going:
-            return self._finish(context, keep=True)
+            return self._go_on(context, self._finish(context, keep=True))
         return {"PASS_THROUGH"}
+
+    def _go_on(self, _context: bpy.types.Context, outcome: set[str]) -> set[str]:
+        """What follows when a run has come to its end, which was this."""
+        return outcome
 
     def cancel(self, context: bpy.types.Context) -> None:
         """Called by Blender when it closes the window or the file under a run."""
         self._finish(context, keep=False)
 
     def _finish(self, context: bpy.types.Context, keep: bool) -> set[str]:
-        """Every exit of the operator comes through here."""
+        """Every end of a run comes through here."""
         try:
             if keep:
                 result, figures = self._session.keep(context)
@@ -132,6 +139,8 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
     bl_idname = "meander.run"
     bl_label = "Fill with Curve"
     bl_options = {"REGISTER", "UNDO"}
+
+    _queue: Queue
 
     restart: BoolProperty(
         name="Start Over",
@@ -163,7 +172,8 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
         if options.beside:
             return "Fill the mesh with another curve, and leave the one that it has"
         return (
-            "Grow a curve on the active mesh until it fills the surface at the spacing. "
+            "Grow a curve on the active mesh until it fills the surface at the spacing, then on "
+            "the others that are selected. In Edit Mode it fills the selected faces. "
             "Filling it again updates that curve, which keeps its looks. On a curve made so "
             "before, go on from there"
         )
@@ -175,34 +185,52 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
             # be modal itself; it begins another one.
             bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart, beside=self.beside)
             return {"CANCELLED"}
-        plan = self._planned(context)
-        if plan is None:
-            return {"CANCELLED"}
-        self._session = session.Session(plan)
-        self._session.stepper.run()
-        return self._finish(context, keep=True)
+        self._queue, filled = Queue(context, self.restart, self.beside), False
+        while (plan := self._planned(context)) is not None:
+            if filled:
+                push_undo()
+            self._session = session.Session(plan)
+            self._session.stepper.run()
+            filled = self._finish(context, keep=True) == {"FINISHED"} or filled
+        return {"FINISHED"} if filled else {"CANCELLED"}
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        self._queue = Queue(context, self.restart, self.beside)
         plan = self._planned(context)
-        if plan is None or not self.asked and self._asks(plan):
+        if plan is None or not self.asked and self._asks(context, plan):
             return {"CANCELLED"}
         self._session = session.Session(plan)
+        self._session.place = self._queue.place
         return self._watch(context)
 
-    def _planned(self, context: bpy.types.Context) -> Plan | None:
-        try:
-            return plan_run(context, self.restart, self.beside)
-        except (DataError, core.MeanderError) as error:
-            self.report({"ERROR"}, sentence_of(error))
-            return None
+    def _go_on(self, context: bpy.types.Context, outcome: set[str]) -> set[str]:
+        """Begins with the next object. Each that is filled has an undo step of its own."""
+        if self._queue.more and outcome == {"FINISHED"}:
+            push_undo()
+        plan = self._planned(context)
+        if plan is None:
+            return outcome
+        self._session = session.Session(plan)
+        self._session.place = self._queue.place
+        self._session.start(context)
+        return {"RUNNING_MODAL"}
 
-    def _asks(self, plan: Plan) -> bool:
-        """Whether the run is so large that the user is asked; he then begins it, or does not."""
-        try:
-            estimate = estimates.of_plan(plan)
-        except core.MeanderError:  # which the run will report
-            return False
-        if not is_large(estimate):
+    def _planned(self, context: bpy.types.Context) -> Plan | None:
+        """The plan of the next object that has one; what keeps others from it is reported."""
+        while self._queue.more:
+            try:
+                plan = self._queue.next_plan(context)
+            except (DataError, core.MeanderError) as error:
+                self.report({"ERROR"}, sentence_of(error))
+                continue
+            if plan is not None:
+                return plan
+        return None
+
+    def _asks(self, context: bpy.types.Context, plan: Plan) -> bool:
+        """Whether there is so much to fill that the user is asked; he begins it, or does not."""
+        estimate = self._queue.estimate_of_rest(context, plan)
+        if estimate is None or not is_large(estimate):  # else its run will report why
             return False
         bpy.ops.meander.ask_run(
             "INVOKE_DEFAULT",

@@ -16,6 +16,7 @@ from bpy.props import (
 )
 
 from ..scene import results
+from ..scene.fillable import has_faces
 from .alignment_settings import AlignmentSettings
 from .density_settings import DensitySettings
 from .motion_settings import FollowSettings
@@ -25,8 +26,8 @@ from .strand_settings import StrandSettings
 from .table_settings import MotionSettings, TableSettings
 
 
-def _is_mesh(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
-    return object.type == "MESH"
+def _is_surface(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return has_faces(object)
 
 
 def _is_result(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
@@ -115,7 +116,7 @@ class MeanderSettings(
         type=bpy.types.Object,
         name="Surface",
         description="The mesh that this curve fills; set on curves that Meander has made",
-        poll=_is_mesh,
+        poll=_is_surface,
         options=set(),
     )
     last_result: PointerProperty(

@@ -8,7 +8,7 @@ import textwrap
 import bpy
 
 from ..scene import ramp
-from ..scene.density import choice_of
+from ..scene.density import active_group, choice_of
 from ..scene.flow_options import warnings_of
 from ..scene.settings import surface_of
 from .declared import row, rows
@@ -37,17 +37,24 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         surface = surface_of(active)
         if source == "GROUP":
             layout.prop_search(settings, "density_group", surface, "vertex_groups", text="Group")
+            if not settings.density_group and len(surface.vertex_groups):
+                self._draw_taken(layout, active_group(surface))
         elif source == "ATTRIBUTE":
             layout.prop(settings, "density_attribute", icon="SPREADSHEET")
         elif source == "COLOR":
             layout.prop(settings, "density_color", text="Color", icon="GROUP_VCOL")
         elif source == "IMAGE":
             layout.template_ID(settings, "density_image", open="image.open", text="Image")
-            layout.prop_search(settings, "density_uv_map", surface.data, "uv_layers")
+            if surface.type == "MESH":
+                layout.prop_search(settings, "density_uv_map", surface.data, "uv_layers")
         else:
             layout.prop(settings, "density_curvature")
             row(layout, settings, "density_smoothing")
         self._draw_ramp(layout.column(), settings)
+
+    def _draw_taken(self, layout: bpy.types.UILayout, group: str) -> None:
+        """Which group a run takes where none is named: paint is never left out in silence."""
+        notice(layout, f"Active: {group}" if group else "None: even spacing")
 
     def _draw_ramp(self, layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
         layout.active = choice_of(settings).varies
@@ -91,8 +98,9 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
             layout.prop(settings, "alignment_strokes", icon="CURVE_DATA")
         elif source == "UV":
             layout.row().prop(settings, "alignment_uv", expand=True)
-            data = surface_of(active).data
-            layout.prop_search(settings, "alignment_uv_map", data, "uv_layers")
+            surface = surface_of(active)
+            if surface.type == "MESH":
+                layout.prop_search(settings, "alignment_uv_map", surface.data, "uv_layers")
         elif source == "ATTRIBUTE":
             layout.prop(settings, "alignment_attribute", icon="SPREADSHEET")
         row(layout, settings, "alignment_weight")

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The objects that one Fill fills, one after another."""
+
+from __future__ import annotations
+
+import bpy
+
+from .. import core
+from ..model.estimate import Estimate
+from ..scene.errors import DataError
+from ..scene.identity import Key
+from ..scene.region import selected_faces
+from ..scene.settings import adopt, surface_of
+from . import estimates
+from .plan import Plan, plan_of
+
+
+class Queue:
+    """What is still to be filled. It keeps keys, since plans may be minutes away."""
+
+    def __init__(self, context: bpy.types.Context, restart: bool, beside: bool) -> None:
+        """Lines up the active object, and what else is selected and can be filled.
+
+        In Edit Mode those being edited; if faces are selected, those that have some.
+        """
+        self._waiting = [Key(thing) for thing in _objects_of(context)]
+        self._active = Key(context.active_object)
+        self._restart, self._beside = restart, beside
+        self._count = len(self._waiting)
+
+    @property
+    def more(self) -> bool:
+        """Whether anything is left to be filled."""
+        return bool(self._waiting)
+
+    @property
+    def place(self) -> str:
+        """Which one it is that was taken last, such as "2 of 5"; empty where there is only one."""
+        return f"{self._count - len(self._waiting)} of {self._count}" if self._count > 1 else ""
+
+    def next_plan(self, context: bpy.types.Context) -> Plan | None:
+        """Plans the next one; None where it has been deleted.
+
+        What nobody has set up takes the choices of the active object. Raises DataError and
+        core.MeanderError.
+        """
+        thing, active = self._waiting.pop(0).find(), self._active.find()
+        if thing is None:
+            return None
+        if active is not None and thing != active:
+            adopt(active.meander, thing.meander)
+        depsgraph = context.evaluated_depsgraph_get()
+        return plan_of(thing, context.scene, depsgraph, self._restart, self._beside)
+
+    def estimate_of_rest(self, context: bpy.types.Context, first: Plan) -> Estimate | None:
+        """What all of them come to, the first of which is planned; None where that is not known."""
+        found = []
+        depsgraph = context.evaluated_depsgraph_get()
+        for key in [None, *self._waiting]:
+            try:
+                plan = first if key is None else plan_of(key.find(), context.scene, depsgraph)
+                found.append(estimates.of_plan(plan))
+            except (DataError, core.MeanderError):  # which its run will report
+                continue
+        if not found:
+            return None
+        return Estimate(
+            sum(one.points for one in found),
+            sum(one.seconds for one in found),
+            max(one.memory for one in found),
+        )
+
+
+def _objects_of(context: bpy.types.Context) -> list[bpy.types.Object]:
+    active = context.active_object
+    if context.mode == "EDIT_MESH":
+        edited = [active, *(thing for thing in context.objects_in_mode if thing != active)]
+        with_faces = [thing for thing in edited if selected_faces(thing) is not None]
+        return with_faces or edited
+    if context.mode != "OBJECT" or surface_of(active) != active or not active.select_get():
+        return [active]
+    others = sorted(context.selected_objects, key=lambda thing: thing.name_full)
+    return [active, *(thing for thing in others if thing != active and surface_of(thing) == thing)]

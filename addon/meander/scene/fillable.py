@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which objects can be filled, and why the others cannot."""
+
+from __future__ import annotations
+
+import bpy
+
+# Types of which Blender always makes a mesh.
+_OF_FACES = frozenset({"MESH", "FONT", "SURFACE", "META"})
+
+
+def is_result(thing: bpy.types.Object | None) -> bool:
+    """Whether an object is a curve that Meander has made, also one whose surface is gone."""
+    settings = getattr(thing, "meander", None)  # which the batch command may do without
+    if settings is None or thing.type != "CURVE":
+        return False
+    return settings.surface is not None or settings.figures.strands > 0
+
+
+def has_faces(thing: bpy.types.Object | None) -> bool:
+    """Whether an object is one to fill: a mesh, or what Blender makes a mesh with faces of.
+
+    Cheap, for panels; what modifiers make is not looked at.
+    """
+    if thing is None or is_result(thing):
+        return False
+    if thing.type != "CURVE":
+        return thing.type in _OF_FACES
+    curve = thing.data
+    thick = curve.bevel_depth > 0.0 or curve.extrude > 0.0 or curve.bevel_object is not None
+    filled = curve.dimensions == "2D" and curve.fill_mode != "NONE"
+    return thick or filled or any(modifier.type == "NODES" for modifier in thing.modifiers)
+
+
+def why_not(thing: bpy.types.Object | None) -> str:
+    """What to do where an object cannot be filled, as a sentence without its full stop."""
+    return why_not_this(thing) or "Choose a mesh to fill, or a curve that Meander has made"
+
+
+def why_not_this(thing: bpy.types.Object | None) -> str:
+    """why_not() where it is about the object itself; else empty."""
+    if thing is not None and thing.type == "EMPTY" and thing.instance_type == "COLLECTION":
+        return (
+            f"'{thing.name}' shows instances; use Object > Apply > Make Instances Real, then fill "
+            "the meshes"
+        )
+    if is_result(thing):
+        return f"The surface of '{thing.name}' is gone; choose a mesh to fill"
+    if thing is not None and thing.type == "CURVE":
+        return f"'{thing.name}' has no faces; give it a bevel or an extrusion, or choose a mesh"
+    return ""
+
+
+def shows_instances(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
+    """Whether an object shows copies of others, as Geometry Nodes make them."""
+    return any(
+        instance.is_instance and instance.parent is not None and instance.parent.original == thing
+        for instance in depsgraph.object_instances
+    )

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What artists try first: texts and curves, several meshes, Edit Mode, paint that nobody named."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+import pytest
+from meander.run import estimates
+from scenes import (
+    activate,
+    circle_points,
+    cube,
+    farthest_from,
+    fill,
+    grid,
+    mesh_object,
+    packing,
+    poly_curve,
+    refused,
+    world_splines,
+)
+
+
+def points_of(curve: bpy.types.Object) -> np.ndarray:
+    return np.vstack([points for points, _closed in world_splines(curve)])
+
+
+# ------------------------------------------------------------------------------------------------
+# What is not a mesh
+
+
+def text() -> bpy.types.Object:
+    data = bpy.data.curves.new("Words", "FONT")
+    data.body = "OK"
+    data.extrude = 0.2
+    thing = bpy.data.objects.new("Words", data)
+    bpy.context.scene.collection.objects.link(thing)
+    return thing
+
+
+def pipe() -> bpy.types.Object:
+    thing = poly_curve("Pipe", [circle_points(1.0, 0.0, 12)], True)
+    thing.data.bevel_depth = 0.3
+    thing.data.use_path = True  # which would carry children along
+    return thing
+
+
+def ball() -> bpy.types.Object:
+    bpy.ops.object.metaball_add(type="BALL")
+    return bpy.context.active_object
+
+
+def patch() -> bpy.types.Object:
+    bpy.ops.surface.primitive_nurbs_surface_torus_add()
+    return bpy.context.active_object
+
+
+@pytest.mark.parametrize("build", [text, pipe, ball, patch])
+def test_what_blender_makes_a_mesh_of_is_filled(build):
+    thing = build()
+    thing.location = (3.0, 1.0, 0.5)
+    curve = fill(thing, 0.12)
+    assert curve.meander.surface == thing
+    assert farthest_from(thing, curve) < 1e-3
+    assert 0.7 < packing(thing, curve) < 1.2
+    estimates.measure(thing)
+    assert estimates.shown(thing) is not None
+    # Filled again it is updated, and from the curve it goes on.
+    assert fill(activate(thing), 0.12) in (thing, curve)
+    activate(curve)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert farthest_from(thing, curve) < 1e-3
+    assert not bpy.ops.meander.select_problem.poll()
+
+
+def test_a_bare_curve_is_no_surface():
+    activate(poly_curve("Bare", [circle_points(1.0, 0.0)], True))
+    assert not bpy.ops.meander.run.poll()
+    with pytest.raises(RuntimeError, match="give it a bevel"):
+        bpy.ops.meander.run()
+
+
+def test_instances_say_what_to_do():
+    collection = bpy.data.collections.new("Stones")
+    collection.objects.link(cube())
+    empty = bpy.data.objects.new("Stones", None)
+    empty.instance_type, empty.instance_collection = "COLLECTION", collection
+    bpy.context.scene.collection.objects.link(empty)
+    activate(empty)
+    with pytest.raises(RuntimeError, match="Make Instances Real"):
+        bpy.ops.meander.run()
+    surface = mesh_object("Copies", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+    tree = bpy.data.node_groups.new("Copies", "GeometryNodeTree")
+    if hasattr(tree, "interface"):
+        kinds = {"socket_type": "NodeSocketGeometry"}
+        tree.interface.new_socket(name="Geometry", in_out="INPUT", **kinds)
+        tree.interface.new_socket(name="Geometry", in_out="OUTPUT", **kinds)
+    else:
+        tree.inputs.new("NodeSocketGeometry", "Geometry")
+        tree.outputs.new("NodeSocketGeometry", "Geometry")
+    given, taken = tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
+    copies = tree.nodes.new("GeometryNodeInstanceOnPoints")
+    block = tree.nodes.new("GeometryNodeMeshCube")
+    tree.links.new(given.outputs[0], copies.inputs["Points"])
+    tree.links.new(block.outputs["Mesh"], copies.inputs["Instance"])
+    tree.links.new(copies.outputs[0], taken.inputs[0])
+    surface.modifiers.new("Copies", "NODES").node_group = tree
+    assert "Realize Instances" in refused(surface)
+
+
+# ------------------------------------------------------------------------------------------------
+# Several at once
+
+
+def test_all_selected_meshes_are_filled_one_after_another():
+    first, second, third = cube(), grid(8), grid(4)
+    third.location.x, second.location.x = 5.0, 10.0
+    third.meander.spacing = 0.5
+    broken = mesh_object("Nothing", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [])
+    lamp = bpy.data.objects.new("Empty", None)
+    bpy.context.scene.collection.objects.link(lamp)
+    activate(first)
+    first.meander.spacing, first.meander.bevel_share = 0.3, 0.35
+    for thing in (second, third, broken, lamp):
+        thing.select_set(True)
+    with pytest.raises(RuntimeError, match="'Nothing' has no faces"):
+        bpy.ops.meander.run()  # what cannot be filled is reported, and the others are filled
+    results = {thing.meander.surface: thing for thing in bpy.data.objects if thing.type == "CURVE"}
+    assert set(results) == {first, second, third}
+    # Who has been set up keeps it; who has not takes what the active one has.
+    assert [results[thing].meander.spacing for thing in (first, second, third)] == pytest.approx(
+        [0.3, 0.3, 0.5]
+    )
+    assert results[second].meander.bevel_share == pytest.approx(0.35)
+    assert results[third].meander.bevel_share == pytest.approx(0.2)
+    for surface, curve in results.items():
+        assert farthest_from(surface, curve) < 1e-3
+
+
+# ------------------------------------------------------------------------------------------------
+# Edit Mode
+
+
+def in_edit_mode(surface: bpy.types.Object, chosen) -> None:
+    activate(surface)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_mode(type="FACE")
+    bpy.ops.mesh.select_all(action="DESELECT")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for polygon in surface.data.polygons:
+        polygon.select = chosen(polygon.center)
+    bpy.ops.object.mode_set(mode="EDIT")
+
+
+@pytest.mark.parametrize("levels", [0, 1])
+def test_the_selected_faces_are_filled_in_edit_mode(levels):
+    surface = grid(10)
+    if levels:
+        surface.modifiers.new("Subdivision", "SUBSURF").levels = levels
+    in_edit_mode(surface, lambda centre: centre.x > 0.0)
+    surface.meander.spacing = 0.2
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert bpy.context.mode == "EDIT_MESH" and bpy.context.active_object == surface
+    curve = surface.meander.last_result
+    x = points_of(curve)[:, 0]
+    assert 0.0 < x.min() < 0.15 and x.max() > 0.8
+    # It goes on there, whatever is selected now.
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    activate(curve)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert points_of(curve)[:, 0].min() > 0.0
+    # Another part for the same curve takes no second attribute; no part is the whole.
+    in_edit_mode(surface, lambda centre: centre.x < 0.0)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert points_of(curve)[:, 0].max() < 0.0
+    bpy.ops.mesh.select_all(action="DESELECT")
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    x = points_of(curve)[:, 0]
+    assert x.min() < -0.8 and x.max() > 0.8
+    bpy.ops.object.mode_set(mode="OBJECT")
+    names = [item.name for item in surface.data.attributes if item.name.startswith("Meander")]
+    assert names == ["Meander Region"]
+
+
+# ------------------------------------------------------------------------------------------------
+# Paint
+
+
+def painted(name: str) -> bpy.types.Object:
+    surface = grid(10)
+    group = surface.vertex_groups.new(name=name)
+    for vertex in surface.data.vertices:
+        group.add([vertex.index], float(vertex.co.x > 0.0), "REPLACE")
+    return surface
+
+
+def test_the_active_vertex_group_is_taken_and_kept():
+    surface = painted("Dense")
+    curve = fill(surface, 0.2)
+    assert curve.meander.density_group == surface.meander.density_group == "Dense"
+    x = points_of(curve)[:, 0]
+    assert (x > 0.0).mean() > 0.6
+
+
+def test_groups_of_bones_are_left_out_and_said_to_be():
+    surface = painted("Bone")
+    bones = bpy.data.objects.new("Rig", bpy.data.armatures.new("Rig"))
+    bpy.context.scene.collection.objects.link(bones)
+    activate(bones)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bones.data.edit_bones.new("Bone").tail = (0, 0, 1)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    surface.modifiers.new("Armature", "ARMATURE").object = bones
+    curve = fill(surface, 0.2)
+    assert curve.meander.density_group == ""
+    assert "no vertex group is chosen" in surface.meander.figures.preparation
+    assert 0.4 < (points_of(curve)[:, 0] > 0.0).mean() < 0.6
