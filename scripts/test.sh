@@ -132,6 +132,7 @@ suite ui-undo 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/undo.py
 suite ui-seeds 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/seeds.py
 suite ui-first-try 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/first_try.py
 suite ui-export 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/export.py
+suite ui-make 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/make.py
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
 check site 120 bash scripts/build_site.sh

@@ -10,6 +10,7 @@ from .. import core
 from ..model.cut import one_side
 from ..run.cutting import CutResult, cut_result, paint_sides
 from ..scene import assets
+from ..scene.cut_object import sharpen_line
 from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from ..scene.look_modifier import set_value
@@ -160,6 +161,7 @@ class MEANDER_OT_relief(_Cut, bpy.types.Operator):
     def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
         group, material = assets.node_group("Meander Relief"), assets.material("Meander Coral")
         made = cut.make(name, keep_normals=False)
+        sharpen_line(made)
         made.data.materials.clear()
         made.data.materials.append(material)
         made.data.polygons.foreach_set("material_index", [0] * len(made.data.polygons))

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script: what a result makes of its surface, in a window; started like run.py."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+# Another add-on folder can be tried with the same story.
+ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
+sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
+
+from meander.ui import cut_panel  # noqa: E402
+from stage import (  # noqa: E402
+    COARSE,
+    RESULT,
+    SURFACE,
+    build_scene,
+    changed_share,
+    choose_spacing,
+    ended,
+    key,
+    look_at_surface,
+    picture,
+    press_run,
+    show_panel,
+    step,
+    tell,
+    until,
+    window_override,
+)
+
+
+def press(name: str, **options: object) -> None:
+    """As a button of the panel does: with an undo step."""
+    with bpy.context.temp_override(**window_override()):
+        outcome = getattr(bpy.ops.meander, name)("INVOKE_DEFAULT", True, **options)
+    assert outcome == {"FINISHED"}, outcome
+
+
+def hidden(name: str) -> bool:
+    return bpy.data.objects[name].hide_get()
+
+
+def undo(redo: bool = False) -> Iterator[float]:
+    key("Z", ctrl=True, shift=redo)
+    yield 0.7
+
+
+def sides_of(name: str) -> np.ndarray:
+    polygons = bpy.data.objects[name].data.polygons
+    sides = np.empty(len(polygons), dtype=np.int32)
+    polygons.foreach_get("material_index", sides)
+    return sides
+
+
+def story() -> Iterator[float]:
+    build_scene()
+    choose_spacing(COARSE)
+    look_at_surface()
+    yield from show_panel()
+    step("Suzanne is filled")
+    press_run()
+    yield from until(ended, "the run ends")
+    yield 0.5
+    picture("make_panel")
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.two_tone.poll()
+
+    step("Two-Tone stands in the place of the curve and its surface")
+    press("two_tone")
+    yield 0.7
+    picture("make_two_tone")
+    made = f"{RESULT} Two-Tone"
+    assert bpy.context.view_layer.objects.active == bpy.data.objects[made]
+    assert hidden(RESULT) and hidden(SURFACE)
+    sides = sides_of(made)
+    assert 0.3 < sides.mean() < 0.7
+    assert changed_share("make_panel", "make_two_tone") > 0.05
+
+    step("undo takes it back, and redo brings it again")
+    yield from undo()
+    assert made not in bpy.data.objects
+    assert not hidden(RESULT) and not hidden(SURFACE)
+    assert bpy.context.view_layer.objects.active == bpy.data.objects[RESULT]
+    yield from undo(redo=True)
+    assert np.array_equal(sides_of(made), sides)
+    assert hidden(RESULT) and hidden(SURFACE)
+
+    step("Relief after undo")
+    yield from undo()
+    press("relief")
+    yield 1.0
+    picture("make_relief")
+    relief = bpy.context.view_layer.objects.active
+    assert relief.modifiers[0].node_group.name.startswith("Meander Relief")
+    assert changed_share("make_two_tone", "make_relief") > 0.05
+
+
+cut_panel.MEANDER_PT_make.bl_options = set()  # open, to be seen
+tell(story())
