@@ -6,6 +6,7 @@ from __future__ import annotations
 import bpy
 import numpy as np
 import pytest
+from meander.run import following
 from scenes import (
     activate,
     circle_points,
@@ -228,3 +229,55 @@ def test_a_guide_that_crosses_the_seed_is_refused_by_name():
 def test_an_empty_collection_of_guides_is_refused():
     collection = bpy.data.collections.new("Nothing Here")
     assert "has no curves" in refused(grid(), guide_collection=collection)
+
+
+# -- one line of many ------------------------------------------------------------------------------
+
+
+def test_parts_are_bridged_to_one_line_and_come_apart_to_go_on(capfd):
+    surface = grid(10)
+    surface.modifiers.new("Array", "ARRAY").relative_offset_displace = (1.05, 0.0, 0.0)
+    guides = poly_curve("Guides", [[(-0.5, 0.2, 0), (0.5, 0.2, 0)]], False)
+    result = fill(surface, 0.25, bridge_parts=True, guides=guides, points_as="MESH")
+    wall, (points, cyclic) = world_splines(result)
+    assert not wall[1] and cyclic
+    figures = result.meander.figures
+    assert (figures.bridge_count, figures.lines, figures.closed_lines) == (2, 1, 1)
+    assert (figures.strands, figures.guides, figures.first_guide) == (2, 1, 0)
+    assert "joined all strands by 2 bridges" in capfd.readouterr().out
+    # Two bridges over the gap between the sheets, beside each other.
+    steps = np.roll(points, -1, axis=0) - points
+    over = (points[:, 0] < 1.0 + 1e-6) != (np.roll(points, -1, axis=0)[:, 0] < 1.0 + 1e-6)
+    assert over.sum() == 2
+    assert np.linalg.norm(steps[over], axis=1).sum() == pytest.approx(
+        figures.bridge_length, rel=1e-4
+    )
+    assert np.linalg.norm(np.diff(points[over], axis=0)) < 2 * 0.25
+    # The object of all points has the same line.
+    edges = figures.points.data.edges
+    degrees = np.bincount([vertex for edge in edges for vertex in edge.vertices])
+    assert sorted(set(degrees.tolist())) == [1, 2] and (degrees == 1).sum() == 2
+    # It goes on as two strands, and is one line again.
+    result.meander.iteration_limit = 5
+    activate(result)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert [cyclic for _points, cyclic in world_splines(result)] == [False, True]
+    result.meander.bridge_parts = False
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert [cyclic for _points, cyclic in world_splines(result)] == [False, True, True]
+    assert result.meander.figures.bridge_count == 0 and not result.meander.figures.bridges
+    result.meander.bridge_parts = True
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    result.meander.motion = "EVEN"
+    result.meander.follow = True
+    assert "has bridges" in following.problem_of(result)
+    result.meander.follow = False
+    # Without the guides as splines the line is the first one.
+    result.meander.keep_guides = False
+    for _ in range(2):
+        assert bpy.ops.meander.run() == {"FINISHED"}
+        assert [cyclic for _points, cyclic in world_splines(result)] == [True]
+    spline = result.data.splines[0]
+    spline.points.add(1)
+    spline.points[-1].co = (0.3, 0.3, 0.0, 1.0)
+    assert "its bridges cannot be taken out; use Start Over" in refused(result)

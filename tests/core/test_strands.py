@@ -361,6 +361,34 @@ def test_batch_tells_of_parts_on_which_nothing_grows(run, tmp_path: Path) -> Non
     assert report_of(tmp_path)["empty_components"] == 0
 
 
+def test_batch_joins_parts_by_bridges(run, tmp_path: Path) -> None:
+    mesh = geometry.two_spheres()
+    settings = ("--iterations", 60, "--spacing", 0.4, "--bridge")
+    code, out, _err = run(mesh, *settings)
+    assert code == 0 and "joined all strands by 2 bridges" in out
+    report = report_of(tmp_path)
+    assert report["bridges"]["count"] == 2 and report["options"]["bridge"] is True
+    # The spheres are 1 apart.
+    assert 2.0 < report["bridges"]["length"] < 2.5
+    joined = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    assert joined.closed.tolist() == [1]
+    code, _out, _err = run(mesh, *settings, "--output", tmp_path / "out.csv")
+    table = np.genfromtxt(tmp_path / "out.csv", delimiter=",", names=True)
+    assert code == 0 and np.all(table["strand"] == 0) and np.all(table["closed"] == 1)
+    places = np.column_stack([table[axis] for axis in "xyz"])
+    assert np.allclose(places, joined.points)
+    # Every point is in the face that is named for it, those where bridges begin as well.
+    corners = mesh.vertices[mesh.faces[table["face"].astype(int)]]
+    weights = np.column_stack([table[name] for name in ("w0", "w1", "w2")])
+    assert np.abs(np.einsum("nk,nkj->nj", weights, corners) - places).max() < 1e-6
+    steps = np.linalg.norm(np.diff(places, axis=0, append=places[:1]), axis=1)
+    assert np.allclose(np.cumsum(steps)[:-1], table["arc_length"][1:])
+    # What is one line already stays it.
+    code, out, _err = run(geometry.grid(4), "--iterations", 5, "--bridge")
+    assert code == 0 and "bridges" not in out
+    assert report_of(tmp_path)["bridges"] == {"count": 0, "length": 0.0}
+
+
 BAD = {
     "one end": (("--from", 0, 0, 0), "give --to as well"),
     "both kinds": (("--from", 0, 0, 0, "--from-vertex", 1, "--to-vertex", 2), "choose one"),

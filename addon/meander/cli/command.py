@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from .. import core
-from ..model import report, strands
+from ..model import bridges, report, strands
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
@@ -66,6 +66,9 @@ def _process(argv: Sequence[str]) -> None:
         done = described(opened.figures, given.loose_edges)
         if done:
             print(f"meander: {done}")
+        if record["bridges"]["count"]:
+            length = f"{record['bridges']['length']:.3g}"
+            print(f"meander: {bridges.described(record['bridges']['count'], length)}")
         print(summary(reason, figures))
         print(f"meander: wrote {arguments.output}", flush=True)
         if arguments.cut is not None:

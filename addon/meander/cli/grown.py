@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model import strands, thinning
-from ..model.problem import Opened
+from ..model import bridges, strands, thinning, toolpath
+from ..model.problem import Opened, Problem
 from ..model.simplification import Light, light_points
 
 
@@ -20,6 +20,7 @@ class Grown:
 
     density   per vertex of the surface; None: 1 everywhere
     cut       of the surface along all of the curve; None: none is wanted
+    line      what was joined to one line by bridges; None: nothing
     """
 
     curve: core.Polylines
@@ -27,6 +28,7 @@ class Grown:
     guides: NDArray[np.bool_]
     density: NDArray[np.float64] | None
     cut: core.CutSurface | None = None
+    line: bridges.Joined | None = None
 
 
 def grown_of(flow: core.Flow, opened: Opened, without_guides: bool) -> Grown:
@@ -48,3 +50,20 @@ def lightened(grown: Grown, radius: float, light: Light | None) -> Grown:
     kept = light_points(grown.curve, light, spacing)
     data = core.PointData(*(values[kept] for values in grown.data))
     return replace(grown, curve=thinning.with_points(grown.curve, kept), data=data)
+
+
+def bridged(grown: Grown, problem: Problem) -> Grown:
+    """What has grown as one line; what is one line already stays as it is."""
+    spacing = thinning.least_spacing(problem.options.radius, grown.density)
+    line = bridges.joined(grown.curve, spacing, grown.guides)
+    if line is None:
+        return grown
+    mesh = toolpath.Mesh(problem.vertices, problem.faces)
+    data = bridges.data_of(line, grown.data, mesh)
+    return replace(grown, curve=line.polylines, data=data, guides=line.guides, line=line)
+
+
+def bridge_figures(line: bridges.Joined | None) -> dict[str, float]:
+    """The report's "bridges"."""
+    lengths = np.zeros(0) if line is None else line.bridge_lengths
+    return {"count": len(lengths), "length": float(lengths.sum())}

@@ -9,7 +9,7 @@ from pathlib import Path
 import bpy
 
 from .. import core
-from ..model import thinning, toolpath
+from ..model import bridges, thinning, toolpath
 from ..model.option import store
 from ..model.options import TABLE
 from ..model.problem import Problem
@@ -26,7 +26,7 @@ from ..scene.preparation import store_mask, store_repair
 from ..scene.settings import copy_settings
 from ..scene.transforms import world_matrix
 from . import flags
-from .grown import Grown
+from .grown import Grown, bridged
 from .input import Input
 from .saved_settings import saved_settings
 from .scene_input import empty_scene
@@ -54,24 +54,31 @@ def write_scene(
     arguments: argparse.Namespace,
     given: Input,
     grown: Grown,
-) -> int:
+) -> tuple[int, bridges.Joined | None]:
     """Adds the curve beside its surface and saves a copy of the scene at `path`.
 
     The curve keeps what it was made with, so that Continue works on it in a window. Returns the
-    number of its points.
+    number of its points, and what was joined to one line.
     """
     surface_object = given.surface_object or _new_surface(arguments.input.stem, given.problem)
     spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
     kept = result_points(grown.curve, spacing, light_of(flags.chosen(arguments)))
-    shown = thinning.with_points(grown.curve, kept)
+    shown, radii = thinning.with_points(grown.curve, kept), grown.data.radii[kept]
+    guides = grown.guides
+    line = bridges.joined(shown, spacing, guides) if arguments.bridge else None
+    if line is not None:
+        shown, radii, guides = line.polylines, line.values(radii), line.guides
+        grown = bridged(grown, given.problem)
     curve_object = write_curve(shown, surface_object, f"{surface_object.name} Meander")
     with saved_settings():
         _store(arguments, given, surface_object, curve_object)
-        scene_strands.note_guides(curve_object, grown.guides, keep=True)
+        scene_strands.note_guides(curve_object, guides, keep=True)
         curve_object.meander.figures.least_spacing = spacing
         curve_object.meander.figures.whole_points = len(grown.curve.positions)
         matrix = world_matrix(surface_object)
-        point_attributes.store_medial_radii(curve_object, grown.data.radii[kept], matrix)
+        point_attributes.store_medial_radii(curve_object, radii, matrix)
+        if line is not None:
+            curve_object.meander.figures.bridges = bridges.to_text(line)
         if arguments.points is not None:
             curve_object.meander.figures.points = point_attributes.make(
                 arguments.points.upper(),
@@ -82,7 +89,7 @@ def write_scene(
             )
         _bake(arguments, curve_object)
         _save(path, arguments.output)
-    return len(kept)
+    return len(shown.positions), line
 
 
 def write_cut_scene(

@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import mesh_files, report
+from ..model import bridges, mesh_files, report
 from ..model.simplification import light_of
 from ..model.whole_files import whole_file
 from . import cut, density, export, flags, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
-from .grown import Grown, lightened
+from .grown import Grown, bridge_figures, bridged, lightened
 from .input import Input
 
 
@@ -61,23 +61,29 @@ def write_outputs(
         if grown.cut is not None:
             cut_path = stack.enter_context(whole_file(arguments.cut))
         curve_path = stack.enter_context(whole_file(arguments.output))
-        written = _write_curve(curve_path, arguments, given, grown)
+        written, line = _write_curve(curve_path, arguments, given, grown)
         record["points"] = {"all": len(grown.curve.positions), "written": written}
         if cut_path is not None:
             record["cut"] = cut.write(cut_path, arguments, given, grown.cut)
+        record["bridges"] = bridge_figures(line)
         if report_path is not None:
             report.write_report(report_path, record)
 
 
-def _write_curve(path: Path, arguments: argparse.Namespace, given: Input, grown: Grown) -> int:
-    """Writes the output in the format of its name, and returns the number of points in it."""
+def _write_curve(
+    path: Path, arguments: argparse.Namespace, given: Input, grown: Grown
+) -> tuple[int, bridges.Joined | None]:
+    """Writes the output in the format of its name, and returns the number of points in it and what
+    was joined."""
     if arguments.output.suffix.lower() == ".blend":
         from . import scene_output  # which needs bpy
 
         return scene_output.write_scene(path, arguments, given, grown)
     light = light_of(flags.chosen(arguments))
     grown = lightened(grown, arguments.spacing / 2, light)
+    if arguments.bridge:
+        grown = bridged(grown, given.problem)
     if toolpath_options.is_wanted(arguments.output):
-        return toolpath_options.write(path, arguments, given, grown)
+        return toolpath_options.write(path, arguments, given, grown), grown.line
     mesh_files.write_obj_curve(path, grown.curve)
-    return len(grown.curve.positions)
+    return len(grown.curve.positions), grown.line

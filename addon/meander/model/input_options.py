@@ -101,6 +101,21 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "bridge_parts",
+        "Bridge Parts",
+        "Join all strands of the finished curve to one line, by short straight bridges where they "
+        "come nearest to each other. Guides stay by themselves",
+        _STRANDS,
+        kind=bool,
+        default=False,
+        flag=Flag(
+            "--bridge",
+            "join all strands to one line, by short bridges where they come nearest",
+            "strands",
+            entry="bridge",
+        ),
+    ),
+    Option(
         "mask_threshold",
         "Threshold",
         "Weight at which the border runs, cutting through faces",

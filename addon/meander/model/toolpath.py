@@ -143,7 +143,7 @@ def resampled_by_step(strand: Strand, step: float, mesh: Mesh | None = None) -> 
         radii = (1.0 - share) * radii[piece] + share * radii[piece + 1]
     held: tuple = (None, None)
     if faces is not None and mesh is not None:
-        held = _holding(taken, faces[piece], faces[piece + 1], mesh)
+        held = holding(taken, faces[piece], faces[piece + 1], mesh)
     return Strand(
         strand.closed,
         strand.length,
@@ -156,7 +156,7 @@ def resampled_by_step(strand: Strand, step: float, mesh: Mesh | None = None) -> 
     )
 
 
-def _holding(points: np.ndarray, here: np.ndarray, there: np.ndarray, mesh: Mesh) -> tuple:
+def holding(points: np.ndarray, here: np.ndarray, there: np.ndarray, mesh: Mesh) -> tuple:
     """Which of two triangles holds each point, and the weights of its corners there.
 
     A piece of the polyline lies in the triangle of one of its ends, if not in those of both.

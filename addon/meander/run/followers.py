@@ -150,6 +150,11 @@ def follower_of(
     """A follower that begins with the result as it is. Raises DataError, core.MeanderError."""
     settings = result.meander
     if settings.motion == "EVEN":
+        if settings.figures.bridges:
+            raise DataError(
+                f"'{result.name}' has bridges, which cannot keep the spacing in motion; choose "
+                "Stick, or fill the surface without Bridge Parts"
+            )
         return EvenFollower(plan_of(result, scene, depsgraph), settings.motion_steps)
     vertices, faces, _matrix = surface_now(settings.surface, depsgraph)
     own = strands_of_curve(result, depsgraph)

@@ -23,6 +23,7 @@ _LOOKS = frozenset(
         "profile",
         "radius_follows",
         "points_as",
+        "bridge_parts",
         "motion",
         "motion_steps",
         "threads",

@@ -57,6 +57,7 @@ class Plan:
     region: np.ndarray | None = None  # polygons of the mesh, selected in Edit Mode; None: all
     remark: str = ""  # on what the run leaves out, for its one line
     points_as: str = "NONE"  # a second object of all points: one of point_attributes.KINDS
+    bridges: bool = False  # all that has grown becomes one line
     light: Light | None = None  # which points the result has; None: all
 
 
@@ -143,6 +144,7 @@ def plan_of(
         density_group=choice.name if choice.source == "GROUP" else "",
         region=region,
         remark=unused_paint(choice, surface),
+        bridges=settings.bridge_parts,
         light=light_of(chosen(in_panel("Export"), settings)),
     )
 

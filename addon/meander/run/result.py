@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import strands, toolpath
+from ..model import bridges, strands, toolpath
 from ..model.last_run import GAP_THAT_MATTERS
 from ..model.preparation import described, mended
 from ..model.profile import radius_factors
@@ -62,8 +62,7 @@ def write_result(
     mesh_faults.remember_problem(surface, "")
     radius = plan.problem.options.radius
     spacing = least_spacing(radius, stepper.density)
-    kept = result_points(snapshot.polylines, spacing, plan.light)
-    curve = with_points(snapshot.polylines, kept)
+    curve, radii, guides, line = _shown(plan, stepper, snapshot.polylines, spacing)
     earlier = plan.result.find() if plan.result else None
     earlier = earlier if results.is_present(earlier) else None
     if earlier is not None and earlier.mode == "EDIT":
@@ -76,25 +75,26 @@ def write_result(
         curve_object=earlier,
         matrix=plan.matrix,
     )
-    scene_strands.assign_materials(result.data, plan.materials)
+    sources = None if line is None else line.sources
+    scene_strands.assign_materials(result.data, plan.materials, sources)
     own_spacing = plan.spacing / mean_scale(plan.matrix)
     if earlier is None:
         look.dress(result, plan.look, own_spacing)
     else:
         look.follow_spacing(result, own_spacing)
-    data = stepper.point_data
     has_room = plan.radius_follows or modifier_of(result) is not None
-    factors = radius_factors(data.radii[kept], radius) if has_room else None
+    factors = radius_factors(radii, radius) if has_room else None
     set_tilt_and_radius(result.data, curve, plan.matrix, factors)
-    guides = stepper.guides
-    closed = int(np.count_nonzero(np.asarray(snapshot.polylines.closed, dtype=bool)[~guides]))
-    _store(plan, stepper, result, statistics | {"closed_lines": closed}, stop_reason)
+    closed = int(np.count_nonzero(np.asarray(curve.closed, dtype=bool)[~guides]))
+    lines = {"lines": int(np.count_nonzero(~guides)), "closed_lines": closed}
+    _store(plan, stepper, result, statistics | lines | _bridge_figures(line), stop_reason)
     result.meander.figures.least_spacing = spacing
     result.meander.figures.whole_points = len(snapshot.polylines.positions)
     keep_guides = result.meander.keep_guides
     scene_strands.note_guides(result, guides, keep_guides)
+    result.meander.figures.bridges = "" if line is None else bridges.to_text(line, keep_guides)
     grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)
-    point_attributes.store_medial_radii(result, data.radii[kept][grown], plan.matrix)
+    point_attributes.store_medial_radii(result, radii[grown], plan.matrix)
     if plan.points_as != "NONE":
         _make_points(plan, stepper, result, snapshot.polylines)
     if earlier is None or not plan.from_surface:
@@ -102,13 +102,38 @@ def write_result(
     return result
 
 
+def _shown(
+    plan: Plan, stepper: Stepper, polylines: core.Polylines, spacing: float
+) -> tuple[core.Polylines, np.ndarray, np.ndarray, bridges.Joined | None]:
+    """The curve as the result has it, r+ and r- of its points, which strands are guides, and the
+    line that it was joined to, if it was."""
+    kept = result_points(polylines, spacing, plan.light)
+    curve, radii = with_points(polylines, kept), stepper.point_data.radii[kept]
+    line = bridges.joined(curve, spacing, stepper.guides) if plan.bridges else None
+    if line is None:
+        return curve, radii, stepper.guides, None
+    return line.polylines, line.values(radii), line.guides, line
+
+
+def _bridge_figures(line: bridges.Joined | None) -> dict[str, Any]:
+    lengths = np.zeros(0) if line is None else line.bridge_lengths
+    return {"bridge_count": len(lengths), "bridge_length": float(lengths.sum())}
+
+
 def _make_points(
     plan: Plan, stepper: Stepper, result: bpy.types.Object, polylines: core.Polylines
 ) -> None:
     """Makes the object of all points beside the result, instead of the last run's."""
-    every = toolpath.strands_of(polylines, stepper.point_data)
+    data, guides, line = stepper.point_data, stepper.guides, None
+    if plan.bridges:
+        spacing = least_spacing(plan.problem.options.radius, stepper.density)
+        line = bridges.joined(polylines, spacing, guides)
+    if line is not None:
+        mesh = toolpath.Mesh(plan.problem.vertices, plan.problem.faces)
+        polylines, guides, data = line.polylines, line.guides, bridges.data_of(line, data, mesh)
+    every = toolpath.strands_of(polylines, data)
     if not result.meander.keep_guides:
-        every = [strand for strand, is_guide in zip(every, stepper.guides) if not is_guide]
+        every = [strand for strand, is_guide in zip(every, guides) if not is_guide]
     earlier = result.meander.figures.points
     if earlier is not None and earlier.library is None:
         bpy.data.batch_remove([earlier, earlier.data])
@@ -160,8 +185,10 @@ def _store(
         figures.spacing_median = float(statistics["spacing_median"])
         figures.seconds = float(statistics["seconds_total"])
         figures.evenness = float(statistics["evenness"])
-        figures.lines = int(statistics["strands"] - statistics["guides"])
+        figures.lines = statistics["lines"]
         figures.closed_lines = statistics["closed_lines"]
+        figures.bridge_count = statistics["bridge_count"]
+        figures.bridge_length = statistics["bridge_length"]
         figures.empty_parts = int(statistics["empty_components"])
         figures.preparation = preparation_text(plan, stepper)
         figures.mended = mended(stepper.surface_figures, _masked(plan))

@@ -15,7 +15,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .. import core
-from ..model import strands
+from ..model import bridges, strands
 from ..model.remaining import Remaining, in_words, told
 from ..scene.errors import DataError
 from ..scene.lengths import length_text
@@ -169,16 +169,25 @@ class Session:
             estimates.speeds.learn(options, figures["nodes"], figures["seconds_total"])
         return result, figures
 
-    def seed_remarks(self, context: bpy.types.Context, figures: dict[str, Any]) -> tuple[str, str]:
-        """What to add to the summary about the seed, and what to warn of; empty if nothing.
+    def remarks(
+        self, context: bpy.types.Context, result: bpy.types.Object, figures: dict[str, Any]
+    ) -> tuple[str, str]:
+        """What to add to the summary about the seed and bridges, and what to warn of; empty if
+        nothing.
 
-        figures   of keep()
+        result, figures   of keep()
         """
         plan = self.plan
         radius = plan.problem.options.radius
         remark = strands.fit_remark(
             figures, plan.parts, radius, lambda value: length_text(context.scene, value)
         )
+        joined = result.meander.figures
+        if joined.bridge_count:
+            length = length_text(context.scene, joined.bridge_length)
+            remark = "; ".join(
+                filter(None, (remark, bridges.described(joined.bridge_count, length)))
+            )
         return remark, strands.fit_warning(figures, plan.parts)
 
     def suspend(self) -> None:

@@ -76,6 +76,7 @@ def taken(now: Plan) -> SuspendedRun | None:
         materials=now.materials,
         radius_follows=now.radius_follows,
         points_as=now.points_as,
+        bridges=now.bridges,
     )
     return replace(kept, plan=plan)
 

@@ -41,7 +41,7 @@ def strands_of_curve(
         raise DataError(
             f"'{object.name}' has no spline with two or more points; draw a curve to start from"
         )
-    fixed = _ends(offsets, closed) if fixed_ends else None
+    fixed = ends_of(offsets, closed) if fixed_ends else None
     return core.Seed(
         points=np.ascontiguousarray(to_world(points, matrix)),
         offsets=offsets.astype(np.uint32),
@@ -139,7 +139,8 @@ def _chains(
     return points[order], offsets, closed
 
 
-def _ends(offsets: np.ndarray, closed: np.ndarray) -> np.ndarray:
+def ends_of(offsets: np.ndarray, closed: np.ndarray) -> np.ndarray:
+    """Which points, (n,) uint8, are the first or the last of an open strand."""
     fixed = np.zeros(int(offsets[-1]), dtype=np.uint8)
     for begin, end, is_closed in zip(offsets[:-1], offsets[1:], closed, strict=True):
         if not is_closed:

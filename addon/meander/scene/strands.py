@@ -9,8 +9,8 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import strands
-from .curve_reader import point_numbers, strands_of_curve
+from ..model import bridges, strands
+from .curve_reader import ends_of, point_numbers, strands_of_curve
 from .errors import DataError
 from .fillable import is_result
 from .transforms import world_matrix
@@ -51,12 +51,17 @@ def parts_of(
     own = strands_of_curve(active, depsgraph, fixed_ends)
     figures = active.meander.figures
     count, begin = len(own.closed), figures.first_guide
-    end = begin + figures.guides
     indices = tuple(_material_indices(active, count))
+    known = count == figures.strands
+    if figures.bridges:
+        own, indices, line, more = _without_bridges(active, own, indices, fixed_ends)
+        count += more
+        begin += more if begin > line else 0
+    end = begin + figures.guides
     if not figures.guides:
         parts = [strands.Part(active.name, own)] + guides
         return parts, SplineMaterials((), indices)
-    if count != figures.strands:
+    if not known:
         raise DataError(
             f"'{active.name}' has other splines than its run has left, so that its guides cannot "
             "be told from them; use Start Over"
@@ -72,6 +77,27 @@ def parts_of(
         drawn = sum(len(part.seed.closed) for part in guides)
         indices = (*indices[:begin], *([0] * drawn), *indices[end:])
     return parts, SplineMaterials((), indices)
+
+
+def _without_bridges(
+    result: bpy.types.Object, own: core.Seed, indices: tuple[int, ...], fixed_ends: bool
+) -> tuple[core.Seed, tuple[int, ...], int, int]:
+    """A result's strands as they were before they were joined to one line, their materials, which
+    spline the line was, and how many strands more they are than splines.
+
+    Raises DataError where the result has other points by now.
+    """
+    found = bridges.parted(own, result.meander.figures.bridges)
+    if found is None:
+        raise DataError(
+            f"'{result.name}' has other points than its run has left, so that its bridges cannot "
+            "be taken out; use Start Over"
+        )
+    seed, line, count = found
+    if fixed_ends:
+        seed.fixed = ends_of(seed.offsets, seed.closed)
+    indices = (*indices[:line], *([indices[line]] * count), *indices[line + 1 :])
+    return seed, indices, line, count - 1
 
 
 def _part_of(curve_object: bpy.types.Object, seed: core.Seed, guide: bool = False) -> strands.Part:
@@ -152,8 +178,12 @@ def _materials_of(
     return SplineMaterials(tuple(slots), tuple(indices))
 
 
-def assign_materials(curve: bpy.types.Curve, materials: SplineMaterials) -> None:
+def assign_materials(
+    curve: bpy.types.Curve, materials: SplineMaterials, sources: np.ndarray | None = None
+) -> None:
     """Gives the splines the materials of those that they grew from.
+
+    sources   the strand that each spline came from; None: one each, in their order
 
     Slots that a result has already stay: they are the user's.
     """
@@ -161,7 +191,11 @@ def assign_materials(curve: bpy.types.Curve, materials: SplineMaterials) -> None
         for slot in materials.slots:
             curve.materials.append(None if slot is None else bpy.data.materials.get(slot))
     most = max(0, len(curve.materials) - 1)
-    for spline, index in zip(curve.splines, materials.indices):
+    indices = materials.indices
+    if sources is not None:
+        # Loops that had no seed have none.
+        indices = [indices[k] if k < len(indices) else 0 for k in sources.tolist()]
+    for spline, index in zip(curve.splines, indices):
         spline.material_index = min(index, most)
 
 

@@ -117,7 +117,7 @@ class _Watched:
         try:
             if keep:
                 result, figures = self._session.keep(context)
-                remark, warning = self._session.seed_remarks(context, figures)
+                remark, warning = self._session.remarks(context, result, figures)
                 done = (_summary(result), self._session.preparation_text(), remark)
                 self.report({"INFO"}, f"{result.name}: {'; '.join(filter(None, done))}")
                 if warning:

@@ -77,6 +77,9 @@ class MeanderFigures(bpy.types.PropertyGroup):
     )
     lines: IntProperty(name="Lines", options=set())
     closed_lines: IntProperty(name="Closed Lines", options=set())
+    bridge_count: IntProperty(name="Bridges", options=set())
+    bridge_length: FloatProperty(name="Length of Bridges", unit="LENGTH", options=set())
+    bridges: StringProperty(name="Joined", options=set())  # how to take the line apart again
     wide_gaps: IntProperty(
         name="Gaps That Matter",
         description="Those farther than 0.75 spacings from the curve",

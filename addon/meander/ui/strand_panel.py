@@ -42,6 +42,7 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         stroke.prop(settings, "stroke_to", text="To")
         switch(layout, settings, "fixed_ends")
         switch(layout, settings, "seed_every_part")
+        switch(layout, settings, "bridge_parts")
         guides = layout.column(align=True)
         guides.prop(settings, "guides", icon="CURVE_DATA")
         guides.prop(settings, "guide_collection")
