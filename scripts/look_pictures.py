@@ -4,7 +4,7 @@
     blender --background --factory-startup --python-exit-code 1 --python scripts/look_pictures.py \
         -- [FOLDER]
 
-FOLDER is docs/images by default. The picture there has since been reduced to 128 colours.
+FOLDER is docs/images by default. The picture there has since been reduced to 40 colours.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def main() -> None:
         ball(2.6 * (number - 1.5), *look)
     studio.add_lights(1.6)
     studio.add_floor(-1.1, (0.5, 0.52, 0.55))
-    studio.add_camera((0.0, -19.0, 6.0), (0.0, 0.0, -0.1), 74.0)
+    studio.add_camera((0.0, -19.0, 6.0), (0.0, 0.0, -0.1), 65.0)
     studio.take_picture(str((folder / "look.png").resolve()), SIZE, 160)
 
 

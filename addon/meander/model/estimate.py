@@ -32,7 +32,7 @@ REFERENCE_NODES = 1e4
 # Bytes for each node of the flow, and for each face of the surface.
 BYTES_PER_NODE = 2200
 BYTES_PER_FACE = 400
-# Bytes for each point of the curve object: itself, an undo step, and its round bevel where it has
+# Bytes for each point of the curve object: itself, an undo step, and its body where it has
 # one.
 BYTES_PER_POINT = 330
 BYTES_PER_BEVELLED_POINT = 1600

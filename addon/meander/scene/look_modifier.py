@@ -53,6 +53,9 @@ def set_value(modifier: bpy.types.NodesModifier, name: str, value: Any) -> None:
     if isinstance(modifier[identifier], float):  # a whole number would make another property of it
         value = float(value)
     modifier[identifier] = value
+    if bpy.app.version < (4, 0):
+        # There the property is a new one, and choosing the group brings its limits and slider back.
+        modifier.node_group = modifier.node_group
     modifier.id_data.update_tag()
 
 

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script: fill, change the look, fill again, in a window with keys; started like run.py."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import bpy
+
+HERE = Path(__file__).resolve().parent
+# Another add-on folder can be tried with the same story.
+ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
+sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
+
+from meander.scene import look_material, look_modifier  # noqa: E402
+from meander.ui import look_panel  # noqa: E402
+from stage import (  # noqa: E402
+    COARSE,
+    RESULT,
+    SURFACE,
+    build_scene,
+    changed_share,
+    choose_spacing,
+    ended,
+    key,
+    look_at_surface,
+    picture,
+    press_run,
+    show_panel,
+    splines_of,
+    step,
+    tell,
+    until,
+)
+
+WIDE = 2.5 * COARSE
+
+
+def values() -> list[float]:
+    modifier = look_modifier.modifier_of(bpy.data.objects[RESULT])
+    return [look_modifier.value_of(modifier, name) for name in ("Radius", "Profile", "Spacing")]
+
+
+def activate(name: str) -> None:
+    for thing in bpy.data.objects:
+        thing.select_set(thing.name == name)
+    bpy.context.view_layer.objects.active = bpy.data.objects[name]
+
+
+def first_fill() -> Iterator[float]:
+    yield 1.0
+    build_scene()
+    yield 0.5
+    look_at_surface()
+    yield from show_panel()
+    choose_spacing(WIDE)
+    press_run()
+    yield from until(ended, "the end of the run")
+    yield 0.5
+    picture("7_look_of_a_result")
+
+
+def looks_act_at_once() -> Iterator[float]:
+    step("the look of a result acts at once, has undo, and is shown for the mesh as well")
+    result = bpy.data.objects[RESULT]
+    result.select_set(False)
+    yield 0.3
+    picture("7_look_before")
+    look_modifier.set_value(look_modifier.modifier_of(result), "Radius", 0.45)
+    result.meander.shown_profile = "RIBBON"
+    bpy.ops.ed.undo_push(message="Radius")
+    yield 0.5
+    picture("7_look_after")
+    assert changed_share("7_look_before", "7_look_after") > 0.05
+    chosen = values()
+    key("Z", ctrl=True)
+    yield from until(lambda: values()[:2] == [values()[0], 0] and values() != chosen, "undo")
+    key("Z", ctrl=True, shift=True)
+    yield from until(lambda: values() == chosen, "redo")
+
+
+def material_of_the_slot() -> Iterator[float]:
+    step("a material in the first slot is that of the look, after undo and redo too")
+    made = bpy.data.materials.new("Mine")
+    first = look_material.material_of(bpy.data.objects[RESULT]).name
+    bpy.ops.ed.undo_push(message="New Material")
+    bpy.data.objects[RESULT].material_slots[0].material = made
+    bpy.ops.ed.undo_push(message="Material")
+
+    def seen(name: str) -> bool:
+        return look_material.material_of(bpy.data.objects[RESULT]).name == name
+
+    yield from until(lambda: seen("Mine"), "the material of the slot")
+    key("Z", ctrl=True)
+    yield from until(lambda: seen(first), "the former material")
+    key("Z", ctrl=True, shift=True)
+    yield from until(lambda: seen("Mine"), "the material again")
+
+
+def filling_again() -> Iterator[float]:
+    step("filling again keeps the look, and one Ctrl-Z brings the former line back")
+    activate(SURFACE)
+    former, chosen = splines_of(RESULT), values()
+    choose_spacing(COARSE)
+    picture("7_look_of_a_mesh")
+    press_run()
+    yield from until(ended, "the end of the run")
+    latter = splines_of(RESULT)
+    assert latter != former and f"{RESULT}.001" not in bpy.data.objects
+    assert bpy.context.view_layer.objects.active.name == SURFACE
+    assert values()[:2] == chosen[:2] and abs(values()[2] * WIDE / COARSE / chosen[2] - 1) < 1e-5
+    assert look_material.material_of(bpy.data.objects[RESULT]).name == "Mine"
+    key("Z", ctrl=True)
+    yield from until(lambda: splines_of(RESULT) == former, "the former line")
+    assert values() == chosen
+    key("Z", ctrl=True, shift=True)
+    yield from until(lambda: splines_of(RESULT) == latter, "the new line")
+
+
+def story() -> Iterator[float]:
+    yield from first_fill()
+    yield from looks_act_at_once()
+    yield from material_of_the_slot()
+    yield from filling_again()
+
+
+# Open from the beginning, to be seen in the pictures.
+look_panel.MEANDER_PT_look.bl_options = set()
+tell(story())
