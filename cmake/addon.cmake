@@ -13,6 +13,7 @@ add_custom_target(addon
           --native $<TARGET_FILE:meander>
           --licence "${PROJECT_SOURCE_DIR}/LICENSE"
           --licence "${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md"
+          --pages "${PROJECT_SOURCE_DIR}/docs"
           --output "${addon_zip}"
   DEPENDS meander abi
   COMMENT "Packing ${addon_zip}" VERBATIM)

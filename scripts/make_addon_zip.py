@@ -52,7 +52,9 @@ def check_versions(addon: Path, version: str) -> None:
         )
 
 
-def contents(addon: Path, native: list[Path], licences: list[Path]) -> dict[str, Path]:
+def contents(
+    addon: Path, native: list[Path], licences: list[Path], pages: Path | None
+) -> dict[str, Path]:
     """Name inside the zip -> file."""
     files = {}
     for path in addon.rglob("*"):
@@ -64,6 +66,9 @@ def contents(addon: Path, native: list[Path], licences: list[Path]) -> dict[str,
         files[f"{FOLDER}/native/{path.name}"] = path
     for path in licences:
         files[f"{FOLDER}/{path.name}"] = path
+    # The texts alone: the pictures are larger than the add-on itself.
+    for path in sorted(pages.rglob("*.md")) if pages is not None else ():
+        files[f"{FOLDER}/docs/{path.relative_to(pages).as_posix()}"] = path
     return files
 
 
@@ -93,6 +98,7 @@ def main() -> int:
     parser.add_argument("--version", required=True, help="the project's version")
     parser.add_argument("--native", type=Path, action="append", default=[], help="a library")
     parser.add_argument("--licence", type=Path, action="append", default=[], help="a text to add")
+    parser.add_argument("--pages", type=Path, help="folder of the pages that the panel opens")
     parser.add_argument("--output", type=Path, help="the zip to write")
     parser.add_argument("--check-only", action="store_true", help="compare versions, write nothing")
     arguments = parser.parse_args()
@@ -102,7 +108,7 @@ def main() -> int:
         return 0
     if arguments.output is None:
         parser.error("--output is needed unless --check-only is given")
-    files = contents(arguments.addon, arguments.native, arguments.licence)
+    files = contents(arguments.addon, arguments.native, arguments.licence, arguments.pages)
     write_zip(arguments.output, files)
     size = arguments.output.stat().st_size / 1024
     print(f"{arguments.output}: {len(files)} files, {size:.0f} KiB")

@@ -56,6 +56,11 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     }
     libraries = sorted(name for name in names if name.startswith("meander/native/"))
     assert libraries == [f"meander/native/libmeander-{version}.so"]
+    presets = {name for name in names if name.startswith("meander/presets/meander/")}
+    assert {Path(name).stem for name in presets} == {
+        "Even", "Organic", "Few_Corners", "Rows", "As_Published"
+    }
+    assert {"meander/docs/index.md", "meander/docs/density.md"} <= set(names)
     assert not [name for name in names if "__pycache__" in name or name.endswith(".pyc")]
 
 
@@ -102,11 +107,13 @@ def test_same_contents_give_same_bytes(addon_zip: Path, tmp_path: Path) -> None:
     shutil.move(folder / "native", libraries)
     texts = [shutil.move(folder / name, tmp_path / name)
              for name in ("LICENSE", "THIRD_PARTY_NOTICES.md")]
+    pages = shutil.move(folder / "docs", tmp_path / "docs")
     (folder / "__pycache__").mkdir()
     (folder / "__pycache__" / "core.cpython-311.pyc").write_bytes(b"left behind by a run")
 
     command = [sys.executable, ROOT / "scripts/make_addon_zip.py", "--addon", folder,
-               "--version", project_version(), "--output", tmp_path / "again.zip"]
+               "--version", project_version(), "--pages", pages,
+               "--output", tmp_path / "again.zip"]
     for library in sorted(libraries.iterdir(), reverse=True):
         command += ["--native", library]
     for text in texts:

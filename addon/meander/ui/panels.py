@@ -16,8 +16,10 @@ from ..scene.results import last_result
 from ..scene.settings import surface_of
 from .declared import rows
 from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
+from .help import MEANDER_OT_open_help
 from .operators import MEANDER_OT_propose_spacing
 from .preparation_panels import draw_faults
+from .presets import MEANDER_PT_presets
 from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
 from .seed_drawing import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
@@ -30,6 +32,12 @@ _LINE = 24
 class MEANDER_PT_main(Sidebar, bpy.types.Panel):
     bl_idname = "MEANDER_PT_main"
     bl_label = "Meander"
+
+    def draw_header_preset(self, _context: bpy.types.Context) -> None:
+        row = self.layout.row(align=True)
+        row.emboss = "NONE"
+        row.popover(panel=MEANDER_PT_presets.__name__, icon="PRESET", text="")
+        row.operator(MEANDER_OT_open_help.bl_idname, icon="QUESTION", text="")
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Presets of how the line runs: those that ship with the add-on, and those that users add.
+
+They are Blender's own presets, files of Python below `presets/meander` in the user's scripts. What
+they hold is how the line runs on any mesh, in any size: not the spacing, no seed, no vertex group,
+and not what a result looks like.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+from bl_operators.presets import AddPresetBase
+from bl_ui.utils import PresetPanel
+from bpy.props import StringProperty
+
+from ..scene.settings import surface_of
+
+SUBDIR = "meander"
+# Its folder presets/meander has the presets of the add-on.
+_HOME = Path(__file__).resolve().parents[1]
+SHIPPED = _HOME / "presets" / SUBDIR
+
+SETTINGS = (
+    "preset",
+    "medial_axis",
+    "use_weights",
+    "length_weight",
+    "bending_weight",
+    "length_power",
+    "medial_power",
+    "segment_share",
+    "reach",
+    "start_spacing_factor",
+    "alignment_source",
+    "alignment_axis",
+    "alignment_space",
+    "alignment_curvature",
+    "alignment_weight",
+    "align_across",
+    "alignment_smoothing",
+    "border_distance",
+    "use_outline",
+)
+
+
+def folders() -> list[str]:
+    """Where presets are: the add-on's, then the user's."""
+    others = [path for path in bpy.utils.preset_paths(SUBDIR) if Path(path) != SHIPPED]
+    return [str(SHIPPED), *others]
+
+
+def _poll(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    if surface_of(context.active_object) is None:
+        cls.poll_message_set("Choose a mesh to fill, or a curve that Meander has made")
+        return False
+    return True
+
+
+class MEANDER_OT_use_preset(bpy.types.Operator):
+    """Take the settings of this preset; the spacing, the seed and the look stay as they are"""
+
+    bl_idname = "meander.use_preset"
+    bl_label = "Use Preset"
+    bl_options = {"REGISTER", "UNDO", "INTERNAL"}
+
+    filepath: StringProperty(name="File", subtype="FILE_PATH", options={"SKIP_SAVE"})
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _poll(cls, context)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        path = Path(self.filepath)
+        if not path.is_file():
+            self.report({"ERROR"}, f"There is no preset at {path}; choose another")
+            return {"CANCELLED"}
+        # Blender's own operator for it, which keeps no undo step.
+        return bpy.ops.script.execute_preset(
+            filepath=str(path), menu_idname=MEANDER_PT_presets.__name__
+        )
+
+
+class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
+    """Keep how the line runs as a preset under a name, or remove one"""
+
+    bl_idname = "meander.add_preset"
+    bl_label = "Add Preset"
+    preset_menu = "MEANDER_PT_presets"
+    preset_subdir = SUBDIR
+    preset_defines = ("settings = bpy.context.active_object.meander",)
+    preset_values = tuple(f"settings.{name}" for name in SETTINGS)
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _poll(cls, context)
+
+    def remove(self, _context: bpy.types.Context, filepath: str) -> None:
+        """Called by AddPresetBase; what ships with the add-on stays."""
+        path = Path(filepath)
+        if path.parent == SHIPPED:
+            self.report({"WARNING"}, "The presets of the add-on cannot be removed")
+        else:
+            path.unlink()
+
+
+class MEANDER_PT_presets(PresetPanel, bpy.types.Panel):
+    bl_label = "Presets"
+    preset_subdir = SUBDIR
+    preset_operator = MEANDER_OT_use_preset.bl_idname
+    preset_add_operator = MEANDER_OT_add_preset.bl_idname
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.emboss = "PULLDOWN_MENU"
+        layout.operator_context = "EXEC_DEFAULT"
+        self.path_menu(
+            folders(),
+            self.preset_operator,
+            filter_ext=lambda ext: ext == ".py",
+            add_operator=self.preset_add_operator,
+        )
+
+
+_CLASSES = (MEANDER_OT_use_preset, MEANDER_OT_add_preset, MEANDER_PT_presets)
+
+
+def register() -> None:
+    # Blender 4.3 and later then know them as an extension's; before, folders() does.
+    if hasattr(bpy.utils, "register_preset_path"):
+        bpy.utils.register_preset_path(str(_HOME))
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)
+    if hasattr(bpy.utils, "unregister_preset_path"):
+        bpy.utils.unregister_preset_path(str(_HOME))

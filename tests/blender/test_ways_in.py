@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What leads to and from the panel: menus, presets, pages."""
+
+from __future__ import annotations
+
+import fnmatch
+from pathlib import Path
+
+import bpy
+import pytest
+from mathutils import Vector
+from meander.ui import help as pages
+from meander.ui import presets
+from panel_layout import Layout
+from scenes import activate, cube, fill, poly_curve, sphere
+
+SHIPPED = ("Even", "Organic", "Few_Corners", "Rows", "As_Published")
+
+AS_PUBLISHED = presets.SHIPPED / "As_Published.py"
+
+
+@pytest.fixture
+def own_scripts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where the user's presets are during a test."""
+    folder = tmp_path / "scripts"
+    monkeypatch.setattr(
+        bpy.utils,
+        "user_resource",
+        lambda _kind, path="", create=False: str(made(folder / path, create)),
+    )
+    monkeypatch.setattr(
+        bpy.utils,
+        "preset_paths",
+        lambda subdir: [str(made(folder / "presets" / subdir, True)), str(presets.SHIPPED)],
+    )
+    return folder / "presets" / "meander"
+
+
+def made(folder: Path, create: bool) -> Path:
+    if create:
+        folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def use(path: Path) -> set[str]:
+    return bpy.ops.meander.use_preset(filepath=str(path))
+
+
+def values(settings: bpy.types.PropertyGroup) -> dict:
+    return {name: getattr(settings, name) for name in presets.SETTINGS}
+
+
+def test_every_shipped_preset_sets_all_that_presets_hold():
+    settings = cube().meander
+    seen = []
+    for name in SHIPPED:
+        bpy.ops.object.select_all(action="DESELECT")
+        settings.segment_share, settings.alignment_weight = 0.3, 4.5
+        settings.align_across = settings.use_outline = settings.use_weights = True
+        settings.spacing = 0.7
+        assert use(presets.SHIPPED / f"{name}.py") == {"FINISHED"}
+        assert settings.spacing == pytest.approx(0.7)
+        assert settings.segment_share == 0.0 and not settings.use_outline
+        seen.append(tuple(values(settings).values()))
+        text = (presets.SHIPPED / f"{name}.py").read_text()
+        assert all(f"settings.{setting} = " in text for setting in presets.SETTINGS)
+    assert len(set(seen)) == len(SHIPPED)
+
+
+def test_even_is_what_a_new_mesh_has():
+    fresh = values(cube().meander)
+    settings = activate(sphere()).meander
+    settings.preset, settings.start_spacing_factor = "FINEST", 3.0
+    use(presets.SHIPPED / "Even.py")
+    assert values(settings) == fresh
+
+
+def test_organic_winds_more_than_even():
+    turns = {}
+    for name in ("Even", "Organic"):
+        surface = activate(sphere())
+        use(presets.SHIPPED / f"{name}.py")
+        turns[name] = turning(fill(surface, 0.2))
+    assert turns["Organic"] > 1.05 * turns["Even"]
+
+
+def turning(result: bpy.types.Object) -> float:
+    """How much the curve turns, in radians per spacing."""
+    total = length = 0.0
+    for spline in result.data.splines:
+        points = [Vector(point.co[:3]) for point in spline.points]
+        ways = [b - a for a, b in zip(points, points[1:]) if (b - a).length > 1e-6]
+        length += sum(way.length for way in ways)
+        total += sum(one.angle(other) for one, other in zip(ways, ways[1:]))
+    return total / length * result.meander.spacing
+
+
+def test_a_preset_is_added_used_and_removed(own_scripts):
+    settings = cube().meander
+    settings.preset, settings.alignment_source, settings.align_across = "FINEST", "SMOOTH", True
+    wanted = values(settings)
+    assert bpy.ops.meander.add_preset(name="My Rows") == {"FINISHED"}
+    (file,) = own_scripts.glob("*.py")
+    use(presets.SHIPPED / "Even.py")
+    assert values(settings) != wanted
+    assert use(file) == {"FINISHED"} and values(settings) == wanted
+    layout = Layout()
+    drawn = presets.MEANDER_PT_presets
+    assert {str(presets.SHIPPED), str(own_scripts)} == set(presets.folders())
+    assert drawn.preset_add_operator == "meander.add_preset" and layout.children == []
+    assert bpy.ops.meander.add_preset(name="My Rows", remove_name=True) == {"FINISHED"}
+    assert not list(own_scripts.glob("*.py"))
+
+
+def test_what_ships_is_not_removed(own_scripts):
+    cube()
+    bpy.ops.meander.add_preset(name="Organic", remove_name=True)
+    assert (presets.SHIPPED / "Organic.py").is_file()
+
+
+def test_a_preset_is_one_undo_step():
+    settings = cube().meander
+    name = bpy.context.active_object.name
+    bpy.ops.ed.undo_push(message="before")
+    with bpy.context.temp_override():
+        bpy.ops.meander.use_preset("EXEC_DEFAULT", True, filepath=str(AS_PUBLISHED))
+    assert settings.preset == "PAPER"
+    bpy.ops.ed.undo()
+    assert bpy.data.objects[name].meander.preset == "EVEN"
+    bpy.ops.ed.redo()
+    assert bpy.data.objects[name].meander.preset == "PAPER"
+
+
+def test_a_preset_needs_something_to_fill():
+    activate(poly_curve("Any", [[(0, 0, 0), (1, 0, 0)]], False))
+    assert not bpy.ops.meander.use_preset.poll() and not bpy.ops.meander.add_preset.poll()
+
+
+def shown_in(menu: str) -> list[str]:
+    """The texts of our entries in a menu of Blender's."""
+    layout = Layout()
+
+    class Menu:
+        pass
+
+    this = Menu()
+    this.layout = layout
+    for function in getattr(bpy.types, menu)._dyn_ui_initialize():
+        if function.__module__.startswith("meander"):
+            function(this, bpy.context)
+    return [item.label for item in layout.children]
+
+
+def test_the_menus_offer_to_fill():
+    cube()
+    assert shown_in("VIEW3D_MT_object") == ["Fill with Curve"]
+    assert shown_in("VIEW3D_MT_curve_add") == ["Fill with Curve (Meander)"]
+
+
+def test_every_page_exists_and_every_setting_has_one():
+    for page, _label, _tip in pages.PAGES:
+        assert pages.website() or Path(pages.address_of(page)[len("file://") :]).is_file(), page
+    prefix, mapping = pages.manual_map()
+    assert (prefix, mapping[0][1]) == ("", pages.address_of("density"))
+
+    def page_of(name: str) -> str:
+        return next(url for pattern, url in mapping if fnmatch.fnmatchcase(name, pattern))
+
+    for name in bpy.types.Object.bl_rna.properties["meander"].fixed_type.properties.keys():
+        assert page_of(f"bpy.types.meandersettings.{name}")
+    assert page_of("bpy.types.meandersettings.mask_group") == pages.address_of("surfaces")
+    assert page_of("bpy.ops.meander.bake_motion") == pages.address_of("motion")
+    assert page_of("bpy.ops.meander.run") == pages.address_of("index")
