@@ -143,7 +143,7 @@ def plan_of(
         points_as=settings.points_as,
         density_group=choice.name if choice.source == "GROUP" else "",
         region=region,
-        remark=unused_paint(choice, surface),
+        remark=unused_paint(choice, settings, surface),
         bridges=settings.bridge_parts,
         light=light_of(chosen(in_panel("Export"), settings)),
     )

@@ -61,15 +61,21 @@ def choice_of(settings: bpy.types.PropertyGroup) -> Choice:
     )
 
 
-def active_group(surface: bpy.types.Object) -> str:
-    """The active vertex group, if it is not one that bones or modifiers use; else an empty name."""
+def active_group(settings: bpy.types.PropertyGroup, surface: bpy.types.Object) -> str:
+    """The active vertex group, if it is for no other purpose; else an empty name.
+
+    Bones, modifiers and the part to fill have groups of their own.
+    """
     group = surface.vertex_groups.active if surface.type == "MESH" else None
-    return "" if group is None or group.name in _groups_in_use(surface) else group.name
+    if group is None or group.name in _groups_in_use(surface):
+        return ""
+    is_part = settings.mask_source == "GROUP" and settings.mask_group == group.name
+    return "" if is_part else group.name
 
 
-def painted_group(surface: bpy.types.Object) -> str:
+def painted_group(settings: bpy.types.PropertyGroup, surface: bpy.types.Object) -> str:
     """active_group() if there is any weight in it; else an empty name."""
-    name = active_group(surface)
+    name = active_group(settings, surface)
     if not name:
         return ""
     index = surface.vertex_groups[name].index
@@ -94,15 +100,18 @@ def chosen_density(settings: bpy.types.PropertyGroup, surface: bpy.types.Object)
     """What the settings say; where they name no vertex group, the painted one that is active."""
     choice = choice_of(settings)
     if choice.source == "GROUP" and not choice.name:
-        return replace(choice, name=painted_group(surface))
+        return replace(choice, name=painted_group(settings, surface))
     return choice
 
 
-def unused_paint(choice: Choice, surface: bpy.types.Object) -> str:
+def unused_paint(
+    choice: Choice, settings: bpy.types.PropertyGroup, surface: bpy.types.Object
+) -> str:
     """A line about vertex groups that a run leaves out since none is chosen; empty if none."""
     if choice.source != "GROUP" or choice.name or surface.type != "MESH":
         return ""
-    if not len(surface.vertex_groups):
+    part = settings.mask_group if settings.mask_source == "GROUP" else ""
+    if all(group.name == part for group in surface.vertex_groups):
         return ""
     return "no vertex group is chosen under Density, so the spacing is the same everywhere"
 

@@ -38,7 +38,7 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         if source == "GROUP":
             layout.prop_search(settings, "density_group", surface, "vertex_groups", text="Group")
             if not settings.density_group and len(surface.vertex_groups):
-                self._draw_taken(layout, active_group(surface))
+                self._draw_taken(layout, active_group(settings, surface))
         elif source == "ATTRIBUTE":
             layout.prop(settings, "density_attribute", icon="SPREADSHEET")
         elif source == "COLOR":
@@ -57,7 +57,8 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         notice(layout, f"Active: {group}" if group else "None: even spacing")
 
     def _draw_ramp(self, layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
-        layout.active = choice_of(settings).varies
+        taken = active_group(settings, surface_of(settings.id_data))
+        layout.active = choice_of(settings).varies or bool(taken)
         column = layout.column(align=True)
         column.prop(settings, "factor_0", text="At Low")
         column.prop(settings, "factor_1", text="At High")
