@@ -149,17 +149,17 @@ def joins_of(
     pairs = spanning_tree([strand.points for strand in strands], together)
     degrees = np.bincount(np.array(pairs, dtype=np.int64).ravel(), minlength=len(strands))
     joins: list[Join] = []
-    bridges = [np.array([[_end(strands, a), _end(strands, b)]]) for a, b in links]
+    around = _Surroundings(strands, [[_end(strands, a), _end(strands, b)] for a, b in links])
     for one, other in pairs:
         widest = min(
             _LARGEST_CUT * strands[k].length / (degrees[k] + (not strands[k].closed))
             for k in (one, other)
         )
-        join = _place(strands, (one, other), degrees, min(width, widest), bridges)
+        join = _place(strands, (one, other), degrees, min(width, widest), around)
         joins.append(join)
         for side, k in enumerate(join.strands):
             strands[k].cuts.append((join.arcs[side], join.width))
-        bridges.append(join.bridges(strands)[0])
+        around.add(join)
     return joins
 
 
@@ -172,7 +172,7 @@ def _place(
     pair: tuple[int, int],
     degrees: NDArray[np.int64],
     width: float,
-    bridges: list[NDArray[np.float64]],
+    around: _Surroundings,
 ) -> Join:
     """The nearest places of two strands at which their bridges are clear of everything else; of
     those that were tried, the first where none is."""
@@ -191,7 +191,7 @@ def _place(
         here, there = chosen[0][one], chosen[1][other]
         join = Join(pair, (float(arcs[0][here]), float(arcs[1][there])), width)
         best = best or join
-        if _is_clear(strands, join, bridges):
+        if around.leave_clear(join):
             return join
         for side, k in enumerate(pair):
             free[side] &= strands[k].distances(arcs[side], join.arcs[side]) >= width
@@ -199,28 +199,43 @@ def _place(
     return best
 
 
-def _is_clear(strands: list[Strand], join: Join, bridges: list[NDArray[np.float64]]) -> bool:
-    """Whether the bridges of a join come near to no other bridge, and to no strand but at the cuts
-    that they belong to."""
-    own, _alike = join.bridges(strands)
-    for others in bridges:
-        if _comes_near(own, others[:, 0], others[:, 1], _CLEARANCE * join.width):
+class _Surroundings:
+    """What bridges have to keep clear of: strands, and other bridges."""
+
+    def __init__(self, strands: list[Strand], bridges: list[list[NDArray[np.float64]]]) -> None:
+        self._strands = strands
+        self._low = np.array([strand.points.min(axis=0) for strand in strands])
+        self._high = np.array([strand.points.max(axis=0) for strand in strands])
+        self._bridges = np.array(bridges, dtype=np.float64).reshape(-1, 2, 3)
+
+    def add(self, join: Join) -> None:
+        self._bridges = np.concatenate([self._bridges, join.bridges(self._strands)[0]])
+
+    def leave_clear(self, join: Join) -> bool:
+        """Whether the bridges of a join come near to no other bridge, and to no strand but at the
+        cuts that they belong to."""
+        own, _alike = join.bridges(self._strands)
+        least = _CLEARANCE * join.width
+        if _comes_near(own, self._bridges[:, 0], self._bridges[:, 1], least):
             return False
-    for k, strand in enumerate(strands):
+        low, high = own.min(axis=(0, 1)) - least, own.max(axis=(0, 1)) + least
+        near = np.flatnonzero(np.all((self._low <= high) & (self._high >= low), axis=1))
+        return not any(self._is_met(join, own, int(k)) for k in near)
+
+    def _is_met(self, join: Join, own: NDArray[np.float64], k: int) -> bool:
+        strand = self._strands[k]
         if k not in join.strands:
             begins, ends = strand.points, np.roll(strand.points, -1, axis=0)
             if not strand.closed:
                 begins, ends = begins[:-1], ends[:-1]
-            if _comes_near(own, begins, ends, _CLEARANCE * join.width):
-                return False
-            continue
+            return _comes_near(own, begins, ends, _CLEARANCE * join.width)
         # A strand that is cut comes near to its bridges' ends, and leaves them at some angle.
         arc = join.arcs[join.strands.index(k)]
-        for reach, clearance in ((1.0, _CLEARANCE), (0.6, 0.03)):
-            for places in strand.outside(arc, reach * join.width):
-                if _comes_near(own, places[:-1], places[1:], clearance * join.width):
-                    return False
-    return True
+        return any(
+            _comes_near(own, places[:-1], places[1:], clearance * join.width)
+            for reach, clearance in ((1.0, _CLEARANCE), (0.6, 0.03))
+            for places in strand.outside(arc, reach * join.width)
+        )
 
 
 def _comes_near(
