@@ -192,12 +192,25 @@ def guides(folder: Path) -> None:
     render(folder / "strands_guides.png", (0.0, -3.4, 6.8), 95.0)
 
 
+def letters(folder: Path) -> None:
+    begin()
+    text = bpy.data.curves.new("One Line", "FONT")
+    text.body, text.size, text.align_x, text.align_y = "Line", 1.9, "CENTER", "CENTER"
+    text.offset, text.resolution_u = 0.045, 6
+    bpy.context.view_layer.objects.active = link("One Line", text)
+    bpy.context.active_object.select_set(True)
+    bpy.ops.object.convert(target="MESH")
+    surface = surface_of(bpy.context.active_object)
+    fill(surface, 0.085, bridge_parts=True)
+    render(folder / "strands_bridges.png", (0.0, -1.2, 9.4), 95.0)
+
+
 def main() -> None:
     arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     folder = Path(arguments[0]) if arguments else ROOT / "docs" / "images"
     meander.register()
     try:
-        for picture in (mixed, one_stroke, guides):
+        for picture in (mixed, one_stroke, guides, letters):
             picture(folder)
     finally:
         meander.unregister()

@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from .nearest_places import Tree, closest_pair, spanning_tree
 
-# How far the two bridges of a join are apart, in spacings, where strands are long enough for it.
-GAP = 0.25
+# How far the two bridges of a join are apart, in spacings, where strands are long enough for it:
+# round tubes of the usual thickness do not touch then.
+GAP = 0.5
 # A cut takes at most this share of its strand, over the number of cuts in that.
 _LARGEST_CUT = 0.25
 # Cuts on one strand keep so many of their mean widths from the middle of one to that of the other.
