@@ -162,6 +162,7 @@ def test_weights_panel_warns_of_what_is_seldom_meant():
     warned = draw(term_panels.MEANDER_PT_weights)
     assert len(warned) > len(quiet)
     assert all(len(line) <= 36 for line in warned)
+    assert "0.45 of the spacing" in " ".join(warned) and warned[-1].endswith("0.2.")
 
 
 def test_panel_on_a_result():

@@ -24,6 +24,8 @@ _COLOR = (1.0, 0.2, 0.05)
 # Of a ring behind something, so that one knows that it is there.
 _HIDDEN = 0.3
 _WIDTH = 2.5
+# In spacings: where a run was ended early, a ring around all that is empty would say nothing.
+_LARGEST_RING = 1.5
 _CORNERS = 24
 # To the right and upwards in a view.
 _AXES = (Vector((1.0, 0.0, 0.0)), Vector((0.0, 1.0, 0.0)))
@@ -82,7 +84,8 @@ class _Marks:
             return
         rotation = context.region_data.view_rotation
         right, up = (np.array(rotation @ axis) for axis in _AXES)
-        corners = rings(centres, radii, right, up).astype(np.float32)
+        most = _LARGEST_RING * result.meander.spacing
+        corners = rings(centres, np.minimum(radii, most), right, up).astype(np.float32)
         shader = gpu.shader.from_builtin(
             "UNIFORM_COLOR" if bpy.app.version >= (4, 0) else "3D_UNIFORM_COLOR"
         )

@@ -24,8 +24,8 @@ def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOp
 
 
 def warnings_of(settings: bpy.types.PropertyGroup) -> list[str]:
-    """What is allowed but rarely intended, one sentence each."""
+    """What is allowed but rarely intended, one sentence each; lengths are in spacings."""
     try:
-        return core.option_warnings(options_of(settings, 2.0))
+        return core.option_warnings(options_of(settings, 1.0))
     except core.MeanderError:  # no library: the button says so
         return []

@@ -97,13 +97,13 @@ std::vector<std::string> warnings_of(const meander_flow_options& o) {
   if (!(std::isfinite(o.radius) && o.radius > 0)) return sentences;
   const double h = o.segment_length / o.radius, clamp = o.max_radius / o.radius;
   if (h > 0.4 * (1 + 1e-9) && h <= 1) {
-    sentences.push_back("The segment length is " + number(h) +
-                        " of half the spacing; above 0.4 nodes are too far apart to keep strands at the spacing, so "
+    sentences.push_back("The segment length is " + number(h / 2) +
+                        " of the spacing; above 0.2 nodes are too far apart to keep strands at the spacing, so "
                         "choose at most " + number(0.4 * o.radius) + ".");
   }
   if (clamp < 2 * (1 - 1e-9) && clamp >= 1.5) {
-    sentences.push_back("The largest medial radius is " + number(clamp) +
-                        " times half the spacing; below 2 the curve may not reach everywhere, so choose at least " +
+    sentences.push_back("The largest medial radius is " + number(clamp / 2) +
+                        " times the spacing; below 1 the curve may not reach everywhere, so choose at least " +
                         number(2 * o.radius) + ".");
   }
   const auto warn_above = [&](double weight, double most, const char* name, const char* consequence) {

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script: what the panel and the view say of a run, in a window; started like run.py."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Generator, Iterator
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+# Another add-on folder can be tried with the same story.
+ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
+sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
+
+from meander.model.remaining import PHASE_TEXTS  # noqa: E402
+from meander.run import gap_marks, session  # noqa: E402
+from stage import (  # noqa: E402
+    COARSE,
+    PICTURES,
+    RESULT,
+    assert_nothing_left_over,
+    build_scene,
+    changed_share,
+    choose_spacing,
+    ended,
+    look_at_surface,
+    picture,
+    press_run,
+    show_panel,
+    state,
+    status_texts,
+    step,
+    tell,
+    until,
+    window_override,
+)
+
+# A run long enough to be looked at: of some seconds.
+SPACING = 0.9 * COARSE
+# The share of the time that the progress may be off, in the mean of a run. The library's is within
+# 0.08 of processor time; the rest is for a machine that does other things meanwhile.
+MOST_OFF = 0.25
+
+
+def redraw() -> None:
+    for area in bpy.context.window_manager.windows[0].screen.areas:
+        area.tag_redraw()
+
+
+def view_pixels(name: str) -> np.ndarray:
+    """Of a picture, what the 3D view shows without the headers and the sidebar, (h, w, 3)."""
+    area = window_override()["area"]
+    view = next(region for region in area.regions if region.type == "WINDOW")
+    sidebar = window_override()["region"]
+    image = bpy.data.images.load(str(PICTURES / f"{name}.png"))
+    everything = np.empty(len(image.pixels), dtype=np.float32)
+    image.pixels.foreach_get(everything)
+    everything = everything.reshape(image.size[1], image.size[0], 4)
+    bpy.data.images.remove(image)
+    return everything[view.y : view.y + view.height - 80, view.x : sidebar.x, :3]
+
+
+def orange_share(name: str) -> float:
+    """How much of the view has the colours of the outline of what is selected."""
+    red, green, blue = np.moveaxis(view_pixels(name), 2, 0)
+    return float(((red > 0.8) & (green > 0.35) & (green < 0.8) & (blue < 0.4)).mean())
+
+
+def window_opens() -> Iterator[float]:
+    yield 1.0
+    build_scene()
+    yield 0.5
+    look_at_surface()
+    yield from show_panel()
+    yield 1.0
+    picture("9_mesh")
+
+
+def progress_of_a_run() -> Iterator[float]:
+    step("the progress of a run is that of its time, and its texts say what it is about")
+    bpy.context.active_object.meander.threads = 1
+    choose_spacing(SPACING)
+    samples: list[tuple[float, float]] = []
+    begin = time.monotonic()
+    first_text = len(status_texts)
+    press_run()
+    pictured = False
+    while not ended():
+        running = session.current()
+        samples.append((time.monotonic() - begin, running.progress()))
+        if not pictured and running.left_text() and running.progress() > 0.3:
+            redraw()
+            yield 0.2
+            if not ended():
+                picture("9_growing")
+                pictured = True
+        yield 0.05
+    end = time.monotonic() - begin
+    texts = [text for text in status_texts[first_text:] if text]
+    told = [text.partition("    ")[0].partition(",")[0] for text in texts]
+    phases = [text for k, text in enumerate(told) if k == 0 or text != told[k - 1]]
+    assert phases == [text for text in PHASE_TEXTS.values() if text in phases], phases
+    assert len(phases) > 1, phases  # the first may be over before the window has drawn it
+    assert any(" s left" in text for text in texts), texts
+    times, shown = np.array(samples).T
+    assert np.all(np.diff(shown) >= 0.0)
+    off = float(np.abs(shown - times / end).mean())
+    print(f"progress: {off:.2f} off in the mean over {end:.1f} s, {len(samples)} samples")
+    assert off < MOST_OFF, samples
+    assert_nothing_left_over()
+
+
+def result_is_seen() -> Iterator[float]:
+    step("the result is seen, and not its outline")
+    result = bpy.data.objects[RESULT]
+    assert bpy.context.view_layer.objects.active == result and not result.select_get()
+    yield 0.7
+    picture("9_result")
+    unselected = orange_share("9_result")
+    result.select_set(True)
+    yield 0.5
+    picture("9_selected")
+    selected = orange_share("9_selected")
+    assert selected > 0.003 and unselected < 0.05 * selected, (selected, unselected)
+    result.select_set(False)
+
+
+def gaps_are_marked() -> Generator[float, None, None]:
+    step("Show Gaps marks places, and nothing else changes")
+    result = bpy.data.objects[RESULT]
+    result.meander.iteration_limit = 25
+    press_run(restart=True)
+    yield from until(ended, "the end at the limit")
+    assert result.meander.figures.wide_gaps > 0
+    yield 0.7
+    picture("9_limit")
+    before = state()
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.show_gaps() == {"FINISHED"}
+    assert gap_marks.shown_of(result) and state() == before and bpy.context.mode == "OBJECT"
+    yield 0.7
+    picture("9_gaps")
+    assert changed_share("9_limit", "9_gaps") > 0.002
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.meander.show_gaps()
+    yield 0.7
+    picture("9_hidden")
+    assert changed_share("9_limit", "9_hidden") == 0.0
+    assert state() == before
+
+
+def story() -> Iterator[float]:
+    yield from window_opens()
+    yield from progress_of_a_run()
+    yield from result_is_seen()
+    yield from gaps_are_marked()
+
+
+tell(story())
