@@ -11,7 +11,10 @@ from collections.abc import Callable
 from typing import Any
 
 import bpy
+import numpy as np
 import studio
+from meander import core
+from meander.scene import curve_writer
 
 DARK = (0.012, 0.016, 0.028)
 PALE = (0.78, 0.76, 0.72)
@@ -232,3 +235,109 @@ def running_lights() -> None:
     )
     band = make_of(fill(active(), 0.11), "ribbon")
     place(band, lens=85.0, strength=0.25)
+
+
+def striped(thing: bpy.types.Object, colour: studio.Colour, every: float) -> None:
+    """Rings of another colour along the line, one for each length `every`."""
+    nodes = thing.active_material.node_tree.nodes
+    links = thing.active_material.node_tree.links
+    along = nodes.new("ShaderNodeAttribute")
+    along.attribute_name = "arc_length"
+    fraction = nodes.new("ShaderNodeMath")
+    fraction.operation = "WRAP"
+    fraction.inputs[1].default_value, fraction.inputs[2].default_value = every, 0.0
+    ring = nodes.new("ShaderNodeMath")
+    ring.operation = "LESS_THAN"
+    ring.inputs[1].default_value = every / 2.0
+    mix = nodes.new("ShaderNodeMixRGB")
+    shader = nodes["Principled BSDF"]
+    mix.inputs["Color1"].default_value = shader.inputs["Base Color"].default_value
+    mix.inputs["Color2"].default_value = (*colour, 1.0)
+    links.new(along.outputs["Fac"], fraction.inputs[0])
+    links.new(fraction.outputs[0], ring.inputs[0])
+    links.new(ring.outputs[0], mix.inputs["Fac"])
+    links.new(mix.outputs["Color"], shader.inputs["Base Color"])
+
+
+@scene
+def cable() -> None:
+    """One cable with rings, wound over the whole of a ring of three lobes."""
+    bpy.ops.mesh.primitive_torus_add(
+        major_segments=96, minor_segments=32, major_radius=1.0, minor_radius=0.5
+    )
+    ring = active()
+    for vertex in ring.data.vertices:  # three lobes
+        turn = math.atan2(vertex.co.y, vertex.co.x)
+        vertex.co *= 1.0 + 0.22 * math.cos(3.0 * turn)
+    line = fill(ring, 0.17, bevel_share=0.34)
+    dress(ring, DARK, 0.5)
+    dress(line, (0.85, 0.55, 0.02), 0.35)
+    striped(line, (0.02, 0.02, 0.02), 0.4)
+    place(ring, line, lens=62.0)
+
+
+@scene
+def moving_character() -> None:
+    """A limb in three poses; the line flows on, and keeps its spacing where the skin stretches."""
+    around, along, spacing = 48, 64, 0.16
+    grid = np.array(
+        [
+            (math.cos(2 * math.pi * i / around), math.sin(2 * math.pi * i / around), j / along)
+            for j in range(along + 1) for i in range(around)
+        ]
+    )
+    faces = [
+        [j * around + i, j * around + (i + 1) % around, (j + 1) * around + (i + 1) % around,
+         (j + 1) * around + i]
+        for j in range(along) for i in range(around)
+    ]
+    triangles = np.array([[a, b, c] for a, b, c, _ in faces] + [[a, c, d] for a, _, c, d in faces])
+    options = core.default_options()
+    options.radius = spacing / 2.0
+    with core.Surface(limb(grid, 0.0), triangles.astype(np.uint32)) as surface:
+        flow = core.Flow(surface, options)
+    flow.run()
+    shown = []
+    for frame in range(49):
+        pose = limb(grid, frame / 48.0)
+        if frame:
+            flow.set_vertices(pose)
+            for _ in range(3):
+                flow.step()
+        if frame % 24 == 0:
+            shown += posed(pose, faces, flow.polylines(), 2.1 * (frame / 24 - 1.0), spacing)
+    place(*shown, camera=(0.5, -9.0, 6.0), target=(0.55, 0.0, 1.05), lens=52.0)
+
+
+def limb(grid: np.ndarray, bend: float) -> np.ndarray:
+    """A tapered limb of length 2.4; at 1 it is bent by a quarter turn and half as long again."""
+    height = grid[:, 2] * 2.4 * (1.0 + 0.5 * bend)
+    radius = 0.5 - 0.26 * grid[:, 2]
+    x, y = radius * grid[:, 0], radius * grid[:, 1]
+    if bend == 0.0:
+        return np.column_stack([x, y, height])
+    centre = 2.4 * (1.0 + 0.5 * bend) / (0.5 * math.pi * bend)
+    turn = height / centre
+    return np.column_stack(
+        [centre - (centre - x) * np.cos(turn), y, (centre - x) * np.sin(turn)]
+    )
+
+
+def posed(
+    vertices: np.ndarray, faces: list[list[int]], polylines: core.Polylines, x: float,
+    spacing: float,
+) -> list[bpy.types.Object]:
+    """A limb and its line at a place."""
+    mesh = bpy.data.meshes.new("Limb")
+    mesh.from_pydata(vertices.tolist(), [], faces)
+    thing = bpy.data.objects.new("Limb", mesh)
+    thing.location.x = x
+    bpy.context.scene.collection.objects.link(thing)
+    for polygon in mesh.polygons:
+        polygon.use_smooth = True
+    bpy.context.view_layer.update()
+    moved = polylines._replace(positions=polylines.positions + [x, 0.0, 0.0])
+    line = curve_writer.write_curve(moved, thing, "Line", bevel_depth=0.24 * spacing)
+    dress(thing, PALE, 0.5)
+    dress(line, ORANGE, 0.4)
+    return [thing, line]
