@@ -306,7 +306,7 @@ def moving_character() -> None:
                 flow.step()
         if frame % 24 == 0:
             shown += posed(pose, faces, flow.polylines(), 2.1 * (frame / 24 - 1.0), spacing)
-    place(*shown, camera=(0.5, -9.0, 6.0), target=(0.55, 0.0, 1.05), lens=52.0)
+    place(*shown, camera=(0.7, -9.0, 6.0), target=(0.75, 0.0, 1.05), lens=45.0)
 
 
 def limb(grid: np.ndarray, bend: float) -> np.ndarray:
@@ -341,3 +341,22 @@ def posed(
     dress(thing, PALE, 0.5)
     dress(line, ORANGE, 0.4)
     return [thing, line]
+
+
+@scene
+def letters() -> None:
+    """A word that is one line: short bridges lead from letter to letter."""
+    data = bpy.data.curves.new("Word", "FONT")
+    data.body = "one"
+    data.align_x, data.align_y = "CENTER", "CENTER"
+    data.size = 2.0
+    data.resolution_u = 8
+    word = bpy.data.objects.new("Word", data)
+    word.location.z = 0.05
+    bpy.context.scene.collection.objects.link(word)
+    line = fill(word, 0.06, bevel_share=0.3, bridge_parts=True)
+    dress(line, TEAL, 0.35)
+    word.hide_render = True
+    studio.add_lights()
+    studio.add_floor(0.0, (0.62, 0.58, 0.50))
+    studio.add_camera((0.0, -4.6, 5.0), (0.0, -0.02, 0.0), 66.0)
