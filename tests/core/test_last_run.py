@@ -27,6 +27,12 @@ def test_only_what_is_wholly_even_is_100_per_cent():
     assert last_run.evenness(0.947) == "95 %"
 
 
+def test_gaps_are_said_where_there_are_any():
+    assert last_run.gaps(0, 0.0) == last_run.gaps(-1, 0.0) == ""
+    assert last_run.gaps(1, 1.62) == "1 gap 1.6 spacings wide"
+    assert last_run.gaps(63, 14.93) == "63 gaps up to 14.9 spacings wide"
+
+
 def test_what_is_left_of_a_steady_run():
     remaining = Remaining()
     assert remaining.seconds() is None

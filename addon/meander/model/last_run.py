@@ -33,3 +33,14 @@ def evenness(share: float) -> str:
     """As per cent; 100 only where nothing at all is uneven."""
     percent = 100.0 * share
     return f"{min(percent, 99.0) if percent < 100.0 else percent:.0f} %"
+
+
+def gaps(count: int, largest: float) -> str:
+    """The gaps that matter in words, such as "3 gaps up to 2.1 spacings wide"; empty: none.
+
+    count     how many; -1 where they were not looked for
+    largest   distance from the middle of the largest one to the curve, in half spacings
+    """
+    if count <= 0:
+        return ""
+    return f"{count:,} gap" + ("s up to" if count > 1 else "") + f" {largest:.1f} spacings wide"

@@ -40,7 +40,15 @@ def _summary(result: bpy.types.Object) -> str:
     figures = result.meander.figures
     line = last_run.lines(figures.lines, figures.closed_lines)
     line = line[:1].lower() + line[1:]
-    return f"{line}, {last_run.evenness(figures.evenness)} even, {figures.seconds:.1f} s"
+    gaps = last_run.gaps(figures.wide_gaps, figures.largest_gap)
+    return ", ".join(
+        [
+            line,
+            f"{last_run.evenness(figures.evenness)} even",
+            *([gaps] if gaps else []),  # what is even says nothing of where no curve is
+            f"{figures.seconds:.1f} s",
+        ]
+    )
 
 
 def _poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
