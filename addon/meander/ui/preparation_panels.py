@@ -16,7 +16,7 @@ from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
 from .declared import row, switch
 from .settings import MeanderSettings
-from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns
+from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns, notice
 
 
 class MEANDER_OT_select_problem(bpy.types.Operator):
@@ -119,18 +119,24 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
         columns(layout)
         active = context.active_object
         settings: MeanderSettings = active.meander
-        layout.prop(settings, "mask_source")
+        in_edit_mode = active.type == "MESH" and active.mode == "EDIT"
+        selected = active.data.total_face_sel if in_edit_mode else 0
+        if selected:
+            notice(layout, f"{selected:,} selected faces", "RESTRICT_SELECT_OFF")
+        part = layout.column()
+        part.active = not selected  # which come before what is chosen here
+        part.prop(settings, "mask_source")
         source = settings.mask_source
         if source != "NONE":
             surface = surface_of(active)
             if source == "MATERIAL":
-                layout.prop_search(settings, "mask_material", surface, "material_slots")
+                part.prop_search(settings, "mask_material", surface, "material_slots")
             elif source == "ATTRIBUTE":
-                layout.prop(settings, "mask_attribute", icon="SPREADSHEET")
+                part.prop(settings, "mask_attribute", icon="SPREADSHEET")
             else:
-                layout.prop_search(settings, "mask_group", surface, "vertex_groups")
-                row(layout, settings, "mask_threshold")
-            row(layout, settings, "mask_inverted")
+                part.prop_search(settings, "mask_group", surface, "vertex_groups")
+                row(part, settings, "mask_threshold")
+            row(part, settings, "mask_inverted")
         row(layout, settings, "border_distance")
         row(layout, settings, "use_outline")
 
