@@ -281,3 +281,17 @@ def test_parts_are_bridged_to_one_line_and_come_apart_to_go_on(capfd):
     spline.points.add(1)
     spline.points[-1].co = (0.3, 0.3, 0.0, 1.0)
     assert "its bridges cannot be taken out; use Start Over" in refused(result)
+
+
+def test_a_line_of_bridges_made_light_still_comes_apart():
+    surface = grid(10)
+    surface.modifiers.new("Array", "ARRAY").relative_offset_displace = (1.05, 0.0, 0.0)
+    result = fill(surface, 0.3, bridge_parts=True)
+    before = sum(len(spline.points) for spline in result.data.splines)
+    activate(result)
+    assert bpy.ops.meander.make_light() == {"FINISHED"}
+    assert sum(len(spline.points) for spline in result.data.splines) < before
+    result.meander.bridge_parts = False
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert [cyclic for _points, cyclic in world_splines(result)] == [True, True]
+    assert packing(surface, result) == pytest.approx(1.0, abs=0.15)

@@ -203,6 +203,16 @@ def test_a_line_taken_apart_has_the_strands_again() -> None:
             if closed:
                 steps = np.append(steps, places[0] - places[-1])
             assert min((steps < 0).sum(), (steps > 0).sum()) <= 1
+        # Of a line with every third point only, as of a light result, likewise.
+        kept = np.arange(1, len(seed.points), 3)
+        few = core.Seed(seed.points[kept], np.array([0, len(kept)], np.uint32), seed.closed)
+        fewer, _number, _count = bridges.parted(few, bridges.thinned(text, np.zeros(1, int), kept))
+        for k in range(len(curve.closed)):
+            own, all_own = (
+                part.points[part.offsets[k] : part.offsets[k + 1]] for part in (fewer, apart)
+            )
+            assert 0.2 * len(all_own) < len(own) < 0.5 * len(all_own)
+            assert all((all_own == point).all(axis=1).any() for point in own)
         seed.points = seed.points[:-1]
         seed.offsets = np.array([0, len(seed.points)], dtype=np.uint32)
         assert bridges.parted(seed, text) is None

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import geometry
 import numpy as np
 import pytest
@@ -210,6 +212,13 @@ def test_bad_seed(square: core.Surface, name: str) -> None:
         BAD_SEEDS[name].points = np.empty((0, 3))
     error = refused(core.Flow, square, options_with(), BAD_SEEDS[name])
     assert error.status == core.Status.INVALID_SEED
+
+
+@pytest.mark.parametrize("reach", [-1.0, NAN, INF])
+def test_a_reach_that_is_no_length(square: core.Surface, reach: float) -> None:
+    seed = replace(seed_of([[0.2, 0.2, 0], [0.8, 0.8, 0]]), reach=reach)
+    error = refused(core.Flow, square, options_with(), seed)
+    assert error.status == core.Status.INVALID_ARGUMENT
 
 
 def test_seed_between_components() -> None:

@@ -301,6 +301,26 @@ def to_text(line: Joined, with_guides: bool = True) -> str:
     return f"{number} {flags} {runs}"
 
 
+def thinned(text: str, begins: NDArray[np.int64], kept: NDArray[np.int64]) -> str:
+    """What to_text() would be of a curve with some of its points only.
+
+    begins   (s,) of the strands of the curve, among its points
+    kept     (m,) indices of the points that stay, in order
+    """
+    number, flags, runs = _read(text)
+    ends = begins[number] + np.cumsum([count for _strand, count in runs])
+    firsts = np.concatenate([[begins[number]], ends[:-1]])
+    counts = np.searchsorted(kept, ends) - np.searchsorted(kept, firsts)
+    words = " ".join(f"{strand}:{count}" for (strand, _), count in zip(runs, counts) if count)
+    return f"{number} {flags} {words}"
+
+
+def _read(text: str) -> tuple[int, str, list[tuple[int, int]]]:
+    number, flags, *words = text.split()
+    pairs = (word.split(":") for word in words)
+    return int(number), flags, [(int(strand), int(count)) for strand, count in pairs]
+
+
 def parted(seed: Seed, text: str) -> tuple[Seed, int, int] | None:
     """The strands of a curve with a line taken apart, without bridges, in the place of the line;
     which of the given strands that was, and how many they are.
@@ -311,8 +331,7 @@ def parted(seed: Seed, text: str) -> tuple[Seed, int, int] | None:
     Every strand has its points in their order or backwards, and may begin at another one. None
     where the curve has other points than it had then.
     """
-    number, flags, *words = text.split()
-    line, runs = int(number), [tuple(map(int, word.split(":"))) for word in words]
+    line, flags, runs = _read(text)
     offsets = np.asarray(seed.offsets, dtype=np.int64)
     if line >= len(seed.closed):
         return None
@@ -327,7 +346,7 @@ def parted(seed: Seed, text: str) -> tuple[Seed, int, int] | None:
     every = [seed.points[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
     ends = [bool(closed) for closed in seed.closed]
     every[line : line + 1] = strands
-    ends[line : line + 1] = [flag == "c" for flag in flags]
+    ends[line : line + 1] = [flags[strand] == "c" for strand in sorted(found)]
     return (
         Seed(
             np.vstack(every),

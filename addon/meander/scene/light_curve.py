@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from ..model import bridges
 from ..model.simplification import Light, light_points
 from . import point_attributes
 from .errors import DataError
@@ -48,6 +49,9 @@ def make_light(result: bpy.types.Object, light: Light) -> tuple[int, int]:
         _add_spline(curve, values, kind, kept[(kept >= begin) & (kept < end)] - begin)
     if radii is not None:
         point_attributes.store_medial_radii(result, radii[kept], matrix)
+    figures = result.meander.figures
+    if figures.bridges:
+        figures.bridges = bridges.thinned(figures.bridges, offsets[:-1], kept)
     curve.update_tag()
     return before, len(kept)
 
