@@ -130,6 +130,7 @@ suite ui 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/run.py
 suite ui-lost 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/nothing_lost.py
 suite ui-undo 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/undo.py
 suite ui-calm 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/calm_panel.py
+suite ui-live 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/live.py
 suite ui-look 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/look.py
 suite ui-seeds 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/seeds.py
 suite ui-first-try 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/first_try.py

@@ -27,6 +27,7 @@ _LOOKS = frozenset(
         "motion",
         "motion_steps",
         "threads",
+        "live",
     }
 )
 # Of the world metric of a surface: its matrix is stored in single precision.

@@ -7,7 +7,7 @@ deletion and with a new file.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
@@ -145,6 +145,16 @@ def plan_of(
         region=region,
         remark=unused_paint(choice, settings, surface),
         bridges=settings.bridge_parts,
+        light=light_of(chosen(in_panel("Export"), settings)),
+    )
+
+
+def with_looks(plan: Plan, settings: bpy.types.PropertyGroup) -> Plan:
+    """The same plan with what a result shows of its curve as the settings say now."""
+    return replace(
+        plan,
+        radius_follows=settings.radius_follows,
+        points_as=settings.points_as,
         light=light_of(chosen(in_panel("Export"), settings)),
     )
 

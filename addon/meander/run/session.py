@@ -9,6 +9,8 @@ hold.
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import bpy
@@ -18,18 +20,22 @@ from .. import core
 from ..model import bridges, strands
 from ..model.remaining import Remaining, in_words, told
 from ..scene.errors import DataError
+from ..scene.identity import Key, number_of
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
 from ..scene.results import is_present
-from . import edit_mode, estimates, refused_mesh, seed_preview, suspended
+from . import edit_mode, estimates, live, refused_mesh, seed_preview, suspended
 from .meaning import meaning_of
-from .plan import Plan
+from .plan import Plan, with_looks
 from .preview import Preview
 from .result import preparation_text, write_result
 from .stepper import Snapshot, Stepper
 from .suspended import SuspendedRun
 from .window import Window
 
+# How often the settings are looked at for other wishes, in seconds, and what share of the time that
+# may take: reading a density takes as long as the mesh is large.
+LOOK_INTERVAL, LOOK_SHARE = 0.2, 0.2
 # A copy of the curve that may have waited for longer than this, in seconds, since it was made, is
 # not worth showing: the next one is an iteration away.
 STALE = 0.25
@@ -55,6 +61,7 @@ class Session:
             self.latest = suspended_run.latest
             self._meaning = suspended_run.meaning
         seed_preview.hide()
+        live.drop()
         suspended.drop()  # a run that begins takes the place of the one before it
         self._remaining = Remaining()
         self._shown = True  # whether the view has what is in `latest`
@@ -64,6 +71,15 @@ class Session:
         self.stop_wanted = False
         self.place = ""  # among several, such as "2 of 5"
         self.ended = False
+        # What was asked for while the run was going, until the flow has taken it; what the settings
+        # of each object meant when they were looked at last; when they are looked at next.
+        self._wish: live.Wish | None = None
+        self._seen = {number_of(plan.settings.find()): self._meaning}
+        self._next_look = 0.0
+        self.whole = suspended_run is None  # all of it was one run, to tell how long runs take
+        self.allows: Callable[[Plan], bool] = lambda _plan: True  # a run as large as this
+        self.refusal = ""  # why the last wish was refused, a sentence, for whoever reports it
+        self.ticked = 0.0  # when, by time.perf_counter()
         self._window: Window | None = None
         self._preview: Preview | None = None
 
@@ -82,8 +98,12 @@ class Session:
         Raises DataError when the surface or the result has been deleted meanwhile.
         """
         self._check_alive()
+        self.ticked = time.perf_counter()
         if self.stop_wanted:
+            self._wish = None
             self.stepper.cancel()
+        else:
+            self._take_wishes(context)
         self._preview.keep_result_out()
         picture_due = self._window.picture_due()
         text_due = self._window.text_due(picture_due)
@@ -98,7 +118,86 @@ class Session:
             self._window.picture_given()
         if text_due:
             self._window.show(context, self.progress_text(), self.progress())
-        return not self.stepper.finished
+        return self._wish is not None or not self.stepper.finished
+
+    @property
+    def live(self) -> bool:
+        """Whether the run takes changes of live settings."""
+        settings = self.plan.settings.find()
+        return settings is not None and settings.meander.live
+
+    def find_wish(self, context: bpy.types.Context, active: bpy.types.Object) -> bool:
+        """Looks for what the settings of its surface or its result ask of the run besides.
+
+        Returns whether there is something, which the run takes with its next tick.
+        """
+        begin = time.perf_counter()
+        now = meaning_of(active)
+        self._seen = {number_of(active): now}
+        try:
+            depsgraph = context.evaluated_depsgraph_get()
+            wish = live.wish_of(active, self.plan, self.stepper.density, depsgraph)
+            if wish is not None and self._grows_large(wish):
+                raise DataError("The curve would be very large; fill the mesh again for that")
+        except (DataError, core.MeanderError) as error:
+            wish, self.refusal = None, str(error)
+        self._meaning = now
+        self._wish = wish
+        end = time.perf_counter()
+        self._next_look = end + max(LOOK_INTERVAL, (end - begin) / LOOK_SHARE)
+        return wish is not None
+
+    def _grows_large(self, wish: live.Wish) -> bool:
+        """Whether a wish makes a run large that was not: whoever began a large one, meant it."""
+        return not self.allows(wish.applied(self.plan)) and self.allows(self.plan)
+
+    def _take_wishes(self, context: bpy.types.Context) -> None:
+        """Has the run take what was asked for meanwhile: it ends, changes, and goes on."""
+        if self._wish is None and (
+            self.stepper.finished or time.perf_counter() >= self._next_look
+        ):
+            active = self._asker(context)
+            if active is not None and active.meander.live and not self.stepper.failed:
+                now = meaning_of(active)
+                before = self._seen.setdefault(number_of(active), now)
+                if live.differs(before, now) and self.find_wish(context, active):
+                    self.stepper.cancel()
+        if self._wish is None or not self.stepper.finished:
+            return
+        wish, self._wish = self._wish, None
+        self.stepper.join()
+        if self.stepper.failed:
+            return
+        self._apply(wish)
+        self._remaining = Remaining()
+        self.stepper.start()
+
+    def _apply(self, wish: live.Wish) -> None:
+        """Between two runs of the stepper."""
+        try:
+            self.stepper.revise(wish.options, wish.density)
+        except core.MeanderError as error:
+            self.refusal = str(error)
+            return
+        self.plan, self.whole = wish.applied(self.plan), False
+        asker = wish.asker.find()
+        if asker is not None:
+            self.plan = with_looks(self.plan, asker.meander)
+
+    def run(self) -> None:
+        """The whole run, without a window; takes what find_wish() has found."""
+        wish, self._wish = self._wish, None
+        if wish is not None:
+            self._apply(wish)
+        self.stepper.run()
+
+    def _asker(self, context: bpy.types.Context) -> bpy.types.Object | None:
+        """The object whose settings count: the active one, if it is part of this run."""
+        plan, active = self.plan, context.view_layer.objects.active
+        result = plan.result.find() if plan.result is not None else None
+        if active is not None and active in (plan.surface.find(), result):
+            return active
+        return plan.settings.find()
 
     def _take_copy(self) -> None:
         """Takes the newest copy of the curve if there is one, and has the run make another."""
@@ -164,7 +263,12 @@ class Session:
         with edit_mode.left(context):
             result = write_result(context, self.plan, self.stepper, outcome)
         _snapshot, figures, stop_reason = outcome
-        if stop_reason == "converged" and self.plan.from_surface:
+        if result.meander.live:
+            live.share_settings(result, self.plan.surface.find())
+            # The next one updates it, and leaves alone what is active then.
+            self.plan = replace(self.plan, result=Key(result), from_surface=True)
+            live.keep(SuspendedRun(self.plan, self.stepper, self.latest, self._meaning))
+        if stop_reason == "converged" and self.plan.from_surface and self.whole:
             options = self.plan.problem.options
             estimates.speeds.learn(options, figures["nodes"], figures["seconds_total"])
         return result, figures

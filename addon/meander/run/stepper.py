@@ -9,7 +9,7 @@ Both ways give the same curve to the last bit.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -115,6 +115,27 @@ class Stepper:
         if self._flow.running:  # at the end the library says 1, also of a run that was cancelled
             self._progress, self._phase = progress, self._context.phase
         return None if preview is None else self._snapshot(*preview)
+
+    def revise(self, options: core.FlowOptions, density: np.ndarray | None) -> None:
+        """Asks the flow for other options and another density; the run that follows takes them.
+
+        Between two runs only. Raises core.MeanderError where the library refuses either; the flow
+        then has neither.
+        """
+        before = self.problem.options
+        self._flow.set_options(options)
+        try:
+            self._flow.set_density(density)
+        except core.MeanderError:
+            self._flow.set_options(before)
+            raise
+        self.density = density
+        self.problem = replace(self.problem, options=options, density=density)
+
+    @property
+    def failed(self) -> bool:
+        """Whether something went wrong, which result() raises."""
+        return self._error is not None
 
     def cancel(self) -> None:
         """Asks the run to end after the present iteration at the latest; does not wait."""

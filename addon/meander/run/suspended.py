@@ -13,7 +13,8 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from ..scene.transforms import to_local
+from ..scene.meshes import triangles_of
+from ..scene.transforms import to_local, world_matrix
 from .meaning import Meaning, meaning_of
 from .plan import Plan
 from .stepper import Snapshot, Stepper
@@ -90,14 +91,32 @@ def _same_problem(one: Plan, other: Plan) -> bool:
     if not np.array_equal(mine.faces, theirs.faces):
         return False
     points, others = to_local(mine.vertices, one.matrix), to_local(theirs.vertices, other.matrix)
-    if points.shape != others.shape:
-        return False
-    extent = float(np.ptp(points, axis=0).max())
-    if np.abs(points - others).max() > 1e-5 * extent:  # stored in single precision
+    if not _same_points(points, others):
         return False
     if isinstance(mine.density, np.ndarray) and isinstance(theirs.density, np.ndarray):
         return np.array_equal(mine.density, theirs.density)
     return (mine.density is None) == (theirs.density is None)
+
+
+def _same_points(points: np.ndarray, others: np.ndarray) -> bool:
+    """Whether vertices are where they were, as far as single precision tells."""
+    if points.shape != others.shape:
+        return False
+    extent = float(np.ptp(points, axis=0).max())
+    return bool(np.abs(points - others).max() <= 1e-5 * extent)
+
+
+def same_mesh(plan: Plan, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
+    """Whether a surface still has the triangles of a plan, of the same size in world units."""
+    matrix = world_matrix(surface.evaluated_get(depsgraph))
+    metrics = [linear.T @ linear for linear in (plan.matrix[:3, :3], matrix[:3, :3])]
+    if np.abs(metrics[0] - metrics[1]).max() > 1e-5 * np.trace(metrics[0]):
+        return False
+    vertices, faces = triangles_of(surface, depsgraph)
+    problem = plan.problem
+    return np.array_equal(problem.faces, faces) and _same_points(
+        to_local(problem.vertices, plan.matrix), to_local(vertices, matrix)
+    )
 
 
 @persistent

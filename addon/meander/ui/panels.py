@@ -60,7 +60,8 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         self, layout: bpy.types.UILayout, active: bpy.types.Object, surface: bpy.types.Object
     ) -> None:
         settings: MeanderSettings = active.meander
-        columns(layout)
+        layout.use_property_split = True
+        layout.use_property_decorate = False
         if is_result(active):
             # Which surface it lies on is a fact, not a choice.
             row = layout.row()
@@ -72,9 +73,12 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             label.alignment = "RIGHT"
             label.label(text="Surface")
             split.label(text=surface.name, icon="MESH_DATA")
-        row = layout.row(align=True)
+        live = layout.column()
+        columns(live, live=True)
+        row = live.row(align=True)
         row.prop(settings, "spacing")
         row.operator(MEANDER_OT_propose_spacing.bl_idname, text="", icon="SHADERFX")
+        live.prop(settings, "live")
 
     def _draw_buttons(
         self, layout: bpy.types.UILayout, active: bpy.types.Object, scene: bpy.types.Scene

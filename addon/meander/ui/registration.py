@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from ..run import estimates, following, gap_marks, seed_preview, session, suspended
+from ..run import estimates, following, gap_marks, live, seed_preview, session, suspended
 from ..scene import after_undo, changes, identity, look_material
 from . import (
     cut_panel,
@@ -11,6 +11,7 @@ from . import (
     gaps_operator,
     help,
     light_operator,
+    live_operator,
     look_panel,
     motion_panel,
     operators,
@@ -37,11 +38,13 @@ _MODULES = (
     settings,
     session,
     suspended,
+    live,
     seed_preview,
     estimates,
     following,
     gap_marks,
     run_operators,
+    live_operator,
     operators,
     gaps_operator,
     help,

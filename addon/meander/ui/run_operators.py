@@ -16,10 +16,11 @@ from bpy.props import BoolProperty, StringProperty
 from .. import core
 from ..model import last_run, strands
 from ..model.estimate import described
-from ..run import session, suspended
+from ..run import estimates, session, suspended
 from ..run.edit_mode import push_undo
 from ..run.plan import Plan, plan_run
 from ..run.queue import Queue
+from ..run.suspended import SuspendedRun
 from ..scene.errors import DataError
 from ..scene.fillable import why_not
 from ..scene.settings import surface_of
@@ -30,7 +31,7 @@ from .preferences import is_large
 _MODES = ("OBJECT", "EDIT_MESH", "PAINT_WEIGHT", "PAINT_VERTEX")
 
 
-def sentence_of(error: Exception) -> str:
+def sentence_of(error: Exception | str) -> str:
     """The error's text as a sentence of its own: Blender shows it without any context."""
     text = str(error)
     return text[:1].upper() + text[1:]
@@ -51,7 +52,8 @@ def _summary(result: bpy.types.Object) -> str:
     )
 
 
-def _poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+def poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    """Whether a run can begin; else the message says why not."""
     if session.current() is not None:
         cls.poll_message_set("A curve is growing already")
         return False
@@ -64,6 +66,14 @@ def _poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool
     return True
 
 
+def _fits(plan: Plan) -> bool:
+    """Whether a run is small enough to begin without a question."""
+    try:
+        return not is_large(estimates.of_plan(plan))
+    except core.MeanderError:  # which the run will report
+        return True
+
+
 def _over_view(context: bpy.types.Context, event: bpy.types.Event) -> bool:
     """Whether the mouse is over a 3D view; the context of a modal operator is where it began."""
     return any(
@@ -74,7 +84,7 @@ def _over_view(context: bpy.types.Context, event: bpy.types.Event) -> bool:
     )
 
 
-class _Watched:
+class Watched:
     """A run in a window: a background run, and a timer that shows it.
 
     Enter and Esc are taken over a 3D view only. Everything else goes on to whoever it is meant for,
@@ -82,6 +92,12 @@ class _Watched:
     """
 
     _session: session.Session
+
+    def _new_session(self, plan: Plan, run: SuspendedRun | None = None) -> session.Session:
+        """A session that asks nobody whether a wish may be large: it refuses those that are."""
+        created = session.Session(plan, run)
+        created.allows = _fits
+        return created
 
     def _watch(self, context: bpy.types.Context) -> set[str]:
         self._session.start(context)
@@ -108,6 +124,9 @@ class _Watched:
             # A defect of ours must not leave a timer and a run behind.
             self._finish(context, keep=False)
             raise
+        if self._session.refusal:
+            self.report({"WARNING"}, sentence_of(self._session.refusal))
+            self._session.refusal = ""
         if not going:
             return self._go_on(context, self._finish(context, keep=True))
         return {"PASS_THROUGH"}
@@ -141,7 +160,7 @@ class _Watched:
         return {"CANCELLED"}
 
 
-class MEANDER_OT_run(_Watched, bpy.types.Operator):
+class MEANDER_OT_run(Watched, bpy.types.Operator):
     """Grow a curve on the active mesh until it fills the surface at the spacing"""
 
     bl_idname = "meander.run"
@@ -171,7 +190,7 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return _poll_run(cls, context)
+        return poll_run(cls, context)
 
     @classmethod
     def description(cls, _context: bpy.types.Context, options: Any) -> str:
@@ -197,7 +216,7 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
         while (plan := self._planned(context)) is not None:
             if filled:
                 push_undo()
-            self._session = session.Session(plan)
+            self._session = self._new_session(plan)
             self._session.stepper.run()
             filled = self._finish(context, keep=True) == {"FINISHED"} or filled
         return {"FINISHED"} if filled else {"CANCELLED"}
@@ -207,7 +226,7 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
         plan = self._planned(context)
         if plan is None or not self.asked and self._asks(context, plan):
             return {"CANCELLED"}
-        self._session = session.Session(plan)
+        self._session = self._new_session(plan)
         self._session.place = self._queue.place
         return self._watch(context)
 
@@ -218,7 +237,7 @@ class MEANDER_OT_run(_Watched, bpy.types.Operator):
         plan = self._planned(context)
         if plan is None:
             return outcome
-        self._session = session.Session(plan)
+        self._session = self._new_session(plan)
         self._session.place = self._queue.place
         self._session.start(context)
         return {"RUNNING_MODAL"}
@@ -274,7 +293,7 @@ class MEANDER_OT_ask_run(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class MEANDER_OT_resume(_Watched, bpy.types.Operator):
+class MEANDER_OT_resume(Watched, bpy.types.Operator):
     """Let the run that was ended last go on from where it was"""
 
     bl_idname = "meander.resume"
@@ -283,7 +302,7 @@ class MEANDER_OT_resume(_Watched, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        if not _poll_run(cls, context):
+        if not poll_run(cls, context):
             return False
         if suspended.run_of(context.active_object) is None:
             cls.poll_message_set("No run on this object was ended before its time")
@@ -308,7 +327,7 @@ class MEANDER_OT_resume(_Watched, bpy.types.Operator):
         except (DataError, core.MeanderError) as error:
             self.report({"ERROR"}, sentence_of(error))
             return False
-        self._session = session.Session(run.plan, run)
+        self._session = self._new_session(run.plan, run)
         return True
 
 

@@ -142,6 +142,15 @@ class MeanderSettings(
         poll=_is_curve,
         options=set(),
     )
+    live: BoolProperty(
+        name="Live",
+        description=(
+            "Let the curve follow changes of spacing, density and weights at once, while it grows "
+            "and after, also while you paint"
+        ),
+        default=False,
+        options=set(),
+    )
     fixed_ends: BoolProperty(
         name="Fixed Ends",
         description="Keep the end points of open seed splines where they are",

@@ -48,11 +48,15 @@ class SubPanel(Sidebar):
         return surface_of(context.active_object) is not None
 
 
-def columns(layout: bpy.types.UILayout) -> None:
-    """Labels to the left, values to the right; all of it grey while a curve grows."""
+def columns(layout: bpy.types.UILayout, live: bool = False) -> None:
+    """Labels to the left, values to the right; all of it grey while a curve grows.
+
+    live   unless that curve takes changes of these settings
+    """
     layout.use_property_split = True
     layout.use_property_decorate = False
-    layout.active = session.current() is None
+    running = session.current()
+    layout.active = running is None or live and running.live
 
 
 def notice(layout: bpy.types.UILayout, text: str, icon: str = "INFO") -> None:

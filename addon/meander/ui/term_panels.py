@@ -27,7 +27,7 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
-        columns(layout)
+        columns(layout, live=True)
         active = context.active_object
         settings: MeanderSettings = active.meander
         layout.prop(settings, "density_source")
@@ -117,7 +117,7 @@ class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
-        columns(layout)
+        columns(layout, live=True)
         settings: MeanderSettings = context.active_object.meander
         rows(layout, settings, "Strand Shape", heading="Shape")
         for warning in warnings_of(settings):

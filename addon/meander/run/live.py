@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Live: other wishes for a curve that grows or has grown, taken from the settings as they change.
+
+What a flow takes without beginning again are the spacing, the density and its own options; see
+Flow.set_options. Of a finished run with Live on the flow is kept, as `suspended` keeps those that
+were ended, until another run begins, Live is turned off, something is undone, or a file is opened.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from .. import core
+from ..model.options import OF_THE_FLOW
+from ..scene import ramp
+from ..scene.alignment import alignment_of
+from ..scene.density import choice_of, density_of
+from ..scene.errors import DataError
+from ..scene.flow_options import options_of
+from ..scene.identity import Key
+from ..scene.results import is_present
+from ..scene.settings import copied, surface_of
+from .meaning import Meaning
+from .plan import Plan
+from .suspended import SuspendedRun, same_mesh
+
+_OPTIONS = frozenset(
+    name
+    for option in OF_THE_FLOW
+    for name in (option.setting, option.switch)
+    if name and name != "threads"
+)
+_OTHERS = frozenset({"spacing", "alignment_weight", "factor_0", "factor_1", "use_density_range"})
+# Densities that are read at the vertices of the mesh, so that painting changes them.
+_PAINTED = frozenset({"GROUP", "ATTRIBUTE", "COLOR"})
+
+
+def is_live(setting: str) -> bool:
+    """Whether a flow takes changes of a setting without beginning again."""
+    return setting in _OPTIONS or setting in _OTHERS or setting.startswith("density_")
+
+
+def differs(before: Meaning, now: Meaning) -> bool:
+    """Whether something has changed that a flow may take: a live setting, or what was painted."""
+    live = [pair for pair in zip(before.settings, now.settings) if is_live(pair[0][0])]
+    if any(mine != theirs for mine, theirs in live):
+        return True
+    painted = dict(now.settings).get("density_source") in _PAINTED
+    return painted and before.shape[0] == now.shape[0] and before.shape[1] != now.shape[1]
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What a flow is asked for next.
+
+    density   per vertex; None: 1 everywhere
+    asker     the object whose settings say so
+    """
+
+    options: core.FlowOptions
+    density: np.ndarray | None
+    spacing: float
+    asker: Key
+
+    def applied(self, plan: Plan) -> Plan:
+        """The plan of a run that has taken it."""
+        problem = replace(plan.problem, options=self.options, density=self.density)
+        return replace(plan, problem=problem, spacing=self.spacing, settings=self.asker)
+
+
+def wish_of(
+    active: bpy.types.Object,
+    plan: Plan,
+    density_now: np.ndarray | Callable | None,
+    depsgraph: bpy.types.Depsgraph,
+) -> Wish | None:
+    """What the settings of a surface or a result ask of the run of a plan; None: nothing else.
+
+    density_now   of the flow, per vertex; a function of the surface counts as another density
+
+    Raises DataError or core.MeanderError with a sentence for what cannot be used.
+    """
+    settings, problem = active.meander, plan.problem
+    spacing = settings.spacing or plan.spacing
+    options = options_of(settings, spacing)
+    # A field is read when a run begins; how much it counts may change.
+    fielded = problem.directions is not None
+    options.alignment_weight = alignment_of(settings).weight if fielded else 0.0
+    options.threads = problem.options.threads
+    density = density_of(choice_of(settings), surface_of(active), depsgraph, spacing / 2.0)
+    if callable(density):
+        with core.Surface(
+            problem.vertices, problem.faces, problem.surface_options, options.threads
+        ) as surface:
+            density = density(surface)
+    if density is not None and len(density) != len(problem.vertices):
+        raise DataError("The mesh has another number of vertices now; fill it again")
+    same = (
+        density_now is None
+        if density is None
+        else isinstance(density_now, np.ndarray) and np.array_equal(density, density_now)
+    )
+    if same and options == problem.options:
+        return None
+    return Wish(options, density, spacing, Key(active))
+
+
+def share_settings(result: bpy.types.Object, surface: bpy.types.Object) -> None:
+    """Gives the surface of a result with Live the result's live settings: both are one then."""
+    source, target = result.meander, surface.meander
+    if surface.library is not None or not (source.live and target.live):
+        return
+    for name in copied(source):
+        if not is_live(name) or name == "density_ramp":
+            continue
+        value = getattr(source, name)
+        if getattr(target, name) != value:
+            setattr(target, name, value)
+    theirs, mine = source.density_ramp, target.density_ramp
+    if theirs is not None and (mine is None or ramp.stops_of(mine) != ramp.stops_of(theirs)):
+        target.density_ramp = theirs.copy()
+
+
+# ------------------------------------------------------------------------------------------------
+# The flow of the last run with Live on
+
+
+@dataclass(frozen=True)
+class _Kept:
+    run: SuspendedRun
+    splines: str  # what the result was like when it was written
+
+
+_kept: _Kept | None = None
+
+
+def keep(run: SuspendedRun) -> None:
+    """Keeps the flow of a run that has written its result, instead of the one before it."""
+    global _kept
+    result = run.plan.result.find()
+    _kept = _Kept(run, _digest(result)) if result is not None else None
+
+
+def drop() -> None:
+    """Forgets the flow that is kept and frees its memory. Does nothing when there is none."""
+    global _kept
+    _kept = None
+
+
+def taken(active: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SuspendedRun | None:
+    """Hands out the run that is kept, if it is of this surface or result and goes on from what is
+    there; it is kept no longer. Raises DataError for a surface that cannot be read.
+    """
+    kept = _kept
+    drop()
+    if kept is None:
+        return None
+    plan = kept.run.plan
+    surface, result = plan.surface.find(), plan.result.find()
+    if surface is None or surface_of(active) != surface or not is_present(result):
+        return None
+    # Whoever has edited the points by hand wants them as they are.
+    of_another = active not in (surface, result) or _digest(result) != kept.splines
+    return None if of_another or not same_mesh(plan, surface, depsgraph) else kept.run
+
+
+def _digest(result: bpy.types.Object) -> str:
+    """Another text for other points."""
+    digest = hashlib.sha1(usedforsecurity=False)
+    for spline in result.data.splines:
+        buffer = np.empty(4 * len(spline.points), dtype=np.float32)
+        spline.points.foreach_get("co", buffer)
+        digest.update(buffer.tobytes() + bytes([spline.use_cyclic_u]))
+    return digest.hexdigest()
+
+
+@persistent
+def _on_change(*_arguments: object) -> None:
+    drop()
+
+
+_HANDLERS = ("load_pre", "undo_post", "redo_post")
+
+
+def register() -> None:
+    for name in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(_on_change)
+
+
+def unregister() -> None:
+    for name in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(_on_change)
+    drop()

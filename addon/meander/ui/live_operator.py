@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Live after a run: a timer looks whether settings or paint have changed, and lets the curve go on.
+
+The same timer advances a live run while a brush is held, when Blender hands a modal operator no
+events; such a run ends when the brush has been let go.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .. import core
+from ..run import live, session
+from ..run.meaning import Meaning, meaning_of
+from ..run.plan import Plan, plan_of
+from ..scene.errors import DataError
+from ..scene.identity import number_of
+from ..scene.results import last_result
+from ..scene.settings import surface_of
+from .run_operators import MEANDER_OT_run, Watched, poll_run, sentence_of
+
+# Of the timer, in seconds, while a curve grows and while none does.
+_GROWING, _WAITING = 0.07, 0.15
+# A run whose operator has not been heard of for so long, in seconds, is advanced by the timer.
+_SILENCE = 0.15
+
+
+class MEANDER_OT_live(Watched, bpy.types.Operator):
+    """Let the curve of a surface take what its settings ask for now"""
+
+    bl_idname = "meander.live"
+    bl_label = "Live"
+    bl_options = {"INTERNAL", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return poll_run(cls, context)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        if not self._begin(context):
+            return {"CANCELLED"}
+        self._session.run()
+        return self._finish(context, keep=True)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        return self._watch(context) if self._begin(context) else {"CANCELLED"}
+
+    def _continued(self, context: bpy.types.Context, active: bpy.types.Object) -> Plan:
+        """A run from the points of the result of the active object, with that one's settings."""
+        depsgraph = context.evaluated_depsgraph_get()
+        result = last_result(active, context.scene) or active
+        plan = plan_of(result, context.scene, depsgraph)
+        wish = live.wish_of(active, plan, plan.problem.density, depsgraph)
+        plan = replace(plan, from_surface=True)  # which leaves alone what is active
+        return wish.applied(plan) if wish is not None else plan
+
+    def _begin(self, context: bpy.types.Context) -> bool:
+        """Whether something else is asked for than the curve is; the session then takes it."""
+        active = context.view_layer.objects.active
+        try:
+            run = live.taken(active, context.evaluated_depsgraph_get())
+            if run is None:
+                # As after a file has been opened: the curve goes on from its points.
+                self._session = self._new_session(self._continued(context, active))
+                self._session.whole = False
+                return True
+        except (DataError, core.MeanderError) as error:
+            self.report({"ERROR"}, sentence_of(error))
+            return False
+        self._session = self._new_session(run.plan, run)
+        if self._session.find_wish(context, active):
+            return True
+        if self._session.refusal:
+            self.report({"WARNING"}, sentence_of(self._session.refusal))
+        live.keep(run)
+        return False
+
+
+# The object that was active when the timer looked last, and what a run on it would have meant.
+_seen: tuple[int, Meaning] | None = None
+
+
+def _tick() -> float:
+    global _seen
+    running = session.current()
+    windows = bpy.context.window_manager.windows
+    if running is None:
+        if len(windows):
+            with bpy.context.temp_override(window=windows[0]):
+                _look()
+        return _WAITING
+    _seen = None
+    if running.live and time.perf_counter() - running.ticked > _SILENCE and len(windows):
+        with bpy.context.temp_override(window=windows[0]):
+            try:
+                running.tick(bpy.context)
+            except DataError:  # which the operator will find and report
+                pass
+    return _GROWING
+
+
+def _look() -> None:
+    """Lets the curve go on when something has changed since the last look."""
+    global _seen
+    context = bpy.context
+    active = context.view_layer.objects.active
+    before, _seen = _seen, None
+    if surface_of(active) is None or context.mode == "EDIT_MESH":
+        return
+    if not active.meander.live:
+        live.drop()
+        return
+    now = meaning_of(active)
+    _seen = (number_of(active), now)
+    if before is None or before[0] != _seen[0] or not live.differs(before[1], now):
+        return
+    if active.type == "MESH" and last_result(active, context.scene) is None:
+        return  # nothing has been filled yet
+    if MEANDER_OT_run.poll(context):
+        _press()
+
+
+def _press() -> None:
+    window = bpy.context.window
+    area = next((area for area in window.screen.areas if area.type == "VIEW_3D"), None)
+    if area is None:
+        return
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    with bpy.context.temp_override(window=window, area=area, region=region):
+        bpy.ops.meander.live("INVOKE_DEFAULT")
+
+
+@persistent
+def _on_change(*_arguments: object) -> None:
+    """What was undone is not to be done again."""
+    global _seen
+    _seen = None
+
+
+_HANDLERS = ("load_post", "undo_post", "redo_post")
+
+
+def register() -> None:
+    bpy.utils.register_class(MEANDER_OT_live)
+    for name in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(_on_change)
+    if not bpy.app.background:
+        bpy.app.timers.register(_tick, first_interval=_WAITING, persistent=True)
+
+
+def unregister() -> None:
+    _on_change()
+    if bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.unregister(_tick)
+    for name in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(_on_change)
+    bpy.utils.unregister_class(MEANDER_OT_live)

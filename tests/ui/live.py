@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script: a curve that follows its settings and a brush, in a window; see run.py."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import bpy
+
+HERE = Path(__file__).resolve().parent
+# Another add-on folder can be tried with the same story.
+ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
+sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
+
+from meander.run import live, session, suspended  # noqa: E402
+from stage import (  # noqa: E402
+    IN_VIEW,
+    RESULT,
+    SURFACE,
+    assert_nothing_left_over,
+    build_scene,
+    choose_spacing,
+    ended,
+    key,
+    look_at_surface,
+    picture,
+    point_count,
+    press_run,
+    show_panel,
+    shown_points,
+    splines_of,
+    step,
+    tell,
+    until,
+    window_override,
+)
+
+# A run takes a second.
+SPACING = 0.3
+
+
+def activate(name: str) -> bpy.types.Object:
+    for thing in bpy.data.objects:
+        thing.select_set(thing.name == name)
+    bpy.context.view_layer.objects.active = bpy.data.objects[name]
+    return bpy.data.objects[name]
+
+
+def choose(thing: bpy.types.Object, setting: str, value: object) -> None:
+    """As the panel does: the value, and an undo step."""
+    setattr(thing.meander, setting, value)
+    bpy.ops.ed.undo_push(message=setting)
+
+
+def follows() -> Iterator[float]:
+    """Until a run has begun by itself and has come to its end."""
+    yield from until(lambda: not ended(), "a live run begins")
+    yield from until(ended, "the live run ends")
+
+
+def brush(value: str, x: int, y: int) -> None:
+    window = bpy.context.window_manager.windows[0]
+    window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
+    if value != "NOTHING":
+        window.event_simulate(type="LEFTMOUSE", value=value, x=x, y=y)
+
+
+def weights() -> list[float]:
+    group = bpy.data.objects[SURFACE].vertex_groups["Dense"].index
+    return [
+        element.weight
+        for vertex in bpy.data.objects[SURFACE].data.vertices
+        for element in vertex.groups
+        if element.group == group
+    ]
+
+
+def after_a_run() -> Iterator[float]:
+    step("a finished curve follows its spacing")
+    build_scene()
+    look_at_surface()
+    yield from show_panel()
+    suzanne = bpy.data.objects[SURFACE]
+    suzanne.meander.live = True
+    choose_spacing(SPACING)
+    press_run()
+    yield from until(ended, "the first run ends")
+    first = splines_of(RESULT)
+    result = activate(RESULT)
+    choose(result, "spacing", 0.95 * SPACING)
+    yield from follows()
+    second = splines_of(RESULT)
+    assert second != first
+    assert abs(suzanne.meander.spacing - 0.95 * SPACING) < 1e-6
+    picture("live_after")
+
+    step("what is undone is not done again")
+    bpy.ops.ed.undo()
+    assert splines_of(RESULT) == first
+    yield 0.8
+    assert ended()
+    assert splines_of(RESULT) == first
+    bpy.ops.ed.redo()
+    yield 0.8
+    assert ended()
+    assert splines_of(RESULT) == second
+
+    step("Esc takes the last wish back, and the curve keeps what it was")
+    activate(SURFACE)
+    yield 0.4
+    choose(bpy.data.objects[SURFACE], "spacing", 0.04)
+    yield from until(lambda: not ended(), "a live run begins")
+    yield from until(lambda: shown_points() > 0, "it shows a curve")
+    picture("live_during")
+    key("ESC")
+    yield from until(ended, "Esc ends it")
+    assert splines_of(RESULT) == second
+    yield 0.8
+    assert ended()
+    suspended.drop()
+
+
+def while_painting() -> Iterator[float]:
+    step("a curve follows the brush")
+    suzanne = activate(SURFACE)
+    group = suzanne.vertex_groups.new(name="Dense")
+    group.add(range(len(suzanne.data.vertices)), 0.0, "REPLACE")
+    suzanne.vertex_groups.active_index = group.index
+    choose(suzanne, "live", False)
+    yield 0.4
+    for setting, value in (
+        ("density_source", "GROUP"),
+        ("density_group", "Dense"),
+        ("spacing", SPACING),
+        ("live", True),
+    ):
+        choose(suzanne, setting, value)
+    press_run()
+    yield from until(ended, "the run ends")
+    yield 0.4
+    even = splines_of(RESULT)
+    override = window_override()
+    override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
+    with bpy.context.temp_override(**override):
+        bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
+    settings = bpy.context.tool_settings
+    settings.unified_paint_settings.size = 60
+    settings.unified_paint_settings.weight = 1.0
+    yield 0.4
+    before = point_count()
+    x, y = IN_VIEW
+    for lift in (0, 40):  # the second stroke often meets a run that is still going
+        brush("PRESS", x - 60, y + lift)
+        for k in range(12):
+            brush("NOTHING", x - 60 + 10 * k, y + lift + 3 * k)
+            yield 0.05
+        assert max(weights()) > 0.0, "the brush has not painted"
+        # The brush is still held.
+        if not lift:
+            yield from until(lambda: not ended(), "the curve takes the paint")
+            yield from until(lambda: shown_points() > 0, "the curve is shown under the brush")
+            picture("live_brush")
+        brush("RELEASE", x + 60, y + lift + 36)
+    yield from until(lambda: ended() and point_count() > before, "the painted curve is the result")
+    yield 0.5
+    yield from until(ended, "the last run ends")
+    assert splines_of(RESULT) != even
+    assert bpy.context.mode == "PAINT_WEIGHT"
+    picture("live_painted")
+
+
+def story() -> Iterator[float]:
+    yield from after_a_run()
+    yield from while_painting()
+    step("Live off gives the flow back")
+    choose(bpy.data.objects[SURFACE], "live", False)
+    yield 0.5
+    assert live._kept is None
+    assert session.current() is None
+    assert_nothing_left_over()
+
+
+if __name__ == "__main__":
+    tell(story())
