@@ -8,10 +8,15 @@ ways, on a mesh, in Edit Mode, on a result, and while a curve grows.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import bpy
+from meander import core
+from meander.model.remaining import Remaining
+from meander.run import estimates
 from panel_layout import drawn, panels
 from scenes import activate, cube, fill
+from watched_runs import begin, tick_until
 
 
 def excesses(state: str) -> Iterator[str]:
@@ -65,6 +70,28 @@ def test_every_text_fits_on_a_result():
         found += excesses(reason)
     activate(None)
     found += excesses("nothing active")
+    assert not one_each(found), "\n".join(one_each(found))
+
+
+def test_every_text_fits_while_a_curve_grows(windowed):
+    surface = cube()
+    surface.meander.spacing = 0.0
+    found = list(excesses("automatic spacing"))
+    estimates.measure(surface)
+    running = begin(surface, 0.05)
+    for phase in core.PHASES:
+        tick_until(running, lambda: running.shown_points > 0)
+        latest = running.latest
+        running.latest = replace(latest, phase=phase, nodes=1_234_567, length=12345.678)
+        running._remaining = Remaining()
+        running._remaining.note(0.0, 0.0)
+        running._remaining.note(5400.0, 0.51)
+        assert "min" in running.left_text()
+        found += excesses(phase)
+    running.suspend()
+    found += excesses("suspended")
+    surface.meander.spacing = 0.0004
+    found += excesses("a large run")
     assert not one_each(found), "\n".join(one_each(found))
 
 

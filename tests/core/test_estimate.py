@@ -108,7 +108,7 @@ def test_surfaces_without_area_have_no_points():
         (83e6, 5.9e3, 46e9, "83 M points, 98 min, 46 GB"),
         (83e6, 7.3e3, 46e9, "83 M points, 2 h, 46 GB"),
         (83e6, 864e3, 46e9, "83 M points, 10 days, 46 GB"),
-        (8.3e9, 864e6, 46e12, "8,300 M points, 10,000 days, 46,000 GB"),
+        (8.3e9, 864e6, 46e12, "8.3 G points, 10,000 days, 46 TB"),
     ],
 )
 def test_in_words(points, seconds, memory, words):

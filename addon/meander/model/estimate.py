@@ -149,7 +149,9 @@ def _rounded(value: float) -> int:
 
 def _count(value: float) -> str:
     value = _rounded(value)
-    return f"{value / 1e6:,g} M" if value >= 1_000_000 else f"{value:,}"
+    if value >= 1e9:
+        return f"{value / 1e9:,g} G"
+    return f"{value / 1e6:,g} M" if value >= 1e6 else f"{value:,}"
 
 
 def _duration(seconds: float) -> str:
@@ -161,4 +163,6 @@ def _duration(seconds: float) -> str:
 
 def _size(size: float) -> str:
     size = _rounded(size)
+    if size >= 1e12:
+        return f"{size / 1e12:,g} TB"
     return f"{_rounded(size / 1e6)} MB" if size < 1e9 else f"{size / 1e9:,g} GB"
