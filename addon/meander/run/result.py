@@ -65,6 +65,8 @@ def write_result(
     curve, radii, guides, line = _shown(plan, stepper, snapshot.polylines, spacing)
     earlier = plan.result.find() if plan.result else None
     earlier = earlier if results.is_present(earlier) else None
+    if earlier is None:
+        results.forget_deleted(surface)
     if earlier is not None and earlier.mode == "EDIT":
         # Leaving Edit Mode later would write the points that it holds over the new ones.
         bpy.ops.object.mode_set(mode="OBJECT")

@@ -38,3 +38,19 @@ def remember(result: bpy.types.Object, surface: bpy.types.Object) -> None:
     """Makes a curve the one that filling its surface again updates, where that can be noted."""
     if surface.library is None:
         surface.meander.last_result = result
+
+
+def forget_deleted(surface: bpy.types.Object) -> None:
+    """Lets go of a last result that the user has deleted, which only its surface still names.
+
+    Else it would stay in the file, and keep its name from the next one.
+    """
+    found = None if surface.library is not None else surface.meander.last_result
+    if found is None or is_present(found):
+        return
+    surface.meander.last_result = None
+    if found.users == 0 and found.library is None:
+        data = found.data
+        bpy.data.objects.remove(found)
+        if data.users == 0:
+            bpy.data.curves.remove(data)
