@@ -4,7 +4,7 @@
     bash scripts/test.sh
     blender --background --factory-startup --python-exit-code 1 --python scripts/panel_picture.py
 
-Reads build/ui and writes docs/images/panel_states.png.
+Reads build/ui and writes panel_states.png and look_panel.png into docs/images.
 """
 
 from __future__ import annotations
@@ -18,10 +18,11 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 PICTURES = ROOT / "build" / "ui"
-OUTPUT = ROOT / "docs" / "images" / "panel_states.png"
+IMAGES = ROOT / "docs" / "images"
 # Left, top, width and height, from the upper left of a window of 1280 x 800.
 PANEL = (836, 84, 192, 370)
 DIALOG = (217, 394, 366, 108)
+LOOK = (836, 434, 192, 284)
 GAP = 12
 # Of what lies between the pieces, transparent.
 BACKGROUND = (0.0, 0.0, 0.0, 0.0)
@@ -62,6 +63,13 @@ def main() -> None:
     names = ("9_mesh", "9_growing", "9_result", "9_gaps", "5_resume")
     pieces = [pixels_of(name, PANEL) for name in names]
     pieces.append(pixels_of("5_question", DIALOG))
+    write_beside("panel_states.png", pieces)
+    looks = ("7_look_of_a_result", "7_look_of_a_mesh")
+    write_beside("look_panel.png", [pixels_of(name, LOOK) for name in looks])
+
+
+def write_beside(name: str, pieces: list[np.ndarray]) -> None:
+    """Writes a picture of pieces side by side."""
     height = max(len(piece) for piece in pieces)
     columns = []
     for piece in pieces:
@@ -70,8 +78,9 @@ def main() -> None:
         column[: len(piece), : piece.shape[1]] = piece
         columns.append(column)
     whole = np.hstack(columns)[:, :-GAP]
-    write_png(OUTPUT, np.round(255.0 * whole).astype(np.uint8))
-    print(f"{OUTPUT.relative_to(ROOT)}: {OUTPUT.stat().st_size} bytes")
+    output = IMAGES / name
+    write_png(output, np.round(255.0 * whole).astype(np.uint8))
+    print(f"{output.relative_to(ROOT)}: {output.stat().st_size} bytes")
 
 
 main()
