@@ -114,8 +114,9 @@ def test_a_preset_is_added_used_and_removed(own_scripts):
 
 def test_what_ships_is_not_removed(own_scripts):
     cube()
-    bpy.ops.meander.add_preset(name="Organic", remove_name=True)
-    assert (presets.SHIPPED / "Organic.py").is_file()
+    remove = {"name": "Few Corners", "remove_name": True}
+    assert bpy.ops.meander.add_preset(**remove) == {"CANCELLED"}
+    assert (presets.SHIPPED / "Few_Corners.py").is_file()
 
 
 def test_a_preset_is_one_undo_step():

@@ -96,13 +96,14 @@ class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         return _poll(cls, context)
 
-    def remove(self, _context: bpy.types.Context, filepath: str) -> None:
-        """Called by AddPresetBase; what ships with the add-on stays."""
-        path = Path(filepath)
-        if path.parent == SHIPPED:
-            self.report({"WARNING"}, "The presets of the add-on cannot be removed")
-        else:
-            path.unlink()
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        if self.remove_name or self.remove_active:
+            file = f"{self.as_filename(self.name)}.py"
+            own = any((Path(folder) / file).is_file() for folder in folders()[1:])
+            if not own and (SHIPPED / file).is_file():
+                self.report({"WARNING"}, "The presets of the add-on cannot be removed")
+                return {"CANCELLED"}
+        return super().execute(context)
 
 
 class MEANDER_PT_presets(PresetPanel, bpy.types.Panel):
