@@ -177,6 +177,22 @@ def test_bending_makes_turns_wider() -> None:
     assert shares[0] > 1.5 * shares[1] > 2 * shares[2]
 
 
+def test_even_curves_turn_round_a_circle_of_half_the_spacing() -> None:
+    """Hairpins join strands 2 r apart, so none should turn more sharply than 1 / r (.009; .025 if
+    bending weighs the same everywhere)."""
+    r = SPACING / 2
+    points = resampled(grow(sheet(1.0, 1.0), "even")[0], 0.1 * r)
+    chord = (np.roll(points, -1, axis=0) - points)[:, :2]
+    angle = np.unwrap(np.arctan2(chord[:, 1], chord[:, 0]))
+    whole = angle[-1] - angle[0]
+    window = 15  # 1.5 r
+    turns = 2 * np.pi * np.round(whole / (2 * np.pi))
+    after = np.concatenate([angle[window:], angle[:window] + turns])
+    curvature = np.abs(after - angle) / 1.5
+    assert np.mean(curvature > 0.8) > 0.05  # there are hairpins
+    assert np.mean(curvature > 1.2) < 0.015
+
+
 @pytest.mark.parametrize("preset", core.PRESETS[:2])
 def test_powers_leave_the_spacing(preset: str) -> None:
     """The spacing of plain powers is 0.94 (even) and 0.88 to 0.99 (paper) of the target."""

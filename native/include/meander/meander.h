@@ -589,7 +589,8 @@ typedef struct meander_flow_options {
   double boundary_distance;     /* of the last strand from the boundary, in spacings: at 0.5 it is half
                                    as far as its neighbour, at 0 it may run along the boundary; in
                                    [0, 2]. Values other than 0.5 need MEANDER_BOUNDARY_RULE_CENTRE */
-  double polish_bending_weight; /* b in the polish */
+  double polish_bending_weight; /* b in the polish; where a strand turns more sharply than 1 / r, up to
+                                   3.5 times as much, so that hairpins stay round */
   double polish_length_offset;  /* t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the medial */
   double polish_length_gain;    /* radius in units of r, smoothed along the curve over 2 r; in [-10, 10]
                                    and [0, 100] */

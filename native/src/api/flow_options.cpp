@@ -145,10 +145,10 @@ meander_flow_options default_options(meander_preset preset) {
   o.step = 1.5;
   o.growth_coarsening = 2;
   o.grow_into_empty = o.widen_loops = o.hold_ends = 1;
-  o.hairpin_removal_iterations = finest ? 300 : 60;
+  o.hairpin_removal_iterations = finest ? 500 : 60;
   o.polish = 1;
-  o.polish_bending_weight = finest ? 1.5 : 2;
-  o.polish_length_offset = finest ? -0.5 : -0.84;
+  o.polish_bending_weight = 1.2;
+  o.polish_length_offset = finest ? -0.7 : -1;
   o.polish_length_gain = 1;
   o.polish_medial_power = 8;
   o.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/tuning.h"
+#include "curve/curvature.h"
 #include "curve/hairpins.h"
 #include "flow/clamped_nodes.h"
 #include "model/smoothed_spacing.h"
@@ -126,6 +127,18 @@ void set_polish_terms(const Weighting& w) {
   w.weights.bending.assign(w.size(), s.polish_bending_weight);
 }
 
+/// More bending where a strand turns too sharply. Nearly all radii that are too small lie inside hairpins, and as much
+/// bending elsewhere would hold strands back that should yield to them.
+void keep_hairpins_round(const Weighting& w) {
+  const NodeData<double> curvature =
+      smoothed_curvature(w.state.curve, w.state.metric, tuning::kCurvatureSmoothing, w.pool);
+  for (size_t i = 0; i < curvature.size(); ++i) {
+    const double tightness =
+        (curvature[i] - tuning::kRoundHairpin) / (tuning::kTightHairpin - tuning::kRoundHairpin);
+    w.weights.bending[i] *= 1 + tuning::kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
+  }
+}
+
 double polish_push(const Weighting& w) {
   if (!w.aligned()) return 0;
   return std::min(tuning::kAlignedPolish * w.settings().alignment_weight, tuning::kMostAlignedPolish);
@@ -158,6 +171,7 @@ void set_hairpin_removal(const Weighting& w) {
 
 void set_polish(const Weighting& w) {
   set_polish_terms(w);
+  keep_hairpins_round(w);
   const NodeData<double> spacing = w.spacing();
   set_length_weights(w, polish_push(w), spacing, [&](size_t i) { return follow_spacing(w.settings(), spacing[i]); });
 }

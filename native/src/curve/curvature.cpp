@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve/curvature.h"
+
+#include <cmath>
+
+namespace meander {
+namespace {
+
+/// Nodes that a thread takes at a time.
+constexpr size_t kBlock = 2048;
+
+/// The turn at every node in radians, to the left positive; 0 at open ends.
+NodeData<double> turns(const Curve& curve, ThreadPool& pool) {
+  NodeData<double> turn(curve.size(), 0);
+  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      const auto i = static_cast<uint32_t>(k);
+      const uint32_t before = curve.previous(i);
+      if (before == kNone || !curve.has_segment(i)) continue;
+      const Vec2 t = curve.shapes[i].leaving * conj(curve.shapes[before].arriving);
+      turn[k] = std::atan2(t.y, t.x);
+    }
+  });
+  return turn;
+}
+
+}  // namespace
+
+NodeData<double> smoothed_curvature(const Curve& curve, const LocalMetric& metric, double width, ThreadPool& pool) {
+  const NodeData<double> turn = turns(curve, pool);
+  NodeData<double> curvature(curve.size());
+  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      const auto i = static_cast<uint32_t>(k);
+      const double reach = width * metric.radius[i];
+      double sum = turn[k];
+      // Both ways, and no farther than once round.
+      double away = 0;
+      for (uint32_t j = i; curve.has_segment(j);) {
+        away += curve.shapes[j].length;
+        j = curve.next(j);
+        if (away >= reach || j == i) break;
+        sum += (1 - away / reach) * turn[j];
+      }
+      away = 0;
+      for (uint32_t j = curve.previous(i); j != kNone && j != i; j = curve.previous(j)) {
+        away += curve.shapes[j].length;
+        if (away >= reach) break;
+        sum += (1 - away / reach) * turn[j];
+      }
+      curvature[k] = std::abs(sum) / width;
+    }
+  });
+  return curvature;
+}
+
+}  // namespace meander
