@@ -150,6 +150,21 @@ def test_a_seed_off_the_surface_is_laid_on_it_and_the_summary_says_so(capfd):
     result.matrix_parent_inverse = np.diag([1 / 1.4, 1 / 1.4, 1 / 1.4, 1.0]).tolist()
     bpy.context.view_layer.update()
     assert "away from the surface" in refused(result)
+    # Neither where guides are drawn some way off.
+    result.meander.guides = poly_curve("Bar", [[(-0.5, 0.0, 1.7), (0.5, 0.0, 1.7)]], False)
+    result.meander.figures.guides, result.meander.figures.first_guide = 0, 0
+    assert "does not lie on its surface" in refused(result)
+
+
+def test_a_result_goes_on_with_guides_drawn_off_the_surface():
+    surface = sphere()
+    bar = poly_curve("Bar", [[(-0.3, 0.0, 1.3), (0.3, 0.0, 1.3)]], False)
+    result = fill(surface, 0.4, guides=bar, iteration_limit=20)
+    assert result.meander.figures.guides == 1
+    activate(result)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert result.meander.figures.guides == 1
+    assert [spline.use_cyclic_u for spline in result.data.splines] == [False, True]
 
 
 # -- drawing and looking ---------------------------------------------------------------------------

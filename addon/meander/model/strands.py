@@ -28,6 +28,7 @@ class Part:
     first_spline: int = 0  # of these strands, among the splines of that place
     # (n,) of the points in their spline, as the user counts them; None: from 1, one by one
     numbers: NDArray[np.int64] | None = None
+    drawn: bool = True  # else grown: a result's own strands, which lie on the surface already
 
 
 def stroke(begin: ArrayLike, end: ArrayLike) -> core.Seed:

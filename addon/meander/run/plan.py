@@ -99,9 +99,10 @@ def plan_of(
     alignment = alignment_of(settings)
     directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
     parts, materials = scene_strands.parts_of(active, depsgraph, restart)
-    # What a result goes on from lies on the surface already, or is of another frame.
-    drawn = active is surface or restart
-    reach = strands.reach_of(vertices) if drawn else 0.0
+    reach = 0.0
+    if any(part.drawn for part in parts):
+        reach = strands.reach_of(vertices)
+        scene_strands.check_on_surface(parts, vertices, faces, spacing / 2.0)
     seed = strands.assembled(parts, settings.seed_every_part, reach)
     mended = repair_of(settings).options(vertices, spacing / 2.0)
     region = selected_faces(surface) if active is surface else None

@@ -13,7 +13,11 @@ from ..model import bridges, strands
 from .curve_reader import ends_of, point_numbers, strands_of_curve
 from .errors import DataError
 from .fillable import is_result
+from .surface_points import farthest
 from .transforms import world_matrix
+
+# So many points of a part tell whether it lies on its surface.
+_CHECKED = 500
 
 
 @dataclass(frozen=True)
@@ -59,7 +63,7 @@ def parts_of(
         begin += more if begin > line else 0
     end = begin + figures.guides
     if not figures.guides:
-        parts = [strands.Part(active.name, own)] + guides
+        parts = [strands.Part(active.name, own, drawn=False)] + guides
         return parts, SplineMaterials((), indices)
     if not known:
         raise DataError(
@@ -72,7 +76,8 @@ def parts_of(
         if is_guide and guides:
             parts += guides
         elif last > first:
-            parts.append(strands.Part(active.name, strands.span(own, first, last), is_guide, first))
+            piece = strands.span(own, first, last)
+            parts.append(strands.Part(active.name, piece, is_guide, first, drawn=False))
     if guides:
         drawn = sum(len(part.seed.closed) for part in guides)
         indices = (*indices[:begin], *([0] * drawn), *indices[end:])
@@ -103,6 +108,22 @@ def _without_bridges(
 def _part_of(curve_object: bpy.types.Object, seed: core.Seed, guide: bool = False) -> strands.Part:
     numbers = point_numbers(curve_object, seed)
     return strands.Part(curve_object.name, seed, guide, numbers=numbers)
+
+
+def check_on_surface(
+    parts: list[strands.Part], vertices: np.ndarray, faces: np.ndarray, distance: float
+) -> None:
+    """Raises DataError where what has grown is farther than that from triangles (world units): it
+    belongs to another shape of the surface. What is drawn may be."""
+    for part in parts:
+        if part.drawn:
+            continue
+        points = part.seed.points[:: max(1, len(part.seed.points) // _CHECKED)]
+        if farthest(points, vertices, faces) > distance:
+            raise DataError(
+                f"'{part.name}' does not lie on its surface as that is now; go to the frame in "
+                "which it was made, or use Start Over"
+            )
 
 
 def _has_stroke(settings: bpy.types.PropertyGroup) -> bool:

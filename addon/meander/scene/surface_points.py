@@ -24,6 +24,12 @@ def bind(
     return nearest_on(vertices, faces)(points)
 
 
+def farthest(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> float:
+    """How far the points (n, 3) are from triangles, at most."""
+    tree = BVHTree.FromPolygons(vertices.tolist(), faces.tolist())
+    return max(tree.find_nearest(point)[3] for point in points.tolist())
+
+
 def nearest_on(
     vertices: np.ndarray, faces: np.ndarray
 ) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:

@@ -101,13 +101,19 @@ def _give_back() -> None:
         paint = scene.tool_settings.curve_paint_settings
         for name, value in drawing.paint.items():
             setattr(paint, name, value)
+    _clear_status(drawing)
+    if drawing.tool is not None:
+        # Where the curve has gone by undo, any other has the same tools.
+        curves = (thing for thing in bpy.data.objects if thing.type == "CURVE")
+        _choose_tool(drawing.tool, curve or next(curves, None))
+
+
+def _clear_status(drawing: _Drawing) -> None:
     for key in drawing.workspaces:
         workspace = key.find()
         if workspace is not None:
             with bpy.context.temp_override(workspace=workspace):
                 workspace.status_text_set(None)
-    if drawing.tool is not None:
-        _choose_tool(drawing.tool, curve)
 
 
 def _choose_tool(name: str, curve: bpy.types.Object | None) -> None:
@@ -139,6 +145,8 @@ def _watch() -> float | None:
 @persistent
 def _before_load(*_arguments: object) -> None:
     global _drawing
+    if _drawing is not None:
+        _clear_status(_drawing)
     _drawing = None  # the settings and the tool go with the file
 
 
