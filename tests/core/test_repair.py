@@ -101,6 +101,30 @@ def test_strict_refuses_and_all_faults_are_named_in_words() -> None:
     assert not len(none.kinds) and words.described(none) == ""
 
 
+def test_there_may_be_more_faults_than_room_is_offered_at_first() -> None:
+    whole = geometry.icosphere(3)
+    vertices = whole.vertices[whole.faces].reshape(-1, 3)
+    faces = np.arange(len(vertices)).reshape(-1, 3)
+    found = core.find_faults(vertices, faces, 1e-6)
+    assert len(found.kinds) == faces.size > 1024
+    assert set(found.kinds.tolist()) == {core.FAULTS.index("seam")}
+    # Every edge of every face is one of them, once.
+    edges = np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    assert np.array_equal(np.unique(edges, axis=0), np.unique(found.elements, axis=0))
+
+
+def test_repaired_meshes_may_move() -> None:
+    vertices, faces = broken(np.random.default_rng(3))
+    flow, _figures = grow(vertices, faces, Repair())
+    moved = vertices * [1.2, 1.0, 0.8]
+    flow.set_vertices(moved)
+    flow.step()
+    nodes, curve = flow.nodes(), flow.polylines().positions
+    positions = np.einsum("nk,nkj->nj", nodes.barycentrics, moved[faces[nodes.faces]])
+    assert np.linalg.norm(positions[:, None] - curve[None], axis=2).min(axis=1).max() < 1e-4
+    assert flow.statistics()["crossings"] == 0
+
+
 def test_bad_arguments_are_refused() -> None:
     vertices, faces = np.eye(3), np.array([[0, 1, 2]])
     for options, word in (
