@@ -6,7 +6,8 @@ from __future__ import annotations
 import bpy
 import numpy as np
 import pytest
-from meander.run import estimates
+from meander.run import estimates, live
+from meander.run.plan import plan_of
 from scenes import (
     activate,
     circle_points,
@@ -202,6 +203,18 @@ def test_the_active_vertex_group_is_taken_and_kept():
     assert curve.meander.density_group == surface.meander.density_group == "Dense"
     x = points_of(curve)[:, 0]
     assert (x > 0.0).mean() > 0.6
+
+
+def test_another_spacing_for_a_curve_that_grows_keeps_the_paint():
+    surface = painted("Dense")
+    surface.meander.spacing = 0.2
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    plan = plan_of(surface, bpy.context.scene, depsgraph)
+    assert live.wish_of(surface, plan, plan.problem.density, depsgraph) is None
+    surface.meander.spacing = 0.25
+    wish = live.wish_of(surface, plan, plan.problem.density, depsgraph)
+    assert np.array_equal(wish.density, plan.problem.density)
+    assert wish.applied(plan).density_group == "Dense"
 
 
 def test_groups_of_bones_are_left_out_and_said_to_be():

@@ -20,7 +20,7 @@ from .. import core
 from ..model.options import OF_THE_FLOW
 from ..scene import ramp
 from ..scene.alignment import alignment_of
-from ..scene.density import choice_of, density_of
+from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
 from ..scene.identity import Key
@@ -61,17 +61,25 @@ class Wish:
 
     density   per vertex; None: 1 everywhere
     asker     the object whose settings say so
+    group     the vertex group that the density follows; empty: none
     """
 
     options: core.FlowOptions
     density: np.ndarray | None
     spacing: float
     asker: Key
+    group: str = ""
 
     def applied(self, plan: Plan) -> Plan:
         """The plan of a run that has taken it."""
         problem = replace(plan.problem, options=self.options, density=self.density)
-        return replace(plan, problem=problem, spacing=self.spacing, settings=self.asker)
+        return replace(
+            plan,
+            problem=problem,
+            spacing=self.spacing,
+            settings=self.asker,
+            density_group=self.group,
+        )
 
 
 def wish_of(
@@ -93,7 +101,8 @@ def wish_of(
     fielded = problem.directions is not None
     options.alignment_weight = alignment_of(settings).weight if fielded else 0.0
     options.threads = problem.options.threads
-    density = density_of(choice_of(settings), surface_of(active), depsgraph, spacing / 2.0)
+    choice = chosen_density(settings, surface_of(active))
+    density = density_of(choice, surface_of(active), depsgraph, spacing / 2.0)
     if callable(density):
         with core.Surface(
             problem.vertices, problem.faces, problem.surface_options, options.threads
@@ -108,7 +117,8 @@ def wish_of(
     )
     if same and options == problem.options:
         return None
-    return Wish(options, density, spacing, Key(active))
+    group = choice.name if choice.source == "GROUP" else ""
+    return Wish(options, density, spacing, Key(active), group)
 
 
 def share_settings(result: bpy.types.Object, surface: bpy.types.Object) -> None:
