@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <ctime>
 #include <map>
 #include <set>
 
@@ -184,6 +186,68 @@ TEST(Sheets, TwoSolidsThatShareAnEdgeStayTwo) {
   const CheckedMesh checked = check_mesh(prepared.vertices, prepared.faces, pool);
   EXPECT_EQ(checked.component_count, 2u);
   EXPECT_TRUE(std::ranges::all_of(checked.twin, [](uint32_t e) { return e != kNoTwin; }));
+}
+
+TEST(Sheets, WhereAOneSidedPartLiesOnItselfItIsPartedAndNoFaceIsTurned) {
+  // A band in the plane that comes back to its first edge from the same side, all faces counter-clockwise.
+  Mesh mesh;
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1, 0}, {0.3, 1}, {0.6, 1.1}, {1.5, 1}, {0.8, 2}, {-0.5, 1.2}, {-1, 2}}) {
+    mesh.add(x, y, 0);
+  }
+  const uint32_t a = 0, b = 1, c = 2, d = 3, e = 4, h = 5, k = 6, p = 7;
+  const uint32_t band[8][3] = {{a, b, c}, {c, b, e}, {c, e, h}, {c, h, k}, {k, h, p}, {k, p, a}, {a, d, k}, {a, b, d}};
+  for (const uint32_t first : {0u, 3u, 7u}) {  // whichever face is the first
+    Mesh turned = mesh;
+    for (uint32_t f = 0; f < 8; ++f) {
+      const auto& t = band[(first + f) % 8];
+      turned.face(t[0], t[1], t[2]);
+    }
+    const auto faults = find_faults(turned.vertices, turned.faces, 0);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].kind, FaultKind::kOneSided);
+    EXPECT_EQ((VertexPair{faults[0].element, faults[0].element2}), (VertexPair{a, b}));
+    const PreparedMesh prepared = prepare_mesh(turned.vertices, turned.faces, all_repairs());
+    expect_surface(prepared.faces);
+    EXPECT_EQ(prepared.counts.opened_edges, 1u);
+    ThreadPool pool(1);
+    const CheckedMesh checked = check_mesh(prepared.vertices, prepared.faces, pool);
+    EXPECT_EQ(checked.component_count, 1u);
+    EXPECT_TRUE(std::ranges::none_of(checked.flipped, [](auto flipped) { return flipped != 0; }));
+  }
+}
+
+TEST(Sheets, FacesOfAnEdgeWithVeryManyAllEndThere) {
+  // As a book's pages; in pairs they would need memory with the square of their number.
+  Mesh book;
+  book.add(0, 0, 0);
+  book.add(0, 0, 1);
+  constexpr uint32_t kPages = 20000;
+  for (uint32_t i = 0; i < kPages; ++i) {
+    const double angle = 6.0 * i / kPages;
+    book.face(0, 1, book.add(std::cos(angle), std::sin(angle), 0.5));
+  }
+  const PreparedMesh prepared = prepare_mesh(book.vertices, book.faces, all_repairs());
+  EXPECT_EQ(prepared.counts.cut_edges, 1u);
+  EXPECT_EQ(prepared.vertices.size(), 9 * kPages);
+}
+
+TEST(Seams, AWideDistanceTakesHardlyMoreTimeThanANarrowOne) {
+  Mesh soup;
+  constexpr uint32_t kSide = 100;
+  for (uint32_t i = 0; i < kSide; ++i) {
+    for (uint32_t j = 0; j < kSide; ++j) {
+      const double x = i, y = j;
+      soup.face(soup.add(x, y, 0), soup.add(x + 1, y, 0), soup.add(x + 1, y + 1, 0));
+      soup.face(soup.add(x, y, 0), soup.add(x + 1, y + 1, 0), soup.add(x, y + 1, 0));
+    }
+  }
+  const auto seconds = [&](double distance) {
+    const std::clock_t begin = std::clock();
+    EXPECT_FALSE(find_faults(soup.vertices, soup.faces, distance).empty());
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  // Were all points compared with all others, it would be a hundred times as much.
+  EXPECT_LT(seconds(1e9), 0.2 + 5 * seconds(1e-3));
 }
 
 TEST(Seams, ASoupBecomesWholeAtEveryScaleAndSheetsInOnePlaceStay) {

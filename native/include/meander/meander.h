@@ -237,7 +237,9 @@ typedef struct meander_surface_options {
                                 as split_bow_ties does; an edge with more than two faces, where pairs
                                 that continue each other stay joined (those whose orientation agrees
                                 first, of these those that are joined elsewhere, of these the
-                                flattest) and the rest ends, or with cut_non_manifold all of it; and a component that cannot be oriented,
+                                flattest) and the rest ends, or with cut_non_manifold or more than
+                                200 faces all of it; and a component that cannot be oriented, where
+                                two faces that are wound alike lie folded on each other, or else
                                 along a line */
   double weld_distance;      /* boundary edges whose ends are this close to those of another, and
                                 closer than a quarter of every edge there, become one with it, unless

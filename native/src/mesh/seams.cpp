@@ -51,10 +51,14 @@ class Places {
       }
     }
     std::vector<Vec3> points;
-    for (const uint32_t v : used) points.push_back(positions[v] - positions[used[0]]);
-    double extent = 0;
-    for (const Vec3& p : points) extent = std::max(extent, p.cwiseAbs().maxCoeff());
-    const PointGrid grid(points, std::max(distance, 1e-8 * extent));
+    double extent = 0, farthest = 0;
+    for (const uint32_t v : used) {
+      points.push_back(positions[v] - positions[used[0]]);
+      extent = std::max(extent, points.back().cwiseAbs().maxCoeff());
+      farthest = std::max(farthest, reach[v]);  // however large the distance is
+    }
+    if (!(farthest > 0)) return;
+    const PointGrid grid(points, std::max(farthest, 1e-8 * extent));
     for (size_t i = 0; i < used.size(); ++i) {
       const uint32_t v = used[i];
       if (place_[v] != v) continue;  // in the place of a lower one
@@ -111,6 +115,10 @@ std::vector<Seam> find_seams(std::span<const Vec3> positions, std::span<const Tr
   for (size_t i = 0; i < sides.size();) {
     size_t j = i + 1;
     while (j < sides.size() && sides[j].first == sides[i].first) ++j;
+    if (j - i > kMostAtEdge) {
+      i = j;
+      continue;
+    }
     std::vector<std::tuple<bool, double, uint32_t, uint32_t>> pairs;  // in the same direction, turn, half-edges
     const Vec3 &a = positions[sides[i].first[0]], &b = positions[sides[i].first[1]];
     for (size_t k = i; k < j; ++k) {

@@ -22,7 +22,8 @@ struct Seam {
 /// Pairs of boundary half-edges whose ends lie within `distance` of each other.
 ///
 /// Vertices count as near only where they are also nearer than a quarter of every edge at them, so that no face can
-/// collapse whatever the distance. Where more than two edges lie together, pairs are found as in find_sheets. Faces
+/// collapse whatever the distance. Where more than two edges lie together, pairs are found as in find_sheets, and none
+/// of more than kMostAtEdge. Faces
 /// that lie on each other are never paired, nor are edges that run in the same direction unless their faces continue
 /// each other: sheets in one place stay sheets.
 ///

@@ -12,6 +12,10 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
+/// A turn (turn_at_edge) from which on faces wound alike are taken for a sheet that lies on itself: their normals are
+/// within 60 degrees of each other.
+constexpr double kFolded = 1.5;
+
 /// An edge, and a half-edge on it.
 using EdgeSide = std::pair<VertexPair, uint32_t>;
 
@@ -43,6 +47,9 @@ class Sheeting {
   void pair_faces(bool join_flattest);
   void pair_crowded(std::span<const EdgeSide> group, DisjointSets& parts);
   void open_one_sided();
+  bool flood(uint32_t start, bool may_cut, std::vector<uint8_t>& seen, std::vector<uint32_t>& queue);
+  void cut_folds(std::span<const uint32_t> faces);
+  void open(uint32_t e);
   void join_corners();
   bool part_what_meets_again();
   void name_bow_ties();
@@ -83,7 +90,7 @@ void Sheeting::pair_faces(bool join_flattest) {
     i = j;
   }
   for (const auto& group : crowded) {
-    if (join_flattest) pair_crowded(group, parts);
+    if (join_flattest && group.size() <= kMostAtEdge) pair_crowded(group, parts);
   }
 }
 
@@ -107,36 +114,63 @@ void Sheeting::pair_crowded(std::span<const EdgeSide> group, DisjointSets& parts
   }
 }
 
-/// A flood from face to face, as the check of meshes has it; where it meets itself with the other orientation, the
-/// surface is cut.
+/// Only where a component cannot be oriented it is cut: first where faces lie folded on each other, wound alike, as where
+/// a tessellation runs over itself, since there every face is wound well; what is one-sided still, where the flood meets
+/// itself.
 void Sheeting::open_one_sided() {
   std::vector<uint8_t> seen(faces_.size(), 0);
   std::vector<uint32_t> queue;
   for (uint32_t start = 0; start < faces_.size(); ++start) {
-    if (seen[start]) continue;
-    seen[start] = 1;
-    queue.assign(1, start);
-    for (size_t head = 0; head < queue.size(); ++head) {
-      const uint32_t f = queue[head];
-      for (uint32_t e = 3 * f; e < 3 * f + 3; ++e) {
-        if (twin_[e] == kNoTwin) continue;
-        const uint32_t g = twin_[e] / 3;
-        const auto wanted = static_cast<uint8_t>(flipped_[f] ^ (from(e) == from(twin_[e]) ? 1 : 0));
-        if (!seen[g]) {
-          seen[g] = 1;
-          flipped_[g] = wanted;
-          queue.push_back(g);
-        } else if (flipped_[g] != wanted) {
-          if (!std::binary_search(sheets_.crowded.begin(), sheets_.crowded.end(), edge(e))) {
-            sheets_.opened.push_back(edge(e));
-          }
-          mark_cut(edge(e));
-          unpair(e);
-        }
+    if (seen[start] || flood(start, false, seen, queue)) continue;
+    cut_folds(queue);
+    for (const uint32_t f : queue) seen[f] = flipped_[f] = 0;
+    flood(start, true, seen, queue);
+  }
+  std::sort(sheets_.opened.begin(), sheets_.opened.end());
+}
+
+/// A flood from face to face, as the check of meshes has it. Where it meets itself with the other orientation, the
+/// surface is cut if it may be; false if it did. `queue` becomes the faces that were reached.
+bool Sheeting::flood(uint32_t start, bool may_cut, std::vector<uint8_t>& seen, std::vector<uint32_t>& queue) {
+  bool two_sided = true;
+  seen[start] = 1;
+  queue.assign(1, start);
+  for (size_t head = 0; head < queue.size(); ++head) {
+    const uint32_t f = queue[head];
+    for (uint32_t e = 3 * f; e < 3 * f + 3; ++e) {
+      if (twin_[e] == kNoTwin) continue;
+      const uint32_t g = twin_[e] / 3;
+      const auto wanted = static_cast<uint8_t>(flipped_[f] ^ (from(e) == from(twin_[e]) ? 1 : 0));
+      if (!seen[g]) {
+        seen[g] = 1;
+        flipped_[g] = wanted;
+        queue.push_back(g);
+      } else if (flipped_[g] != wanted) {
+        two_sided = false;
+        if (may_cut) open(e);
       }
     }
   }
-  std::sort(sheets_.opened.begin(), sheets_.opened.end());
+  return two_sided;
+}
+
+void Sheeting::cut_folds(std::span<const uint32_t> faces) {
+  for (const uint32_t f : faces) {
+    for (uint32_t e = 3 * f; e < 3 * f + 3; ++e) {
+      const uint32_t twin = twin_[e];
+      if (twin == kNoTwin || from(e) != from(twin)) continue;
+      const double turn =
+          turn_at_edge(positions_[from(e)], positions_[to(e)], positions_[apex(e)], positions_[apex(twin)]);
+      if (turn >= kFolded) open(e);
+    }
+  }
+}
+
+/// Parts the faces of an edge, which is named unless it has been as one with more than two.
+void Sheeting::open(uint32_t e) {
+  if (!std::binary_search(sheets_.crowded.begin(), sheets_.crowded.end(), edge(e))) sheets_.opened.push_back(edge(e));
+  mark_cut(edge(e));
+  unpair(e);
 }
 
 void Sheeting::join_corners() {

@@ -18,6 +18,10 @@ namespace meander {
 /// An edge by its vertices, the lower one first.
 using VertexPair = std::array<uint32_t, 2>;
 
+/// Where more faces than this meet at an edge none of them stays joined there: finding out which continue each other
+/// takes time and memory with the square of their number.
+inline constexpr size_t kMostAtEdge = 200;
+
 /// What keeps faces from being a surface, and how they come apart there.
 struct Sheets {
   std::vector<uint32_t> fan;         ///< per corner 3 f + k: the lowest corner of its fan, which gets a vertex of its own
@@ -31,10 +35,12 @@ struct Sheets {
 /// join_flattest  at an edge with more than two faces those that continue each other stay neighbours: first pairs
 ///                whose orientation agrees, of these pairs that other edges join as well (so that two solids which
 ///                touch along an edge stay two), of these the pair with the smallest turn, of equal ones
-///                that with the lowest faces. Otherwise each of them ends there
+///                that with the lowest faces. Otherwise, and where there are more than kMostAtEdge, each of them ends
+///                there
 ///
-/// Edges with two faces stay as they are, unless the surface has only one side: then it is cut open along a line,
-/// where orientations that spread from the first face of a component meet.
+/// Edges with two faces stay as they are, unless the surface has only one side: then it is cut open where two faces
+/// that are wound alike lie folded on each other, and if it has one side still, along a line, where orientations that
+/// spread from the first face of a component meet.
 Sheets find_sheets(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> faces, bool join_flattest);
 
 /// How sharply two faces turn at an edge from a to b: 0 for flat ones, 2 for those that lie on each other; rounded, so
