@@ -68,5 +68,24 @@ TEST(FirstCurve, BeginsBeyondTheStripsOfManySquares) {
   }
 }
 
+/// In the corner of a sheet there is no room for a circle.
+TEST(FirstCurve, BeginsWhereTheBoundaryLeavesRoom) {
+  const Surface surface = make_surface(flat_grid(40, 0));
+  const Vec3 first = position(surface, make_point(0, 1, 1, 1));
+  ThreadPool pool(2);
+  for (const double spacing : {0.06, 0.1, 0.2}) {
+    const double r = spacing / 2 / surface.scale();
+    const Curve curve = first_curve(surface, nullptr, RadiusField(r), true, PointTree({}), 1, pool);
+    ASSERT_EQ(curve.strands.size(), 1u);
+    Vec3 middle = Vec3::Zero();
+    for (const SurfacePoint& node : curve.nodes) middle += position(surface, node) / curve.size();
+    EXPECT_GT((first - middle).norm(), 0.5 * r) << "it fits around the first face after all";
+    EXPECT_LT((first - middle).norm(), 6 * r) << "there is room nearer";
+    for (const SurfacePoint& node : curve.nodes) {
+      EXPECT_NEAR((position(surface, node) - middle).norm(), 1.5 * r, 1e-9 * r);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace meander::test

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "base/failure.h"
 #include "base/tuning.h"
@@ -20,6 +21,9 @@ namespace {
 constexpr double kInset = 0.02;  // keeps the outline of a face off its edges
 constexpr uint32_t kRays = 24;
 
+/// Where the first face has no room for a circle, so many other places are tried, at least half of its radius apart.
+constexpr size_t kPlaces = 64;
+
 void add_node(Curve& curve, const SurfacePoint& p) {
   curve.nodes.push_back(p);
   curve.fixed.push_back(0);
@@ -32,17 +36,17 @@ void add_node(Curve& curve, const SurfacePoint& p) {
 class Loops {
  public:
   /// Refers to the curve, whose neighbours are to be linked again in the end.
-  Loops(const Surface& surface, Curve& curve, ThreadPool& pool)
-      : surface_(surface), curve_(curve), pool_(pool), shortener_(surface) {
+  Loops(const Surface& surface, const RadiusField& radius, Curve& curve, ThreadPool& pool)
+      : surface_(surface), radius_(radius), curve_(curve), pool_(pool), shortener_(surface) {
     for (uint32_t i = 0; i < curve.size(); ++i) {
       if (curve.has_segment(i)) curve.pieces_of(i, [&](const Piece& piece) { pieces_[piece.face].push_back(piece); });
     }
   }
 
-  /// The loop that a region is to have, where one fits; `r` is that at its middle.
-  void add(const Region& region, double r, bool widen) {
-    // Where the spacing is near the size of the surface a circle that wide would wrap round it.
-    double wide = std::min(tuning::kFirstLoop * r, 0.25);
+  /// The loop that a region is to have, where one fits.
+  void add(const Region& region, bool widen) {
+    const double r = radius_.at(surface_, region.middle);
+    double wide = wide_at(region.middle);
     const double narrowest = tuning::kNarrowestLoop * r;
     if (region.guided) {
       wide = std::min(wide, tuning::kLoopShareOfRoom * region.room);
@@ -55,14 +59,46 @@ class Loops {
     double perimeter = 0;
     for (uint32_t k = 0; k < 3; ++k) perimeter += norm(surface_.corner(f, next_corner(k)) - surface_.corner(f, k));
     const double incircle = 2 * surface_.face_area(f) / perimeter;
+    const auto is_small = [&] { return widen && perimeter < 2 * std::numbers::pi * wide; };
+    if (is_small() && add_wide_circle(region.middle)) return;
     const bool sliver = incircle < tuning::kTightFace * r && incircle < tuning::kSliverFace * perimeter;
-    for (; (widen && perimeter < 2 * std::numbers::pi * wide) || (sliver && wide > narrowest); wide /= 2) {
+    for (; is_small() || (sliver && wide > narrowest); wide /= 2) {
       if (add_circle(region.middle, wide)) return;
     }
     add_outline(f);
   }
 
  private:
+  /// How wide a circle is to be, where there is room.
+  double wide_at(const SurfacePoint& middle) const {
+    // Where the spacing is near the size of the surface a circle that wide would wrap round it.
+    return std::min(tuning::kFirstLoop * radius_.at(surface_, middle), 0.25);
+  }
+
+  /// A circle as wide as it is to be around this place or, where that meets the boundary, the nearest of others, by
+  /// faces. A narrower one, or the outline of a face, would be squeezed flat in a corner, and then nothing can move.
+  bool add_wide_circle(const SurfacePoint& middle) {
+    std::vector<Vec3> tried;
+    std::unordered_set<uint32_t> seen{middle.face};
+    std::vector<uint32_t> faces{middle.face};  // breadth first
+    for (size_t k = 0; k < faces.size() && tried.size() < kPlaces; ++k) {
+      const uint32_t f = faces[k];
+      const SurfacePoint here = k == 0 ? middle : make_point(f, 1, 1, 1);
+      const Vec3 place = position(surface_, here);
+      const double wide = wide_at(here);
+      const auto is_near = [&](const Vec3& other) { return (other - place).norm() < wide / 2; };
+      if (std::ranges::none_of(tried, is_near)) {
+        if (add_circle(here, wide)) return true;
+        tried.push_back(place);
+      }
+      for (HalfEdge e = 3 * f; e < 3 * f + 3; ++e) {
+        const HalfEdge twin = surface_.twin(e);
+        if (twin != kNone && seen.insert(face_of(twin)).second) faces.push_back(face_of(twin));
+      }
+    }
+    return false;
+  }
+
   /// A closed strand of the ends of rays; false, with the curve as before, where a ray meets the boundary or the
   /// strand itself or any other.
   bool add_circle(const SurfacePoint& middle, double wide) {
@@ -131,6 +167,7 @@ class Loops {
   }
 
   const Surface& surface_;
+  const RadiusField& radius_;
   Curve& curve_;
   ThreadPool& pool_;
   PathShortener shortener_;
@@ -145,9 +182,9 @@ Curve first_curve(const Surface& surface, const SeedStrands* seed, const RadiusF
   Curve curve;
   if (seed) curve = lay_seed(surface, *seed, radius, pool, fit);
   if (!seed || seed->loops) {
-    Loops loops(surface, curve, pool);
+    Loops loops(surface, radius, curve, pool);
     for (const Region& region : find_regions(surface, curve, radius, &boundary, strip_width)) {
-      if (!region.growing) loops.add(region, radius.at(surface, region.middle), widen);
+      if (!region.growing) loops.add(region, widen);
     }
     curve.link();
   }

@@ -16,9 +16,9 @@ namespace meander {
 /// component into regions; see find_regions.
 ///
 /// A loop is the outline of the first face of a component or, where `widen` is set and that is
-/// smaller, a geodesic circle of 1.5 r around the middle of that face: bending and a clamped medial
-/// radius would make a loop much smaller than r collapse instead of grow. Beside guides it is a circle
-/// about as far from them as it is wide.
+/// smaller, a geodesic circle of 1.5 r around the middle of that face, or of the nearest one where it
+/// meets no boundary: bending and a clamped medial radius would make a loop much smaller than r collapse
+/// instead of grow. Beside guides it is a circle about as far from them as it is wide.
 ///
 /// `boundary`, `strip_width`: see find_regions.
 ///
