@@ -14,7 +14,7 @@ from ..run import estimates, gap_marks, session, suspended
 from ..scene.fillable import is_result, why_not_this
 from ..scene.results import last_result
 from ..scene.settings import surface_of
-from .declared import rows
+from .declared import rows, switch
 from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
 from .operators import MEANDER_OT_propose_spacing
@@ -78,7 +78,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         row = live.row(align=True)
         row.prop(settings, "spacing")
         row.operator(MEANDER_OT_propose_spacing.bl_idname, text="", icon="SHADERFX")
-        live.prop(settings, "live")
+        switch(live, settings, "live")
 
     def _draw_buttons(
         self, layout: bpy.types.UILayout, active: bpy.types.Object, scene: bpy.types.Scene
