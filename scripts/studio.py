@@ -114,6 +114,7 @@ def take_picture(path: str, size: tuple[int, int], samples: int = SAMPLES) -> No
     scene.render.resolution_percentage = 100
     scene.render.image_settings.file_format = "PNG"
     scene.render.image_settings.color_mode = "RGB"
+    scene.view_settings.view_transform = "Filmic"  # the default has changed since Blender 3.4
     scene.view_settings.look = "Medium High Contrast"
     scene.render.filepath = path
     bpy.ops.render.render(write_still=True)
