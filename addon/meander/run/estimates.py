@@ -25,6 +25,7 @@ from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import surface_of
 from .meaning import Meaning, meaning_of
 from .plan import Plan
+from .window import redraw
 
 # Of the time, while a shape changes all the time, that measuring it may take.
 _SHARE = 0.1
@@ -93,12 +94,7 @@ def _measure_ordered() -> None:
         measure(active)
     end = time.perf_counter()
     _next = end + (end - begin) / _SHARE
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                for region in area.regions:
-                    if region.type == "UI":
-                        region.tag_redraw()
+    redraw("UI")
 
 
 def measure(active: bpy.types.Object) -> None:

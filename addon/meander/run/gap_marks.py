@@ -19,6 +19,7 @@ from ..scene.identity import Key
 from ..scene.settings import surface_of
 from ..scene.transforms import to_world, world_matrix
 from . import session
+from .window import redraw
 
 _COLOR = (1.0, 0.2, 0.05)
 # Of a ring behind something, so that one knows that it is there.
@@ -115,7 +116,7 @@ def show(result: bpy.types.Object) -> None:
     global _marks
     hide()
     _marks = _Marks(result)
-    _redraw()
+    redraw("WINDOW", "UI")
 
 
 def hide() -> None:
@@ -124,19 +125,12 @@ def hide() -> None:
     if _marks is not None:
         _marks.remove()
         _marks = None
-        _redraw()
+        redraw("WINDOW", "UI")
 
 
 def shown_of(result: bpy.types.Object) -> bool:
     """Whether the rings of this result are drawn."""
     return _marks is not None and _marks.are_of(result)
-
-
-def _redraw() -> None:
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                area.tag_redraw()
 
 
 @persistent

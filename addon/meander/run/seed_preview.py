@@ -22,6 +22,7 @@ from ..scene.meshes import in_polygons
 from .growing_curve import GrowingCurve
 from .meaning import Meaning, meaning_of
 from .plan import Plan, plan_of
+from .window import redraw
 
 # How far above the surface it is drawn, in spacings, and how wide, in pixels.
 _LIFT, _WIDTH = 0.03, 3.0
@@ -99,7 +100,7 @@ def hide() -> None:
     if _shown is not None:
         for curve in _shown.curves:
             curve.remove()
-        _redraw()
+        redraw("WINDOW", "UI")
     _shown = None
 
 
@@ -121,7 +122,7 @@ def _draw(
             curve.show(polylines, _LIFT * plan.spacing)
             shown.curves.append(curve)
     _shown = shown
-    _redraw()
+    redraw("WINDOW", "UI")
 
 
 def _is_current(shown: _Shown) -> bool:
@@ -144,13 +145,6 @@ def _marks(places: np.ndarray, size: float) -> core.Polylines:
     count = 3 * len(places)
     offsets = 2 * np.arange(count + 1, dtype=np.uint32)
     return core.Polylines(points, np.zeros_like(points), offsets, np.zeros(count, np.uint8))
-
-
-def _redraw() -> None:
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                area.tag_redraw()
 
 
 @persistent

@@ -60,7 +60,7 @@ class Window:
         return due
 
     def picture_given(self) -> None:
-        self._redraw("WINDOW")
+        redraw("WINDOW")
         self._paces["WINDOW"].asked(time.perf_counter())
 
     def text_due(self, with_picture: bool) -> bool:
@@ -81,7 +81,7 @@ class Window:
         self._text_shown = time.perf_counter()
         context.window_manager.progress_update(100.0 * progress)
         workspace.status_text_set(f"{text}    |    {KEYS}")
-        self._redraw("UI")
+        redraw("UI")
         if not self._paces["WINDOW"].waiting:
             self._paces["UI"].asked(self._text_shown)
 
@@ -98,8 +98,7 @@ class Window:
             if workspace is not None:
                 with context.temp_override(workspace=workspace):
                     workspace.status_text_set(None)
-        self._redraw("WINDOW")
-        self._redraw("UI")
+        redraw("WINDOW", "UI")
 
     def _drawn(self, region: str) -> None:
         self._paces[region].drawn(time.perf_counter())
@@ -113,15 +112,15 @@ class Window:
         preferences.is_dirty = dirty  # or Blender would save it
         return before
 
-    @staticmethod
-    def _redraw(kind: str) -> None:
-        """The views, or the sidebars beside them."""
-        for window in bpy.context.window_manager.windows:
-            for area in window.screen.areas:
-                if area.type == "VIEW_3D":
-                    for region in area.regions:
-                        if region.type == kind:
-                            region.tag_redraw()
+
+def redraw(*kinds: str) -> None:
+    """Has the 3D views drawn again: what they show, "WINDOW", or the sidebars beside them, "UI"."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                for region in area.regions:
+                    if region.type in kinds:
+                        region.tag_redraw()
 
 
 def _draws_by_software() -> bool:

@@ -23,6 +23,7 @@ from ..scene.surface_points import strands_of_result
 from ..scene.visible import visible_strands
 from .declared import declared
 from .on_result import OnResult
+from .run_operators import sentence_of
 from .sidebar import notice
 
 _TABLES = {"CSV": ".csv", "JSON": ".json"}
@@ -166,8 +167,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             else:
                 text = self._write_drawing(path, kind, context).described()
         except (DataError, core.MeanderError, FileError) as error:
-            text = str(error)
-            self.report({"ERROR"}, text[:1].upper() + text[1:])
+            self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
         self.report({"INFO"}, f"{path.name}: {text}")
         return {"FINISHED"}

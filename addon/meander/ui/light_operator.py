@@ -10,25 +10,16 @@ from ..model.options import in_panel
 from ..model.simplification import light_of
 from ..scene.errors import DataError
 from ..scene.light_curve import make_light
-from .on_result import OnResult
+from .on_result import OnOwnResult
+from .run_operators import sentence_of
 
 
-class MEANDER_OT_make_light(OnResult, bpy.types.Operator):
+class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):
     """Leave out the points of this curve that are not seen, within the tolerance"""
 
     bl_idname = "meander.make_light"
     bl_label = "Make Light"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if not super().poll(context):
-            return False
-        active = context.active_object
-        if active.library is not None or active.data.library is not None:
-            cls.poll_message_set("The curve is linked from another file")
-            return False
-        return True
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         result = context.active_object
@@ -38,7 +29,7 @@ class MEANDER_OT_make_light(OnResult, bpy.types.Operator):
             before, after = make_light(result, light)
         except DataError as error:
             result.meander.use_light = was_light
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
         self.report({"INFO"}, f"{result.name}: {after:,} of {before:,} points")
         return {"FINISHED"}

@@ -15,13 +15,13 @@ from ..scene.fillable import is_result
 from ..scene.look_upgrade import add_look
 from ..scene.results import last_result
 from .declared import switch
-from .on_result import OnResult
+from .on_result import OnOwnResult
 from .run_operators import sentence_of
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns
 
 
-class MEANDER_OT_add_look(OnResult, bpy.types.Operator):
+class MEANDER_OT_add_look(OnOwnResult, bpy.types.Operator):
     """Give this curve a modifier for its thickness, profile, lift and colour along the line"""
 
     bl_idname = "meander.add_look"
@@ -32,14 +32,10 @@ class MEANDER_OT_add_look(OnResult, bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         if not super().poll(context):
             return False
-        active = context.active_object
-        if active.library is not None or active.data.library is not None:
-            cls.poll_message_set("The curve is linked from another file")
-        elif look_modifier.modifier_of(active) is not None:
+        if look_modifier.modifier_of(context.active_object) is not None:
             cls.poll_message_set("The curve has a live look")
-        else:
-            return True
-        return False
+            return False
+        return True
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         try:

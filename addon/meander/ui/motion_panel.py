@@ -9,40 +9,26 @@ import bpy
 from bpy.props import IntProperty
 
 from .. import core
-from ..run import baking, following, session
+from ..run import baking, following
 from ..scene import baked_frames
 from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from .declared import switch
+from .on_result import OnOwnResult
+from .run_operators import sentence_of
 from .settings import MeanderSettings
 from .sidebar import ORDER, SubPanel, columns, notice
 
 
-class _OnResult:
+class _OnResult(OnOwnResult):
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        if session.current() is not None:
-            cls.poll_message_set("A curve is growing")
-        elif active is None or active.type != "CURVE" or active.meander.surface is None:
-            cls.poll_message_set("Choose a curve that Meander has made")
-        elif active.library is not None or active.data.library is not None:
-            cls.poll_message_set("The curve is linked from another file")
-        elif context.mode != "OBJECT":
-            cls.poll_message_set("Works in Object Mode")
-        else:
-            return True
-        return False
 
     def _bake(self, context: bpy.types.Context, bake: Any, *arguments: Any) -> set[str]:
         result = context.active_object
         try:
             collection = bake(result, context, *arguments)
         except (DataError, core.MeanderError) as error:
-            text = str(error)
-            self.report({"ERROR"}, text[:1].upper() + text[1:])
+            self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
         following.forget()
         count = len(collection.objects)

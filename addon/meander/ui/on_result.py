@@ -23,3 +23,17 @@ class OnResult:
         else:
             return True
         return False
+
+
+class OnOwnResult(OnResult):
+    """One that changes the curve, which therefore may not come from another file."""
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if not super().poll(context):
+            return False
+        active = context.active_object
+        if active.library is not None or active.data.library is not None:
+            cls.poll_message_set("The curve is linked from another file")
+            return False
+        return True

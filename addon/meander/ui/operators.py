@@ -4,6 +4,7 @@
 import bpy
 
 from ..scene.errors import DataError
+from ..scene.fillable import why_not
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
 from .run_operators import sentence_of
@@ -19,7 +20,7 @@ class MEANDER_OT_propose_spacing(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         if surface_of(context.active_object) is None:
-            cls.poll_message_set("Choose a mesh to fill, or a curve that Meander has made")
+            cls.poll_message_set(why_not(context.active_object))
             return False
         return True
 

@@ -14,6 +14,7 @@ from .declared import rows
 from .export_operator import MEANDER_OT_export_toolpath
 from .light_operator import MEANDER_OT_make_light
 from .on_result import OnResult
+from .run_operators import sentence_of
 from .sidebar import ORDER, SubPanel, columns
 
 
@@ -29,7 +30,7 @@ class _PointsToObject(OnResult):
             point_attributes.refuse(self.kind)
             strands = strands_of_result(result, depsgraph)
         except DataError as error:
-            self.report({"ERROR"}, str(error))
+            self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
         matrix = world_matrix(surface.evaluated_get(depsgraph))
         thickness = look.radius_of(result) * mean_scale(matrix)

@@ -15,6 +15,7 @@ from bl_operators.presets import AddPresetBase
 from bl_ui.utils import PresetPanel
 from bpy.props import StringProperty
 
+from ..scene.fillable import why_not
 from ..scene.settings import surface_of
 
 SUBDIR = "meander"
@@ -53,7 +54,7 @@ def folders() -> list[str]:
 
 def _poll(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
     if surface_of(context.active_object) is None:
-        cls.poll_message_set("Choose a mesh to fill, or a curve that Meander has made")
+        cls.poll_message_set(why_not(context.active_object))
         return False
     return True
 

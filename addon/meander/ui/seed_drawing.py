@@ -17,6 +17,7 @@ from .. import core
 from ..run import seed_preview, session
 from ..scene.curve_writer import new_curve_object
 from ..scene.errors import DataError
+from ..scene.fillable import why_not
 from ..scene.identity import Key
 from ..scene.settings import surface_of
 from .run_operators import sentence_of
@@ -241,7 +242,7 @@ class MEANDER_OT_preview_seed(bpy.types.Operator):
         if session.current() is not None:
             cls.poll_message_set("A curve is growing")
         elif surface_of(context.active_object) is None:
-            cls.poll_message_set("Choose a mesh to fill, or a curve that Meander has made")
+            cls.poll_message_set(why_not(context.active_object))
         else:
             return True
         return False
