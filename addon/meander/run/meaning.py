@@ -9,6 +9,7 @@ from typing import Any
 import bpy
 import numpy as np
 
+from ..model.options import in_panel
 from ..scene import ramp
 from ..scene.changes import shape_count
 from ..scene.identity import number_of
@@ -28,6 +29,7 @@ _LOOKS = frozenset(
         "motion_steps",
         "threads",
         "live",
+        *(option.setting for option in in_panel("Export")),
     }
 )
 # Of the world metric of a surface: its matrix is stored in single precision.

@@ -104,29 +104,17 @@ def plan_of(
         reach = strands.reach_of(vertices)
         scene_strands.check_on_surface(parts, vertices, faces, spacing / 2.0)
     seed = strands.assembled(parts, settings.seed_every_part, reach)
-    mended = repair_of(settings).options(vertices, spacing / 2.0)
     region = selected_faces(surface) if active is surface else None
-    mask = mask_of(settings) if region is None else Mask()
-    prepared = surface_options(mended, mask, surface, depsgraph)
-    if region is not None:
-        prepared.face_mask = triangles_of_region(region, surface, depsgraph)
+    prepared = _prepared(vertices, spacing / 2.0, region, settings, surface, depsgraph)
     options = options_of(settings, spacing)
     options.alignment_weight = alignment.weight if directions is not None else 0.0
     outline = _outline_distance(active, surface, options, restart)
     earlier = active
     if active is surface:
         earlier = None if beside else results.last_result(surface, scene)
-    return Plan(
+    plan = Plan(
         problem=Problem(
-            vertices,
-            faces,
-            options,
-            seed,
-            density,
-            prepared,
-            directions,
-            alignment.kind,
-            outline,
+            vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline
         ),
         surface=Key(surface),
         settings=Key(active),
@@ -140,14 +128,28 @@ def plan_of(
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=loose_edge_count(surface, depsgraph),
         keeps_guides=settings.keep_guides,
-        radius_follows=settings.radius_follows,
-        points_as=settings.points_as,
         density_group=choice.name if choice.source == "GROUP" else "",
         region=region,
         remark=unused_paint(choice, settings, surface),
-        bridges=settings.bridge_parts,
-        light=light_of(chosen(in_panel("Export"), settings)),
     )
+    return with_looks(plan, settings)
+
+
+def _prepared(
+    vertices: np.ndarray,
+    radius: float,
+    region: np.ndarray | None,
+    settings: bpy.types.PropertyGroup,
+    surface: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+) -> core.SurfaceOptions:
+    """How the surface is prepared, with the part to fill: a region, else what the settings say."""
+    mask = mask_of(settings) if region is None else Mask()
+    mended = repair_of(settings).options(vertices, radius)
+    prepared = surface_options(mended, mask, surface, depsgraph)
+    if region is not None:
+        prepared.face_mask = triangles_of_region(region, surface, depsgraph)
+    return prepared
 
 
 def with_looks(plan: Plan, settings: bpy.types.PropertyGroup) -> Plan:
@@ -156,6 +158,7 @@ def with_looks(plan: Plan, settings: bpy.types.PropertyGroup) -> Plan:
         plan,
         radius_follows=settings.radius_follows,
         points_as=settings.points_as,
+        bridges=settings.bridge_parts,
         light=light_of(chosen(in_panel("Export"), settings)),
     )
 

@@ -137,7 +137,7 @@ def _make_points(
     if not result.meander.keep_guides:
         every = [strand for strand, is_guide in zip(every, guides) if not is_guide]
     earlier = result.meander.figures.points
-    if earlier is not None and earlier.library is None:
+    if earlier is not None and earlier.library is None and not _named_by_other(earlier, result):
         bpy.data.batch_remove([earlier, earlier.data])
     result.meander.figures.points = point_attributes.make(
         plan.points_as,
@@ -146,6 +146,13 @@ def _make_points(
         plan.surface.find(),
         plan.matrix,
         look.radius_of(result) * mean_scale(plan.matrix),
+    )
+
+
+def _named_by_other(points: bpy.types.Object, result: bpy.types.Object) -> bool:
+    """Whether points belong to another result too, of which this one is a duplicate."""
+    return any(
+        other != result and other.meander.figures.points == points for other in bpy.data.objects
     )
 
 

@@ -16,7 +16,7 @@ from bpy.app.handlers import persistent
 from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local, world_matrix
 from .meaning import Meaning, meaning_of
-from .plan import Plan
+from .plan import Plan, with_looks
 from .stepper import Snapshot, Stepper
 
 
@@ -71,15 +71,8 @@ def taken(now: Plan) -> SuspendedRun | None:
     drop()
     if kept is None or not _same_problem(kept.plan, now):
         return None
-    plan = replace(
-        kept.plan,
-        look=now.look,
-        materials=now.materials,
-        radius_follows=now.radius_follows,
-        points_as=now.points_as,
-        bridges=now.bridges,
-    )
-    return replace(kept, plan=plan)
+    plan = with_looks(kept.plan, now.settings.find().meander)
+    return replace(kept, plan=replace(plan, look=now.look, materials=now.materials))
 
 
 def _same_problem(one: Plan, other: Plan) -> bool:

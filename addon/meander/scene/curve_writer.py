@@ -6,6 +6,8 @@ Curves are written into the surface's own space, so that they follow its transfo
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import bpy
 import numpy as np
 
@@ -57,7 +59,7 @@ def _give_looks(curve: bpy.types.Curve, bevel_depth: float) -> None:
 def new_curve_object(name: str, surface_object: bpy.types.Object) -> bpy.types.Object:
     """An empty curve object beside the surface: its child, with no transform of its own."""
     curve_object = bpy.data.objects.new(name, bpy.data.curves.new(name, "CURVE"))
-    collection_of(surface_object).objects.link(curve_object)
+    place_beside(curve_object, surface_object)
     curve_object.parent = surface_object
     if surface_object.type == "CURVE" and surface_object.data.use_path:
         # Such a parent carries its children along its path, to where it is in this frame.
@@ -86,9 +88,27 @@ def write_splines(curve: bpy.types.Curve, polylines: core.Polylines, matrix: np.
     curve.update_tag()
 
 
-def collection_of(object: bpy.types.Object) -> bpy.types.Collection:
-    """Where to put something beside an object: its first collection that can be changed."""
-    for collection in object.users_collection:
-        if collection.library is None:
-            return collection
-    return bpy.context.scene.collection
+def place_beside(thing: bpy.types.Object, other: bpy.types.Object) -> None:
+    """Links a new object where another is: into its first collection that can be changed and is
+    in the view layer, else into that of the scene; and into the local views that show the other.
+    """
+    view_layer = bpy.context.view_layer
+    shown = [layer.collection for layer in _included(view_layer.layer_collection)]
+    own = (one for one in other.users_collection if one.library is None and one in shown)
+    next(own, bpy.context.scene.collection).objects.link(thing)
+    screen = bpy.context.screen
+    for area in screen.areas if screen is not None else ():
+        space = area.spaces.active
+        if area.type == "VIEW_3D" and space.local_view is not None:
+            if view_layer.objects.get(other.name) == other and other.local_view_get(space):
+                thing.local_view_set(space, True)
+
+
+def _included(
+    layer: bpy.types.LayerCollection,
+) -> Iterator[bpy.types.LayerCollection]:
+    """A collection of a view layer and those in it, without those that are excluded."""
+    if not layer.exclude:
+        yield layer
+    for child in layer.children:
+        yield from _included(child)

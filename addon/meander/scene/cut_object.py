@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import core
 from ..model.cut import along_shares, ribbon_uv, smooth_normals
-from .curve_writer import collection_of
+from .curve_writer import place_beside
 from .evaluated import surface_mesh
 from .transforms import mean_scale, to_local
 
@@ -126,7 +126,7 @@ def write_cut(
     mesh.uv_layers.active = mesh.uv_layers[UV_MAP]
     mesh.update()
     thing = bpy.data.objects.new(name, mesh)
-    collection_of(surface).objects.link(thing)
+    place_beside(thing, surface)
     thing.parent = surface
     return thing
 

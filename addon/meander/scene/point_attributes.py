@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import core
 from ..model import toolpath
-from .curve_writer import collection_of
+from .curve_writer import place_beside
 from .errors import DataError
 from .transforms import mean_scale, to_local
 
@@ -81,7 +81,7 @@ def make(
         _set(attribute, np.full(count, radius / mean_scale(matrix)))
     data.update_tag()
     thing = bpy.data.objects.new(name, data)
-    collection_of(surface).objects.link(thing)
+    place_beside(thing, surface)
     thing.parent = surface
     return thing
 

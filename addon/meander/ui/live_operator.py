@@ -69,7 +69,8 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
                 self._session.whole = False
                 return True
         except (DataError, core.MeanderError) as error:
-            self.report({"ERROR"}, sentence_of(error))
+            # An error would be raised where the timer presses, and end the timer with it.
+            self.report({"WARNING"}, sentence_of(error))
             return False
         self._session = self._new_session(run.plan, run)
         if self._session.find_wish(context, active):
