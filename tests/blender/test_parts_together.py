@@ -8,7 +8,9 @@ from collections.abc import Iterator
 import bpy
 import numpy as np
 import pytest
-from meander.run import live, session, suspended
+from meander.run import estimates, live, session, suspended
+from meander.run.queue import Queue
+from meander.scene.surface_points import bind
 from meander.ui import live_operator
 from scenes import activate, counts, fill, grid, sphere
 from watched_runs import begin, tick_until
@@ -166,3 +168,28 @@ def test_live_stays_on_the_faces_that_were_filled_in_edit_mode():
         points = [point.co.x for spline in result.data.splines for point in spline.points]
         assert np.min(points) > -1e-3 * 0.3
         assert result.meander.spacing == pytest.approx(spacing)
+
+
+def test_others_take_the_choices_of_the_active_one_also_after_the_question():
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=3, radius=10.0)
+    large = bpy.context.active_object
+    ball = sphere()
+    ball.meander.spacing = 0.1
+    large.select_set(True)
+    queue = Queue(bpy.context, restart=False, beside=False)
+    first = queue.next_plan(bpy.context)
+    asked = queue.estimate_of_rest(bpy.context, first)
+    second = queue.next_plan(bpy.context)
+    assert second.surface.find() == large and second.spacing == pytest.approx(0.1)
+    both = estimates.of_plan(first).points + estimates.of_plan(second).points
+    assert asked.points == pytest.approx(both, rel=0.05)
+
+
+def test_points_beside_faces_without_area_are_held_by_others():
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.0, 0.0]])
+    faces = np.array([[0, 3, 1], [0, 1, 2], [3, 3, 0]])  # a line, a triangle, and a line
+    points = np.array([[0.3, 0.0, 0.0], [0.5, 0.0, 0.0], [0.9, 0.0, 0.0]])
+    index, weights = bind(points, corners, faces)
+    assert index.tolist() == [1, 1, 1]
+    found = np.einsum("nk,nkj->nj", weights, corners[faces[index]])
+    assert np.abs(found - points).max() < 1e-6

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import bpy
 
 from .. import core
@@ -10,7 +12,7 @@ from ..model.estimate import Estimate
 from ..scene.errors import DataError
 from ..scene.identity import Key
 from ..scene.region import selected_faces
-from ..scene.settings import adopt, surface_of
+from ..scene.settings import adopt, is_untouched, surface_of
 from . import estimates
 from .plan import Plan, plan_of
 
@@ -59,6 +61,10 @@ class Queue:
         for key in [None, *self._waiting]:
             try:
                 plan = first if key is None else plan_of(key.find(), context.scene, depsgraph)
+                if key is not None and is_untouched(key.find().meander):
+                    # It will take the choices of the active one, the spacing above all.
+                    options = first.problem.options
+                    plan = replace(plan, problem=replace(plan.problem, options=options))
                 found.append(estimates.of_plan(plan))
             except (DataError, core.MeanderError):  # which its run will report
                 continue

@@ -45,15 +45,23 @@ def copy_settings(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGro
         target.density_ramp = target.density_ramp.copy()
 
 
+def is_untouched(settings: bpy.types.PropertyGroup) -> bool:
+    """Whether nobody has chosen anything. Blender counts a pointer as set that was only read."""
+    return not any(
+        settings.is_property_set(name)
+        and (settings.bl_rna.properties[name].type != "POINTER" or getattr(settings, name))
+        for name in copied(settings)
+    )
+
+
 def adopt(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGroup) -> None:
     """Gives settings that nobody has touched the choices that another object has made.
 
     Only numbers, switches and choices: names and objects belong to the mesh that they are of.
     """
-    names = copied(target)
-    if any(target.is_property_set(name) for name in names):
+    if not is_untouched(target):
         return
-    for name in names:
+    for name in copied(target):
         kind = source.bl_rna.properties[name].type
         own = kind in {"POINTER", "STRING", "COLLECTION"} or name.endswith("_source")
         if not own and source.is_property_set(name):

@@ -16,6 +16,9 @@ from .curve_reader import strands_of_curve
 from .meshes import triangles_of
 from .transforms import world_matrix
 
+# The squared sine of the angle at a corner below which rounding leaves nothing of a triangle.
+_LINE = 1e-12
+
 
 def bind(
     points: np.ndarray, vertices: np.ndarray, faces: np.ndarray
@@ -33,9 +36,18 @@ def farthest(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> flo
 def nearest_on(
     vertices: np.ndarray, faces: np.ndarray
 ) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:
-    """What bind() does, for points that come later."""
-    tree = BVHTree.FromPolygons(vertices.tolist(), faces.tolist())
-    return lambda points: _bound(points, tree, vertices, faces)
+    """What bind() does, for points that come later. Triangles that are a line hold none."""
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    u, v = b - a, c - a
+    longest = (u * u).sum(1) * (v * v).sum(1)
+    usable = np.flatnonzero(longest - (u * v).sum(1) ** 2 > _LINE * longest)
+    tree = BVHTree.FromPolygons(vertices.tolist(), faces[usable].tolist())
+
+    def bound(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        index, weights = _bound(points, tree, vertices, faces[usable])
+        return usable[index], weights
+
+    return bound
 
 
 def _bound(
