@@ -36,9 +36,8 @@ profile() { # NAME: sets in_profile, the beginning of a command that runs in tha
     BLENDER_USER_RESOURCES="$profile" PYTHONDONTWRITEBYTECODE=1)
 }
 
-summary=()
-passed_total=0
-failed_total=0
+results=$logs/results # a line for each suite: how many passed, how many failed, and its row
+: >"$results"
 
 # The number before a word in the last line that has it: "12 passed, 1 failed in 3 s".
 count_of() {
@@ -87,18 +86,17 @@ run_counted() {
     status=slow failed=$(wc -l <<<"$slow")
     passed=$((passed - failed))
   fi
-  passed_total=$((passed_total + passed))
-  failed_total=$((failed_total + failed))
-  local verdict=ok
+  local verdict=ok row
   case "$status" in
     0) ;;
     slow) verdict="FAILED: tests over $MEANDER_TEST_LIMIT s of processor time" ;;
     124 | 137) verdict="FAILED: not done after $seconds s" ;;
     *) verdict="FAILED: exit code $status" ;;
   esac
-  summary+=("$(printf '%-14s %4d passed %3d failed %4d s  %s' \
-    "$name" "$passed" "$failed" $((SECONDS - begin)) "$verdict$slowest")")
-  echo "${summary[-1]}"
+  row=$(printf '%-14s %4d passed %3d failed %4d s  %s' \
+    "$name" "$passed" "$failed" $((SECONDS - begin)) "$verdict$slowest")
+  echo "$passed $failed $row" >>"$results"
+  echo "$row"
   case "$status" in
     0) ;;
     slow) printf '%s\n' "$slow" ;;
@@ -109,33 +107,50 @@ run_counted() {
 # nothing is built yet.
 export LIBGL_ALWAYS_SOFTWARE=1 # the same picture whether or not the machine has a graphics card
 
+# window NAME FILE DISPLAY - a suite in a window of Debian's Blender; two at once need two displays
+window() {
+  local name=$1 file=$2 display=$3
+  profile "$name"
+  suite "$name" 300 "${in_profile[@]}" \
+    xvfb-run -a -n "$display" -s "-screen 0 1280x800x24 -nolisten tcp" \
+    blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
+    --python-exit-code 1 --python "tests/ui/$file"
+}
+
 check build 1800 bash scripts/build.sh
 suite native 600 ctest --test-dir build --output-on-failure --no-tests=error -j 2
 suite sanitized 2400 bash scripts/test_sanitized.sh
-profile core
-suite core 600 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/core
-profile blender-3.4
-suite blender-3.4 600 "${in_profile[@]}" \
-  blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
-profile blender-4.5
-suite blender-4.5 600 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
-# This suite makes its own profiles.
-suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
-  /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
-in_window=(xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp"
-  blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800
-  --python-exit-code 1 --python)
-profile ui
-suite ui 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/run.py
-suite ui-lost 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/nothing_lost.py
-suite ui-undo 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/undo.py
-suite ui-calm 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/calm_panel.py
-suite ui-live 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/live.py
-suite ui-look 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/look.py
-suite ui-seeds 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/seeds.py
-suite ui-first-try 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/first_try.py
-suite ui-export 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/export.py
-suite ui-make 300 "${in_profile[@]}" "${in_window[@]}" tests/ui/make.py
+
+# The rest runs in one process at a time, so two rows of suites share the processors.
+first_row() {
+  profile core
+  suite core 900 "${in_profile[@]}" \
+    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/core
+  profile blender-4.5
+  suite blender-4.5 900 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
+  window ui run.py 100
+  window ui-undo undo.py 100
+  window ui-live live.py 100
+  window ui-look look.py 100
+  window ui-make make.py 100
+}
+second_row() {
+  profile blender-3.4
+  suite blender-3.4 900 "${in_profile[@]}" \
+    blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
+  # This suite makes its own profiles.
+  suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
+    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
+  window ui-lost nothing_lost.py 200
+  window ui-calm calm_panel.py 200
+  window ui-seeds seeds.py 200
+  window ui-first-try first_try.py 200
+  window ui-export export.py 200
+}
+first_row &
+second_row
+wait $!
+
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
 check site 120 bash scripts/build_site.sh
@@ -143,6 +158,7 @@ check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
 check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
 
 printf '\n'
-printf '%s\n' "${summary[@]}"
-printf '\n%d s\n%d passed, %d failed\n' "$SECONDS" "$passed_total" "$failed_total"
-[ "$failed_total" -eq 0 ]
+cut -d ' ' -f 3- "$results"
+awk -v seconds="$SECONDS" '{ passed += $1; failed += $2 }
+  END { printf "\n%d s\n%d passed, %d failed\n", seconds, passed, failed; exit failed > 0 || !NR }' \
+  "$results"
