@@ -108,6 +108,14 @@ def test_instances_say_what_to_do():
     tree.links.new(copies.outputs[0], taken.inputs[0])
     surface.modifiers.new("Copies", "NODES").node_group = tree
     assert "Realize Instances" in refused(surface)
+    # With faces of its own it is filled, and what is left out is said.
+    both = tree.nodes.new("GeometryNodeJoinGeometry")
+    tree.links.new(given.outputs[0], both.inputs[0])
+    tree.links.new(copies.outputs[0], both.inputs[0])
+    tree.links.new(both.outputs[0], taken.inputs[0])
+    assert "Realize Instances" in fill(surface, 0.2).meander.figures.preparation
+    surface.modifiers.clear()
+    assert not fill(surface, 0.2).meander.figures.preparation
 
 
 # ------------------------------------------------------------------------------------------------

@@ -63,7 +63,7 @@ def _process(argv: Sequence[str]) -> None:
         for text in (strands.fit_warning(figures, given.parts), remark):
             if text:
                 print(f"meander: {text}")
-        done = described(opened.figures, given.loose_edges)
+        done = described(opened.figures, given.loose_edges, given.has_instances)
         if done:
             print(f"meander: {done}")
         if record["bridges"]["count"]:

@@ -19,6 +19,7 @@ from ..scene.alignment import directions_of
 from ..scene.curve_reader import point_numbers, strands_of_curve
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
+from ..scene.fillable import shows_instances
 from ..scene.meshes import in_polygons as renumbered
 from ..scene.meshes import loose_edge_count, triangles_of
 from ..scene.preparation import surface_options
@@ -110,6 +111,7 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
         mended = preparation.repair_of(arguments).options(problem.vertices, arguments.spacing / 2)
         problem.surface_options = surface_options(mended, given.mask, surface_object, depsgraph)
     given.loose_edges = loose_edge_count(surface_object, depsgraph)
+    given.has_instances = shows_instances(surface_object, depsgraph)
     radius = arguments.spacing / 2
     alignment = terms.alignment_of(arguments)
     problem.density = density_of(choice, surface_object, depsgraph, radius)

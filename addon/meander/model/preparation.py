@@ -81,11 +81,14 @@ def _count(number: int, one: str, many: str) -> str:
     return f"{number:,} {one if number == 1 else many}"
 
 
-def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
+def described(
+    figures: Mapping[str, Any], loose_edges: int = 0, has_instances: bool = False
+) -> str:
     """What was done to a mesh, in words; empty if nothing was.
 
-    figures      of core.Surface.statistics(); with "skipped_outlines", of Surface.outlines()
-    loose_edges  of the mesh, in no face
+    figures        of core.Surface.statistics(); with "skipped_outlines", of Surface.outlines()
+    loose_edges    of the mesh, in no face
+    has_instances  whether it shows instances besides, which are no part of it
     """
     parts = [
         f"{verb} {_count(int(figures[key]), one, many)}"
@@ -108,6 +111,8 @@ def described(figures: Mapping[str, Any], loose_edges: int = 0) -> str:
         parts.append(f"left out {count} of the outline, which had no room")
     if loose_edges:
         parts.append(f"ignored {_count(loose_edges, 'loose edge', 'loose edges')}")
+    if has_instances:
+        parts.append("left out instances, which a Realize Instances node would make part of it")
     return ", ".join(parts)
 
 

@@ -24,7 +24,7 @@ from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import chosen_density, density_of, unused_paint
 from ..scene.errors import DataError
-from ..scene.fillable import why_not
+from ..scene.fillable import shows_instances, why_not
 from ..scene.flow_options import options_of
 from ..scene.identity import Key
 from ..scene.look import Look
@@ -51,6 +51,7 @@ class Plan:
     name: str  # of a new result
     from_surface: bool = True  # the surface was filled; else a result goes on or starts over
     loose_edges: int = 0  # of the surface, in no face
+    has_instances: bool = False  # the surface shows some besides its own faces
     keeps_guides: bool = True  # the result has the guides as splines of its own
     radius_follows: bool = False  # points have their room as radius, for a bevel
     density_group: str = ""  # the vertex group that the spacing follows
@@ -127,6 +128,7 @@ def plan_of(
         materials=materials,
         name=f"{(settings.seed or surface).name} Meander",
         loose_edges=loose_edge_count(surface, depsgraph),
+        has_instances=shows_instances(surface, depsgraph),
         keeps_guides=settings.keep_guides,
         density_group=choice.name if choice.source == "GROUP" else "",
         region=region,

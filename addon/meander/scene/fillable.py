@@ -53,6 +53,8 @@ def why_not_this(thing: bpy.types.Object | None) -> str:
 
 def shows_instances(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
     """Whether an object shows copies of others, as Geometry Nodes make them."""
+    if thing.instance_type == "NONE" and all(m.type != "NODES" for m in thing.modifiers):
+        return False  # a scene may show millions of others
     return any(
         instance.is_instance and instance.parent is not None and instance.parent.original == thing
         for instance in depsgraph.object_instances
