@@ -17,7 +17,12 @@ constexpr double kWarmth = 1.2;
 /// cosine), and the line between them leaves either plane by less than this (a sine).
 constexpr double kAlike = 0.7, kRise = 0.36;
 
-/// And if the ball grows about in the direction of the surface (a cosine): round the edge of a blade it does not.
+/// And if the ball grows in the direction of the surface (a cosine): beside an edge, where it grows towards what lies
+/// behind the edge, it is another ball.
+constexpr double kAhead = 0.98;
+
+/// Where the two directions differ more than this (a cosine), as round the edge of a blade, what limits the straight
+/// ball is no help in finding what limits the ball along the surface.
 constexpr double kStraightOn = 0.7;
 
 /// Beside a sharp edge larger balls, in r, are not believed: what is round the edge may not be ahead at all.
@@ -39,6 +44,11 @@ constexpr double kLongest = 8;
 
 /// Where normals differ by more than this (a cosine) no line that aims through space leads there.
 constexpr double kOpposite = -0.3;
+
+/// Points this much inside of a ball, as its centre sees them, make it smaller (a share of the radius), and balls of up
+/// to so many r are seen from there, at most so often.
+constexpr double kInside = 0.02, kSeenFromCentre = 2;
+constexpr int kMostRounds = 3;
 
 /// The search looks around points this far apart on rays, as far around, in r.
 constexpr double kStep = 0.6, kAround = 0.6;
@@ -139,10 +149,12 @@ class GeodesicBall {
     const SurfacePatches& patches = scene_.patches;
     const uint32_t patch = scene_.obstacles.patch(node);
     bool certain = touched != kNone;  // that it is met through space as well
-    straight_on_ = outward_.dot(scene_.surface.to_space(face(), ahead_)) >= kStraightOn;
+    const double along = outward_.dot(scene_.surface.to_space(face(), ahead_));
+    straight_on_ = along >= kStraightOn;
     certain = certain && straight_on_ && (straight <= kWide * r || !patches.sharp(patch));
-    if (certain && alike(touched)) return straight;
+    if (certain && along >= kAhead && alike(touched)) return straight;
     if (!certain || opposite(touched) || !measure(straight, touched, most)) search();
+    if (patches.sharp(patch)) look_from_centre();
     return least_;
   }
 
@@ -232,6 +244,34 @@ class GeodesicBall {
     }
   }
 
+  /// Makes the ball smaller until its centre sees nothing in it. Beside a corner, as that of a cube, what the node sees
+  /// along one straight path is nearer to the centre along another, on the other side of the corner.
+  void look_from_centre() {
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double radius = least_;
+      if (radius > kSeenFromCentre * r_) return;
+      Chart way = here();
+      way.advance(scene_.surface, radius * ahead_);
+      if (way.at_boundary) return;
+      const Vec2 arriving = conj(way.turn) * ahead_;
+      const double inside = (1 - kInside) * radius;
+      scene_.tree.inside(way.position, inside, near_centre_);
+      for (const uint32_t p : near_centre_) {
+        if (p == node_ || !scene_.sees(node_, p)) continue;
+        Chart seen = Chart::at(way.point, way.position);
+        if (!seen.advance_to(scene_.surface, scene_.obstacles.point(p), scene_.obstacles.positions()[p], 2 * radius)) {
+          continue;
+        }
+        if (dot(seen.place, seen.place) >= inside * inside) continue;
+        // From the node, if the surface between were flat.
+        const Vec2 from_node = seen.place + radius * arriving;
+        const double ahead = dot(from_node, arriving);
+        if (ahead > 0) least_ = std::min(least_, dot(from_node, from_node) / (2 * ahead));
+      }
+      if (least_ >= (1 - kInside) * radius) return;
+    }
+  }
+
   /// Looks for what limits the ball along rays, as far as the ball reaches.
   void search() {
     const bool flat_known = straight_on_ && !scene_.patches.bent(scene_.obstacles.patch(node_));
@@ -304,6 +344,7 @@ class GeodesicBall {
   bool straight_on_ = true;  // whether that is also about its direction in space
   uint32_t excluded_count_ = 0;
   std::array<std::array<uint32_t, 2>, kMostStrands> excluded_;
+  std::vector<uint32_t> near_centre_;
 };
 
 /// The balls of nodes begin .. end - 1, a run of the tree or less.
