@@ -7,10 +7,12 @@ model       what a run is made of, in plain Python and numpy
 scene       reads Blender data into arrays, and writes arrays back
 run         a run from its plan to its result; curves on surfaces that move
 ui          settings, operators, panels
-cli         the batch command; batch.py is where it is started
+cli         the batch command, from options to files
+headless    what the command needs of Blender; batch.py and Blender start it here
 
-Each uses only what stands above it, and nothing in binding, core and model imports bpy. Nothing
-here does before register(), so that `meander.core` can be used without Blender.
+Each uses only what stands above it. Nothing in binding, core, model and cli imports bpy, or uses a
+room that does: these four are also the Python package (python/meander). Nothing here imports bpy
+before register(), so that `meander.core` can be used without Blender.
 """
 
 import sys
@@ -48,13 +50,17 @@ _forget_submodules()  # on the first import there are none
 
 def register() -> None:
     """Adds the settings, operators, panels and menu entries to Blender."""
+    from .headless import command
     from .ui import registration
 
     registration.register()
+    command.register()
 
 
 def unregister() -> None:
     """Takes everything out again; a run that is still going is cancelled first."""
+    from .headless import command
     from .ui import registration
 
+    command.unregister()
     registration.unregister()

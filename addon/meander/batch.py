@@ -4,7 +4,8 @@
     blender --background --python-exit-code 1 --python <this file> -- --input MESH --output OUT ...
 
 It runs from an installed add-on and from a source checkout, inside Blender and under the bpy
-module (``python batch.py -- ...``). OBJ in and OBJ out need neither.
+module (``python batch.py -- ...``). Only .blend files and what is in them need either. From Blender
+4.2 on an installed add-on runs as ``blender --command meander ...`` as well.
 
 Exit codes: 0 done, also when the iteration limit was reached (the report says so); 2 bad input,
 with one sentence on stderr and every output file as it was; 1 a defect, with a traceback; 130
@@ -14,7 +15,6 @@ interrupted from the keyboard, with every output file as it was.
 from __future__ import annotations
 
 import importlib.util
-import signal
 import sys
 from pathlib import Path
 
@@ -44,12 +44,13 @@ def _containing_package() -> str:
 if not globals().get("__package__"):
     __package__ = _containing_package()  # what relative imports go by (PEP 366)
 
-from .cli.command import main  # noqa: E402  (the package has to be known first)
+from .headless.command import (  # noqa: E402  (the package has to be known first)
+    hear_interruptions,
+    main,
+)
 
 __all__ = ["main"]
 
 if __name__ == "__main__":
-    # Without a window Blender takes Ctrl-C for its renderer, and Python never hears of it.
-    if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+    hear_interruptions()
     sys.exit(main())

@@ -15,6 +15,7 @@ from conftest import PACKAGE
 from meander import batch, core
 from meander.binding import abi
 from meander.cli import command
+from meander.cli.place import Place
 from meander.model import mesh_files, report
 from sentences import assert_sentence
 
@@ -315,8 +316,64 @@ def test_curvature_makes_a_mesh_file_denser(run, tmp_path: Path) -> None:
     assert lengths["gaussian"] / lengths[None] == pytest.approx(2.0, rel=0.1)
 
 
-def test_unknown_vertex_group_is_named(refused, square: Path) -> None:
-    assert "unknown vertex group 'weights'" in refused(square, *GOOD, "--density-group", "weights")
+def test_unknown_vertex_group_is_named(
+    square: Path, tmp_path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    """Where Blender is there, it is the mesh file that has no groups."""
+    arguments = ["--input", square, "--output", tmp_path / "out.obj", *GOOD]
+    arguments += ["--density-group", "weights"]
+    asked: list[str] = []
+
+    class Host:
+        def __getattr__(self, name: str) -> None:
+            asked.append(name)
+            raise AttributeError(name)
+
+    place = Place("test", print, Host())
+    assert command.main([str(argument) for argument in arguments], place) == 2
+    assert "unknown vertex group 'weights'" in capsys.readouterr().err
+    assert asked == []
+
+
+@pytest.mark.parametrize(
+    "extra",
+    [
+        ("--object", "Cube"),
+        ("--seed-object", "Curve"),
+        ("--guides-object", "Curve"),
+        ("--direction-object", "Curve"),
+        ("--density-group", "weights"),
+        ("--density-attribute", "height"),
+        ("--density-color", "paint"),
+        ("--density-image", "map"),
+        ("--uv-map", "UVMap"),
+        ("--mask-group", "weights"),
+        ("--mask-material", "Gold"),
+        ("--mask-attribute", "part"),
+        ("--layout-map", "UVMap"),
+        ("--bake-frames", "1", "2"),
+        ("--points", "mesh"),
+        ("--visible-only",),
+        ("--output", "curve.blend"),
+        ("--cut", "cut.blend"),
+    ],
+    ids=" ".join,
+)
+def test_what_needs_blender_says_so(
+    refused, square: Path, extra: tuple, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(square.parent)
+    sentence = refused(square, *GOOD, *extra)
+    assert f"{extra[0] if extra[0] not in ('--output', '--cut') else extra[1]} needs Blender" in (
+        sentence
+    )
+    assert "blender --command meander" in sentence
+
+
+def test_a_scene_needs_blender(refused, square: Path) -> None:
+    scene = square.with_suffix(".blend")
+    scene.write_bytes(b"BLENDER")
+    assert f"{scene} needs Blender" in refused(scene, *GOOD)
 
 
 BAD_MESHES = {

@@ -63,7 +63,7 @@ def test_bad_combinations_are_refused(square: Path, capsys: pytest.CaptureFixtur
         ("out.csv", ("--resample-step", "0.1", "--chord-tolerance", "1"), "choose one"),
         ("out.csv", ("--resample-step", "0"), "greater than 0"),
         ("out.csv", ("--resample-step", "1e-12"), "longer one"),
-        ("out.csv", ("--points", "mesh"), "kind .blend"),
+        ("out.csv", ("--points", "mesh"), ".csv and .json have the same"),
         ("out.txt", (), ".dst or .pes"),
     ):
         (square.parent / name).write_text("earlier")

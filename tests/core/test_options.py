@@ -14,9 +14,12 @@ from conftest import REPOSITORY
 from meander import batch, core
 from meander.cli.arguments import parser
 from meander.cli.flags import flow_options
+from meander.cli.place import Place
 from meander.model.export_options import ROWS
 from meander.model.option import OF_PRESET, Option, apply, chosen, store
 from meander.model.options import BY_SETTING, OF_THE_FLOW, TABLE
+
+PARSER = parser(Place("test", print))
 
 # Fields of the flow's options that no user sets by themselves: the spacing sets the radius, a
 # source of directions the weight of the alignment, and the rest is what a preset is.
@@ -149,7 +152,7 @@ def test_distances_are_the_presets_or_as_the_flag_says(
     preset: str, word: str | None, measure: str
 ) -> None:
     given = ["--input", "a.obj", "--output", "b.obj", "--spacing", "1", "--preset", preset]
-    arguments = parser().parse_args(given + (["--medial-axis", word] if word else []))
+    arguments = PARSER.parse_args(given + (["--medial-axis", word] if word else []))
     assert flow_options(arguments).medial_axis == core.MedialAxis[measure]
 
 
@@ -191,12 +194,12 @@ def test_the_library_takes_what_the_settings_allow(option: Option, value: float)
 
 def test_every_flag_is_that_of_the_command(capsys: pytest.CaptureFixture) -> None:
     with pytest.raises(SystemExit):
-        parser().parse_args(["--help"])
+        PARSER.parse_args(["--help"])
     text = " ".join(capsys.readouterr().out.split())
     for option in TABLE:
         if option.flag is not None:
             assert f"{option.flag.name} " in text
-    given = parser().parse_args(["--input", "a.obj", "--output", "b.obj", "--spacing", "1"])
+    given = PARSER.parse_args(["--input", "a.obj", "--output", "b.obj", "--spacing", "1"])
     for option in TABLE:
         if option.flag is not None and option.kind is not bool and not option.flag.required:
             assert getattr(given, option.flag.destination) == option.flag.default

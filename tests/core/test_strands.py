@@ -396,7 +396,7 @@ BAD = {
     "far away": (("--from", 0, 0, 3, "--to-vertex", 9), "Point 1 of spline 1 of 'the stroke' is 3"),
     "left out without": (("--leave-out-guides",), "give --guides as well"),
     "no curve": (("--guides", "nothing.txt"), "is no .obj file"),
-    "an object": (("--guides-object", "Guides"), "names an object of a .blend"),
+    "an object": (("--guides-object", "Guides"), "--guides-object needs Blender"),
 }
 
 

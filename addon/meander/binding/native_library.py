@@ -23,6 +23,7 @@ from .abi import ABI_VERSION, PROTOTYPES, STRUCTS, VERSION, ErrorRecord, Status
 from .choices import C_OPTIONS, ELEMENT_KINDS
 
 _Record = TypeVar("_Record", bound=Structure)
+_Owner = TypeVar("_Owner", bound="Handle")
 
 # Names the library file to load instead of the one in the package.
 LIBRARY_VARIABLE = "MEANDER_LIBRARY"
@@ -294,7 +295,7 @@ class Handle:
         self._pointer = None
         self._finalizer()
 
-    def __enter__(self) -> Any:
+    def __enter__(self: _Owner) -> _Owner:
         return self
 
     def __exit__(self, *_: object) -> None:

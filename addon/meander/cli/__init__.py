@@ -1,2 +1,4 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The batch command: options in, files out."""
+"""The batch command by itself: options and files in, files out, no bpy. `headless` has the part
+that needs Blender.
+"""

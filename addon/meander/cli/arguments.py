@@ -5,23 +5,40 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
 from ..model.export import SUFFIXES as EXPORTED
+from ..model.surface_files import SUFFIXES as MESHES
 from ..model.toolpath import SUFFIXES
-from . import cut, density, export, flags, motion, preparation, strands, terms, toolpath, values
+from . import (
+    blender_flags,
+    cut,
+    density,
+    export,
+    flags,
+    motion,
+    preparation,
+    strands,
+    terms,
+    toolpath,
+    values,
+)
+from .place import Place
 from .values import BadInput
+
+# What --input may be, by its suffix.
+INPUTS = (*MESHES, ".blend")
 
 # What --output may be, by its suffix.
 OUTPUTS = (".obj", ".blend", *SUFFIXES, *EXPORTED)
 
 
-def parser() -> argparse.ArgumentParser:
+def parser(place: Place) -> argparse.ArgumentParser:
     parser = values.Parser(
-        prog="batch.py",
+        prog=place.program,
         description="Grow a curve on a mesh until it fills the surface at an even spacing.",
+        epilog=blender_flags.epilog() if place.host is None else None,
         allow_abbrev=False,
     )
     add = parser.add_argument
@@ -48,21 +65,13 @@ def parser() -> argparse.ArgumentParser:
     return parser
 
 
-def arguments_of_process() -> list[str]:
-    """What stands behind ``--``; inside Blender all the rest is Blender's own."""
-    if "--" in sys.argv:
-        return sys.argv[sys.argv.index("--") + 1 :]
-    loaded_bpy = sys.modules.get("bpy")
-    if loaded_bpy is not None and loaded_bpy.app.binary_path:
-        return []
-    return sys.argv[1:]
-
-
-def check_arguments(arguments: argparse.Namespace) -> None:
+def check_arguments(arguments: argparse.Namespace, place: Place) -> None:
     """Refuses what can be refused before any file is read."""
+    blender_flags.refuse(arguments, place)
     kind = arguments.input.suffix.lower()
-    if kind not in (".obj", ".ply", ".stl", ".blend"):
-        raise BadInput(f"--input {arguments.input} is no .obj, .ply, .stl or .blend file")
+    if kind not in INPUTS:
+        kinds = ", ".join(INPUTS[:-1])
+        raise BadInput(f"--input {arguments.input} is no {kinds} or {INPUTS[-1]} file")
     if not _is(Path.is_file, "--input", arguments.input):
         raise BadInput(f"--input {arguments.input} does not exist; check the path")
     if kind != ".blend":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The batch command from its options to its exit code."""
+"""The batch command from its options to its exit code; no bpy."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import sys
 import traceback
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 from .. import core
 from ..model import bridges, report, strands
@@ -14,34 +15,34 @@ from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
 from . import cut, preparation
-from .arguments import arguments_of_process, check_arguments, parser
+from .arguments import check_arguments, parser
 from .flags import flow_options
 from .grown import grown_of
 from .input import Input
-from .reading import need_bpy, read_input
+from .place import Place
+from .reading import read_input
 from .values import BadInput
 from .watching import interruptible, run, summary
 from .writing import echo, write_outputs
 
 
-def _process(argv: Sequence[str]) -> None:
-    arguments = parser().parse_args(argv)
-    check_arguments(arguments)
+def _process(argv: Sequence[str], place: Place) -> None:
+    arguments = parser(place).parse_args(argv)
+    if arguments.quiet:
+        place = replace(place, say=lambda _line: None)
+    check_arguments(arguments, place)
     if arguments.output.suffix.lower() == ".blend":
-        need_bpy(arguments.output)
-        from . import scene_output  # which needs bpy
-
-        scene_output.refuse_points(arguments.points)
+        place.blender(arguments.output).refuse_points(arguments.points)
     if arguments.cut is not None and arguments.cut.suffix.lower() == ".blend":
-        need_bpy(arguments.cut)
+        place.blender(arguments.cut)
     options = flow_options(arguments)
-    given = read_input(arguments, options)
+    given = read_input(arguments, options, place)
     warnings = core.option_warnings(options)
     for warning in warnings:
         print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
-    opened = _open(given)
+    opened = _open(given, place)
     with opened.flow as flow:
-        reason = run(flow, arguments.quiet)
+        reason = run(flow, place.say)
         figures = flow.statistics() | {"stop_reason": reason}
         record = report.build_report(
             core.library_version(),
@@ -55,46 +56,54 @@ def _process(argv: Sequence[str]) -> None:
         grown = replace(grown, cut=cut.cut_of(flow, arguments))
     record["warnings"] = warnings
     record["preparation"] = preparation.counts(opened.figures, given.loose_edges)
-    write_outputs(arguments, given, grown, record)
-    if not arguments.quiet:
-        if figures["empty_components"]:
-            print(f"meander: {strands.empty_parts(figures['empty_components'])}")
-        remark = strands.fit_remark(figures, given.parts, options.radius)
-        for text in (strands.fit_warning(figures, given.parts), remark):
-            if text:
-                print(f"meander: {text}")
-        done = described(opened.figures, given.loose_edges, given.has_instances)
-        if done:
-            print(f"meander: {done}")
-        if record["bridges"]["count"]:
-            length = f"{record['bridges']['length']:.3g}"
-            print(f"meander: {bridges.described(record['bridges']['count'], length)}")
-        print(summary(reason, figures))
-        print(f"meander: wrote {arguments.output}", flush=True)
-        if arguments.cut is not None:
-            print(f"meander: wrote {arguments.cut}", flush=True)
+    write_outputs(arguments, given, grown, record, place)
+    for line in _remarks(given, opened, figures, record):
+        place.say(f"meander: {line}")
+    for written in (arguments.output, arguments.cut):
+        if written is not None:
+            place.say(f"meander: wrote {written}")
 
 
-def _open(given: Input) -> Opened:
+def _remarks(
+    given: Input, opened: Opened, figures: dict[str, Any], record: dict[str, Any]
+) -> list[str]:
+    """What there is to say of a run that has ended."""
+    told = []
+    if figures["empty_components"]:
+        told.append(strands.empty_parts(figures["empty_components"]))
+    told.append(strands.fit_warning(figures, given.parts))
+    told.append(strands.fit_remark(figures, given.parts, given.problem.options.radius))
+    told.append(described(opened.figures, given.loose_edges, given.has_instances))
+    if record["bridges"]["count"]:
+        length = f"{record['bridges']['length']:.3g}"
+        told.append(bridges.described(record["bridges"]["count"], length))
+    told.append(summary(figures))
+    return [line for line in told if line]
+
+
+def _open(given: Input, place: Place) -> Opened:
     """Opens the flow; an error names elements as the user counts them."""
     try:
         return interruptible(lambda context: open_flow(given.problem, context))
     except core.MeanderError as refusal:
         named = refusal
-        if given.surface_object is not None:
-            from . import scene_input  # which needs bpy, as the object does
-
-            named = scene_input.in_polygons(refusal, given.surface_object)
+        if given.surface_object is not None and place.host is not None:
+            named = place.host.in_polygons(refusal, given.surface_object)
         raise strands.explained(named, given.parts) from refusal
 
 
-def main(argv: Sequence[str] | None = None) -> int:
-    """Runs the command and returns its exit code; see the top of this file.
+def main(argv: Sequence[str], place: Place) -> int:
+    """Runs the command and returns its exit code.
 
-    argv   the options; None takes those of this process
+    argv    the options
+    place   where it runs
+
+    0 done, also when the iteration limit was reached (the report says so); 2 bad input, with one
+    sentence on stderr and every output file as it was; 1 a defect, with a traceback; 130
+    interrupted from the keyboard, with every output file as it was.
     """
     try:
-        _process(arguments_of_process() if argv is None else argv)
+        _process(argv, place)
     except (BadInput, core.MeanderError, FileError) as problem:
         if getattr(problem, "status", None) == core.Status.INTERNAL:
             traceback.print_exc()

@@ -10,6 +10,7 @@ from typing import Any
 from .. import core
 from ..model import cut_files
 from .input import Input
+from .place import Place
 from .values import positive
 
 _SUFFIXES = (*cut_files.SUFFIXES, ".blend")
@@ -64,13 +65,11 @@ def cut_of(flow: core.Flow, arguments: argparse.Namespace) -> core.CutSurface | 
 
 
 def write(
-    path: Path, arguments: argparse.Namespace, given: Input, cut: core.CutSurface
+    path: Path, arguments: argparse.Namespace, given: Input, cut: core.CutSurface, place: Place
 ) -> dict[str, int]:
     """Writes a cut to a file, and returns its figures for the report."""
     if arguments.cut.suffix.lower() == ".blend":
-        from . import scene_output  # which needs bpy
-
-        scene_output.write_cut_scene(path, arguments, given, cut)
+        place.blender(arguments.cut).write_cut_scene(path, arguments, given, cut)
     else:
         cut_files.write(path, cut, arguments.spacing)
     return {

@@ -14,8 +14,7 @@ from ..model.drawing import axes_of, seen_along
 from ..model.export_options import GROUP, ROWS
 from . import flags
 from .input import Input
-from .reading import need_bpy
-from .values import BadInput
+from .place import Place
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -61,57 +60,39 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
 
 
 def laid(
-    strands: Sequence[toolpath.Strand], arguments: argparse.Namespace, given: Input
+    strands: Sequence[toolpath.Strand], arguments: argparse.Namespace, given: Input, place: Place
 ) -> list[toolpath.Strand]:
     """The strands as the file is to have them, in scene units. Raises BadInput."""
     kind = export.format_of(arguments.output)
     layout = _values(arguments)["layout_as"]
-    if layout != "uv":
-        if arguments.visible_only:
-            need_bpy(arguments.output)
-            from ..scene.visible import visible_strands
-
-            mesh = given.problem
-            strands = visible_strands(strands, *axes_of(layout), mesh.vertices, mesh.faces)
-        if not export.is_seen(kind, layout):
-            return list(strands)
-        return seen_along(strands, *axes_of(layout))
-    import bpy
-
-    from ..scene.errors import DataError
-    from ..scene.layouts import unrolled_strands
-
-    depsgraph, name = bpy.context.evaluated_depsgraph_get(), arguments.layout_map or ""
-    try:
-        return unrolled_strands(strands, given.surface_object, depsgraph, name)
-    except DataError as refusal:
-        raise BadInput(f"--layout uv is not possible here: {refusal}") from refusal
+    if layout == "uv":
+        host = place.blender("--layout uv")
+        return host.unrolled(strands, given, arguments.layout_map or "")
+    if arguments.visible_only:
+        strands = place.blender("--visible-only").visible(strands, layout, given)
+    if not export.is_seen(kind, layout):
+        return list(strands)
+    return seen_along(strands, *axes_of(layout))
 
 
 def write(
-    path: Path, arguments: argparse.Namespace, strands: Sequence[toolpath.Strand], given: Input
+    path: Path,
+    arguments: argparse.Namespace,
+    strands: Sequence[toolpath.Strand],
+    given: Input,
+    place: Place,
 ) -> int:
     """Writes strands that are laid out already. Returns the number of points in the file.
 
     Raises FileError for what is no drawing.
     """
     kind, values = export.format_of(arguments.output), _values(arguments)
-    drawing = export.prepared(strands, kind, values, _metres(given))
+    metres = 1.0 if given.surface_object is None else place.blender(arguments.input).metres()
+    drawing = export.prepared(strands, kind, values, metres)
     title = arguments.output.stem
     export.write(path, kind, drawing, values, title, core.library_version())
-    if not arguments.quiet:
-        print(f"meander: {drawing.described()}")
+    place.say(f"meander: {drawing.described()}")
     return drawing.point_count
-
-
-def _metres(given: Input) -> float:
-    if given.surface_object is None:
-        return 1.0
-    import bpy
-
-    from ..scene.layouts import metres_of
-
-    return metres_of(bpy.context.scene)
 
 
 def _values(arguments: argparse.Namespace) -> dict[str, Any]:

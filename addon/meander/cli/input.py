@@ -4,16 +4,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import Any
 
 from ..model import strands
 from ..model.alignment import Alignment
 from ..model.density import Choice
 from ..model.preparation import Mask, Repair
 from ..model.problem import Problem
-
-if TYPE_CHECKING:
-    import bpy
 
 
 @dataclass
@@ -30,4 +27,4 @@ class Input:
     fixed_ends: bool = False
     stroke: tuple[list[float], list[float]] | None = None  # its ends
     parts: list[strands.Part] = field(default_factory=list)  # what the seed is put together from
-    surface_object: bpy.types.Object | None = None  # None: the mesh came from an OBJ file
+    surface_object: Any = None  # of Blender; None: the mesh came from a file of its own

@@ -1,36 +1,34 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads what the batch command fills: an OBJ file by itself, other files with Blender's help."""
+"""Reads what the batch command fills: the file, and what is made of it; no bpy."""
 
 from __future__ import annotations
 
 import argparse
-import importlib.util
-from pathlib import Path
 
 from .. import core
-from ..model import mesh_files, strands
+from ..model import mesh_files, strands, surface_files
 from ..model.density import Choice, curvature_density
 from ..model.problem import Problem
 from . import density, preparation, terms
 from . import strands as strand_options
 from .input import Input
+from .place import Place
 from .values import BadInput
 
 
-def read_input(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
+def read_input(
+    arguments: argparse.Namespace, options: core.FlowOptions, place: Place
+) -> Input:
     """Everything that the options name, read and put together.
 
     options   of the flow, into which the weight of the alignment is put
 
     Raises BadInput, mesh_files.FileError, core.MeanderError.
     """
-    if arguments.input.suffix.lower() == ".obj":
-        given = Input(Problem(*mesh_files.read_obj_mesh(arguments.input), options))
+    if arguments.input.suffix.lower() == ".blend":
+        given = place.blender(arguments.input).read_scene(arguments, options)
     else:
-        need_bpy(arguments.input)
-        from . import scene_input  # which needs bpy, and reading an OBJ file does not
-
-        given = scene_input.read(arguments, options)
+        given = Input(Problem(*surface_files.read_mesh(arguments.input), options))
     given.alignment = terms.alignment_of(arguments)
     given.repair = preparation.repair_of(arguments)
     problem = given.problem
@@ -72,9 +70,3 @@ def _set_fields(given: Input, arguments: argparse.Namespace) -> None:
     problem.directions = terms.directions_without_a_scene(
         given.alignment, len(problem.vertices), radius
     )
-
-
-def need_bpy(path: Path) -> None:
-    """Refuses a file that only Blender can read or write where there is none."""
-    if importlib.util.find_spec("bpy") is None:
-        raise BadInput(f"{path} needs Blender; run this command with blender --background --python")

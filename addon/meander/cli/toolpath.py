@@ -13,6 +13,7 @@ from . import export as export_options
 from . import flags
 from .grown import Grown
 from .input import Input
+from .place import Place
 from .values import positive
 
 
@@ -74,12 +75,14 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     }
 
 
-def write(path: Path, arguments: argparse.Namespace, given: Input, grown: Grown) -> int:
+def write(
+    path: Path, arguments: argparse.Namespace, given: Input, grown: Grown, place: Place
+) -> int:
     """Writes the curve, resampled as the options say. Returns the number of points in the file."""
     strands = toolpath.strands_of(grown.curve, grown.data)
     drawn = export.format_of(arguments.output) is not None
     if drawn:
-        strands = export_options.laid(strands, arguments, given)
+        strands = export_options.laid(strands, arguments, given, place)
     strands = toolpath.resampled(
         strands,
         arguments.resample_step,
@@ -87,6 +90,6 @@ def write(path: Path, arguments: argparse.Namespace, given: Input, grown: Grown)
         None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces),
     )
     if drawn:
-        return export_options.write(path, arguments, strands, given)
+        return export_options.write(path, arguments, strands, given, place)
     toolpath.write(path, strands, core.library_version())
     return sum(len(strand.points) for strand in strands)

@@ -57,8 +57,10 @@ def interruptible(work: Callable[[core.Context], _Result]) -> _Result:
     return results[0]
 
 
-def run(flow: core.Flow, quiet: bool) -> str:
+def run(flow: core.Flow, say: Callable[[str], None]) -> str:
     """Runs the flow to its end and returns the stop reason.
+
+    say   prints a line of how far it is
 
     The library runs it on a thread of its own, so that this one can print and hear an interruption;
     asking the flow itself between steps would cost a medial axis each time.
@@ -74,8 +76,8 @@ def run(flow: core.Flow, quiet: bool) -> str:
                 pause = min(2 * pause, _LONGEST_PAUSE)  # a short run is not waited for
                 progress, now = context.progress, time.monotonic()
                 due = progress >= printed + _PROGRESS_SHARE or now >= printed_at + _PROGRESS_SECONDS
-                if due and not quiet and flow.running:
-                    print(f"meander: {progress:.0%} after {now - started:.1f} s", flush=True)
+                if due and flow.running:
+                    say(f"meander: {progress:.0%} after {now - started:.1f} s")
                     printed, printed_at = progress, now
         except BaseException:  # an interruption from the keyboard, above all
             context.cancel()
@@ -84,7 +86,9 @@ def run(flow: core.Flow, quiet: bool) -> str:
         return flow.wait()
 
 
-def summary(reason: str, figures: dict[str, Any]) -> str:
+def summary(figures: dict[str, Any]) -> str:
+    """How a run has ended, in a line."""
+    reason = figures["stop_reason"]
     ending = {
         "converged": "converged",
         "iteration_limit": "reached the iteration limit",
@@ -92,7 +96,7 @@ def summary(reason: str, figures: dict[str, Any]) -> str:
         "cancelled": "was cancelled",
     }.get(reason, reason)
     return (
-        f"meander: {ending} after {figures['iterations']} iterations and "
+        f"{ending} after {figures['iterations']} iterations and "
         f"{figures['seconds_total']:.2f} s: {figures['nodes']} nodes, length "
         f"{figures['length']:.6g}, spacing {figures['spacing_median']:.4g} in the median "
         f"({figures['spacing_target']:.4g} wanted)"

@@ -17,6 +17,7 @@ from . import cut, density, export, flags, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown, bridge_figures, bridged, lightened
 from .input import Input
+from .place import Place
 
 
 def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input) -> dict[str, Any]:
@@ -51,6 +52,7 @@ def write_outputs(
     given: Input,
     grown: Grown,
     record: dict[str, Any],
+    place: Place,
 ) -> None:
     """Writes all files beside their places first, then moves them in, the report at the end."""
     with ExitStack() as stack:  # leaves in reverse order
@@ -61,29 +63,27 @@ def write_outputs(
         if grown.cut is not None:
             cut_path = stack.enter_context(whole_file(arguments.cut))
         curve_path = stack.enter_context(whole_file(arguments.output))
-        written, line = _write_curve(curve_path, arguments, given, grown)
+        written, line = _write_curve(curve_path, arguments, given, grown, place)
         record["points"] = {"all": len(grown.curve.positions), "written": written}
         if cut_path is not None:
-            record["cut"] = cut.write(cut_path, arguments, given, grown.cut)
+            record["cut"] = cut.write(cut_path, arguments, given, grown.cut, place)
         record["bridges"] = bridge_figures(line)
         if report_path is not None:
             report.write_report(report_path, record)
 
 
 def _write_curve(
-    path: Path, arguments: argparse.Namespace, given: Input, grown: Grown
+    path: Path, arguments: argparse.Namespace, given: Input, grown: Grown, place: Place
 ) -> tuple[int, bridges.Joined | None]:
     """Writes the output in the format of its name, and returns the number of points in it and what
     was joined."""
     if arguments.output.suffix.lower() == ".blend":
-        from . import scene_output  # which needs bpy
-
-        return scene_output.write_scene(path, arguments, given, grown)
+        return place.blender(arguments.output).write_scene(path, arguments, given, grown)
     light = light_of(flags.chosen(arguments))
     grown = lightened(grown, arguments.spacing / 2, light)
     if arguments.bridge:
         grown = bridged(grown, given.problem)
     if toolpath_options.is_wanted(arguments.output):
-        return toolpath_options.write(path, arguments, given, grown), grown.line
+        return toolpath_options.write(path, arguments, given, grown, place), grown.line
     mesh_files.write_obj_curve(path, grown.curve)
     return len(grown.curve.positions), grown.line

@@ -18,20 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core import Polylines, Seed
-from .whole_files import FileError, whole_file
+from .whole_files import FileError, read_bytes, whole_file
 
 # Face indices travel as uint32; what is larger cannot even be handed on to be refused.
 _LARGEST_INDEX = 0xFFFFFFFF
 
 
 def _read_lines(path: Path) -> list[bytes]:
-    try:
-        data = path.read_bytes()
-    except OSError as problem:
-        raise FileError(
-            f"{path} cannot be read ({problem.strerror or problem}); check the path"
-        ) from problem
-    data = data.removeprefix(b"\xef\xbb\xbf")
+    data = read_bytes(path).removeprefix(b"\xef\xbb\xbf")
     if b"\\" in data:  # a backslash at the end of a line continues it
         data = data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" ")
     return data.splitlines()

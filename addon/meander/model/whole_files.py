@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that are written whole or not at all; no bpy."""
+"""Files that are read whole, and written whole or not at all; no bpy."""
 
 from __future__ import annotations
 
@@ -18,6 +18,16 @@ _LONGEST_SUFFIX = 8
 
 class FileError(Exception):
     """A file that cannot be read or written; ``str(error)`` is one sentence for people."""
+
+
+def read_bytes(path: Path) -> bytes:
+    """What is in a file. Raises FileError when it cannot be read."""
+    try:
+        return path.read_bytes()
+    except OSError as problem:
+        raise FileError(
+            f"{path} cannot be read ({problem.strerror or problem}); check the path"
+        ) from problem
 
 
 @contextmanager

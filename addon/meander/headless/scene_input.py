@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a .blend, PLY or STL file in Blender: the surface, and what objects beside it say."""
+"""Reads a .blend: the surface, and what objects beside it say."""
 
 from __future__ import annotations
 
 import argparse
-import os
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from pathlib import Path
 
 import bpy
 
 from .. import core
+from ..cli import density, preparation, terms
+from ..cli.input import Input
+from ..cli.values import BadInput
 from ..model import strands
 from ..model.problem import Problem
 from ..scene.alignment import directions_of
@@ -23,70 +21,15 @@ from ..scene.fillable import shows_instances
 from ..scene.meshes import in_polygons as renumbered
 from ..scene.meshes import loose_edge_count, triangles_of
 from ..scene.preparation import surface_options
-from . import density, preparation, terms
-from .input import Input
 from .saved_settings import saved_settings
-from .values import BadInput
 
 
 def read(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
     """What --input holds, with the objects that other options name. Raises BadInput."""
     try:
-        if arguments.input.suffix.lower() == ".blend":
-            return _read_scene(arguments, options)
-        return _import_mesh(arguments.input, options)
+        return _read_scene(arguments, options)
     except DataError as refusal:
         raise BadInput(str(refusal)) from refusal
-
-
-def empty_scene() -> None:
-    # read_factory_settings would take installed add-ons out of the session.
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-
-
-def _import_mesh(path: Path, options: core.FlowOptions) -> Input:
-    """Reads a PLY or STL file with Blender's importer, axes and scale left alone."""
-    empty_scene()
-    kind = path.suffix.lower()[1:]
-    try:
-        with _stderr_to_stdout():
-            # Importers in C++ replaced the add-ons one by one: in 3.4 there is one for STL only.
-            if f"{kind}_import" in dir(bpy.ops.wm):
-                operator = getattr(bpy.ops.wm, f"{kind}_import")
-                operator(filepath=str(path), forward_axis="Y", up_axis="Z", global_scale=1.0)
-            else:
-                import addon_utils
-
-                addon_utils.enable(f"io_mesh_{kind}")
-                operator = getattr(bpy.ops.import_mesh, kind)
-                # STL has an option for axes, and PLY takes them as they are.
-                axes = {"axis_forward": "Y", "axis_up": "Z"} if kind == "stl" else {}
-                operator(filepath=str(path), **axes)
-    except RuntimeError as problem:
-        raise BadInput(
-            f"{path} cannot be read as {kind.upper()}; export it again or give an .obj file"
-        ) from problem
-    meshes = [item for item in bpy.context.scene.objects if item.type == "MESH"]
-    if len(meshes) != 1:
-        raise BadInput(
-            f"{path} cannot be read as {kind.upper()}; export it again or give an .obj file"
-        )
-    depsgraph = bpy.context.evaluated_depsgraph_get()
-    problem = Problem(*triangles_of(meshes[0], depsgraph), options)
-    return Input(problem, surface_object=meshes[0])
-
-
-@contextmanager
-def _stderr_to_stdout() -> Iterator[None]:
-    """Importers print their complaints from C; stderr is for the one sentence that follows."""
-    sys.stderr.flush()
-    kept = os.dup(2)
-    os.dup2(1, 2)
-    try:
-        yield
-    finally:
-        os.dup2(kept, 2)
-        os.close(kept)
 
 
 def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:

@@ -9,6 +9,10 @@ from pathlib import Path
 import bpy
 
 from .. import core
+from ..cli import flags
+from ..cli.grown import Grown, bridged
+from ..cli.input import Input
+from ..cli.values import BadInput
 from ..model import bridges, thinning, toolpath
 from ..model.option import store
 from ..model.options import TABLE
@@ -25,12 +29,7 @@ from ..scene.errors import DataError
 from ..scene.preparation import store_mask, store_repair
 from ..scene.settings import copy_settings
 from ..scene.transforms import world_matrix
-from . import flags
-from .grown import Grown, bridged
-from .input import Input
 from .saved_settings import saved_settings
-from .scene_input import empty_scene
-from .values import BadInput
 
 # What the curve keeps of the flags: how long a run may take, and on how many threads, is for the
 # next one to say.
@@ -107,9 +106,14 @@ def write_cut_scene(
         _save(path, arguments.cut)
 
 
+def _empty_scene() -> None:
+    # read_factory_settings would take installed add-ons out of the session.
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+
+
 def _new_surface(name: str, problem: Problem) -> bpy.types.Object:
-    """The mesh of an OBJ file, as the only object of an empty scene."""
-    empty_scene()
+    """The mesh of a file of its own, as the only object of an empty scene."""
+    _empty_scene()
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(problem.vertices.tolist(), [], problem.faces.tolist())
     mesh.update()

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender as the batch command sees it. Nothing here imports bpy before it is asked for something:
+the module takes a second to load, and files without a scene do not need it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from .. import core
+from ..cli.grown import Grown
+from ..cli.input import Input
+from ..cli.values import BadInput
+from ..model import bridges, toolpath
+from ..model.drawing import axes_of
+
+
+class Blender:
+    """A `cli.place.Host`, which says what each does."""
+
+    def read_scene(self, arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
+        from . import scene_input
+
+        return scene_input.read(arguments, options)
+
+    def in_polygons(self, error: core.MeanderError, surface_object: Any) -> core.MeanderError:
+        from . import scene_input
+
+        return scene_input.in_polygons(error, surface_object)
+
+    def refuse_points(self, points: str | None) -> None:
+        from . import scene_output
+
+        scene_output.refuse_points(points)
+
+    def write_scene(
+        self, path: Path, arguments: argparse.Namespace, given: Input, grown: Grown
+    ) -> tuple[int, bridges.Joined | None]:
+        from . import scene_output
+
+        return scene_output.write_scene(path, arguments, given, grown)
+
+    def write_cut_scene(
+        self, path: Path, arguments: argparse.Namespace, given: Input, cut: core.CutSurface
+    ) -> None:
+        from . import scene_output
+
+        scene_output.write_cut_scene(path, arguments, given, cut)
+
+    def visible(
+        self, strands: Sequence[toolpath.Strand], layout: str, given: Input
+    ) -> list[toolpath.Strand]:
+        import bpy  # noqa: F401  (under the bpy module, mathutils is not there before it)
+
+        from ..scene.visible import visible_strands
+
+        mesh = given.problem
+        return visible_strands(strands, *axes_of(layout), mesh.vertices, mesh.faces)
+
+    def unrolled(
+        self, strands: Sequence[toolpath.Strand], given: Input, uv_map: str
+    ) -> list[toolpath.Strand]:
+        import bpy
+
+        from ..scene.errors import DataError
+        from ..scene.layouts import unrolled_strands
+
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        try:
+            return unrolled_strands(strands, given.surface_object, depsgraph, uv_map)
+        except DataError as refusal:
+            raise BadInput(f"--layout uv is not possible here: {refusal}") from refusal
+
+    def metres(self) -> float:
+        import bpy
+
+        from ..scene.layouts import metres_of
+
+        return metres_of(bpy.context.scene)
+
+
+def blender_if_there() -> Blender | None:
+    """Blender, where this Python is Blender's or has the bpy module."""
+    return Blender() if importlib.util.find_spec("bpy") is not None else None
