@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes and curves in files, by the file's suffix; every file is written whole or not at all."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .core import CutSurface, Flow, Seed, library_version
+from .model import cut_files, export, surface_files, toolpath
+from .model.drawing import VIEWS, axes_of, seen_along
+from .model.export_options import ROWS
+from .model.mesh_files import read_obj_curve, write_obj_curve
+from .model.option import Option
+from .model.whole_files import FileError, whole_file
+
+# What write_curve takes, by its suffix.
+_CURVES = (".obj", *toolpath.SUFFIXES, *export.SUFFIXES)
+# The options of drawings, by the names of their flags.
+_DRAWING = {row.flag.destination: row for row in ROWS if row.flag is not None}
+# What only Blender knows: what is hidden, a UV map, the view in a window.
+_LAYOUTS = ("space", *VIEWS)
+_IN_BLENDER = ("visible_only",)
+
+
+def read_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
+    """Reads the mesh in an OBJ, PLY or STL file, in the file's own coordinates.
+
+    Returns vertices (n, 3) and triangles (m, 3), zero-based; polygons are fanned from their first
+    corner, and corners of an STL file at the same place are one vertex.
+
+    Raises FileError: the file cannot be read, is of another kind or malformed, has no faces.
+    """
+    return surface_files.read_mesh(path)
+
+
+def read_curve(path: str | Path) -> Seed:
+    """Reads the `v` and `l` lines of an OBJ file as strands for a seed or guides.
+
+    Raises FileError: the file cannot be read, is malformed, has no lines, or a strand branches.
+    """
+    return read_obj_curve(path)
+
+
+def write_curve(
+    path: str | Path,
+    flow: Flow,
+    *,
+    step: float | None = None,
+    tolerance: float | None = None,
+    **drawing: Any,
+) -> None:
+    """Writes the curve of a flow in the format of the file's suffix.
+
+    path        .obj: v and l lines, with all digits; .csv and .json: every point with normal,
+                tangent, arc length, medial radii, and the triangle that holds it; .svg, .dxf,
+                .gcode, .nc, .ngc, .dst and .pes: drawings
+    step        points at equal arc lengths along each strand, at most this far apart; their
+                triangles are not known
+    tolerance   as few points as keep the chords between them this near the curve
+    drawing     of drawings only, named as the flags of the command are: layout ("space", "top",
+                "front", "side"), unit ("mm", "cm", "in"), scale, size, line_width, feed,
+                travel_feed, lift, layer_offset, layers, layer_height, extrusion, stitch_length.
+                A unit of the mesh is a metre
+
+    Raises FileError: the file cannot be written, or an option means nothing for its format.
+    """
+    path = Path(path)
+    suffix, kind = path.suffix.lower(), export.format_of(path)
+    if suffix not in _CURVES:
+        raise FileError(
+            f"{path} is no {', '.join(_CURVES[:-1])} or {_CURVES[-1]} file; choose another suffix"
+        )
+    if step is not None and tolerance is not None:
+        raise FileError("step and tolerance are both given; choose one")
+    for name, length in (("step", step), ("tolerance", tolerance)):
+        if length is not None and not length > 0.0:
+            raise FileError(f"{name} {length!r} is not greater than 0")
+    values = _drawing_values(suffix, kind, drawing)
+    if suffix == ".obj":
+        if step is not None or tolerance is not None:
+            raise FileError("an .obj file has the whole curve; leave out step and tolerance")
+        write_obj_curve(path, flow.polylines())
+        return
+    strands = toolpath.strands_of(flow.polylines(), flow.point_data())
+    if kind is not None and export.is_seen(kind, values["layout_as"]):
+        strands = seen_along(strands, *axes_of(values["layout_as"]))
+    strands = toolpath.resampled(strands, step, tolerance)
+    if kind is None:
+        toolpath.write(path, strands, library_version())
+        return
+    drawn = export.prepared(strands, kind, values, metres=1.0)
+    export.write(path, kind, drawn, values, path.stem, library_version())
+
+
+def write_cut(path: str | Path, cut: CutSurface, spacing: float) -> None:
+    """Writes a surface cut along its curve, from cut_surface(), as .obj or .ply.
+
+    path      .obj has the two sides as materials and the curve as l lines; .ply has the distance
+              at each vertex, side, strand and region of each face, and the curve as edges
+    spacing   what a unit of the UV map along the curve is long
+
+    Raises FileError: the file cannot be written, or is of another kind.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in cut_files.SUFFIXES:
+        raise FileError(f"{path} is no .obj or .ply file; choose another suffix")
+    with whole_file(path) as temporary:
+        cut_files.write(temporary, cut, spacing)
+
+
+def _drawing_values(
+    suffix: str, kind: export.Format | None, drawing: dict[str, Any]
+) -> dict[str, Any]:
+    """The options of a drawing by setting, with the defaults of those that are not given."""
+    values = dict(export.DEFAULTS)
+    for name, value in drawing.items():
+        row = _DRAWING.get(name)
+        if row is None:
+            raise FileError(f"there is no option {name}; choose from {', '.join(_DRAWING)}")
+        if name in _IN_BLENDER:
+            raise FileError(f"{name} needs Blender; leave it out")
+        if kind is None or row.setting not in kind.options:
+            raise FileError(f"{name} does nothing for a {suffix} file; leave it out")
+        values[row.setting] = _checked(name, value, row)
+    return values
+
+
+def _checked(name: str, value: Any, row: Option) -> Any:
+    """A value within the limits of its option."""
+    if row.kind is str:
+        choices = [choice for choice, _label, _tip in row.choices]
+        if name == "layout":
+            choices = [choice for choice in choices if choice in _LAYOUTS]
+        if value not in choices:
+            raise FileError(f"{name} {value!r} is not known; choose from {', '.join(choices)}")
+        return value
+    try:
+        number = row.kind(value)
+    except (TypeError, ValueError):
+        raise FileError(f"{name} {value!r} is not a number") from None
+    least = -np.inf if row.least is None else row.least
+    greatest = np.inf if row.greatest is None else row.greatest
+    if not least <= number <= greatest:
+        raise FileError(
+            f"{name} {value!r} is out of range; choose from {least:.12g} to {greatest:.12g}"
+        )
+    return number

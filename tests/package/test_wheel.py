@@ -1,0 +1,332 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python package: its wheel, and what it does where there is numpy and no Blender."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import doctest
+import hashlib
+import io
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import zipfile
+from email.parser import Parser
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPT = ROOT / "scripts" / "build_wheel.py"
+PAGE = ROOT / "docs" / "python.md"
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("wheel")
+    subprocess.run([sys.executable, SCRIPT, "--folder", folder], check=True, timeout=60)
+    (found,) = folder.iterdir()
+    return found
+
+
+class Environment:
+    """A virtual environment with the wheel, and a folder far from the checkout."""
+
+    def __init__(self, folder: Path) -> None:
+        self.python = folder / "environment" / "bin" / "python"
+        self.command = self.python.with_name("meander")
+        self.work = folder / "work"
+        self.work.mkdir()
+        # Only what a process needs: neither a PYTHONPATH nor a variable of ours may help.
+        self.environment = {"PATH": os.environ["PATH"], "HOME": str(folder), "LANG": "C.UTF-8"}
+
+    def run(self, *command: object) -> subprocess.CompletedProcess:
+        return subprocess.run(
+            [str(word) for word in command], cwd=self.work, env=self.environment,
+            capture_output=True, text=True, timeout=120,
+        )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def installed(
+    wheel: Path, bpy_python: Path, tmp_path_factory: pytest.TempPathFactory
+) -> Environment:
+    folder = tmp_path_factory.mktemp("installed")
+    environment = Environment(folder)
+    # The system's Python has numpy, so nothing is fetched; a pip of its own would take 10 s.
+    options = ["--system-site-packages", "--without-pip"]
+    place = folder / "environment"
+    made = environment.run("/usr/bin/python3", "-m", "venv", *options, place)
+    assert made.returncode == 0, made.stdout + made.stderr
+    done = environment.run(
+        bpy_python, "-m", "pip", "--python", environment.python, "install", "--no-index", wheel
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return environment
+
+
+@pytest.fixture
+def ball(installed: Environment) -> Path:
+    """A closed mesh with coordinates that no format rounds."""
+    corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    faces = [(1, 3, 5), (3, 2, 5), (2, 4, 5), (4, 1, 5), (3, 1, 6), (2, 3, 6), (4, 2, 6), (1, 4, 6)]
+    path = installed.work / "ball.obj"
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a} {b} {c}" for a, b, c in faces]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+# ------------------------------------------------------------------------------------------------
+# The file
+
+
+def test_it_is_a_wheel_of_one_platform_for_every_python(wheel: Path) -> None:
+    name, version, python, abi, _platform = wheel.stem.split("-")
+    with zipfile.ZipFile(wheel) as archive:
+        assert archive.testzip() is None
+        about = Parser().parsestr(archive.read(f"meander-{version}.dist-info/METADATA").decode())
+        tags = Parser().parsestr(archive.read(f"meander-{version}.dist-info/WHEEL").decode())
+        names = archive.namelist()
+        record = archive.read(f"meander-{version}.dist-info/RECORD").decode()
+        noted = {path: (digest, size) for path, digest, size in csv.reader(io.StringIO(record))}
+        assert noted.keys() == set(names)
+        for path, (digest, size) in noted.items():
+            if digest:
+                data = archive.read(path)
+                wanted = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=")
+                assert (digest, size) == (f"sha256={wanted.decode()}", str(len(data))), path
+    assert (name, python, abi) == ("meander", "py3", "none")
+    assert tags["Tag"] == wheel.stem.removeprefix(f"meander-{version}-")
+    assert tags["Root-Is-Purelib"] == "false"
+    assert (about["Name"], about["Version"]) == ("meander", version)
+    required = [text for text in about.get_all("Requires-Dist") if "extra" not in text]
+    assert required == ["numpy>=1.23"]
+    assert len([path for path in names if path.startswith("meander/native/")]) == 1
+    assert {"meander/py.typed", "meander/core.py", "meander/binding/abi.py"} <= set(names)
+    for text in ("LICENSE", "THIRD_PARTY_NOTICES.md"):
+        assert f"meander-{version}.dist-info/licenses/{text}" in names
+
+
+def test_its_modules_are_those_of_the_addon(wheel: Path) -> None:
+    own = {path.name for path in (ROOT / "python/meander").iterdir() if path.is_file()}
+    with zipfile.ZipFile(wheel) as archive:
+        for name in archive.namelist():
+            inside = name.removeprefix("meander/")
+            if name.startswith("meander/") and not inside.startswith("native/"):
+                source = ROOT / ("python" if inside in own else "addon") / name
+                assert archive.read(name) == source.read_bytes()
+                assert inside.split("/")[0] not in ("scene", "run", "ui", "headless", "batch.py")
+
+
+def test_the_same_contents_give_the_same_bytes(wheel: Path, tmp_path: Path) -> None:
+    checkout = tmp_path / "elsewhere"
+    for name in ("addon/meander", "python", "scripts"):
+        shutil.copytree(ROOT / name, checkout / name)
+    for name in ("pyproject.toml", "LICENSE", "THIRD_PARTY_NOTICES.md", "docs/python.md"):
+        (checkout / name).parent.mkdir(exist_ok=True)
+        shutil.copy(ROOT / name, checkout / name)
+    (checkout / "addon/meander/model/__pycache__").mkdir(exist_ok=True)
+    (checkout / "addon/meander/model/__pycache__/left.pyc").write_bytes(b"behind")
+    subprocess.run(
+        [sys.executable, checkout / "scripts/build_wheel.py", "--folder", tmp_path],
+        check=True, timeout=60,
+    )  # fmt: skip
+    assert (tmp_path / wheel.name).read_bytes() == wheel.read_bytes()
+
+
+def test_a_library_and_a_platform_can_be_named(wheel: Path, tmp_path: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        names = archive.namelist()
+        inside = next(name for name in names if name.startswith("meander/native/"))
+        library = Path(archive.extract(inside, tmp_path / "taken"))
+    command = [sys.executable, SCRIPT, "--folder", tmp_path, "--library", library]
+    alone = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert alone.returncode == 2 and "--platform" in alone.stderr
+    subprocess.run([*command, "--platform", "manylinux_2_28_x86_64"], check=True, timeout=60)
+    (made,) = tmp_path.glob("*.whl")
+    assert made.name.endswith("-py3-none-manylinux_2_28_x86_64.whl")
+    with zipfile.ZipFile(made) as archive:
+        assert archive.read(inside) == library.read_bytes()
+
+
+def test_pip_makes_the_same_from_a_checkout(
+    installed: Environment, wheel: Path, bpy_python: Path, tmp_path: Path
+) -> None:
+    done = installed.run(
+        bpy_python, "-m", "pip", "wheel", "--no-index", "--no-deps", "--wheel-dir", tmp_path, ROOT
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (tmp_path / wheel.name).read_bytes() == wheel.read_bytes()
+
+
+# ------------------------------------------------------------------------------------------------
+# The package
+
+
+def test_the_page_about_it_is_right(installed: Environment) -> None:
+    """The examples of docs/python.md, by doctest."""
+    (installed.work / "build/example").mkdir(parents=True)
+    shutil.copy(PAGE, installed.work / "page.md")
+    examples = len(doctest.DocTestParser().get_examples(PAGE.read_text(encoding="utf-8")))
+    assert examples > 15
+    done = installed.run(installed.python, "-m", "doctest", "-v", "page.md")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert f"{examples} passed and 0 failed" in done.stdout
+    written = {path.name for path in (installed.work / "build/example").iterdir()}
+    assert written == {"octahedron.obj", "octahedron.csv", "octahedron.svg"}
+
+
+def test_it_needs_nothing_but_numpy(installed: Environment) -> None:
+    script = (
+        "import sys, numpy\n"
+        "before = set(sys.modules)\n"
+        "import meander, meander.__main__\n"
+        "tops = {name.partition('.')[0] for name in set(sys.modules) - before}\n"
+        "print(*tops - sys.stdlib_module_names)\n"
+        "print(meander.library_path())\n"
+    )
+    done = installed.run(installed.python, "-c", script)
+    assert done.returncode == 0, done.stderr
+    tops, library = done.stdout.splitlines()
+    assert set(tops.split()) <= {"meander", "numpy"}
+    assert Path(library).is_relative_to(installed.python.parents[1])
+
+
+def test_every_name_is_there_and_says_what_it_is(installed: Environment) -> None:
+    script = (
+        "import meander\n"
+        "names = meander.__all__\n"
+        "assert len(names) == len(set(names)) and names == sorted(names, key=lambda name:\n"
+        "    (not name.isupper(), name.islower() or name[0] == '_', name))\n"
+        "for name in names:\n"
+        "    item = getattr(meander, name)\n"
+        "    if callable(item):\n"
+        "        assert item.__doc__, name\n"
+        "        assert item.__module__.startswith('meander'), name\n"
+        "from pathlib import Path\n"
+        "assert (Path(meander.__file__).parent / 'py.typed').is_file()\n"
+    )
+    done = installed.run(installed.python, "-c", script)
+    assert done.returncode == 0, done.stderr
+
+
+def test_what_cannot_be_written_is_one_sentence(installed: Environment) -> None:
+    script = (
+        "import meander\n"
+        "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n"
+        "options = meander.default_options('even')\n"
+        "options.radius = 0.1\n"
+        "with meander.Surface(vertices, [[0, 1, 2]]) as surface:\n"
+        "    flow = meander.Flow(surface, options)\n"
+        "flow.run()\n"
+        "for name, given in (\n"
+        "    ('a.step', {}), ('a.obj', {'step': 0.1}), ('a.csv', {'step': 0.1, 'tolerance': 1}),\n"
+        "    ('a.csv', {'step': 0}), ('a.csv', {'layout': 'top'}), ('a.svg', {'feed': 1}),\n"
+        "    ('a.svg', {'layout': 'uv'}), ('a.svg', {'visible_only': True}),\n"
+        "    ('a.svg', {'colour': 1}), ('a.svg', {'scale': -1}), ('a.svg', {'scale': 'big'}),\n"
+        "    ('nowhere/a.obj', {}),\n"
+        "):\n"
+        "    try:\n"
+        "        meander.write_curve(name, flow, **given)\n"
+        "        print('written', name, given)\n"
+        "    except meander.FileError as refusal:\n"
+        "        assert '\\n' not in str(refusal) and len(str(refusal).split()) > 3, refusal\n"
+        "try:\n"
+        "    meander.write_cut('a.stl', meander.cut_surface(flow), 0.2)\n"
+        "except meander.FileError as refusal:\n"
+        "    print(refusal)\n"
+        "meander.write_cut('cut.ply', meander.cut_surface(flow), 0.2)\n"
+        "print(len(meander.read_mesh('cut.ply')[1]) > 20)\n"
+    )
+    done = installed.run(installed.python, "-c", script)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines() == [
+        "a.stl is no .obj or .ply file; choose another suffix", "True"
+    ]
+    assert not list(installed.work.glob("a.*")) and not list(installed.work.glob(".*.tmp*"))
+
+
+# ------------------------------------------------------------------------------------------------
+# The command
+
+
+def test_it_gives_the_bytes_of_the_batch_command(
+    installed: Environment, ball: Path, bpy_python: Path
+) -> None:
+    given = ["--input", ball, "--spacing", "0.2", "--direction", "z", "--iterations", "80"]
+    for name, command, suffixes in (
+        ("module", [installed.python, "-m", "meander"], [".obj"]),
+        ("wheel", [installed.command], [".json", ".svg", ".obj"]),
+        ("batch", [bpy_python, ROOT / "addon/meander/batch.py", "--"], [".json", ".svg", ".obj"]),
+    ):
+        for suffix in suffixes:
+            output = installed.work / name / f"curve{suffix}"
+            output.parent.mkdir(exist_ok=True)
+            report = output.with_name("report.json")
+            done = installed.run(*command, *given, "--output", output, "--report", report)
+            assert done.returncode == 0, done.stderr
+            if name == "batch":
+                assert "wrote" in done.stdout and not done.stderr
+            else:
+                assert "wrote" in done.stderr and not done.stdout
+    reports = {}
+    for name in ("wheel", "module", "batch"):
+        reports[name] = json.loads((installed.work / name / "report.json").read_text())
+        reports[name]["options"].pop("output")
+        reports[name].pop("seconds")
+        for record in reports[name]["history"]:
+            record.pop("seconds")
+    assert reports["wheel"] == reports["module"] == reports["batch"]
+    for name, suffixes in (("module", [".obj"]), ("wheel", [".json", ".svg", ".obj"])):
+        for suffix in suffixes:
+            written = (installed.work / name / f"curve{suffix}").read_bytes()
+            assert written == (installed.work / "batch" / f"curve{suffix}").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("extra", "words"),
+    [
+        (("--spacing", "-1"), "--spacing"),
+        (("--spacing", "0.2", "--object", "Ball"), "--object needs Blender"),
+        (("--spacing", "0.2", "--input", "scene.blend"), "scene.blend"),
+        (("--spacing", "0.2", "--layout", "uv", "--output", "a.svg"), "UV map"),
+        ((), "--spacing"),
+    ],
+)
+def test_bad_input_is_one_sentence(
+    installed: Environment, ball: Path, extra: tuple, words: str
+) -> None:
+    (installed.work / "scene.blend").write_bytes(b"BLENDER")
+    kept = installed.work / "kept.obj"
+    kept.write_text("earlier")
+    done = installed.run(installed.command, "--input", ball, "--output", kept, *extra)
+    assert (done.returncode, done.stdout) == (2, "")
+    (sentence,) = done.stderr.splitlines()
+    assert sentence.startswith("meander: ") and words in sentence
+    assert kept.read_text() == "earlier" and not (installed.work / "a.svg").exists()
+
+
+def test_its_help_names_what_needs_blender(installed: Environment) -> None:
+    done = installed.run(installed.command, "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    text = " ".join(done.stdout.split())
+    assert text.startswith("usage: meander ")
+    assert "need Blender: --object, " in text
+
+
+def test_an_interruption_leaves_nothing(installed: Environment, ball: Path) -> None:
+    output = installed.work / "interrupted.obj"
+    running = subprocess.Popen(
+        [installed.command, "--input", ball, "--spacing", "0.02", "--output", output],
+        cwd=installed.work, env=installed.environment, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    assert "%" in running.stderr.readline()  # it is under way
+    running.send_signal(signal.SIGINT)
+    _out, err = running.communicate(timeout=60)
+    assert running.returncode == 130
+    assert err.splitlines()[-1] == "meander: interrupted"
+    assert not output.exists()
