@@ -11,7 +11,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-build_packages=(cmake ninja-build g++ python3
+build_packages=(cmake ninja-build g++ pkgconf python3
   libeigen3-dev libnanoflann-dev libopenmesh-dev libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
 blender_packages=(blender python3-numpy python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
