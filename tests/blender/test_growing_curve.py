@@ -4,8 +4,9 @@
 import bpy
 import numpy as np
 import pytest
+from mathutils import Vector
 from meander import core
-from meander.run.growing_curve import GrowingCurve, segments_of
+from meander.run.growing_curve import GrowingCurve, _nearer, segments_of
 from scenes import sphere
 
 
@@ -40,13 +41,30 @@ def test_segments_join_the_points_of_each_strand(counts, closed):
     assert found.tolist() == [list(segment) for segment in expected]
 
 
-def test_what_is_shown_lies_above_the_surface_and_goes_away():
+def test_what_is_shown_lies_where_the_curve_is_and_goes_away():
     surface = sphere()
     curve = GrowingCurve(lambda: surface, lambda: bpy.context.scene, np.eye(4))
     lines = polylines([6, 4], [True, False])
     curve.show(lines, 0.25)
     assert curve.point_count == 10
-    assert np.allclose(curve._positions, lines.positions + 0.25 * lines.normals, atol=1e-6)
+    assert np.allclose(curve._positions, lines.positions, atol=1e-6)
     assert curve._positions.dtype == np.float32
     curve.remove()
     curve.remove()  # harmless
+
+
+@pytest.mark.parametrize("perspective", [True, False])
+def test_it_is_drawn_nearer_to_the_viewer_and_in_its_place(perspective):
+    place = Vector((2.0, -1.0, -8.0))  # in a view: to the right, below, eight away
+    moved = _nearer(0.25, 8.0, perspective) @ place
+    assert np.isclose(moved.z, -7.75)
+    if perspective:
+        assert np.allclose(np.array(moved.xy) / moved.z, np.array(place.xy) / place.z)
+    else:
+        assert np.allclose(moved.xy, place.xy)
+
+
+def test_who_stands_beside_it_sees_it_where_it_is():
+    for depth in (0.01, 0.0, -3.0):  # all but at the eye, and behind it
+        moved = _nearer(0.25, depth, True) @ Vector((1.0, 1.0, -4.0))
+        assert -4.0 <= moved.z < -3.59

@@ -83,6 +83,8 @@ def story() -> Iterator[float]:
     sides = sides_of(made)
     assert 0.3 < sides.mean() < 0.7
     assert changed_share("make_panel", "make_two_tone") > 0.05
+    box = next(r for r in window_override()["area"].regions if r.type == "HUD")
+    assert box.width > 100, "Adjust Last Operation is not shown"
 
     step("undo takes it back, and redo brings it again")
     yield from undo()

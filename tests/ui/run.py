@@ -56,6 +56,8 @@ from stage import (  # noqa: E402
 def window_opens() -> Iterator[float]:
     yield 1.0
     build_scene()
+    # Inside out, as many meshes are: what grows has to be seen all the same.
+    bpy.data.objects[SURFACE].data.flip_normals()
     yield 0.5
     look_at_surface()
     yield from show_panel()

@@ -12,7 +12,7 @@ from collections.abc import Callable
 import bpy
 import gpu
 import numpy as np
-from mathutils import Matrix
+from mathutils import Matrix, Vector
 
 from .. import core
 
@@ -27,6 +27,17 @@ def segments_of(polylines: core.Polylines) -> np.ndarray:
     ends[lasts] = offsets[:-1]
     segments = np.stack([begins, ends], axis=1)
     return segments if closed.all() else np.delete(segments, lasts[~closed], axis=0)
+
+
+def _nearer(lift: float, depth: float, perspective: bool) -> Matrix:
+    """In the space of a view: moves what lies at a depth towards the viewer, by `lift`.
+
+    It stays in its place on screen, as all that comes nearer in proportion does in a perspective.
+    """
+    if not perspective:
+        return Matrix.Translation((0.0, 0.0, lift))
+    share = min(lift / depth, 0.1) if depth > 0.0 else 0.0
+    return Matrix.Scale(1.0 - share, 4)
 
 
 class GrowingCurve:
@@ -53,18 +64,23 @@ class GrowingCurve:
         self._inverse = Matrix(np.linalg.inv(matrix).tolist())
         self._positions = np.empty((0, 3), dtype=np.float32)
         self._segments = np.empty((0, 2), dtype=np.int32)
+        self._lift, self._middle = 0.0, Vector()
         self._batch: gpu.types.GPUBatch | None = None  # made in a view, where there is a context
         self._handler = bpy.types.SpaceView3D.draw_handler_add(
             self._draw, (), "WINDOW", "POST_VIEW"
         )
 
     def show(self, polylines: core.Polylines, lift: float) -> None:
-        """Takes the curve to draw from now on, `lift` above the surface, in world units.
+        """Takes the curve to draw from now on, `lift` nearer to the viewer, in world units.
 
-        A line that lies in the surface flickers; seen a little above it, it is clear. The views
-        have to be redrawn by the caller.
+        A line that lies in the surface flickers; a little in front of it, it is clear. It is not
+        lifted along the normals: they point inwards where a mesh is inside out, and away from who
+        looks at the back of a sheet. The views have to be redrawn by the caller.
         """
-        self._positions = (polylines.positions + lift * polylines.normals).astype(np.float32)
+        self._positions = polylines.positions.astype(np.float32)
+        self._lift = lift
+        if len(self._positions):
+            self._middle = Vector(self._positions.mean(axis=0).tolist())
         self._segments = segments_of(polylines)
         self._batch = None
 
@@ -98,6 +114,10 @@ class GrowingCurve:
         gpu.state.line_width_set(self._width)
         with gpu.matrix.push_pop():
             gpu.matrix.multiply_matrix(surface.matrix_world @ self._inverse)
+            seen = gpu.matrix.get_model_view_matrix()
+            depth = -(seen @ self._middle).z
+            perspective = gpu.matrix.get_projection_matrix()[3][3] == 0.0
+            gpu.matrix.load_matrix(_nearer(self._lift, depth, perspective) @ seen)
             shader.bind()
             shader.uniform_float("color", (*color[:3], 1.0))
             self._batch.draw(shader)

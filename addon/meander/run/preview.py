@@ -15,8 +15,9 @@ from ..scene.identity import Key
 from .growing_curve import GrowingCurve
 from .plan import Plan
 
-# How far above the surface the preview is drawn, in spacings.
-PREVIEW_LIFT = 0.05
+# How far in front of the surface the preview is drawn, in spacings: on slopes too, where a pixel of
+# the line lies beside the line.
+PREVIEW_LIFT = 0.15
 
 
 class Preview:

@@ -24,8 +24,8 @@ from .meaning import Meaning, meaning_of
 from .plan import Plan, plan_of
 from .window import redraw
 
-# How far above the surface it is drawn, in spacings, and how wide, in pixels.
-_LIFT, _WIDTH = 0.03, 3.0
+# How far in front of the surface it is drawn, in spacings, and how wide, in pixels.
+_LIFT, _WIDTH = 0.15, 3.0
 _STRANDS, _GUIDES, _PROBLEM = (1.0, 0.5, 0.05), (0.1, 0.75, 0.95), (1.0, 0.1, 0.1)
 # The size of a mark where a seed is refused, in spacings.
 _MARK = 0.5

@@ -8,20 +8,24 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from .. import core
 from ..model.cut import one_side
+from ..run import session
 from ..run.cutting import CutResult, cut_result, paint_sides
 from ..scene import assets
 from ..scene.cut_object import sharpen_line
 from ..scene.errors import DataError
 from ..scene.fillable import is_result
+from ..scene.identity import Key
 from ..scene.look_modifier import set_value
 from ..scene.transforms import mean_scale
-from .on_result import OnResult
+from .on_result import NO_RESULT, OnResult
 from .run_operators import sentence_of
 from .sidebar import ORDER, SubPanel, columns
 
 _DETAIL = "Length of the edges between the lines, in half spacings; 0 adds none"
 # What has a finer mesh than this takes Blender long to draw.
 _FINEST = 0.1
+# What was made last: the box Adjust Last Operation belongs to it as long as it is active.
+_last_made: Key | None = None
 
 
 class _Cut(OnResult):
@@ -32,8 +36,15 @@ class _Cut(OnResult):
     middle_lines = False
     sides = False
 
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _can_adjust(cls, context) or super().poll(context)
+
     def execute(self, context: bpy.types.Context) -> set[str]:
         result = context.active_object
+        if not is_result(result):  # started anew while what it made last is active
+            self.report({"ERROR"}, NO_RESULT)
+            return {"CANCELLED"}
         detail = max(self.detail, _FINEST) if self.detail > 0.0 else 0.0
         try:
             cut = cut_result(
@@ -62,6 +73,24 @@ class _Cut(OnResult):
         return ""
 
 
+def _can_adjust(cls: type[_Cut], context: bpy.types.Context) -> bool:
+    """Whether the operator has just been run, and what it has made is still active.
+
+    Blender shows the box Adjust Last Operation, and takes the operator back to run it with other
+    settings, only while its poll agrees: before the result is active again.
+    """
+    operators = context.window_manager.operators
+    made = _last_made.find() if _last_made is not None else None
+    return (
+        len(operators) > 0
+        and operators[-1].bl_idname == cls.__name__
+        and made is not None
+        and context.active_object == made
+        and context.mode == "OBJECT"
+        and session.current() is None
+    )
+
+
 def _show(
     context: bpy.types.Context,
     made: list[bpy.types.Object],
@@ -78,6 +107,8 @@ def _show(
     for thing in made:
         thing.select_set(True)
     context.view_layer.objects.active = made[0]
+    global _last_made
+    _last_made = Key(made[0])
 
 
 def _hide() -> object:

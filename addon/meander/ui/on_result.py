@@ -7,6 +7,8 @@ import bpy
 
 from ..run import session
 
+NO_RESULT = "Choose a curve that Meander has made"
+
 
 class OnResult:
     """An operator that works on the active curve, which Meander has made."""
@@ -17,7 +19,7 @@ class OnResult:
         if session.current() is not None:
             cls.poll_message_set("A curve is growing")
         elif active is None or active.type != "CURVE" or active.meander.surface is None:
-            cls.poll_message_set("Choose a curve that Meander has made")
+            cls.poll_message_set(NO_RESULT)
         elif context.mode != "OBJECT":
             cls.poll_message_set("Works in Object Mode")
         else:
