@@ -57,6 +57,10 @@ def defaults(option: Option) -> list[str]:
     return [shown(option, value) for value in found]
 
 
+def name_in_panel(option: Option) -> str:
+    return option.row or option.label
+
+
 def span(option: Option) -> str:
     if option.choices:
         return ", ".join(name for name, _label, _tip in option.choices)
@@ -82,7 +86,7 @@ def line(option: Option) -> str:
         )
     )
     cells = (
-        f"*{option.label}*",
+        f"*{name_in_panel(option)}*",
         option.panel,
         f"`{option.setting}`",
         flag_text,
@@ -117,7 +121,8 @@ def artists_table() -> str:
             what = option.tip
             if option.choices:
                 what += ". " + "; ".join(f"*{label}*: {tip}" for _, label, tip in option.choices)
-            cells = (f"*{option.label}*", what, sentence(option.low), sentence(option.high))
+            name = f"*{name_in_panel(option)}*"
+            cells = (name, what, sentence(option.low), sentence(option.high))
             lines.append("| " + " | ".join(cells) + " |")
         lines.append("")
     return "\n".join(lines).strip()

@@ -170,5 +170,9 @@ def test_every_page_exists_and_every_setting_has_one():
     for name in bpy.types.Object.bl_rna.properties["meander"].fixed_type.properties.keys():
         assert page_of(f"bpy.types.meandersettings.{name}")
     assert page_of("bpy.types.meandersettings.mask_group") == pages.address_of("surfaces")
+    assert page_of("bpy.types.meandersettings.bevel_share") == pages.address_of("look")
+    assert page_of("bpy.types.meandersettings.live") == pages.address_of("live")
+    assert page_of("bpy.types.meandersettings.spacing") == pages.address_of("settings")
+    assert page_of("bpy.ops.meander.two_tone") == pages.address_of("making")
     assert page_of("bpy.ops.meander.bake_motion") == pages.address_of("motion")
     assert page_of("bpy.ops.meander.run") == pages.address_of("index")

@@ -18,13 +18,17 @@ _OF_THE_SOURCES = _HOME.parents[1] / "docs"
 
 PAGES = (
     ("index", "Start", "The first curve"),
+    ("settings", "Settings", "Every setting, from low to high"),
+    ("look", "Look", "Thickness, profile and colours"),
+    ("live", "Live", "A curve that follows its settings"),
+    ("making", "Make", "Two colours, reliefs and ribbons"),
     ("density", "Density", "Where strands are closer"),
     ("strands", "Strands", "Seeds, strokes and guides"),
     ("terms", "Direction and Shape", "What strands run along, and how they bend"),
     ("surfaces", "Surfaces", "Parts of a mesh, borders and faults"),
     ("motion", "Motion", "Surfaces that move"),
     ("export", "Export", "Files for machines and drawings"),
-    ("options", "Options", "Every setting"),
+    ("options", "Options", "Every setting and flag, with its range and default"),
     ("messages", "Messages", "What messages mean"),
 )
 # What a setting or an operator begins with, and its page: Blender takes the first that fits, and
@@ -51,7 +55,12 @@ _OF_SETTINGS = (
     ("follow", "motion"),
     ("*light*", "export"),
     ("points_as", "export"),
-    ("*", "options"),
+    ("live", "live"),
+    ("use_bevel", "look"),
+    ("bevel_*", "look"),
+    ("profile", "look"),
+    ("radius_follows", "look"),
+    ("*", "settings"),
 )
 _OF_OPERATORS = (
     ("*seed*", "strands"),
@@ -60,6 +69,12 @@ _OF_OPERATORS = (
     ("*export*", "export"),
     ("points_to_*", "export"),
     ("make_light", "export"),
+    ("two_tone", "making"),
+    ("relief", "making"),
+    ("ribbon", "making"),
+    ("cut_along_curve", "making"),
+    ("add_look", "look"),
+    ("live", "live"),
     ("*", "index"),
 )
 
