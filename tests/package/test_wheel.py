@@ -198,6 +198,7 @@ def test_it_needs_nothing_but_numpy(installed: Environment) -> None:
 
 def test_every_name_is_there_and_says_what_it_is(installed: Environment) -> None:
     script = (
+        "import inspect, typing\n"
         "import meander\n"
         "names = meander.__all__\n"
         "assert len(names) == len(set(names)) and names == sorted(names, key=lambda name:\n"
@@ -207,6 +208,9 @@ def test_every_name_is_there_and_says_what_it_is(installed: Environment) -> None
         "    if callable(item):\n"
         "        assert item.__doc__, name\n"
         "        assert item.__module__.startswith('meander'), name\n"
+        "    if inspect.isfunction(item):\n"
+        "        hints = typing.get_type_hints(item)\n"
+        "        assert hints.keys() == {*inspect.signature(item).parameters, 'return'}, name\n"
         "from pathlib import Path\n"
         "assert (Path(meander.__file__).parent / 'py.typed').is_file()\n"
     )
@@ -311,6 +315,8 @@ def test_bad_input_is_one_sentence(
 
 
 def test_its_help_names_what_needs_blender(installed: Environment) -> None:
+    told = installed.run(installed.command, "--version")
+    assert (told.returncode, told.stderr) == (0, "") and told.stdout.startswith("Meander ")
     done = installed.run(installed.command, "--help")
     assert (done.returncode, done.stderr) == (0, "")
     text = " ".join(done.stdout.split())

@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+from .. import core
 from ..model.export import SUFFIXES as EXPORTED
 from ..model.surface_files import SUFFIXES as MESHES
 from ..model.toolpath import SUFFIXES
@@ -54,6 +55,7 @@ def parser(place: Place) -> argparse.ArgumentParser:
     )
     flags.add_flags(parser)
     add("--quiet", action="store_true", help="print nothing but errors")
+    add("--version", action="version", version=f"Meander {core.VERSION}")
     density.add_options(parser)
     terms.add_options(parser)
     strands.add_options(parser)
