@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import random
 import struct
 import time
 from collections.abc import Sequence
@@ -223,6 +224,41 @@ def test_a_file_of_another_kind(tmp_path: Path) -> None:
 @pytest.mark.parametrize("suffix", surface_files.SUFFIXES)
 def test_a_file_that_is_not_there(tmp_path: Path, suffix: str) -> None:
     complaint(tmp_path / f"nothing{suffix}")
+
+
+def corrupted(data: bytes, rng: random.Random) -> bytes:
+    """The same with a few bytes changed, taken out, put in, or there twice."""
+    changed = bytearray(data)
+    for _ in range(rng.randint(1, 4)):
+        at, other = rng.randrange(len(changed) + 1), rng.randrange(len(changed) + 1)
+        length = rng.randint(0, 6)
+        changed[at : at + length] = rng.choice(
+            (bytes([rng.randrange(256)]), b"", b"4000000000", b"-1", b"nan", b"1e999", b"list",
+             changed[other : other + 20])
+        )  # fmt: skip
+    return bytes(changed)
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".stl"])
+def test_whatever_is_in_a_file_it_is_a_mesh_or_a_sentence(tmp_path: Path, suffix: str) -> None:
+    rng = random.Random(7)
+    path = tmp_path / f"mesh{suffix}"
+    wholes = [stl(PLACES), stl_text(PLACES)]
+    if suffix == ".ply":
+        wholes = [make(form) for make in (crowded, lambda form: plain(form, TRIANGLES))
+                  for form in ORDERS]  # fmt: skip
+    refused = 0
+    for number in range(600):
+        path.write_bytes(corrupted(wholes[number % len(wholes)], rng))
+        try:
+            vertices, faces = surface_files.read_mesh(path)
+        except whole_files.FileError as refusal:
+            refused += 1
+            assert "\n" not in str(refusal)
+        else:
+            assert vertices.shape == (len(vertices), 3) and vertices.dtype == np.float64
+            assert faces.shape == (len(faces), 3) and faces.dtype == np.uint32
+    assert 60 < refused < 600
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".stl"])
