@@ -30,12 +30,13 @@ def is_there() -> bool:
 def missing_text(folder: str | None) -> str:
     """What to do about a package that is not there, as a sentence.
 
-    folder   of modules that Blender finds; None: not known
+    folder   of modules that a Blender finds that is running; None: the command has to run again
     """
     target = f'--target "{folder}" ' if folder else ""
+    again = "start Blender again" if folder else "try again"
     return (
         f"Embroidery files need the Python package {PACKAGE}, which is not there; install it with "
-        f"python3 -m pip install {target}{PACKAGE}, and start Blender again"
+        f"python3 -m pip install {target}{PACKAGE}, and {again}"
     )
 
 
