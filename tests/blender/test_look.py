@@ -125,8 +125,12 @@ def test_no_run_touches_the_look():
     mine = bpy.data.materials.new("Mine")
     choose(result, Radius=0.4, Profile=2, Resolution=5, Lift=0.5, Material=mine)
     modifier = look_modifier.modifier_of(result)
-    radius = look_modifier.path_of(modifier, "Radius").strip('[]"')
-    assert modifier.id_properties_ui(radius).as_dict()["subtype"] == "FACTOR"  # a slider
+    owner, path = look_modifier.place_of(modifier, "Radius")
+    if path.startswith("["):
+        subtype = owner.id_properties_ui(path.strip('[]"')).as_dict()["subtype"]
+    else:
+        subtype = owner.bl_rna.properties[path].subtype
+    assert subtype == "FACTOR"  # a slider
     chosen, modifiers = values_of(result), result.modifiers.keys()
     surface.meander.bevel_share, surface.meander.use_bevel = 0.05, False
     for thing, options in ((surface, {}), (result, {}), (result, {"restart": True})):

@@ -15,6 +15,7 @@ from bpy.app.handlers import persistent
 from mathutils import Vector
 
 from ..model.last_run import GAP_THAT_MATTERS
+from ..scene.blender_versions import flat_shader
 from ..scene.identity import Key
 from ..scene.settings import surface_of
 from ..scene.transforms import to_world, world_matrix
@@ -87,9 +88,7 @@ class _Marks:
         right, up = (np.array(rotation @ axis) for axis in _AXES)
         most = _LARGEST_RING * result.meander.spacing
         corners = rings(centres, np.minimum(radii, most), right, up).astype(np.float32)
-        shader = gpu.shader.from_builtin(
-            "UNIFORM_COLOR" if bpy.app.version >= (4, 0) else "3D_UNIFORM_COLOR"
-        )
+        shader = gpu.shader.from_builtin(flat_shader())
         points = gpu.types.GPUVertBuf(shader.format_calc(), len(corners))
         points.attr_fill("pos", corners)
         batch = gpu.types.GPUBatch(type="LINES", buf=points)

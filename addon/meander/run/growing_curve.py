@@ -15,6 +15,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from .. import core
+from ..scene.blender_versions import flat_shader
 
 
 def segments_of(polylines: core.Polylines) -> np.ndarray:
@@ -103,9 +104,7 @@ class GrowingCurve:
         space = context.space_data
         if space is None or (space.local_view is not None and not surface.local_view_get(space)):
             return
-        shader = gpu.shader.from_builtin(
-            "UNIFORM_COLOR" if bpy.app.version >= (4, 0) else "3D_UNIFORM_COLOR"
-        )
+        shader = gpu.shader.from_builtin(flat_shader())
         if self._batch is None:
             self._batch = self._new_batch(shader)
         color = self._color or context.preferences.themes[0].view_3d.wire

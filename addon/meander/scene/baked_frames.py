@@ -8,6 +8,7 @@ import numpy as np
 
 from .. import core
 from . import point_attributes
+from .blender_versions import fcurves, shape_key_points
 from .curve_writer import write_splines
 from .look import copy_look
 from .profile import set_tilt_and_radius
@@ -78,14 +79,13 @@ class Frames:
         for frame, places in zip(frames, points, strict=True):
             key = shown.shape_key_add(name=f"{frame:04d}", from_mix=False)
             key.interpolation = "KEY_LINEAR"
-            data = key.points if hasattr(key, "points") and len(key.points) else key.data
-            data.foreach_set("co", places.astype(np.float32).ravel())
+            shape_key_points(key).foreach_set("co", places.astype(np.float32).ravel())
         keys = curve.shape_keys
         keys.use_relative = False
         for frame, key in zip(frames, keys.key_blocks, strict=True):
             keys.eval_time = key.frame
             keys.keyframe_insert("eval_time", frame=frame)
-        for fcurve in _fcurves(keys):
+        for fcurve in fcurves(keys):
             for keyframe in fcurve.keyframe_points:
                 keyframe.interpolation = "LINEAR"
         return shown
@@ -111,12 +111,3 @@ def _key_hidden(thing: bpy.types.Object, frame: int, hidden: bool) -> None:
     thing.hide_render = thing.hide_viewport = hidden
     thing.keyframe_insert("hide_render", frame=frame)
     thing.keyframe_insert("hide_viewport", frame=frame)
-
-
-def _fcurves(owner: bpy.types.ID) -> list[bpy.types.FCurve]:
-    """The animation curves of a data block; 5.0 keeps them in layers."""
-    animation = owner.animation_data
-    if hasattr(animation.action, "fcurves"):
-        return list(animation.action.fcurves)
-    strip = animation.action.layers[0].strips[0]
-    return list(strip.channelbag(animation.action_slot).fcurves)

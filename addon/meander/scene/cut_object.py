@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import core
 from ..model.cut import along_shares, ribbon_uv, smooth_normals
+from .blender_versions import keep_custom_normals
 from .curve_writer import place_beside
 from .evaluated import surface_mesh
 from .transforms import mean_scale, to_local
@@ -179,9 +180,7 @@ def sharpen_line(thing: bpy.types.Object) -> None:
     seams = np.empty(len(mesh.edges), dtype=bool)
     mesh.edges.foreach_get("use_seam", seams)
     mesh.edges.foreach_set("use_edge_sharp", seams)
-    if hasattr(mesh, "use_auto_smooth"):  # before Blender 4.1
-        mesh.use_auto_smooth = True
-        mesh.auto_smooth_angle = math.pi
+    keep_custom_normals(mesh, math.pi)
     mesh.update()
 
 
@@ -197,6 +196,5 @@ def keep_shading(thing: bpy.types.Object) -> None:
         return
     normals = np.empty(3 * len(mesh.vertices), dtype=np.float32)
     mesh.attributes["surface_normal"].data.foreach_get("vector", normals)
-    if hasattr(mesh, "use_auto_smooth"):  # before Blender 4.1
-        mesh.use_auto_smooth = True
+    keep_custom_normals(mesh)
     mesh.normals_split_custom_set_from_vertices(normals.reshape(-1, 3).tolist())

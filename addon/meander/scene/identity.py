@@ -12,6 +12,8 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
+from .blender_versions import session_number
+
 _COLLECTIONS = {
     bpy.types.Object: "objects",
     bpy.types.Scene: "scenes",
@@ -27,7 +29,7 @@ def number_of(block: bpy.types.ID) -> int:
 
     Before Blender 4.1 an address, which another block may get when this one has gone.
     """
-    uid = getattr(block, "session_uid", None)
+    uid = session_number(block)
     return block.as_pointer() if uid is None else uid
 
 
@@ -39,7 +41,7 @@ class Key:
             name for kind, name in _COLLECTIONS.items() if isinstance(block, kind)
         )
         self._number = number_of(block)
-        self._by_address = not hasattr(block, "session_uid")
+        self._by_address = session_number(block) is None
         # With the library that a linked block comes from; the newest is the last.
         self._names: list[tuple[str, str | None]] = []
         self._note(block)

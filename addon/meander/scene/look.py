@@ -14,8 +14,7 @@ import bpy
 
 from . import assets, look_material
 from .errors import DataError
-from .look_modifier import GROUP, modifier_of, set_value, value_of
-from .node_structure import group_sockets
+from .look_modifier import GROUP, copy_values, modifier_of, set_value, value_of
 
 LINE = "Meander Line"
 # Of what Blender keeps in single precision.
@@ -114,6 +113,4 @@ def copy_look(source: bpy.types.Object, target: bpy.types.Object) -> None:
     copy = target.modifiers.new(modifier.name, "NODES")
     copy.node_group = modifier.node_group
     copy.show_viewport, copy.show_render = modifier.show_viewport, modifier.show_render
-    for socket in group_sockets(modifier.node_group, "INPUT"):
-        if socket.identifier in modifier.keys():
-            set_value(copy, socket.name, modifier[socket.identifier])
+    copy_values(modifier, copy)

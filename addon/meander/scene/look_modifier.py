@@ -8,7 +8,7 @@ from typing import Any
 import bpy
 
 from . import assets
-from .node_structure import group_sockets
+from .blender_versions import group_sockets, input_place, input_value, set_input_value
 
 GROUP = "Meander Look"
 
@@ -32,35 +32,35 @@ def _is_look(modifier: bpy.types.Modifier) -> bool:
     return modifier.type == "NODES" and assets.is_asset(modifier.node_group, GROUP)
 
 
-def path_of(modifier: bpy.types.NodesModifier, name: str) -> str | None:
-    """Where a modifier keeps an input of its group, as layouts want it; None: the user's group has
-    no such input any more."""
+def place_of(modifier: bpy.types.NodesModifier, name: str) -> tuple[Any, str] | None:
+    """What holds an input of the group, and the property's name there, as layouts want it; None:
+    the user's group has no such input any more."""
     identifier = _identifier(modifier, name)
-    return None if identifier is None else f'["{identifier}"]'
+    return None if identifier is None else input_place(modifier, identifier)
 
 
 def value_of(modifier: bpy.types.NodesModifier, name: str) -> Any:
     """What an input of the group is set to; None where there is no such input."""
     identifier = _identifier(modifier, name)
-    return None if identifier is None else modifier[identifier]
+    return None if identifier is None else input_value(modifier, identifier)
 
 
 def set_value(modifier: bpy.types.NodesModifier, name: str, value: Any) -> None:
     """Sets an input of the group; nothing happens where there is no such input."""
     identifier = _identifier(modifier, name)
-    if identifier is None:
-        return
-    if isinstance(modifier[identifier], float):  # a whole number would make another property of it
-        value = float(value)
-    modifier[identifier] = value
-    if bpy.app.version < (4, 0):
-        # There the property is a new one, and choosing the group brings its limits and slider back.
-        modifier.node_group = modifier.node_group
-    modifier.id_data.update_tag()
+    if identifier is not None:
+        set_input_value(modifier, identifier, value)
+
+
+def copy_values(source: bpy.types.NodesModifier, target: bpy.types.NodesModifier) -> None:
+    """Sets all inputs of a modifier to what another one of the same group has."""
+    for socket in group_sockets(source.node_group, "INPUT"):
+        if input_place(source, socket.identifier) is not None:
+            set_input_value(target, socket.identifier, input_value(source, socket.identifier))
 
 
 def _identifier(modifier: bpy.types.NodesModifier, name: str) -> str | None:
     for socket in group_sockets(modifier.node_group, "INPUT"):
-        if socket.name == name and socket.identifier in modifier.keys():
+        if socket.name == name and input_place(modifier, socket.identifier) is not None:
             return socket.identifier
     return None

@@ -11,6 +11,8 @@ from typing import Any
 
 import bpy
 
+from .blender_versions import group_sockets
+
 # Settings of nodes that change only how they are drawn.
 _DRAWN = frozenset(bpy.types.Node.bl_rna.properties.keys()) - {"mute"}
 _VALUES = ("default_value", "min_value", "max_value", "description", "hide_value")
@@ -38,17 +40,6 @@ def structure_of(tree: bpy.types.NodeTree) -> dict[str, Any]:
 def fingerprint(tree: bpy.types.NodeTree) -> str:
     """A short text that is another one when the tree is, in the same Blender."""
     return hashlib.sha256(repr(structure_of(tree)).encode()).hexdigest()[:16]
-
-
-def group_sockets(tree: bpy.types.NodeTree, direction: str) -> list[Any]:
-    """What a group takes ("INPUT") or gives ("OUTPUT"): its sockets as its users see them."""
-    if hasattr(tree, "interface"):  # Blender 4.0 and later
-        return [
-            item
-            for item in tree.interface.items_tree
-            if item.item_type == "SOCKET" and item.in_out == direction
-        ]
-    return list(tree.inputs if direction == "INPUT" else tree.outputs)
 
 
 def _declared(socket: Any) -> list[Any]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import core
 from ..model import toolpath
+from .blender_versions import make_poly
 from .curve_writer import place_beside
 from .errors import DataError
 from .transforms import mean_scale, to_local
@@ -108,10 +109,7 @@ def _curves(name: str, strands: list[toolpath.Strand], matrix: np.ndarray) -> bp
     curves = bpy.data.hair_curves.new(name)
     curves.add_curves([len(strand.points) for strand in strands])
     curves.position_data.foreach_set("vector", _local(strands, matrix).ravel())
-    if hasattr(curves, "set_types"):
-        curves.set_types(type="POLY")
-    else:
-        _set(curves.attributes.new("curve_type", "INT8", "CURVE"), np.ones(len(strands)))
+    make_poly(curves)
     cyclic = curves.attributes.new("cyclic", "BOOLEAN", "CURVE")
     cyclic.data.foreach_set("value", [strand.closed for strand in strands])
     return curves

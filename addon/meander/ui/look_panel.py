@@ -93,9 +93,9 @@ def _draw_look(
     layout: bpy.types.UILayout, result: bpy.types.Object, modifier: bpy.types.NodesModifier
 ) -> None:
     def row(name: str, text: str = "") -> None:
-        path = look_modifier.path_of(modifier, name)
-        if path is not None:
-            layout.prop(modifier, path, text=text or name)
+        place = look_modifier.place_of(modifier, name)
+        if place is not None:
+            layout.prop(*place, text=text or name)
 
     layout.prop(result.meander, "shown_profile")
     row("Radius")
@@ -112,8 +112,8 @@ def _draw_colour(
 ) -> None:
     """The colours of the material, where it has the ramp of the add-on's."""
     if look_material.is_chosen_in_modifier(result):
-        path = look_modifier.path_of(modifier, "Material")
-        layout.prop_search(modifier, path, bpy.data, "materials", text="Material")
+        place = look_modifier.place_of(modifier, "Material")
+        layout.prop_search(*place, bpy.data, "materials", text="Material")
     else:
         column = layout.column()
         column.use_property_split = False

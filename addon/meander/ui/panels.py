@@ -11,6 +11,7 @@ from bpy.props import FloatProperty
 from ..model import last_run
 from ..model.estimate import described
 from ..run import estimates, gap_marks, session, suspended
+from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
 from ..scene.results import last_result
 from ..scene.settings import surface_of
@@ -114,9 +115,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         self, layout: bpy.types.UILayout, context: bpy.types.Context, running: session.Session
     ) -> None:
         column = layout.column(align=True)
-        if hasattr(column, "progress"):  # Blender 4.0 and later
-            column.progress(factor=running.progress(), text=running.progress_text())
-        else:
+        if not draw_progress(column, running.progress(), running.progress_text()):
             bar = column.column()
             bar.enabled = False
             phase = running.phase_text()

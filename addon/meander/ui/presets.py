@@ -15,6 +15,7 @@ from bl_operators.presets import AddPresetBase
 from bl_ui.utils import PresetPanel
 from bpy.props import StringProperty
 
+from ..scene.blender_versions import add_preset_path, remove_preset_path
 from ..scene.fillable import why_not
 from ..scene.settings import surface_of
 
@@ -130,8 +131,7 @@ _CLASSES = (MEANDER_OT_use_preset, MEANDER_OT_add_preset, MEANDER_PT_presets)
 
 def register() -> None:
     # Blender 4.3 and later then know them as an extension's; before, folders() does.
-    if hasattr(bpy.utils, "register_preset_path"):
-        bpy.utils.register_preset_path(str(_HOME))
+    add_preset_path(_HOME)
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
 
@@ -139,5 +139,4 @@ def register() -> None:
 def unregister() -> None:
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)
-    if hasattr(bpy.utils, "unregister_preset_path"):
-        bpy.utils.unregister_preset_path(str(_HOME))
+    remove_preset_path(_HOME)

@@ -21,6 +21,7 @@ from ..run.edit_mode import push_undo
 from ..run.plan import Plan, plan_run
 from ..run.queue import Queue
 from ..run.suspended import SuspendedRun
+from ..scene.blender_versions import ask
 from ..scene.errors import DataError
 from ..scene.fillable import why_not
 from ..scene.settings import surface_of
@@ -280,8 +281,7 @@ class MEANDER_OT_ask_run(bpy.types.Operator):
     figures: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
-        words = {} if bpy.app.version < (4, 1) else {"confirm_text": "Fill"}
-        return context.window_manager.invoke_props_dialog(self, width=340, **words)
+        return ask(context.window_manager, self, 340, "Fill")
 
     def draw(self, _context: bpy.types.Context) -> None:
         column = self.layout.column()

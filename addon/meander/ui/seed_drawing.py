@@ -15,6 +15,7 @@ from bpy.app.handlers import persistent
 
 from .. import core
 from ..run import seed_preview, session
+from ..scene.blender_versions import settings_of
 from ..scene.curve_writer import new_curve_object
 from ..scene.errors import DataError
 from ..scene.fillable import why_not
@@ -69,7 +70,7 @@ def _borrow(context: bpy.types.Context, curve: bpy.types.Object, surface: bpy.ty
     """Sets up the draw tool. Edit Mode of the curve is on."""
     global _drawing
     paint = context.tool_settings.curve_paint_settings
-    before = {name: getattr(paint, name) for name in _PAINT if hasattr(paint, name)}
+    before = settings_of(paint, _PAINT)
     for name in before:
         setattr(paint, name, _PAINT[name])
     earlier = surface.meander.seed
