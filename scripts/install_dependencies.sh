@@ -63,18 +63,33 @@ if [ ${#missing[@]} -gt 0 ]; then
   rm -f "$log"
 fi
 
-# venv FOLDER PACKAGE... - a virtual environment with these packages
+# python_of BPY_VERSION - the interpreter that this bpy is built for
+#
+# Debian's Python by its full path, as another may come first on the PATH: 3.11, for bpy 4.2 to 5.0.
+# Later ones need 3.13, which Debian 12 does not have: one that is installed beside it is taken.
+python_of() {
+  case "$1" in
+    4.* | 5.0*) echo /usr/bin/python3 ;;
+    *)
+      if ! command -v "${MEANDER_PYTHON313:-python3.13}"; then
+        echo "bpy $1 needs Python 3.13: install one as python3.13, or name it in MEANDER_PYTHON313" >&2
+        return 1
+      fi
+      ;;
+  esac
+}
+
+# venv PYTHON FOLDER PACKAGE... - a virtual environment with these packages
 venv() {
-  local folder=$1
-  shift
+  local python=$1 folder=$2
+  shift 2
   # The mark is made last, so that an interrupted installation starts again; it names the packages,
   # so that a package added to the list is installed where the others already are.
   if [ ! -e "$folder/.complete" ]; then
     echo "Installing $1 into $folder"
     rm -rf "$folder"
     mkdir -p build
-    # The system's Python by its full path: another may come first on the PATH, and bpy needs 3.11.
-    /usr/bin/python3 -m venv "$folder"
+    "$python" -m venv "$folder"
   fi
   if [ "$(cat "$folder/.complete" 2>/dev/null)" != "$*" ]; then
     "$folder/bin/python" -m pip install --quiet --disable-pip-version-check "$@"
@@ -83,7 +98,8 @@ venv() {
 }
 
 for version in "${bpy_versions[@]}"; do # about 1 GB each
-  venv "build/bpy-$version" "bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*" \
+  python=$(python_of "$version")
+  venv "$python" "build/bpy-$version" "bpy==$version.*" "pytest==8.*" "ruff==0.6.*" "import-linter==2.5.*" \
     "pyembroidery==1.5.*" "ezdxf==1.4.*"
 done
-[ $site -eq 0 ] || venv build/site-tools "mkdocs-material==9.8.*" "mkdocs==1.6.*"
+[ $site -eq 0 ] || venv /usr/bin/python3 build/site-tools "mkdocs-material==9.8.*" "mkdocs==1.6.*"

@@ -47,7 +47,7 @@ class Blender:
         )
 
 
-@pytest.fixture(scope="module", params=["blender-3.4", "bpy-4.5"])
+@pytest.fixture(scope="module", params=["blender-3.4", "bpy"])
 def installed(
     request: pytest.FixtureRequest,
     addon_zip: Path,
@@ -56,7 +56,7 @@ def installed(
 ) -> tuple[Blender, Path]:
     """A Blender with the add-on installed, and the folder that it was installed into."""
     folder = tmp_path_factory.mktemp(request.param)
-    if request.param == "bpy-4.5":
+    if request.param == "bpy":
         blender = Blender("bpy", str(bpy_python), folder)
     else:
         blender = Blender("blender", shutil.which("blender"), folder)

@@ -92,3 +92,13 @@ def test_a_room_that_the_rule_does_not_know_is_found(bpy_python: Path, tmp_path:
     done = lint(bpy_python, tmp_path)
     assert done.returncode == 1, done.stdout + done.stderr
     assert "attic" in done.stdout
+
+
+def test_one_module_knows_the_versions_of_blender() -> None:
+    addon = ROOT / "addon/meander"
+    asking = {
+        path.relative_to(addon).as_posix()
+        for path in addon.rglob("*.py")
+        if re.search(r"app\.version\b|app\.version_file", path.read_text(encoding="utf-8"))
+    }
+    assert asking == {"scene/blender_versions.py"}
