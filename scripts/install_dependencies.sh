@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# install_dependencies.sh [--bpy VERSION]... [--site]
+# install_dependencies.sh [--bpy VERSION]... [--site] [--farm]
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
 # apt-get (through sudo unless root), and for every --bpy a virtual environment
 # build/bpy-VERSION with Blender as a Python module, pytest, ruff, import-linter and readers of what
-# is exported from the Python index, and for --site one, build/site-tools, with what makes the site from the pages in docs/.
+# is exported from the Python index, for --site one, build/site-tools, with what makes the site from
+# the pages in docs/, and for --farm Slurm, for scripts/test_farm.sh.
 # Running it again costs nothing: it fetches only what is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -15,23 +16,29 @@ build_packages=(cmake ninja-build g++ pkgconf python3
   libeigen3-dev libnanoflann-dev libopenmesh-dev libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
 blender_packages=(blender python3-numpy python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
+# A JavaScript engine of half a megabyte, in which the job type for Flamenco is tested.
+job_packages=(duktape)
+farm_packages=(slurmctld slurmd slurm-client munge)
 # Libraries that Blender's wheel expects from the system and does not include.
 bpy_packages=(ca-certificates python3-venv
   libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
 
 bpy_versions=()
 site=0
+farm=0
 while [ $# -gt 0 ]; do
   case "$1" in
     --bpy) bpy_versions+=("${2:?--bpy needs a version, such as 4.5}"); shift 2 ;;
     --site) site=1; shift ;;
-    *) echo "usage: $0 [--bpy VERSION]... [--site]" >&2; exit 2 ;;
+    --farm) farm=1; shift ;;
+    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm]" >&2; exit 2 ;;
   esac
 done
 
-wanted=("${build_packages[@]}" "${blender_packages[@]}")
+wanted=("${build_packages[@]}" "${blender_packages[@]}" "${job_packages[@]}")
 [ ${#bpy_versions[@]} -eq 0 ] || wanted+=("${bpy_packages[@]}")
 [ $site -eq 0 ] || wanted+=(ca-certificates python3-venv)
+[ $farm -eq 0 ] || wanted+=("${farm_packages[@]}")
 
 missing=()
 for package in "${wanted[@]}"; do

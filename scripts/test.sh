@@ -5,9 +5,9 @@
 #
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
-# in both, UI tests in a window, the commands of the documents, the linter, and the rule which
-# module may import which. Every suite runs, even if others fail. Logs stay in build/logs; the last
-# line counts the tests, and the exit code is 0 only when nothing failed.
+# in both, jobs of many surfaces, UI tests in a window, the commands of the documents, the linter,
+# and the rule which module may import which. Every suite runs, even if others fail. Logs stay in
+# build/logs; the last line counts the tests, and the exit code is 0 only when nothing failed.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -141,6 +141,8 @@ second_row() {
   # This suite makes its own profiles.
   suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
     /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
+  profile jobs
+  suite jobs 300 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/jobs
   window ui-lost nothing_lost.py 200
   window ui-calm calm_panel.py 200
   window ui-seeds seeds.py 200

@@ -270,6 +270,8 @@ GOOD = ("--spacing", "0.2")
         (*GOOD, "--alignment", "1", "--direction", "x", "--direction-object", "Curve"),
         (*GOOD, "--alignment", "1", "--direction", "x", "--direction-smoothing", "1"),
         (*GOOD, "--object", "Cube"),
+        (*GOOD, "--frame", "3"),
+        (*GOOD, "--frame", "9999999"),
         (*GOOD, "--seed-object", "Curve"),
         (*GOOD, "--seed", "nowhere.obj"),
         (*GOOD, "--seed", "a.obj", "--seed-object", "b"),

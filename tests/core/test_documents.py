@@ -23,8 +23,10 @@ CODE = re.compile(r"`([^`\n]+)`")
 SOURCE = re.compile(rf"(?:{'|'.join(ROOMS)})/\w+(?:\.h|\.cpp)?")
 TEST = re.compile(r"(?:tests/\w+/)?test_\w+(?:\.py|\.cpp)?")
 API = re.compile(r"\b(?:meander|MEANDER)_\w+\b")
-# Not of the header: the benchmark, and the options of the build.
-OTHERS = re.compile(r"meander_(?:bench|core|installed)|MEANDER_(?:BUILD_\w+|WERROR|SANITIZE|STAGE)")
+# Not of the header: the benchmark, a job type, and the options of the build.
+OTHERS = re.compile(
+    r"meander_(?:bench|core|fill|installed)|MEANDER_(?:BUILD_\w+|WERROR|SANITIZE|STAGE)"
+)
 
 
 def is_source(name: str) -> bool:

@@ -216,3 +216,14 @@ def test_failed_writing_leaves_all_as_it_was(tmp_path: Path) -> None:
     assert path.read_text() == "before"
     assert [item.name for item in tmp_path.iterdir()] == ["kept.obj"]
     complaint(mesh_files.write_obj_curve, tmp_path / "no" / "folder.obj", some_curve())
+
+
+def test_who_starts_a_process_names_its_temporary_files(tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setenv(whole_files.TEMPORARY_NAMES, "ours-")
+    names = set()
+    for _ in range(2):
+        with whole_files.whole_file(tmp_path / "out.obj") as temporary:
+            names.add(temporary.name)
+            temporary.write_text("x")
+    assert all(name.startswith(".ours-") and name.endswith(".tmp.obj") for name in names)
+    assert len(names) == 2

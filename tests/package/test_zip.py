@@ -47,6 +47,7 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     version = project_version()
     assert "meander/__init__.py" in names
     assert "meander/batch.py" in names
+    assert {"meander/farm.py", "meander/jobs/meander_fill.js"} <= set(names)
     assert "meander/LICENSE" in names
     assert "meander/THIRD_PARTY_NOTICES.md" in names
     assets = {name for name in names if name.startswith("meander/assets/")}

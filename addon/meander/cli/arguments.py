@@ -34,6 +34,9 @@ INPUTS = (*MESHES, ".blend")
 # What --output may be, by its suffix.
 OUTPUTS = (".obj", ".blend", *SUFFIXES, *EXPORTED)
 
+# The last frame that Blender has; the first is its negative.
+_LAST_FRAME = 1048574
+
 
 def parser(place: Place) -> argparse.ArgumentParser:
     parser = values.Parser(
@@ -45,6 +48,12 @@ def parser(place: Place) -> argparse.ArgumentParser:
     add = parser.add_argument
     add("--input", type=Path, required=True, metavar="MESH", help=".obj, .ply, .stl or .blend")
     add("--object", metavar="NAME", help="mesh object in the .blend; default: the active one")
+    add(
+        "--frame",
+        type=values.reader(int, -_LAST_FRAME, _LAST_FRAME),
+        metavar="N",
+        help="of the .blend; default: the one it was saved in",
+    )
     add("--output", type=Path, required=True, metavar="OUT", help=f"one of {', '.join(OUTPUTS)}")
     add("--report", type=Path, metavar="JSON", help="write figures of the run")
     add("--seed", type=Path, metavar="CURVE", help=".obj with v and l lines, in the mesh's space")
@@ -70,6 +79,12 @@ def parser(place: Place) -> argparse.ArgumentParser:
 def check_arguments(arguments: argparse.Namespace, place: Place) -> None:
     """Refuses what can be refused before any file is read."""
     blender_flags.refuse(arguments, place)
+    check_options(arguments)
+    _check_outputs(arguments)
+
+
+def check_options(arguments: argparse.Namespace) -> None:
+    """Refuses options that do not fit each other or the input, wherever the outputs are to lie."""
     kind = arguments.input.suffix.lower()
     if kind not in INPUTS:
         kinds = ", ".join(INPUTS[:-1])
@@ -81,6 +96,8 @@ def check_arguments(arguments: argparse.Namespace, place: Place) -> None:
             if getattr(arguments, option) is not None:
                 name = option.replace("_", "-")
                 raise BadInput(f"--{name} names an object of a .blend, but --input is {kind}")
+        if arguments.frame is not None:
+            raise BadInput(f"--frame is one of a .blend, but --input is {kind}")
     for part in (density, preparation, terms, motion):
         wrong = part.problem_of(arguments, kind)
         if wrong is not None:
@@ -97,7 +114,6 @@ def check_arguments(arguments: argparse.Namespace, place: Place) -> None:
         wrong = output.problem_of(arguments)
         if wrong is not None:
             raise BadInput(wrong)
-    _check_outputs(arguments)
 
 
 def _check_outputs(arguments: argparse.Namespace) -> None:

@@ -12,6 +12,7 @@ _DATA = "it names something of a .blend"
 # By the name of the parsed argument: why.
 _REASONS = {
     "object": _OBJECT,
+    "frame": "it is a frame of a .blend",
     "seed_object": _CURVE,
     "guides_object": _CURVE,
     "direction_object": _CURVE,

@@ -19,7 +19,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=int,
         nargs=2,
         metavar=("START", "END"),
-        help="write the curve of these frames into the .blend; it is grown in the file's own frame",
+        help="write the curve of these frames into the .blend; it is grown in the file's own frame "
+        "or in that of --frame",
     )
     add_flags(group, "motion")
 

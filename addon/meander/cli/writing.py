@@ -25,6 +25,7 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
     found: dict[str, Any] = {
         "input": str(arguments.input),
         "object": None if given.surface_object is None else given.surface_object.name,
+        "frame": arguments.frame,
         "output": str(arguments.output),
         **toolpath_options.echo(arguments),
         **export.echo(arguments),

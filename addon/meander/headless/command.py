@@ -24,7 +24,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     argv   the options; None takes those of this process
     """
-    options = _arguments_of_process() if argv is None else argv
+    options = arguments_of_process() if argv is None else argv
     return command.main(options, _place("batch.py"))
 
 
@@ -44,6 +44,16 @@ def hear_interruptions() -> None:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+def arguments_of_process() -> list[str]:
+    """What stands behind ``--``; inside Blender all the rest is Blender's own."""
+    if "--" in sys.argv:
+        return sys.argv[sys.argv.index("--") + 1 :]
+    loaded_bpy = sys.modules.get("bpy")
+    if loaded_bpy is not None and loaded_bpy.app.binary_path:
+        return []
+    return sys.argv[1:]
+
+
 def register() -> None:
     """Adds the command to Blender, from 4.2 on."""
     import bpy
@@ -61,13 +71,3 @@ def unregister() -> None:
 
 def _place(program: str) -> Place:
     return Place(program, partial(print, flush=True), blender_if_there())
-
-
-def _arguments_of_process() -> list[str]:
-    """What stands behind ``--``; inside Blender all the rest is Blender's own."""
-    if "--" in sys.argv:
-        return sys.argv[sys.argv.index("--") + 1 :]
-    loaded_bpy = sys.modules.get("bpy")
-    if loaded_bpy is not None and loaded_bpy.app.binary_path:
-        return []
-    return sys.argv[1:]

@@ -41,6 +41,8 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
             f"{arguments.input} is no .blend file that Blender {bpy.app.version_string} can open; "
             "save it again with this version or an older one"
         ) from problem
+    if arguments.frame is not None:
+        bpy.context.scene.frame_set(arguments.frame)
     surface_object = _mesh_object(arguments)
     with saved_settings():
         settings = surface_object.meander

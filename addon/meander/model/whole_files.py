@@ -15,6 +15,10 @@ from pathlib import Path
 # A longer suffix is none that a writer goes by, and the name of a file may only be so long.
 _LONGEST_SUFFIX = 8
 
+# Whoever starts this process may say in this variable of its environment how the names of its
+# temporary files begin, and so finds those that it leaves when it is killed.
+TEMPORARY_NAMES = "MEANDER_TEMPORARY_NAMES"
+
 
 class FileError(Exception):
     """A file that cannot be read or written; ``str(error)`` is one sentence for people."""
@@ -75,7 +79,8 @@ def _mode_of(path: Path) -> int | None:
 def _beside(target: Path) -> Path:
     """A new name in the same folder, as short as can be: the file's own may have no room left."""
     suffix = target.suffix if len(target.suffix) <= _LONGEST_SUFFIX else ""
-    return target.with_name(f".{secrets.token_hex(4)}.tmp{suffix}")
+    begin = os.environ.get(TEMPORARY_NAMES, "")
+    return target.with_name(f".{begin}{secrets.token_hex(4)}.tmp{suffix}")
 
 
 def _make(temporary: Path, mode: int | None) -> None:

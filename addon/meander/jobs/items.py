@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The items of a job: globs over files, objects and frames followed, names given, all checked."""
+
+from __future__ import annotations
+
+import argparse
+import fnmatch
+import glob
+import os
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from . import job_file, options
+from .job_file import JobError, JobFile, texts
+from .objects import Meshes
+
+# What a name or an output may be put together from.
+_PLACEHOLDERS = ("stem", "folder", "object", "frame")
+_FRAMES = re.compile(r"\s*(-?\d{1,7})\s*(?:-\s*(-?\d{1,7})\s*(?::\s*(\d{1,7})\s*)?)?")
+# Items of one job; more are surely a mistake in the frames.
+_MOST_FRAMES = 100_000
+
+
+@dataclass(frozen=True)
+class Item:
+    """One run of the batch command.
+
+    name      unique in the job; what it writes beside its output is called so
+    arguments of the batch command, without those that say only how it runs
+    options   the same, parsed
+    report, log   what is written of the run
+    timeout   seconds that it may take; None: any
+    memory    megabytes that it may ask for; None: any
+    """
+
+    name: str
+    arguments: tuple[str, ...]
+    options: argparse.Namespace
+    report: Path
+    log: Path
+    timeout: float | None = None
+    memory: float | None = None
+
+    @property
+    def written(self) -> list[Path]:
+        """Every file that the batch command writes."""
+        outputs = [path for path in (self.options.output, self.options.cut) if path is not None]
+        return [*outputs, self.report]
+
+
+def items_of(job: JobFile, meshes: Meshes) -> list[Item]:
+    """All items of a job, in the order of its file. Raises JobError.
+
+    meshes   says which meshes a .blend holds, where an item has a pattern for their names
+    """
+    items: list[Item] = []
+    sources: dict[str, str] = {}
+    defaults = options.check_keys(f"{job.path.name}: [defaults]", job.defaults)
+    for number, table in enumerate(job.items, 1):
+        where = f"{job.path.name}: [[items]] number {number}"
+        merged = defaults | options.check_keys(where, table)
+        for item in _expanded(job, where, merged, meshes):
+            source = " ".join(str(path) for path in options.files_read(item.options)[:1])
+            if item.name in sources:
+                raise JobError(
+                    f"{where}: two items are called {item.name!r}, of {sources[item.name]} and of "
+                    f'{source}; tell them apart with a name such as "{{folder}}-{{stem}}"'
+                )
+            sources[item.name] = source
+            items.append(item)
+    _check_paths(items)
+    return items
+
+
+def shard_of(items: list[Item], number: int, count: int) -> list[Item]:
+    """Part `number` of `count`, counted from 1: every item is in exactly one, whoever asks."""
+    return items[number - 1 :: count]
+
+
+def _expanded(job: JobFile, where: str, table: dict[str, Any], meshes: Meshes) -> Iterable[Item]:
+    """The items that one table of the file stands for."""
+    if "input" not in table:
+        raise JobError(f"{where}: the input is missing; name a file, or several by a pattern")
+    frames = _frames(where, table)
+    patterns = texts(where, "object", table["object"]) if "object" in table else None
+    for path in _files(job, where, texts(where, "input", table["input"])):
+        for name in _objects(where, path, patterns, meshes):
+            for frame in frames:
+                yield _item(job, where, table, path, name, frame)
+
+
+def _files(job: JobFile, where: str, patterns: list[str]) -> list[Path]:
+    """The files that patterns stand for, each once, those of a pattern sorted."""
+    found: dict[Path, None] = {}
+    results = os.path.abspath(job.folder) + os.sep
+    for pattern in patterns:
+        whole = job.path.parent / pattern
+        if whole.exists() or not glob.has_magic(pattern):
+            found[whole] = None
+            continue
+        matches = sorted(glob.glob(str(whole), recursive=True))
+        # What the job itself has written is not its input.
+        files = [path for path in matches if not os.path.abspath(path).startswith(results)]
+        files = [path for path in files if os.path.isfile(path)]
+        if not files:
+            raise JobError(f"{where}: no file is called {pattern!r}; correct the pattern")
+        found.update((Path(path), None) for path in files)
+    return list(found)
+
+
+def _objects(
+    where: str, path: Path, patterns: list[str] | None, meshes: Meshes
+) -> list[str | None]:
+    """The objects of a file that patterns stand for; [None]: the active one."""
+    if patterns is None:
+        return [None]
+    if path.suffix.lower() != ".blend" or not any(map(glob.has_magic, patterns)):
+        return list(dict.fromkeys(patterns))
+    there = meshes.of(path)
+    found: dict[str, None] = {}
+    for pattern in patterns:
+        names = [pattern] if pattern in there else fnmatch.filter(there, pattern)
+        if not names:
+            has = ", ".join(there[:5]) + (" and more" if len(there) > 5 else "") or "none"
+            raise JobError(
+                f"{where}: no mesh object of {path} is called {pattern!r}, but it has {has}; "
+                "correct the pattern"
+            )
+        found.update((name, None) for name in names)
+    return list(found)
+
+
+def _frames(where: str, table: Mapping[str, Any]) -> list[int | None]:
+    """The frames of an item; [None]: the one that the file was saved in."""
+    if "frames" not in table:
+        return [None]
+    if "frame" in table:
+        raise JobError(f"{where}: frame and frames are both there; keep one")
+    if "bake-frames" in table:
+        raise JobError(
+            f"{where}: baked frames cannot be parted, as the curve of each goes on from the one "
+            "before; leave frames out, and the item bakes all of bake-frames"
+        )
+    value = table["frames"]
+    parts = value if isinstance(value, list) else str(value).split(",")
+    frames: dict[int, None] = {}
+    for part in parts:
+        match = None if isinstance(part, (bool, float)) else _FRAMES.fullmatch(str(part))
+        if match is None:
+            raise JobError(
+                f'{where}: the frames {value!r} cannot be read; write them as "1-24, 30", or '
+                '"1-100:10" for every tenth'
+            )
+        first, last, step = (None if group is None else int(group) for group in match.groups())
+        span = range(first, (first if last is None else last) + 1, 1 if step is None else step or 1)
+        if not 0 < len(span) <= _MOST_FRAMES:
+            raise JobError(f"{where}: the frames {part!r} are none, or too many; correct them")
+        frames.update((frame, None) for frame in span)
+    return sorted(frames)
+
+
+def _item(
+    job: JobFile,
+    where: str,
+    table: Mapping[str, Any],
+    path: Path,
+    object_name: str | None,
+    frame: int | None,
+) -> Item:
+    values = {
+        "stem": _as_part(path.stem),
+        "folder": _as_part(path.parent.name),
+        "object": _as_part(object_name or ""),
+        "frame": "" if frame is None else frame,
+    }
+    name = _filled(where, "name", table.get("name", _usual_name(object_name, frame)), values)
+    where = f"{where} ({name})"
+    chosen = {key: table[key] for key in table if key not in options.OWN_KEYS}
+    chosen["input"] = str(path)
+    for key in options.READ_KEYS:
+        if key in chosen:
+            chosen[key] = str(_existing(where, key, job.path.parent, chosen[key]))
+    for key in options.WRITTEN_KEYS:
+        pattern = table.get(key, "{name}.obj" if key == "output" else None)
+        if pattern is not None:
+            chosen[key] = str(job.folder / _filled(where, key, pattern, values | {"name": name}))
+    if object_name is not None:
+        chosen["object"] = object_name
+    if frame is not None:
+        chosen["frame"] = frame
+    arguments = options.flags_of(where, chosen)
+    limits: dict[str, float] = {
+        key: job_file.limit(where, key, table[key])
+        for key in job_file.LEAST_LIMITS
+        if key in table
+    }
+    beside = job.folder / name
+    return Item(
+        name,
+        tuple(arguments),
+        options.check(where, arguments),
+        beside.with_name(f"{beside.name}.report.json"),
+        beside.with_name(f"{beside.name}.log"),
+        **limits,
+    )
+
+
+def _usual_name(object_name: str | None, frame: int | None) -> str:
+    parts = ["{stem}"]
+    parts += [] if object_name is None else ["{object}"]
+    parts += [] if frame is None else ["{frame:04}"]
+    return "-".join(parts)
+
+
+def _as_part(text: str) -> str:
+    """A name as a part of a path: without what a path may not have everywhere."""
+    return re.sub(r"[^\w.+-]+", "_", text).lstrip(".") or "_"
+
+
+def _filled(where: str, key: str, pattern: Any, values: Mapping[str, Any]) -> str:
+    """A pattern with the values in the places of its placeholders."""
+    if not isinstance(pattern, str):
+        raise JobError(f"{where}: {key} is a text in quotes, not {pattern!r}")
+    try:
+        text = pattern.format(**values)
+    except (KeyError, IndexError, ValueError, AttributeError) as problem:
+        known = ", ".join(f"{{{name}}}" for name in values)
+        raise JobError(
+            f"{where}: the {key} {pattern!r} cannot be filled in; use {known}"
+        ) from problem
+    parts = Path(text).parts
+    if not text.strip() or os.path.isabs(text) or ".." in parts or parts[0].startswith("."):
+        raise JobError(f"{where}: the {key} {text!r} leads out of the job's folder; correct it")
+    return text
+
+
+def _existing(where: str, key: str, folder: Path, value: Any) -> Path:
+    if not isinstance(value, str):
+        raise JobError(f"{where}: {key} is a text in quotes, not {value!r}")
+    path = folder / value
+    if not path.is_file():
+        raise JobError(f"{where}: the {key} {path} does not exist; check the path")
+    return path
+
+
+def _check_paths(items: list[Item]) -> None:
+    """Refuses items of which one would overwrite what another reads or writes."""
+    read: dict[str, Item] = {}
+    written: dict[str, Item] = {}
+    for item in items:
+        read.update((os.path.realpath(path), item) for path in options.files_read(item.options))
+    for item in items:
+        for path in (*item.written, item.log):
+            place = os.path.realpath(path)
+            if place in read:
+                raise JobError(
+                    f"{item.name} would overwrite {path}, from which {read[place].name} is made; "
+                    "choose another folder or output"
+                )
+            if place in written:
+                other = written[place].name
+                both = "itself twice" if other == item.name else f"{other} and {item.name}"
+                raise JobError(f"{path} would be written by {both}; put {{name}} into the output")
+            written[place] = item

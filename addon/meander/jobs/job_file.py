@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads a job file: TOML with [job], [defaults] and [[items]]."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import os
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+ENGINES = ("auto", "blender", "python")
+
+# What an item may take, with the least that makes sense: with less memory no Python starts, or it
+# hangs before it does.
+LEAST_LIMITS = {"timeout": (1, "seconds"), "memory": (100, "megabytes")}
+
+# What [job] may hold, by the kind of value.
+_JOB_KEYS = {"folder": str, "engine": str, "blender": str, "python": str, "command": list}
+_KINDS = {str: "a text in quotes", list: "a list of texts in quotes"}
+
+
+class JobError(Exception):
+    """A job that cannot be run as it is; ``str(error)`` is one sentence for people."""
+
+
+@dataclass(frozen=True)
+class JobFile:
+    """What a job file says, before globs and patterns are looked at.
+
+    path      of the file, absolute; what is relative in it is so to its folder
+    folder    of all that is written
+    engine    one of ENGINES
+    blender, python   programs; empty: to be found
+    command   what the flags of an item are put behind instead; empty: nothing
+    defaults  for every item
+    items     of the file, in its order
+    """
+
+    path: Path
+    folder: Path
+    engine: str = "auto"
+    blender: str = ""
+    python: str = ""
+    command: tuple[str, ...] = ()
+    defaults: dict[str, Any] = field(default_factory=dict)
+    items: tuple[dict[str, Any], ...] = ()
+
+
+def read(path: Path) -> JobFile:
+    """The job that a file describes. Raises JobError."""
+    path = Path(os.path.abspath(path))
+    tables = _tables(path)
+    for name in tables:
+        if name not in ("job", "defaults", "items"):
+            raise JobError(
+                f"{path.name}: {name!r} stands outside of [job], [defaults] and [[items]]; put it "
+                "into one of them"
+            )
+    job = _table(path, tables, "job")
+    _check_job(path, job)
+    items = tables.get("items", [])
+    if not isinstance(items, list) or not all(isinstance(item, dict) for item in items):
+        raise JobError(f"{path.name}: items are tables; begin each with a line [[items]]")
+    if not items:
+        raise JobError(f"{path.name}: there is nothing to do; add [[items]] with an input")
+    folder = path.parent / job.pop("folder", path.stem)
+    command = tuple(job.pop("command", ()))
+    defaults = _table(path, tables, "defaults")
+    return JobFile(path, folder, command=command, defaults=defaults, items=tuple(items), **job)
+
+
+def _tables(path: Path) -> dict[str, Any]:
+    try:
+        import tomllib
+    except ModuleNotFoundError as missing:
+        raise JobError(
+            f"job files need Python 3.11 or later, and this is {sys.version.split()[0]}; run this "
+            "command with another Python, or in Blender 4.1 or later"
+        ) from missing
+    try:
+        with path.open("rb") as file:
+            return tomllib.load(file)
+    except OSError as problem:
+        raise JobError(f"{path} cannot be read ({problem.strerror}); check the path") from problem
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
+        raise JobError(f"{path} is no TOML: {problem}; correct it there") from problem
+
+
+def _table(path: Path, tables: dict[str, Any], name: str) -> dict[str, Any]:
+    table = tables.get(name, {})
+    if not isinstance(table, dict):
+        raise JobError(f"{path.name}: {name} is a table; begin it with a line [{name}]")
+    return dict(table)
+
+
+def _check_job(path: Path, job: dict[str, Any]) -> None:
+    for key, value in job.items():
+        kind = _JOB_KEYS.get(key)
+        if kind is None:
+            raise JobError(f"{path.name}: [job] {unknown_key(key, _JOB_KEYS)}")
+        texts = kind is not list or (value and all(isinstance(part, str) for part in value))
+        if not isinstance(value, kind) or not texts:
+            raise JobError(f"{path.name}: [job] {key} is {_KINDS[kind]}, not {value!r}")
+    if job.get("engine", "auto") not in ENGINES:
+        choices = ", ".join(ENGINES)
+        raise JobError(f"{path.name}: [job] has no engine {job['engine']!r}; choose from {choices}")
+    if "command" in job and len(job) > 1 + ("folder" in job):
+        raise JobError(
+            f"{path.name}: [job] command stands for engine, blender and python; drop these"
+        )
+
+
+def unknown_key(key: str, known: Iterable[str]) -> str:
+    """The end of a sentence about a key that there is not."""
+    near = difflib.get_close_matches(key, list(known), 1)
+    advice = f"did you mean {near[0]!r}?" if near else "see the page about farms"
+    return f"has the unknown key {key!r}; {advice}"
+
+
+def limit(where: str, key: str, value: Any) -> float:
+    """The limit `key` of LEAST_LIMITS as a number. Raises JobError."""
+    least, unit = LEAST_LIMITS[key]
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    if not number or not math.isfinite(value) or value < least:
+        raise JobError(f"{where}: {key} is a number of {unit}, {least} or more, not {value!r}")
+    return float(value)
+
+
+def texts(where: str, key: str, value: Any) -> list[str]:
+    """A text, or a list of them, as a list. Raises JobError."""
+    several = value if isinstance(value, list) else [value]
+    if not several or not all(isinstance(one, str) and one for one in several):
+        raise JobError(f"{where}: {key} is a text in quotes or a list of them, not {value!r}")
+    return several

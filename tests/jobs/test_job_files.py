@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a job file may say: the items that come of it, and one sentence for every mistake."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from pathlib import Path
+
+import pytest
+from meander.jobs import command, job_file, options
+from meander.jobs.items import items_of
+from meander.jobs.job_file import JobError
+from sentences import assert_sentence
+
+ITEM = '[[items]]\ninput = "meshes/a.obj"\n'
+SPACING = "[defaults]\nspacing = 0.3\n"
+
+
+class Listed:
+    """Says which meshes a .blend holds, in place of Blender."""
+
+    @staticmethod
+    def of(_path: Path) -> list[str]:
+        return ["Ball", "Rock 1", "Rock 2", "[x]"]
+
+
+@pytest.fixture
+def items(job):
+    """The items of a job file with this text."""
+    job.meshes(a="ok", b="ok")
+    (job.folder / "shot.blend").write_text("")
+
+    def read(text: str) -> list:
+        job.write(text, fake=False)
+        return items_of(job_file.read(job.file), Listed())
+
+    return read
+
+
+@pytest.fixture
+def refused(job, capsys):
+    """The sentence for a job file, or for arguments, that cannot be run; nothing is written."""
+    job.meshes(a="ok", b="ok")
+    (job.folder / "shot.blend").write_text("")
+
+    def call(text: str, *arguments: str) -> str:
+        job.write(text, fake=False)
+        assert command.main([str(job.file), *arguments]) == 2
+        captured = capsys.readouterr()
+        assert captured.out == ""
+        sentence = captured.err.rstrip("\n")
+        assert_sentence(sentence)
+        assert sentence.startswith("meander: ")
+        assert not job.results.exists()
+        return sentence
+
+    return call
+
+
+# ------------------------------------------------------------------------------------------------
+# What comes of a file
+
+
+def test_a_pattern_makes_an_item_of_every_file(items, job):
+    found = items(SPACING + '[[items]]\ninput = "meshes/*.obj"\n')
+    assert [item.name for item in found] == ["a", "b"]
+    assert [item.options.input for item in found] == [
+        job.folder / "meshes" / name for name in ("a.obj", "b.obj")
+    ]
+    assert found[0].options.output == job.folder / "job" / "a.obj"
+    assert found[0].report == job.folder / "job" / "a.report.json"
+    assert found[0].options.spacing == 0.3
+
+
+def test_an_item_overrides_the_defaults(items):
+    text = "[defaults]\nspacing = 0.3\nbending = 2\nstrict = true\ntimeout = 5\n"
+    found = items(text + '[[items]]\ninput = ["meshes/a.obj", "meshes/b.obj"]\nspacing = 0.1\n'
+                  "strict = false\nmax_radius = 0.4\ntimeout = 7.5\n")
+    assert {item.options.spacing for item in found} == {0.1}
+    assert {item.options.bending for item in found} == {2}
+    assert {item.options.strict for item in found} == {False}
+    assert {item.options.max_radius for item in found} == {0.4}
+    assert {item.timeout for item in found} == {7.5}
+
+
+def test_objects_and_frames_multiply(items):
+    found = items(SPACING + '[[items]]\ninput = "shot.blend"\nobject = ["Rock *", "[x]"]\n'
+                  'frames = "-1-3:2, 10"\n')
+    assert [item.name for item in found][:5] == [
+        "shot-Rock_1--001", "shot-Rock_1-0001", "shot-Rock_1-0003", "shot-Rock_1-0010",
+        "shot-Rock_2--001",
+    ]  # fmt: skip
+    assert len(found) == 12
+    assert {item.options.object for item in found} == {"Rock 1", "Rock 2", "[x]"}
+    assert [item.options.frame for item in found[:4]] == [-1, 1, 3, 10]
+
+
+def test_an_object_without_a_pattern_is_left_to_the_item(items):
+    (found,) = items(SPACING + '[[items]]\ninput = "shot.blend"\nobject = "Nobody"\n')
+    assert found.options.object == "Nobody"
+
+
+def test_names_and_outputs_follow_their_patterns(items, job):
+    found = items(SPACING + '[[items]]\ninput = "meshes/*.obj"\nname = "{folder}/{stem}-fine"\n'
+                  'output = "{name}.svg"\nlayout = "top"\n')
+    assert [item.name for item in found] == ["meshes/a-fine", "meshes/b-fine"]
+    assert found[0].options.output == job.folder / "job" / "meshes" / "a-fine.svg"
+    assert found[0].log == job.folder / "job" / "meshes" / "a-fine.log"
+
+
+def test_what_a_job_has_written_is_not_its_input(items, job):
+    job.results.mkdir()
+    (job.results / "a.obj").write_text("")
+    found = items(SPACING + '[[items]]\ninput = "**/*.obj"\n')
+    assert [item.name for item in found] == ["a", "b"]
+
+
+def test_shards_are_all_items_once(items, job, capsys):
+    job.meshes(**{f"m{number}": "ok" for number in range(9)})
+    items(SPACING + '[[items]]\ninput = "meshes/*.obj"\n')
+    parts = []
+    for number in (1, 2, 3):
+        assert command.main([str(job.file), "--list", "--shard", f"{number}/3"]) == 0
+        parts.append(capsys.readouterr().out.splitlines())
+    assert command.main([str(job.file), "--list"]) == 0
+    assert sorted(sum(parts, [])) == sorted(capsys.readouterr().out.splitlines())
+    assert {len(part) for part in parts} == {3, 4}
+
+
+def test_every_flag_of_the_batch_command_may_stand_in_a_file():
+    known = {key for key in options._actions() if key not in options._REFUSED}
+    for key in known - {"from", "to"}:
+        assert options.check_keys("here", {key: 1}) == {key: 1}
+    assert {"spacing", "seed-object", "bake-frames", "cut", "preset"} <= known
+
+
+def test_the_command_of_an_item(items, job, capsys):
+    items(SPACING + "threads = 3\n" + ITEM
+          + 'density-curvature = "mean"\nspacing-factors = [1, 0.5]\n')
+    assert command.main([str(job.file), "--dry-run"]) == 0
+    (line,) = capsys.readouterr().out.splitlines()
+    words = shlex.split(line)
+    assert words[1].endswith("batch.py") and words[2] == "--"
+    assert "--density-curvature=mean" in words and "--threads=3" in words
+    at = words.index("--spacing-factors")
+    assert words[at + 1 : at + 3] == ["1", "0.5"]
+    assert not job.results.exists()
+
+
+def test_blender_is_used_where_it_is_needed(items, job, capsys):
+    items('[job]\nblender = "/opt/blender"\n' + SPACING + ITEM
+          + '[[items]]\ninput = "meshes/b.obj"\noutput = "b.blend"\n'
+          + '[[items]]\ninput = "shot.blend"\n')
+    assert command.main([str(job.file), "--dry-run"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert ["/opt/blender --background" in line for line in lines] == [False, True, True]
+
+
+# ------------------------------------------------------------------------------------------------
+# Mistakes
+
+MISTAKES = {
+    "no TOML": ("[job", "no TOML"),
+    "nothing to do": (SPACING, "nothing to do"),
+    "no table": ("items = 3\n", "[[items]]"),
+    "an items table": ('[items]\ninput = "meshes/a.obj"\n', "[[items]]"),
+    "outside": ('spacing = 1\n' + ITEM, "'spacing'"),
+    "job is no table": ("job = 3\n" + ITEM, "[job]"),
+    "key of job": ('[job]\nfoldr = "x"\n' + SPACING + ITEM, "did you mean 'folder'"),
+    "kind in job": ("[job]\nfolder = 3\n" + SPACING + ITEM, "folder"),
+    "engine": ('[job]\nengine = "rocket"\n' + SPACING + ITEM, "rocket"),
+    "command is empty": ("[job]\ncommand = []\n" + SPACING + ITEM, "command"),
+    "command and engine": ('[job]\ncommand = ["x"]\nengine = "auto"\n' + SPACING + ITEM, "command"),
+    "no input": (SPACING + '[[items]]\nname = "x"\n', "input is missing"),
+    "key of an item": (SPACING + ITEM + "spaceing = 1\n", "did you mean 'spacing'"),
+    "key of the defaults": ("[defaults]\nspaceing = 1\n" + ITEM, "[defaults] has the unknown key"),
+    "key twice": (SPACING + ITEM + "max-radius = 1\nmax_radius = 2\n", "twice"),
+    "report": (SPACING + ITEM + 'report = "x.json"\n', "report"),
+    "missing file": (SPACING + '[[items]]\ninput = "meshes/none.obj"\n', "does not exist"),
+    "pattern of nothing": (SPACING + '[[items]]\ninput = "meshes/*.stl"\n', "'meshes/*.stl'"),
+    "wrong suffix": (SPACING + '[[items]]\ninput = "job.toml"\n', "is no .obj"),
+    "input is a number": (SPACING + "[[items]]\ninput = 3\n", "input"),
+    "no spacing": (ITEM, "--spacing"),
+    "spacing is a word": ('[defaults]\nspacing = "wide"\n' + ITEM, "'wide'"),
+    "spacing is a list": ("[defaults]\nspacing = [1, 2]\n" + ITEM, "2"),
+    "spacing is a switch": ("[defaults]\nspacing = true\n" + ITEM, "spacing is a number"),
+    "switch is a word": (SPACING + ITEM + 'strict = "yes"\n', "true or false"),
+    "choice": (SPACING + ITEM + 'preset = "fast"\n', "'fast'"),
+    "timeout": (SPACING + ITEM + "timeout = 0\n", "timeout"),
+    "memory": (SPACING + ITEM + 'memory = "4 GB"\n', "memory"),
+    "seed": (SPACING + ITEM + 'seed = "none.obj"\n', "seed"),
+    "options that do not fit": (SPACING + ITEM + "density-range = [0, 1]\n", "source of density"),
+    "object of an OBJ": (SPACING + ITEM + 'object = "Ball*"\n', "object"),
+    "frames of an OBJ": (SPACING + ITEM + 'frames = "1-3"\n', "--frame"),
+    "frames": (SPACING + '[[items]]\ninput = "shot.blend"\nframes = "soon"\n', "'soon'"),
+    "no frames": (SPACING + '[[items]]\ninput = "shot.blend"\nframes = "9-3"\n', "9-3"),
+    "frame and frames": (
+        SPACING + '[[items]]\ninput = "shot.blend"\nframe = 1\nframes = 2\n', "both",
+    ),
+    "baking in parts": (
+        SPACING + '[[items]]\ninput = "shot.blend"\nframes = "1-3"\nbake-frames = [1, 9]\n',
+        "goes on from the one before",
+    ),
+    "name": (SPACING + ITEM + 'name = "{stern}"\n', "{stem}"),
+    "name is a number": (SPACING + ITEM + "name = 3\n", "name"),
+    "name leads out": (SPACING + ITEM + 'name = "../x"\n', "leads out"),
+    "output leads out": (SPACING + ITEM + 'output = "/x.obj"\n', "leads out"),
+    "kind of output": (SPACING + ITEM + 'output = "x.xyz"\n', "x.xyz"),
+    "one name": (SPACING + ITEM + ITEM, "two items are called 'a'"),
+    "one output": (SPACING + '[[items]]\ninput = "meshes/*.obj"\noutput = "x.obj"\n', "{name}"),
+    "output is the log": (SPACING + ITEM + 'output = "a.report.json"\n', "itself twice"),
+    "over an input": (
+        '[job]\nfolder = "meshes"\n' + SPACING + '[[items]]\ninput = "meshes/a.obj"\n', "overwrite",
+    ),
+    "engine without Blender": (
+        '[job]\nengine = "python"\n' + SPACING + '[[items]]\ninput = "shot.blend"\n',
+        "needs Blender",
+    ),
+    "no such program": (
+        '[job]\ncommand = ["no-such-program"]\n' + SPACING + ITEM, "no-such-program",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_a_mistake_is_one_sentence(refused, name):
+    text, word = MISTAKES[name]
+    assert word in refused(text)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("--shard", "0/4"), ("--shard", "5/4"), ("--shard", "half"), ("--jobs", "0"),
+        ("--slurm", "0"), ("--slurm", "4", "--list"), ("--slurm", "4", "--shard", "1/4"),
+        ("--no-such",),
+    ],
+    ids=" ".join,
+)  # fmt: skip
+def test_wrong_arguments_are_one_sentence(refused, arguments):
+    refused(SPACING + ITEM, *arguments)
+
+
+def test_a_pattern_of_no_object_names_what_there_is(items):
+    with pytest.raises(JobError, match="called 'Stone\\*', but it has Ball, Rock 1, Rock 2"):
+        items(SPACING + '[[items]]\ninput = "shot.blend"\nobject = "Stone*"\n')
+
+
+def test_a_python_without_toml_says_so(job, monkeypatch):
+    job.write(SPACING + ITEM)
+    monkeypatch.setitem(__import__("sys").modules, "tomllib", None)
+    with pytest.raises(JobError, match=r"Python 3\.11 or later") as refusal:
+        job_file.read(job.file)
+    assert_sentence(str(refusal.value))
+
+
+def test_a_missing_job_file_is_one_sentence(tmp_path, capsys):
+    assert command.main([str(tmp_path / "none.toml")]) == 2
+    assert_sentence(capsys.readouterr().err.strip())
+
+
+def test_the_slurm_script_asks_for_what_the_limits_say(items, job, capsys):
+    job.meshes(c="ok", d="ok", e="ok")
+    items('[defaults]\nspacing = 0.3\ntimeout = 600\nmemory = 1000\n[[items]]\n'
+          'input = "meshes/*.obj"\n')
+    assert command.main([str(job.file), "--slurm", "2", "--jobs", "2"]) == 0
+    script = capsys.readouterr().out.splitlines()
+    assert script[0] == "#!/bin/sh"
+    assert "#SBATCH --array=1-2" in script
+    assert "#SBATCH --cpus-per-task=2" in script
+    assert "#SBATCH --mem=2200M" in script
+    # Three items, two at once: two times 600 s, and a minute to begin.
+    assert "#SBATCH --time=21" in script
+    words = shlex.split(script[-1])
+    assert words[0] == "exec" and words[-2:] == ["--shard", "$SLURM_ARRAY_TASK_ID/2"]
+    assert json.dumps(str(job.file)) in json.dumps(words)
+
+
+def test_slurm_gets_no_more_tasks_than_items(items, job, capsys):
+    items(SPACING + '[[items]]\ninput = "meshes/*.obj"\n')
+    assert command.main([str(job.file), "--slurm", "40"]) == 0
+    script = capsys.readouterr().out
+    assert "#SBATCH --array=1-2\n" in script
+    assert "--mem" not in script and "--time" not in script
