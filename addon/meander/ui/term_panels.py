@@ -37,8 +37,8 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         surface = surface_of(active)
         if source == "GROUP":
             layout.prop_search(settings, "density_group", surface, "vertex_groups", text="Group")
-            if not settings.density_group and len(surface.vertex_groups):
-                self._draw_taken(layout, active_group(settings, surface))
+            if not settings.density_group:
+                self._draw_taken(layout, surface, active_group(settings, surface))
         elif source == "ATTRIBUTE":
             layout.prop(settings, "density_attribute", icon="SPREADSHEET")
         elif source == "COLOR":
@@ -52,9 +52,14 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
             row(layout, settings, "density_smoothing")
         self._draw_ramp(layout.column(), settings)
 
-    def _draw_taken(self, layout: bpy.types.UILayout, group: str) -> None:
+    def _draw_taken(
+        self, layout: bpy.types.UILayout, surface: bpy.types.Object, group: str
+    ) -> None:
         """Which group a run takes where none is named: paint is never left out in silence."""
-        notice(layout, f"Active: {group}" if group else "None: even spacing")
+        if len(surface.vertex_groups):
+            notice(layout, f"Active: {group}" if group else "None: even spacing")
+        else:
+            notice(layout, "No vertex groups")
 
     def _draw_ramp(self, layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
         taken = active_group(settings, surface_of(settings.id_data))
