@@ -9,9 +9,10 @@ run         a run from its plan to its result; curves on surfaces that move
 ui          settings, operators, panels
 cli         the batch command, from options to files
 headless    what the command needs of Blender; batch.py and Blender start it here
+jobs        many runs of the command, from a job file; farm.py starts it
 
-Each uses only what stands above it. Nothing in binding, core, model and cli imports bpy, or uses a
-room that does: these four are also the Python package (python/meander). Nothing here imports bpy
+Each uses only what stands above it. Nothing in binding, core, model, cli and jobs imports bpy, or
+uses a room that does: these five are also the Python package (python/meander). Nothing here imports bpy
 before register(), so that `meander.core` can be used without Blender.
 """
 

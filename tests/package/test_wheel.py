@@ -119,7 +119,7 @@ def test_its_modules_are_those_of_the_addon(wheel: Path) -> None:
             if name.startswith("meander/") and not inside.startswith("native/"):
                 source = ROOT / ("python" if inside in own else "addon") / name
                 assert archive.read(name) == source.read_bytes()
-                assert inside.split("/")[0] not in ("scene", "run", "ui", "headless", "batch.py")
+                assert inside.split("/")[0] not in ("scene", "run", "ui", "headless", "batch.py", "farm.py")
 
 
 def test_the_same_contents_give_the_same_bytes(wheel: Path, tmp_path: Path) -> None:
@@ -313,6 +313,30 @@ def test_bad_input_is_one_sentence(
     (sentence,) = done.stderr.splitlines()
     assert sentence.startswith("meander: ") and words in sentence
     assert kept.read_text() == "earlier" and not (installed.work / "a.svg").exists()
+
+
+def test_a_job_of_many_meshes(installed: Environment, ball: Path) -> None:
+    text = '[defaults]\nspacing = 0.3\n[[items]]\ninput = ["ball.obj", "bad.obj"]\n'
+    (installed.work / "bad.obj").write_text("v 0 0\n")
+    job = installed.work / "job.toml"
+    job.write_text(text)
+    command = [installed.python, "-m", "meander.jobs", job]
+    done = installed.run(*command)
+    assert done.returncode == 1
+    assert "1 of 2 items done, 1 failed, 0 left" in done.stderr
+    assert "three coordinates" in done.stderr
+    direct = installed.work / "direct.obj"
+    installed.run(installed.command, "--input", ball, "--spacing", "0.3", "--output", direct)
+    assert (installed.work / "job" / "ball.obj").read_bytes() == direct.read_bytes()
+    script = installed.run(*command, "--slurm", "2").stdout
+    assert f"exec {installed.python} -m meander.jobs {job} " in script
+    (installed.work / "scene.blend").write_bytes(b"BLENDER")
+    for more, words in (("", "Python package"), ('object = "Rock*"\n', "in Blender only")):
+        job.write_text(f'[defaults]\nspacing = 0.3\n[[items]]\ninput = "scene.blend"\n{more}')
+        done = installed.run(*command)
+        assert (done.returncode, done.stdout) == (2, "")
+        (sentence,) = done.stderr.splitlines()
+        assert words in sentence and "farm.py" in sentence
 
 
 def test_its_help_names_what_needs_blender(installed: Environment) -> None:

@@ -13,6 +13,7 @@ from .items import Item
 from .job_file import JobError, JobFile
 
 _PACKAGE = Path(__file__).resolve().parents[1]
+# Scripts for Blender, which the Python package does not have.
 _BATCH = _PACKAGE / "batch.py"
 _FARM = _PACKAGE / "farm.py"
 
@@ -51,6 +52,13 @@ def command_of(job: JobFile, item: Item, threads: int) -> list[str]:
             )
         if not _python_of(job):
             raise JobError('which Python is to be used? Name it with python = "..." in [job]')
+    if not _BATCH.is_file():
+        if in_blender or job.engine == "blender":
+            raise JobError(
+                f"{item.name} needs Blender, which the Python package does not know; start the "
+                "job by farm.py of the add-on"
+            )
+        return [_python_of(job), "-m", _PACKAGE.name, *flags]
     if job.engine == "blender" or in_blender or not _python_of(job):
         return [*blender_of(job), "--python-exit-code", "1", "--python", str(_BATCH), "--", *flags]
     return [_python_of(job), str(_BATCH), "--", *flags]
@@ -68,6 +76,8 @@ def missing_program(job: JobFile, items: list[Item]) -> str | None:
 def this_command() -> list[str]:
     """How this very command is started again, before its own arguments."""
     blender = _running_blender()
+    if not _FARM.is_file():
+        return [sys.executable, "-m", f"{_PACKAGE.name}.jobs"]
     if not blender:
         return [sys.executable, str(_FARM)]
     start = [blender, "--background", "--factory-startup", "--python-exit-code", "1"]

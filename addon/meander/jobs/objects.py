@@ -50,6 +50,11 @@ class Meshes:
         return names
 
     def _ask(self, path: Path) -> list[str]:
+        if not _SCRIPT.is_file():
+            raise JobError(
+                f"the objects of {path} can be listed in Blender only; start the job by farm.py "
+                "of the add-on"
+            )
         command = [*self._blender, "--python-exit-code", "1", "--python", str(_SCRIPT), "--"]
         try:
             done = subprocess.run(

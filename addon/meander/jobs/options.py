@@ -22,6 +22,7 @@ _REFUSED = {
     "report": "every item has a report beside its output",
     "quiet": "what an item prints is in its log",
     "help": "see --help of batch.py",
+    "version": "every report has it",
 }
 # Paths of files that are read, and of such that are written.
 READ_KEYS = ("seed", "guides")
