@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs the Python package into a wheel: `binding`, `core`, `model`, `cli` and `jobs` of the add-on,
-the modules in python/meander, and one platform's library.
+"""Packs the Python package into a wheel: `binding`, `core`, `model`, `cli` and `jobs` of the
+add-on, the modules in python/meander, and one platform's library.
 
     python3 scripts/build_wheel.py [--library FILE] [--platform TAG] [--folder FOLDER]
 

@@ -12,8 +12,8 @@ headless    what the command needs of Blender; batch.py and Blender start it her
 jobs        many runs of the command, from a job file; farm.py starts it
 
 Each uses only what stands above it. Nothing in binding, core, model, cli and jobs imports bpy, or
-uses a room that does: these five are also the Python package (python/meander). Nothing here imports bpy
-before register(), so that `meander.core` can be used without Blender.
+uses a room that does: these five are also the Python package (python/meander). Nothing here imports
+bpy before register(), so that `meander.core` can be used without Blender.
 """
 
 import sys

@@ -111,3 +111,29 @@ def test_an_array_of_four_tasks(slurm, tmp_path, capsys):
     with capsys.disabled():
         print(f"\n{ITEMS} items over {TASKS} tasks in {took:.0f} s; again in "
               f"{time.monotonic() - again:.0f} s")
+
+
+def test_a_cancelled_array_leaves_no_process(slurm, tmp_path):
+    write_meshes(tmp_path / "meshes")
+    job = tmp_path / "fill.toml"
+    text = '[defaults]\nspacing = {}\n[[items]]\ninput = ["meshes/m00.obj", "meshes/m01.obj"]\n'
+    job.write_text(text.format(0.0005))
+    script = tmp_path / "fill.sh"
+    script.write_text(farm(job, "--slurm", "2").stdout)
+    sent = subprocess.run(
+        ["sbatch", "--parsable", str(script)], env=slurm, capture_output=True, text=True, check=True
+    )
+    names = [str(tmp_path / "meshes" / f"m0{number}.obj") for number in range(2)]
+    end = time.monotonic() + 60
+    while not all(map(process_of, names)):
+        assert time.monotonic() < end
+        time.sleep(0.1)
+    subprocess.run(["scancel", sent.stdout.strip()], env=slurm, check=True)
+    while any(map(process_of, names)):
+        assert time.monotonic() < end
+        time.sleep(0.1)
+    job.write_text(text.format(0.2))
+    assert submit(job, script, slurm).wait(timeout=120) == 0
+    assert farm(job, "--status").returncode == 0
+    folder = tmp_path / "fill"
+    assert not [path for path in folder.iterdir() if path.name.startswith(".")]

@@ -8,6 +8,7 @@ import shlex
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 from meander.jobs import command, job_file, options
 from meander.jobs.items import items_of
 from meander.jobs.job_file import JobError
@@ -133,6 +134,14 @@ def test_every_flag_of_the_batch_command_may_stand_in_a_file():
     for key in known - {"from", "to"}:
         assert options.check_keys("here", {key: 1}) == {key: 1}
     assert {"spacing", "seed-object", "bake-frames", "cut", "preset"} <= known
+
+
+def test_the_page_names_every_key_and_flag():
+    page = (ROOT / "docs" / "farm.md").read_text()
+    keys = {*options.OWN_KEYS, *job_file._JOB_KEYS, *job_file.ENGINES}
+    missing = [key for key in keys if f"`{key}`" not in page and f'`"{key}"`' not in page]
+    flags = {action.option_strings[-1] for action in command._parser()._actions[2:]}
+    assert missing == [] and [flag for flag in flags if f"`{flag}" not in page] == []
 
 
 def test_the_command_of_an_item(items, job, capsys):

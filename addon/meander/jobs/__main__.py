@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""``python -m meander.jobs JOB.toml ...``: what farm.py is in the add-on, for the Python package."""
+"""``python -m meander.jobs JOB.toml ...``: farm.py for the Python package."""
 
 import sys
 

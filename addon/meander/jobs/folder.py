@@ -173,7 +173,7 @@ class Claim:
 
     def __init__(self, handle: int) -> None:
         self.handle = handle
-        os.ftruncate(handle, 0)  # whoever stood there has ended
+        self._clear()  # whoever stood there has ended
 
     def note(self, child: int) -> None:
         """Says who holds it: this process, and the group of its child."""
@@ -182,8 +182,12 @@ class Claim:
             os.pwrite(self.handle, text.encode("ascii"), 0)
 
     def release(self) -> None:
-        os.ftruncate(self.handle, 0)
+        self._clear()
         os.close(self.handle)
+
+    def _clear(self) -> None:
+        if fcntl is not None:  # on Windows a locked file is no place for notes
+            os.ftruncate(self.handle, 0)
 
 
 def _claim(path: Path, needed: bool) -> Claim | None:

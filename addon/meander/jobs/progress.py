@@ -44,7 +44,7 @@ class Progress:
         """An item that has just been finished."""
         self._outcomes.append(_Outcome(item, "done", "", seconds))
         if not self._quiet:
-            self._say(f"{item.name} done in {seconds:.1f} s; {self._so_far()}")
+            self._say(f"{item.name} done in {seconds:.1f} s ({self._so_far()})")
 
     def had_failed(self, item: Item, sentence: str) -> None:
         """An item that failed before."""
@@ -53,7 +53,7 @@ class Progress:
     def failed(self, item: Item, sentence: str, seconds: float | None) -> None:
         """An item that has failed just now, here (`seconds`: how long it took) or elsewhere."""
         self._outcomes.append(_Outcome(item, "failed", sentence, seconds))
-        self._say(f"{item.name} FAILED: {sentence}; {self._so_far()}")
+        self._say(f"{item.name} FAILED: {sentence} ({self._so_far()})")
 
     def waits(self, count: int) -> None:
         """All that is left is being run by other processes."""
