@@ -151,7 +151,7 @@ def test_two_shards_at_once_do_all_of_it(job):
 def test_an_interruption_ends_the_children_and_is_gone_on_from(job):
     job.meshes(a="ok curve", b="hang", c="ok curve")
     job.fill_all()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         process = job.start()
         marker = job.results / "b.obj.child"
         until(lambda marker=marker: marker.exists() and marker.read_text() != "")
@@ -166,7 +166,19 @@ def test_an_interruption_ends_the_children_and_is_gone_on_from(job):
         marker.unlink()
     job.meshes(b="ok curve")
     assert job.run().returncode == 0
-    assert job.runs == ["a", "b", "b", "b", "c"]
+    assert job.runs == ["a", "b", "b", "b", "b", "c"]
+
+
+def test_what_is_ignored_stays_ignored(job):
+    """As nohup asks for, so that closing the terminal ends nothing."""
+    job.meshes(a="slow 1 curve")
+    job.fill_all()
+    process = subprocess.Popen(["nohup", *job.command()], env=job.environment,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    until(lambda: job.runs == ["a"])
+    process.send_signal(signal.SIGHUP)
+    assert process.wait(timeout=20) == 0
+    assert job.run("--status").returncode == 0
 
 
 def test_a_killed_process_is_gone_on_from(job):

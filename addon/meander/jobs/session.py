@@ -26,7 +26,9 @@ _PAUSE_FOR_OTHERS = 0.5
 # numpy would get memory for a thread on every processor, though it has nothing for them to do.
 _ENVIRONMENT = {"OPENBLAS_NUM_THREADS": "1"}
 # What asks this process to end.
-_ENDING = (signal.SIGINT, signal.SIGTERM)
+_ENDING = [
+    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
+]
 
 
 @dataclass
@@ -69,7 +71,9 @@ class Session:
 
         Raises JobError and FileError; nothing runs any more then.
         """
-        before = {number: signal.signal(number, self._stop) for number in _ENDING}
+        # What is ignored stays so: nohup wants it, and shells for what runs in their background.
+        heard = [number for number in _ENDING if signal.getsignal(number) != signal.SIG_IGN]
+        before = {number: signal.signal(number, self._stop) for number in heard}
         try:
             self._begun = self._folder.moment()
             while not self._stopping and (self._waiting or self._running or self._elsewhere):
@@ -91,6 +95,7 @@ class Session:
     def _start_some(self) -> None:
         while self._waiting and len(self._running) < self._at_once and not self._stopping:
             self._take(self._waiting.popleft())
+            self._look_at_running()  # to find out what is done may take long
 
     def _take(self, item: Item) -> None:
         """Starts an item, unless it is done, has failed elsewhere meanwhile, or is being run."""
