@@ -76,12 +76,15 @@ def keep_custom_normals(mesh: bpy.types.Mesh, angle: float | None = None) -> Non
 
 
 def make_poly(curves: bpy.types.Curves) -> None:
-    """Makes all curves of a block poly curves, before 4.2 by the attribute that says so."""
+    """Makes all curves of a block poly curves; before set_types by the attribute that it sets."""
     if hasattr(curves, "set_types"):
         curves.set_types(type="POLY")
         return
     kinds = curves.attributes.new("curve_type", "INT8", "CURVE")
     kinds.data.foreach_set("value", [1] * len(kinds.data))
+    # Blender 4.2 goes on counting them as they were, and writes past the end of its arrays, until
+    # curves are added: none will do.
+    curves.add_curves([])
 
 
 def shape_key_points(key: bpy.types.ShapeKey) -> Any:
