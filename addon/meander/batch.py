@@ -15,8 +15,10 @@ interrupted from the keyboard, with every output file as it was.
 from __future__ import annotations
 
 import importlib.util
+import os
 import sys
 from pathlib import Path
+from typing import NoReturn
 
 
 def _containing_package() -> str:
@@ -51,6 +53,20 @@ from .headless.command import (  # noqa: E402  (the package has to be known firs
 
 __all__ = ["main"]
 
+def _end(code: int) -> NoReturn:
+    """Ends the process.
+
+    Where Blender is a module of Python its own clean-up at exit crashes once classes have been
+    registered (bpy 4.2), or hangs: everything is written by then, and it is left out.
+    """
+    bpy = sys.modules.get("bpy")
+    if bpy is None or bpy.app.binary_path:
+        sys.exit(code)
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(code)
+
+
 if __name__ == "__main__":
     hear_interruptions()
-    sys.exit(main())
+    _end(main())

@@ -36,6 +36,11 @@ import geometry  # noqa: E402  (the package must be importable before tests are)
 from meander import core  # noqa: E402
 from processor_time import pytest_runtest_protocol  # noqa: E402, F401
 
+# For what is said where there is no Blender; in the Python of a bpy there is one.
+without_blender = pytest.mark.skipif(
+    importlib.util.find_spec("bpy") is not None, reason="this Python has Blender"
+)
+
 
 @dataclass(frozen=True)
 class Grown:

@@ -11,7 +11,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from conftest import PACKAGE
+from conftest import PACKAGE, without_blender
 from meander import batch, core
 from meander.binding import abi
 from meander.cli import command
@@ -337,6 +337,7 @@ def test_unknown_vertex_group_is_named(
     assert asked == []
 
 
+@without_blender
 @pytest.mark.parametrize(
     "extra",
     [
@@ -372,6 +373,7 @@ def test_what_needs_blender_says_so(
     assert "blender --command meander" in sentence
 
 
+@without_blender
 def test_a_scene_needs_blender(refused, square: Path) -> None:
     scene = square.with_suffix(".blend")
     scene.write_bytes(b"BLENDER")

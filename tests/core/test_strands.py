@@ -9,7 +9,7 @@ from pathlib import Path
 import geometry
 import numpy as np
 import pytest
-from conftest import grow
+from conftest import grow, without_blender
 from meander import batch, core
 from meander.model import mesh_files, strands
 from sentences import assert_sentence
@@ -396,7 +396,6 @@ BAD = {
     "far away": (("--from", 0, 0, 3, "--to-vertex", 9), "Point 1 of spline 1 of 'the stroke' is 3"),
     "left out without": (("--leave-out-guides",), "give --guides as well"),
     "no curve": (("--guides", "nothing.txt"), "is no .obj file"),
-    "an object": (("--guides-object", "Guides"), "--guides-object needs Blender"),
 }
 
 
@@ -407,6 +406,13 @@ def test_batch_refuses(run, tmp_path: Path, name: str) -> None:
     assert code == 2 and out == "" and words in err
     assert_sentence(err.rstrip("\n"))
     assert not (tmp_path / "out.obj").exists() and not (tmp_path / "out.json").exists()
+
+
+@without_blender
+def test_objects_need_blender(run) -> None:
+    code, out, err = run(geometry.grid(6), "--guides-object", "Guides")
+    assert code == 2 and out == "" and "--guides-object needs Blender" in err
+    assert_sentence(err.rstrip("\n"))
 
 
 def test_batch_refuses_a_stroke_between_parts(run) -> None:

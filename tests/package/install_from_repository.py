@@ -5,6 +5,7 @@
 """
 
 import json
+import os
 import sys
 
 import bpy
@@ -38,8 +39,8 @@ def main(url: str, report: str) -> None:
     with open(report, "w", encoding="utf-8") as file:
         points = [len(spline.points) for spline in curve.data.splines]
         json.dump({"module": sys.modules[module].__file__, "points": points}, file)
-    # bpy 4.5 hangs or crashes at exit while an add-on is still registered.
     addon_utils.disable(module)
+    os._exit(0)  # bpy 4.2 crashes in its clean-up at exit once classes have been registered
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ Writes which modules are those of the old zip; all of the new one have NEW_VERSI
 """
 
 import json
+import os
 import sys
 from pathlib import Path
 
@@ -54,3 +55,5 @@ Path(found).write_text(
         }
     )
 )
+if not bpy.app.binary_path:
+    os._exit(0)  # bpy 4.2 crashes in its clean-up at exit once classes have been registered
