@@ -60,7 +60,8 @@ TEST(CurveBvh, BallsOfNeighboursEqualBruteForce) {
         for (double& r : balls) r = rng.in(0, 1) < 0.1 ? 0 : rng.in(0.2, 1) * most;
       }
       std::vector<Balls> together = start, parts = start;
-      tree.largest_balls(0, count, b, together);
+      std::vector<std::array<uint32_t, 2>> touching(count, {0, 0});
+      tree.largest_balls(0, count, b, together, touching);
       for (size_t first = 0; first < count; first += 13) {
         tree.largest_balls(first, std::min(count, first + 13), b, parts);
       }
@@ -76,6 +77,12 @@ TEST(CurveBvh, BallsOfNeighboursEqualBruteForce) {
           EXPECT_NEAR(tree.largest_ball(points[i], b[i][side], start[i][side], &touched), expected,
                       kRounding * expected);
           EXPECT_EQ(touched == UINT32_MAX, expected == start[i][side]);
+          const uint32_t limit = touching[i][side];
+          ASSERT_EQ(limit == UINT32_MAX, expected == start[i][side]);
+          if (limit != UINT32_MAX) {
+            const Vec3 d = points[limit] - points[i];
+            EXPECT_NEAR(d.squaredNorm() / (2 * d.dot(b[i][side])), expected, kRounding * expected);
+          }
           ++(expected < start[i][side] ? limited : clamped);
         }
       }
@@ -123,6 +130,19 @@ Limit brute_force_seen(const std::vector<Vec3>& points, const Vec3& x, const Vec
   return limit;
 }
 
+/// What points of a kind see of each run, by a function of the kind and of a point.
+template <class Sees>
+CurveBvh::Sight sight_of(const std::vector<uint32_t>& kind, const Sees& sees) {
+  return {kind, [&kind, sees](uint32_t of, uint32_t run) {
+            uint32_t lanes = 0;
+            for (uint32_t lane = 0; lane < CurveBvh::kRun; ++lane) {
+              const uint32_t j = run * CurveBvh::kRun + lane;
+              if (j < kind.size() && sees(of, j)) lanes |= 1u << lane;
+            }
+            return lanes;
+          }};
+}
+
 TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
   Rng rng(9);
   ThreadPool pool(2);
@@ -138,6 +158,8 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
       for (bool& each : row) each = rng.in(0, 1) < 0.6;
     }
     const auto sees = [&](size_t i, uint32_t j) { return visible[kind[i]][kind[j]]; };
+    const CurveBvh::Sight sight =
+        sight_of(kind, [&](uint32_t of, uint32_t j) { return visible[of][kind[j]]; });
     std::vector<Sides> b(count);
     for (Sides& sides : b) sides = {random_direction(rng), random_direction(rng)};
     // The last of these meets more runs than are kept for neighbours.
@@ -148,9 +170,10 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
       }
       std::vector<Balls> together = start, parts = start;
       std::vector<std::array<uint32_t, 2>> touched(count, {UINT32_MAX, UINT32_MAX}), touched_in_parts = touched;
-      tree.largest_balls_seen(0, count, b, sees, together, touched);
+      tree.largest_balls_seen(0, count, b, sight, together, touched);
       for (size_t first = 0; first < count; first += 13) {
-        tree.largest_balls_seen(first, std::min(count, first + 13), b, sees, parts, touched_in_parts);
+        tree.largest_balls_seen(first, std::min(count, first + 13), b, sight, parts,
+                                std::span(touched_in_parts).subspan(first));
       }
       EXPECT_EQ(parts, together);
       EXPECT_EQ(touched_in_parts, touched);
@@ -213,8 +236,9 @@ TEST(CurveBvh, TheFirstOfEqualsIsTouched) {
   const std::vector<Sides> b(points.size(), Sides{Vec3(0, 1, 0), Vec3(0, -1, 0)});
   std::vector<Balls> radii(points.size(), Balls{1, 1});
   std::vector<std::array<uint32_t, 2>> touched(points.size());
+  const std::vector<uint32_t> kind(points.size(), 0);
   const auto sees = [&](size_t, uint32_t j) { return j % 3 != 0; };
-  tree.largest_balls_seen(0, points.size(), b, sees, radii, touched);
+  tree.largest_balls_seen(0, points.size(), b, sight_of(kind, sees), radii, touched);
   for (uint32_t i = 0; i < points.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) {
       const Limit expected =

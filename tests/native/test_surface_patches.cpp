@@ -375,16 +375,50 @@ TEST(SurfacePatches, KnowCreasesAndSharpEdges) {
   }
 }
 
+TEST(SurfacePatches, KnowWhatABallHoldsOfACrease) {
+  const Cut c(scaled(cube(), 12));
+  Rng rng(11);
+  size_t held = 0, clear = 0;
+  for (const SurfacePoint& p : sample(c.surface, kSamples, 10)) {
+    const Vec3 at = c.place(p);
+    std::vector<double> to_side;
+    for (int k = 0; k < 3; ++k) to_side.insert(to_side.end(), {std::abs(at[k]), std::abs(12 - at[k])});
+    std::ranges::sort(to_side);
+    const double to_edge = to_side[1], reach = rng.in(0, 5);
+    const bool holds = c.patches.crease_within(position(c.surface, p), reach * c.unit);
+    if (to_edge < reach) {
+      ASSERT_TRUE(holds) << at.transpose();
+      ++held;
+    } else if (to_edge > reach + 0.2) {
+      ASSERT_FALSE(holds) << at.transpose();
+      ++clear;
+    }
+    // All that bends here are its edges.
+    ASSERT_GT(c.patches.to_bend(c.at(p)), 100 * c.unit);
+  }
+  EXPECT_GT(held, 1000u);
+  EXPECT_GT(clear, 100u);
+}
+
+TEST(SurfacePatches, KnowLimbsThatBendWithoutAnEdge) {
+  const Cut c(scaled(cylinder(12, 60, 50), 0.3));
+  for (const SurfacePoint& p : sample(c.surface, 2000, 12)) {
+    EXPECT_FALSE(c.patches.crease_within(position(c.surface, p), c.unit));
+    EXPECT_LT(c.patches.to_bend(c.at(p)), c.unit);
+  }
+}
+
 /// All that may be asked of patches.
 std::vector<double> answers(const SurfacePatches& patches, const Surface& s, double unit) {
   std::vector<double> all{static_cast<double>(patches.count())};
   const uint32_t n = patches.count();
   for (uint32_t p = 0; p < n; ++p) {
-    for (const bool trait : {patches.hides(p), patches.thin(p), patches.creased(p), patches.sharp(p), patches.plain(p),
+    for (const bool trait : {patches.hides(p), patches.creased(p), patches.sharp(p), patches.plain(p),
                              patches.at_crease(p), patches.bent(p)}) {
       all.push_back(trait);
     }
     all.push_back(patches.creased(p) ? patches.to_crease(p) / unit : -1);
+    all.push_back(patches.to_bend(p) < 100 * unit ? patches.to_bend(p) / unit : -1);
     for (int k = 0; k < 3; ++k) all.push_back(patches.normal(p)[k]);
     for (const uint32_t q : patches.beside(p)) all.push_back(q);
     for (uint32_t q = 0; q < n; ++q) {
@@ -442,7 +476,6 @@ TEST(SurfacePatches, FollowADensity) {
     if (to_rim < 4 * r) continue;
     ++inside;
     EXPECT_TRUE(c.patches.hides(c.at(p))) << at.transpose();
-    EXPECT_TRUE(c.patches.thin(c.at(p))) << at.transpose();
   }
   EXPECT_GT(inside, kSamples / 4);
 }

@@ -32,9 +32,6 @@ constexpr double kReach = 2.8;
 /// patches, by which that is known, are longer than the shortest by up to a fifth.
 constexpr double kHidden = 3;
 
-/// Another sheet this near, in r, is met by balls before what limits them along the surface.
-constexpr double kThin = 1.5;
-
 /// Two patches may lie on one sheet if their normals differ by less than this (a cosine), and the line between them
 /// leaves their planes by less than this share of its length, and of a patch.
 constexpr double kAlike = 0.5, kRise = 0.5, kSlack = 0.1;
@@ -104,8 +101,9 @@ class SurfacePatches::Cutter {
   /// What is known of the patches besides. One entry for each.
   std::vector<Vec3> centre;
   std::vector<double> area, r, coherence;  // coherence: length of the mean normal
-  std::vector<uint8_t> at_boundary;
+  std::vector<uint8_t> at_boundary, at_crease;
   std::vector<std::array<uint32_t, 2>> beside;  // pairs that touch, each once, in rising order
+  std::vector<Vec3> creases;                    // points on them, kCreaseStep apart
 
   void cut() {
     lay_out_cells();
@@ -230,6 +228,7 @@ class SurfacePatches::Cutter {
       if (twin != kNone && twin < e) continue;
       const double bend = twin == kNone ? 1 : s_.face_normal(f).dot(s_.face_normal(face_of(twin)));
       const Crease crease = bend < kSharp ? Crease::kSharp : bend < kCrease ? Crease::kBlunt : Crease::kFlat;
+      if (crease != Crease::kFlat) sample_crease(e);
       // Along the edge in steps shorter than cells.
       const bool small = !gridded(f) && (twin == kNone || !gridded(face_of(twin)));
       const int steps = small ? 1 : static_cast<int>(std::ceil(4 * norm(s_.along(e)) / size_at(level_at(f))));
@@ -245,6 +244,13 @@ class SurfacePatches::Cutter {
         meet(sets, here, cell_at(g, s_.corner(g, corner_of(twin)) + (1 - t) * s_.along(twin)));
       }
     }
+  }
+
+  void sample_crease(HalfEdge e) {
+    const Triangle& t = s_.face(face_of(e));
+    const Vec3 &a = s_.position(t[corner_of(e)]), &b = s_.position(t[next_corner(corner_of(e))]);
+    const int pieces = static_cast<int>(std::ceil((b - a).norm() / (kCreaseStep * radius_at(face_of(e)))));
+    for (int k = 0; k < pieces; ++k) creases.push_back(a + (k + 0.5) / pieces * (b - a));
   }
 
   /// Voxels cut off corners: a small patch joins one beside it that is not large. The fewer there are, the fewer are
@@ -290,7 +296,7 @@ class SurfacePatches::Cutter {
     for (uint32_t& known : patches_.patch_of_face_) {
       if ((known & kGridded) == 0) known = patch[known];
     }
-    patches_.traits_.assign(count, {std::numeric_limits<float>::max()});
+    patches_.traits_.assign(count, {std::numeric_limits<float>::max(), std::numeric_limits<float>::max()});
     patches_.patch_of_cell_ = std::move(patch);
   }
 
@@ -301,6 +307,7 @@ class SurfacePatches::Cutter {
     patches_.normal_.assign(count, Vec3::Zero());
     for (std::vector<double>* each : {&area, &r, &coherence}) each->assign(count, 0);
     at_boundary.assign(count, 0);
+    at_crease.assign(count, 0);
     for (uint32_t cell = 0; cell < cells_.size(); ++cell) {
       const Cell& c = cells_[cell];
       area[patch[cell]] += c.area;
@@ -312,6 +319,7 @@ class SurfacePatches::Cutter {
     for (const auto& [cell, crease] : crease_cells_) {
       Crease& own = patches_.traits_[patch[cell]].own;
       own = std::max(own, crease);
+      at_crease[patch[cell]] = 1;
     }
     for (uint32_t p = 0; p < count; ++p) {
       if (!(area[p] > 0)) continue;
@@ -343,7 +351,8 @@ class SurfacePatches::Comparison {
     for (uint32_t p = 0; p < patches.count(); ++p) {
       const Traits& traits = patches.traits_[p];
       known_.push_back({cut.centre[p].cast<float>(), patches.normal_[p].cast<float>(), static_cast<float>(cut.area[p]),
-                        cut.coherence[p] < kAlike, cut.at_boundary[p] != 0, false, traits.own});
+                        cut.coherence[p] < kAlike, cut.at_boundary[p] != 0, false,
+                        traits.own != Crease::kFlat && cut.at_crease[p] == 0, traits.own});
     }
   }
 
@@ -370,6 +379,7 @@ class SurfacePatches::Comparison {
     Eigen::Vector3f centre, normal;
     float area;
     bool rough, at_boundary, stacked;  // rough: too bent to be a part of a sheet
+    bool bend;                         // it is bent without a crease
     Crease own;
   };
 
@@ -400,35 +410,35 @@ class SurfacePatches::Comparison {
     if (!(cut_.area[p] > 0)) return;
     const double r = cut_.r[p], far = (kReach + kSize) * r;
     double area = 0;
-    bool one_sheet = !known_[p].rough;
+    bool one_sheet = !known_[p].rough, edged = false;
     grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
       const Known& other = known_[q];
       area += static_cast<double>(other.area);
       one_sheet = one_sheet && !other.at_boundary && !other.stacked && (q == p || alike(p, q, slack(p)));
-      if (other.own != Crease::kFlat) note_crease(p, std::sqrt(squared), other.own);
+      edged = edged || (other.own != Crease::kFlat && !other.bend);
+      if (other.own != Crease::kFlat) note_crease(p, std::sqrt(squared), other.own, other.bend);
     });
     if (one_sheet && area <= kSheets * std::numbers::pi * far * far) return;
     measure_from(p, distances);
     grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
       const double apart = std::sqrt(squared);
       if (!distances.reached(q)) {
-        if (apart > kReach * r) return;
-        hidden.push_back(q);
-        if (apart < kThin * r) patches_.traits_[p].thin = true;
+        if (apart <= kReach * r) hidden.push_back(q);
       } else if (patches_.normal_[p].dot(patches_.normal_[q]) < kCurled) {
-        note_crease(p, apart, Crease::kBlunt);
+        note_crease(p, apart, Crease::kBlunt, !edged);
       }
     });
     distances.clear();
   }
 
-  void note_crease(uint32_t p, double apart, Crease crease) {
+  void note_crease(uint32_t p, double apart, Crease crease, bool bend) {
     // Patches are about as far across as voxels are wide.
     const double distance = std::max(0.0, apart - kSize * cut_.r[p]);
     if (distance > kCreaseReach * cut_.r[p]) return;
     Traits& traits = patches_.traits_[p];
     traits.creased = std::max(traits.creased, crease);
     traits.to_crease = std::min(traits.to_crease, static_cast<float>(distance));
+    if (bend) traits.to_bend = std::min(traits.to_bend, static_cast<float>(distance));
   }
 
   /// Finds all patches that are not too far from p to be seen from it.
@@ -480,6 +490,8 @@ SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius
     beside_[at[b]++] = a;
   }
   Comparison(*this, cutter).compare(pool);
+  largest_radius_ = *std::ranges::max_element(cutter.r);
+  if (!cutter.creases.empty()) creases_ = std::make_unique<const PointTree>(std::move(cutter.creases));
 }
 
 }  // namespace meander

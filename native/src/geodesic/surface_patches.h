@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "base/point_tree.h"
 #include "base/thread_pool.h"
 #include "mesh/radius_field.h"
 
@@ -39,8 +41,6 @@ class SurfacePatches {
   }
   /// Whether any patch is hidden from p.
   bool hides(uint32_t p) const { return hidden_in_[p].mask != 0; }
-  /// Whether another sheet is so near that balls meet it first nearly everywhere.
-  bool thin(uint32_t p) const { return traits_[p].thin; }
 
   /// Whether the surface bends so much within reach of a patch that straight distances from it may be wrong: at a
   /// crease, where faces meet at an angle, or on a narrow limb.
@@ -52,6 +52,13 @@ class SurfacePatches {
   /// How far the nearest crease is at least from any point of a patch, in the surface's unit and through space; some
   /// large number where none is within reach.
   double to_crease(uint32_t p) const { return static_cast<double>(traits_[p].to_crease); }
+  /// The same for what is bent without a crease, as a narrow limb.
+  double to_bend(uint32_t p) const { return static_cast<double>(traits_[p].to_bend); }
+  /// Whether a ball in space holds any of a crease, or nearly so; beside creases, not what is bent without.
+  bool crease_within(const Vec3& centre, double radius) const {
+    const double reach = radius + kCreaseSlack * largest_radius_;
+    return creases_ && creases_->any_within(centre, reach * reach);
+  }
   /// Whether the patch itself holds a crease.
   bool at_crease(uint32_t p) const { return traits_[p].own != Crease::kFlat; }
   /// Whether it bends so much that its normal says little.
@@ -66,6 +73,8 @@ class SurfacePatches {
 
  private:
   static constexpr uint32_t kGridded = 1u << 31;
+  /// Creases are known by points that are at most this far apart, in r, and a little less from any place on them.
+  static constexpr double kCreaseStep = 0.25, kCreaseSlack = 0.6 * kCreaseStep;
   enum class Crease : uint8_t { kFlat, kBlunt, kSharp };
   /// A face larger than a patch: cells side by side in its plane, along its longest edge.
   struct Grid {
@@ -79,9 +88,9 @@ class SurfacePatches {
     }
   };
   struct Traits {
-    float to_crease;
+    float to_crease, to_bend;
     Crease own = Crease::kFlat, creased = Crease::kFlat;  // in it, and within reach
-    bool thin = false, bent = false;
+    bool bent = false;
   };
   /// Those hidden from one patch, in a hash table with open addressing that is at most half full.
   struct HiddenIn {
@@ -99,6 +108,8 @@ class SurfacePatches {
   std::vector<uint32_t> first_beside_, beside_;
   std::vector<HiddenIn> hidden_in_;
   std::vector<uint32_t> hidden_;
+  std::unique_ptr<const PointTree> creases_;  // null: there are none
+  double largest_radius_;                     // r, where it varies
 };
 
 }  // namespace meander

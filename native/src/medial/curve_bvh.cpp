@@ -302,22 +302,25 @@ bool CurveBvh::runs_near(const Box& box, Candidates& found) const {
 
 /// The largest ball as far as these runs limit it. `limiting` is a run to visit first, the one that
 /// limited the ball beside this one, and receives the one that limits this; UINT32_MAX for none.
+/// `touched` receives a point of it, UINT32_MAX if none limits the ball.
 double CurveBvh::largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
-                                   double most, uint32_t& limiting) const {
+                                   double most, uint32_t& limiting, uint32_t& touched) const {
+  touched = UINT32_MAX;
   double radius = most;
   const auto shrinks = [&](uint32_t run) {
     const Points& p = lanes_[run];
     bool smaller = false;
-    for (size_t k = 0; k < kRun; k += 2) {
+    for (uint32_t k = 0; k < kRun; k += 2) {
       const Double2 ux = load<Double2>(p.x + k) - both(x.x()), uy = load<Double2>(p.y + k) - both(x.y()),
                     uz = load<Double2>(p.z + k) - both(x.z());
       const Double2 squared = ux * ux + uy * uy + uz * uz;
       const Double2 ahead = ux * both(b.x()) + uy * both(b.y()) + uz * both(b.z());
       const auto inside = squared < both(2 * radius) * ahead;
       if (!(inside[0] | inside[1])) continue;
-      for (int lane = 0; lane < 2; ++lane) {
+      for (uint32_t lane = 0; lane < 2; ++lane) {
         if (!(squared[lane] < 2 * radius * ahead[lane])) continue;
         radius = squared[lane] / (2 * ahead[lane]);
+        touched = std::min(run * kRun + k + lane, static_cast<uint32_t>(points_.size() - 1));
         smaller = true;
       }
     }
@@ -333,6 +336,34 @@ double CurveBvh::largest_ball_among(const Candidates& near, const Eigen::Vector3
       const uint32_t run = near.run[at + static_cast<uint32_t>(std::countr_zero(lanes))];
       if (run == first || !shrinks(run)) continue;
       limiting = run;
+      ball = Ball(x, b, radius);
+    }
+  }
+  return radius;
+}
+
+/// The same among what is seen. `limiting` counts candidates here; of points that limit the ball alike the first is
+/// touched.
+double CurveBvh::largest_ball_seen_among(const Candidates& near, Seen& seen, const Eigen::Vector3d& x,
+                                         const Eigen::Vector3d& b, double most, uint32_t& limiting,
+                                         uint32_t& touched) const {
+  touched = UINT32_MAX;
+  double radius = most;
+  const auto shrinks = [&](uint32_t candidate) {
+    const uint32_t run = near.run[candidate];
+    uint32_t lanes = lanes_inside(run, x, b, radius);
+    if (lanes != 0) lanes &= seen.lanes(candidate);
+    return lanes != 0 && shrinks_to_lanes(run, lanes, x, b, radius, touched);
+  };
+  const uint32_t first = limiting;
+  if (first != UINT32_MAX) shrinks(first);
+  Ball ball(x, b, radius);
+  for (uint32_t at = 0; at < near.count; at += 4) {
+    const Float4 distance = ball.distances(near, at);
+    for (uint32_t lanes = lanes_of(distance < all(ball.squared)); lanes != 0; lanes &= lanes - 1) {
+      const uint32_t candidate = at + static_cast<uint32_t>(std::countr_zero(lanes));
+      if (candidate == first || !shrinks(candidate)) continue;
+      limiting = candidate;
       ball = Ball(x, b, radius);
     }
   }
@@ -376,28 +407,6 @@ uint32_t CurveBvh::lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Ei
   return lanes;
 }
 
-uint32_t CurveBvh::lanes_met(const Candidates& near, uint32_t at, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
-                             double radius) const {
-  const Ball ball(x, b, radius);
-  return lanes_of(ball.distances(near, at) < all(ball.squared));
-}
-
-/// The point of a run that limits a ball; UINT32_MAX if none does.
-uint32_t CurveBvh::limit_in(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double radius) const {
-  if (run == UINT32_MAX) return UINT32_MAX;
-  const size_t first = size_t{run} * kRun, end = std::min<size_t>(first + kRun, points_.size());
-  uint32_t limit = UINT32_MAX;
-  double least = radius * (1 + 1e-12);
-  for (size_t i = first; i < end; ++i) {
-    const Eigen::Vector3d d = point(i) - x;
-    const double ahead = d.dot(b);
-    if (!(ahead > 0) || !(d.squaredNorm() <= 2 * least * ahead)) continue;
-    least = d.squaredNorm() / (2 * ahead);
-    limit = static_cast<uint32_t>(i);
-  }
-  return limit;
-}
-
 void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
                             std::span<std::array<double, 2>> radii,
                             std::span<std::array<uint32_t, 2>> touched) const {
@@ -410,19 +419,42 @@ void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::arr
       for (size_t i = begin; i < end; ++i) {
         double& r = radii[i][side];
         if (!(r > 0)) continue;
-        if (few) {
-          r = largest_ball_among(near, point(i), b[i][side], r, limiting);
-          if (!touched.empty()) touched[i][side] = limit_in(limiting, point(i), b[i][side], r);
-        } else {
-          r = largest_ball(point(i), b[i][side], r, touched.empty() ? nullptr : &touched[i][side]);
+        uint32_t point_touched = UINT32_MAX;
+        r = few ? largest_ball_among(near, point(i), b[i][side], r, limiting, point_touched)
+                : largest_ball(point(i), b[i][side], r, touched.empty() ? nullptr : &point_touched);
+        if (!touched.empty()) touched[i - first][side] = point_touched;
+      }
+    }
+  }
+}
+
+void CurveBvh::largest_balls_seen(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
+                                  const Sight& sight, std::span<std::array<double, 2>> radii,
+                                  std::span<std::array<uint32_t, 2>> touched) const {
+  Candidates near;
+  for (size_t begin = first; begin < last; begin += kRun) {
+    const size_t end = std::min<size_t>(begin + kRun, last);
+    const bool few = gather(begin, end, b, radii, near);
+    for (size_t from = begin, to = begin; from < end; from = to) {
+      const uint32_t kind = sight.kind[from];
+      while (to < end && sight.kind[to] == kind) ++to;
+      Seen seen(near, sight, kind);
+      for (size_t side = 0; side < 2; ++side) {
+        uint32_t limiting = UINT32_MAX;
+        for (size_t i = from; i < to; ++i) {
+          double& r = radii[i][side];
+          if (!(r > 0)) continue;
+          uint32_t& limit = touched[i - first][side];
+          r = few ? largest_ball_seen_among(near, seen, point(i), b[i][side], r, limiting, limit)
+                  : largest_ball_seen(point(i), b[i][side], r, counts_for(sight, kind), limit);
         }
       }
     }
   }
 }
 
-void CurveBvh::inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const {
-  found.clear();
+void CurveBvh::runs_inside(const Eigen::Vector3d& centre, double radius,
+                           const std::function<void(uint32_t run)>& visit) const {
   if (nodes_.empty()) return;
   constexpr int kMostPlaces = 64;
   uint32_t stack[kMostPlaces];
@@ -432,10 +464,7 @@ void CurveBvh::inside(const Eigen::Vector3d& centre, double radius, std::vector<
   while (top > 0) {
     const uint32_t id = stack[--top];
     if (id & kLeaf) {
-      const size_t first = size_t{id & ~kLeaf} * kRun, end = std::min<size_t>(first + kRun, points_.size());
-      for (size_t i = first; i < end; ++i) {
-        if ((point(i) - centre).squaredNorm() < radius * radius) found.push_back(static_cast<uint32_t>(i));
-      }
+      visit(id & ~kLeaf);
       continue;
     }
     const Node& n = nodes_[id];
@@ -444,6 +473,11 @@ void CurveBvh::inside(const Eigen::Vector3d& centre, double radius, std::vector<
       if (distance[k] < ball.squared) stack[top++] = n.child[k];
     }
   }
+}
+
+void CurveBvh::inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const {
+  found.clear();
+  visit_inside(centre, radius, [&](uint32_t i) { found.push_back(i); });
   std::sort(found.begin(), found.end());
 }
 

@@ -49,38 +49,25 @@ class CurveBvh {
   /// time: neighbours on the curve find what limits them among the same few runs, which one walk
   /// finds for all of them.
   ///
-  /// `b`      per point, directions of its two balls
-  /// `radii`  per point, in: most, 0 where no ball is sought; out: the radii
-  /// `touched`  if not empty, receives per point and side the index of a point that limits the ball, UINT32_MAX if none
+  /// `b`        per point, directions of its two balls
+  /// `radii`    per point, in: most, 0 where no ball is sought; out: the radii
+  /// `touched`  if not empty, one entry for each of the points first .. last - 1: receives per side the index of a
+  ///            point that limits the ball, UINT32_MAX if none does; unchanged where no ball is sought
   void largest_balls(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
                      std::span<std::array<double, 2>> radii, std::span<std::array<uint32_t, 2>> touched = {}) const;
 
-  /// The same, where some points are not to count: those of which sees(i, j) is false. `touched` receives per point and
-  /// side the index of the point that limits the ball, UINT32_MAX if none does.
-  ///
-  /// `sees(i, j)`  whether point j counts for the balls of point i
-  template <class Sees>
+  /// Which points count for the balls of which.
+  struct Sight {
+    std::span<const uint32_t> kind;  ///< per point; for points of one kind the same count
+    /// A bit for each point of a run: whether it counts for points of a kind.
+    std::function<uint32_t(uint32_t kind, uint32_t run)> seen;
+  };
+
+  /// The same, where some points are not to count. Of several points that limit a ball alike `touched`, which is not
+  /// empty, receives the first.
   void largest_balls_seen(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
-                          const Sees& sees, std::span<std::array<double, 2>> radii,
-                          std::span<std::array<uint32_t, 2>> touched) const {
-    for (size_t begin = first; begin < last; begin += kRun) {
-      const size_t end = std::min<size_t>(begin + kRun, last);
-      Candidates near;
-      const bool few = gather(begin, end, b, radii, near);
-      for (size_t side = 0; side < 2; ++side) {
-        for (size_t i = begin; i < end; ++i) {
-          double& r = radii[i][side];
-          if (!(r > 0)) continue;
-          const auto counts = [&](uint32_t j) { return sees(i, j); };
-          if (few) {
-            r = largest_ball_seen_among(near, point(i), b[i][side], r, counts, touched[i][side]);
-          } else {
-            r = largest_ball_seen(point(i), b[i][side], r, counts, touched[i][side]);
-          }
-        }
-      }
-    }
-  }
+                          const Sight& sight, std::span<std::array<double, 2>> radii,
+                          std::span<std::array<uint32_t, 2>> touched) const;
 
   /// largest_ball without the points j of which counts(j) is false.
   template <class Counts>
@@ -88,11 +75,23 @@ class CurveBvh {
                            uint32_t& touched) const {
     touched = UINT32_MAX;
     double radius = most;
-    visit(x, b, radius, [&](uint32_t run) { return shrinks_to_seen(run, x, b, radius, counts, touched); });
+    visit(x, b, radius, [&](uint32_t run) {
+      return shrinks_to_counted(run, lanes_inside(run, x, b, radius), x, b, radius, counts, touched);
+    });
     return radius;
   }
 
-  /// The indices of all points nearer to `centre` than `radius`, in rising order.
+  /// Calls visit(i) for the indices of all points nearer to `centre` than `radius`, in the order of the tree.
+  template <class Visit>
+  void visit_inside(const Eigen::Vector3d& centre, double radius, const Visit& visit) const {
+    runs_inside(centre, radius, [&](uint32_t run) {
+      const size_t first = size_t{run} * kRun, end = std::min<size_t>(first + kRun, points_.size());
+      for (size_t i = first; i < end; ++i) {
+        if ((point(i) - centre).squaredNorm() < radius * radius) visit(static_cast<uint32_t>(i));
+      }
+    });
+  }
+  /// The same indices in rising order.
   void inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const;
 
   /// Points in a run.
@@ -126,20 +125,25 @@ class CurveBvh {
               std::span<const std::array<double, 2>> radii, Candidates& near) const;
   /// The points of a run inside of a ball, or as good as on it: a bit each.
   uint32_t lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double radius) const;
-  /// The lanes of four candidates that a ball meets.
-  uint32_t lanes_met(const Candidates& near, uint32_t at, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
-                     double radius) const;
   template <class Shrink>
   void visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius, const Shrink& shrink) const;
   /// The same for templates of this header.
   void visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
              const std::function<bool(uint32_t run)>& shrink) const;
+  /// Calls visit(run) for the runs that a ball meets.
+  void runs_inside(const Eigen::Vector3d& centre, double radius,
+                   const std::function<void(uint32_t run)>& visit) const;
 
+  /// Shrinks a ball until none of these points of a run is in it; true if it had to.
+  bool shrinks_to_lanes(uint32_t run, uint32_t lanes, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
+                        double& radius, uint32_t& touched) const {
+    return shrinks_to_counted(run, lanes, x, b, radius, [](uint32_t) { return true; }, touched);
+  }
   template <class Counts>
-  bool shrinks_to_seen(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
-                       const Counts& counts, uint32_t& touched) const {
+  bool shrinks_to_counted(uint32_t run, uint32_t lanes, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
+                          double& radius, const Counts& counts, uint32_t& touched) const {
     bool smaller = false;
-    for (uint32_t lanes = lanes_inside(run, x, b, radius); lanes != 0; lanes &= lanes - 1) {
+    for (; lanes != 0; lanes &= lanes - 1) {
       const size_t i = size_t{run} * kRun + static_cast<size_t>(std::countr_zero(lanes));
       if (i >= points_.size()) break;
       const Eigen::Vector3d d = point(i) - x;
@@ -153,26 +157,38 @@ class CurveBvh {
     }
     return smaller;
   }
-
-  template <class Counts>
-  double largest_ball_seen_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
-                                 double most, const Counts& counts, uint32_t& touched) const {
-    touched = UINT32_MAX;
-    double radius = most;
-    for (uint32_t at = 0; at < near.count; at += 4) {
-      for (uint32_t lanes = lanes_met(near, at, x, b, radius); lanes != 0; lanes &= lanes - 1) {
-        shrinks_to_seen(near.run[at + static_cast<uint32_t>(std::countr_zero(lanes))], x, b, radius, counts, touched);
-      }
-    }
-    return radius;
+  static auto counts_for(const Sight& sight, uint32_t kind) {
+    return [&sight, kind](uint32_t j) { return (sight.seen(kind, j / kRun) >> (j % kRun) & 1) != 0; };
   }
+
+  /// What points of one kind see of the candidates, found out when it is first asked for.
+  class Seen {
+   public:
+    Seen(const Candidates& near, const Sight& sight, uint32_t kind) : near_(near), sight_(sight), kind_(kind) {
+      std::fill(lanes_.begin(), lanes_.begin() + near.count, kUnknown);
+    }
+    uint32_t kind() const { return kind_; }
+    uint32_t lanes(uint32_t candidate) {
+      uint16_t& lanes = lanes_[candidate];
+      if (lanes == kUnknown) lanes = static_cast<uint16_t>(sight_.seen(kind_, near_.run[candidate]));
+      return lanes;
+    }
+
+   private:
+    static constexpr uint16_t kUnknown = 1u << 15;
+    const Candidates& near_;
+    const Sight& sight_;
+    uint32_t kind_;
+    std::array<uint16_t, Candidates::kMost> lanes_;
+  };
 
   bool shrinks_to(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
                   uint32_t* touched) const;
-  uint32_t limit_in(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double radius) const;
   bool runs_near(const Box& box, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
-                            uint32_t& limiting) const;
+                            uint32_t& limiting, uint32_t& touched) const;
+  double largest_ball_seen_among(const Candidates& near, Seen& seen, const Eigen::Vector3d& x,
+                                 const Eigen::Vector3d& b, double most, uint32_t& limiting, uint32_t& touched) const;
   uint32_t add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool);
   void halve(uint32_t first, uint32_t middle, uint32_t last);
 

@@ -56,7 +56,7 @@ constexpr double kStep = 0.6, kAround = 0.6;
 /// A point is seen in the plane of another face if their normals differ by less than this cosine.
 constexpr double kNearlyFlat = 0.9;
 
-/// Everything that balls may touch, patch by patch.
+/// Everything that balls may touch, and the patches that it lies in.
 class Obstacles {
  public:
   Obstacles(const Surface& surface, const SurfacePatches& patches, const Curve& curve, const Frames& frames,
@@ -69,7 +69,6 @@ class Obstacles {
     pool.for_blocks(at.size(), 512, [&](size_t, size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) patch_[i] = patches.patch_of(surface, point(static_cast<uint32_t>(i)));
     });
-    sort(patches.count());
   }
   Obstacles(const Obstacles&) = delete;
   Obstacles& operator=(const Obstacles&) = delete;
@@ -80,14 +79,7 @@ class Obstacles {
     return i < curve_.size() ? curve_.nodes[i] : walls_[i - curve_.size()];
   }
   uint32_t patch(size_t i) const { return patch_[i]; }
-
-  struct Place {
-    Vec3 position;
-    uint32_t index;
-  };
-  std::span<const Place> in_patch(uint32_t patch) const {
-    return std::span(sorted_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
-  }
+  std::span<const uint32_t> patches() const { return patch_; }
 
  private:
   void add_walls(const Surface& surface, const Frames& frames, const BoundaryObstacle& boundary) {
@@ -100,22 +92,11 @@ class Obstacles {
     }
   }
 
-  void sort(uint32_t patches) {
-    first_.assign(patches + 1, 0);
-    for (const uint32_t p : patch_) ++first_[p + 1];
-    for (uint32_t p = 0; p < patches; ++p) first_[p + 1] += first_[p];
-    sorted_.resize(patch_.size());
-    std::vector<uint32_t> at(first_.begin(), first_.end() - 1);
-    for (uint32_t i = 0; i < patch_.size(); ++i) sorted_[at[patch_[i]]++] = {positions_[i], i};
-  }
-
   const Curve& curve_;
   std::vector<Vec3> with_walls_;
   std::vector<SurfacePoint> walls_;
   std::span<const Vec3> positions_;
   std::vector<uint32_t> patch_;
-  std::vector<uint32_t> first_;
-  std::vector<Place> sorted_;
 };
 
 /// What balls are measured in.
@@ -128,6 +109,18 @@ struct Scene {
   const CurveBvh& tree;
 
   bool sees(size_t i, uint32_t j) const { return !patches.hidden(obstacles.patch(i), obstacles.patch(j)); }
+  /// A bit for each point of a run of the tree that is not hidden from a patch.
+  uint32_t seen_of(uint32_t patch, uint32_t run) const {
+    const std::span<const uint32_t> there = obstacles.patches();
+    const size_t first = size_t{run} * CurveBvh::kRun, end = std::min(first + CurveBvh::kRun, there.size());
+    uint32_t lanes = 0;
+    bool hidden = false;
+    for (size_t j = first; j < end; ++j) {
+      if (j == first || there[j] != there[j - 1]) hidden = patches.hidden(patch, there[j]);
+      lanes |= (hidden ? 0u : 1u) << (j - first);
+    }
+    return lanes;
+  }
 };
 
 /// One ball after the other, and the scratch memory of one thread.
@@ -138,8 +131,9 @@ class GeodesicBall {
   /// The radius of the largest empty ball on one side of a node.
   ///
   /// `straight`, `touched`  the ball through space among what the node sees, and the index of what limits it
+  /// `likely`               what it is probably less than, which only saves time; at most `most`
   /// `r`                    the local one
-  double largest(uint32_t node, size_t side, double straight, uint32_t touched, double most, double r) {
+  double largest(uint32_t node, size_t side, double straight, uint32_t touched, double likely, double most, double r) {
     node_ = node;
     outward_ = scene_.frames.outward[node][side];
     ahead_ = (side == 0 ? 1.0 : -1.0) * scene_.frames.bitangent2[node];
@@ -152,8 +146,8 @@ class GeodesicBall {
     const double along = outward_.dot(scene_.surface.to_space(face(), ahead_));
     straight_on_ = along >= kStraightOn;
     certain = certain && straight_on_ && (straight <= kWide * r || !patches.sharp(patch));
-    if (certain && along >= kAhead && alike(touched)) return straight;
-    if (!certain || opposite(touched) || !measure(straight, touched, most)) search();
+    if (certain && alike(touched) && (along >= kAhead || !holds_crease(straight))) return straight;
+    if (!certain || opposite(touched) || !measure(straight, touched, most)) search_below(likely);
     if (patches.sharp(patch)) look_from_centre();
     return least_;
   }
@@ -244,12 +238,19 @@ class GeodesicBall {
     }
   }
 
+  /// Whether a straight ball of this radius reaches a crease: a little more than it, as on a surface that bends a
+  /// little its centre is not quite known.
+  bool holds_crease(double radius) const {
+    constexpr double kMore = 1.05;
+    return scene_.patches.crease_within(scene_.frames.position[node_] + radius * outward_, kMore * radius);
+  }
+
   /// Makes the ball smaller until its centre sees nothing in it. Beside a corner, as that of a cube, what the node sees
   /// along one straight path is nearer to the centre along another, on the other side of the corner.
   void look_from_centre() {
     for (int round = 0; round < kMostRounds; ++round) {
       const double radius = least_;
-      if (radius > kSeenFromCentre * r_) return;
+      if (radius > kSeenFromCentre * r_ || (straight_on_ && !holds_crease(radius))) return;
       Chart way = here();
       way.advance(scene_.surface, radius * ahead_);
       if (way.at_boundary) return;
@@ -270,6 +271,17 @@ class GeodesicBall {
       }
       if (least_ >= (1 - kInside) * radius) return;
     }
+  }
+
+  /// Looks for what limits the ball, first among balls of less than `likely`: a ball that is known to be small reaches
+  /// little. What the measuring has noted is true, even where it has not come to an end.
+  void search_below(double likely) {
+    const double noted = least_;
+    least_ = std::min(noted, likely);
+    search();
+    if (least_ < likely || noted <= likely) return;
+    least_ = noted;
+    search();
   }
 
   /// Looks for what limits the ball along rays, as far as the ball reaches.
@@ -302,10 +314,12 @@ class GeodesicBall {
 
   /// Does a ball of this radius hold no crease?
   bool is_flat(double radius) const {
+    const SurfacePatches& patches = scene_.patches;
+    if (holds_crease(radius)) return false;
+    if (patches.to_bend(scene_.obstacles.patch(node_)) > 2 * radius) return true;
     Chart centre = here();
     centre.advance(scene_.surface, radius * ahead_);
-    return !centre.at_boundary &&
-           scene_.patches.to_crease(scene_.patches.patch_of(scene_.surface, centre.point)) > radius;
+    return !centre.at_boundary && patches.to_bend(patches.patch_of(scene_.surface, centre.point)) > radius;
   }
 
   /// `flat_known`  what lies in about the plane of the node is known already
@@ -315,23 +329,26 @@ class GeodesicBall {
         scene_.patches.normal(patch).dot(scene_.patches.normal(scene_.obstacles.patch(node_))) >= kAlike) {
       return;
     }
-    look_in(chart, patch);
-    for (const uint32_t beside : scene_.patches.beside(patch)) look_in(chart, beside);
+    const std::span<const uint32_t> beside = scene_.patches.beside(patch);
+    const Vec3& x = scene_.obstacles.positions()[node_];
+    scene_.tree.visit_inside(chart.position, kAround * r_, [&](uint32_t index) {
+      const Vec3& position = scene_.obstacles.positions()[index];
+      // No path is shorter than the straight line, and no ball that a path limits is smaller than half of it.
+      if (index == node_ || (position - x).squaredNorm() >= 4 * least_ * least_) return;
+      const uint32_t there = scene_.obstacles.patch(index);
+      if (there == patch || std::ranges::find(beside, there) != beside.end()) look_at(chart, index, position);
+    });
   }
 
-  void look_in(const Chart& chart, uint32_t patch) {
+  void look_at(const Chart& chart, uint32_t index, const Vec3& position) {
     const Surface& s = scene_.surface;
-    for (const Obstacles::Place& place : scene_.obstacles.in_patch(patch)) {
-      const Vec3 d = place.position - chart.position;
-      if (d.squaredNorm() > kAround * kAround * r_ * r_ || place.index == node_) continue;
-      const SurfacePoint& p = scene_.obstacles.point(place.index);
-      if (p.face == chart.point.face) {
-        note(chart.place + chart.turn * (flat(s, p) - flat(s, chart.point)));
-      } else if (s.face_normal(p.face).dot(s.face_normal(chart.point.face)) >= kNearlyFlat) {
-        note(chart.place + chart.turn * s.to_plane(chart.point.face, d));
-      } else if (Chart there = chart; there.advance_to(s, p, place.position, r_)) {
-        note(there.place);
-      }
+    const SurfacePoint& p = scene_.obstacles.point(index);
+    if (p.face == chart.point.face) {
+      note(chart.place + chart.turn * (flat(s, p) - flat(s, chart.point)));
+    } else if (s.face_normal(p.face).dot(s.face_normal(chart.point.face)) >= kNearlyFlat) {
+      note(chart.place + chart.turn * s.to_plane(chart.point.face, position - chart.position));
+    } else if (Chart there = chart; there.advance_to(s, p, position, r_)) {
+      note(there.place);
     }
   }
 
@@ -351,64 +368,60 @@ class GeodesicBall {
 class BallsOfRun {
  public:
   BallsOfRun(const Scene& scene, bool measure, const LocalMetric& metric, const NodeData<Reach>& reach,
-             NodeData<Radii>& radii, NodeData<std::array<uint32_t, 2>>& touched)
-      : scene_(scene), measure_(measure), metric_(metric), reach_(reach), radii_(radii), touched_(touched),
-        ball_(scene) {}
+             const CurveBvh::Sight& sight, NodeData<Radii>& radii)
+      : scene_(scene), measure_(measure), metric_(metric), reach_(reach), sight_(sight), radii_(radii), ball_(scene) {}
 
   void find(uint32_t begin, uint32_t end) {
-    bool plain = true, thin = false;
+    bool hides = false, creased = false;
     for (uint32_t i = begin; i < end; ++i) {
       const uint32_t patch = scene_.obstacles.patch(i);
-      plain = plain && !scene_.patches.hides(patch) && !(measure_ && scene_.patches.creased(patch));
-      thin = thin || scene_.patches.thin(patch);
+      hides = hides || scene_.patches.hides(patch);
+      creased = creased || (measure_ && scene_.patches.creased(patch));
       for (size_t side = 0; side < 2; ++side) {
         const double most = std::max(0.0, reach_[i][side].radius), last = radii_[i][side];
         start_[i - begin][side] = radii_[i][side] = last > 0 ? std::min(most, kWarmth * last) : most;
       }
     }
-    const auto sees = [&](size_t i, uint32_t j) { return scene_.sees(i, j); };
-    if (plain) {
-      scene_.tree.largest_balls(begin, end, scene_.frames.outward, radii_);
-    } else if (thin) {
-      scene_.tree.largest_balls_seen(begin, end, scene_.frames.outward, sees, radii_, touched_);
-    } else {
+    if (hides) {
+      scene_.tree.largest_balls_seen(begin, end, scene_.frames.outward, sight_, radii_, touched_);
+    } else if (creased) {
       scene_.tree.largest_balls(begin, end, scene_.frames.outward, radii_, touched_);
+    } else {
+      scene_.tree.largest_balls(begin, end, scene_.frames.outward, radii_);
     }
     for (uint32_t i = begin; i < end; ++i) {
       for (size_t side = 0; side < 2; ++side) {
-        if (reach_[i][side].radius > 0) finish(i, side, start_[i - begin][side], plain, thin);
+        if (reach_[i][side].radius > 0) finish(i, side, start_[i - begin][side], touched_[i - begin][side]);
       }
     }
   }
 
  private:
-  void finish(uint32_t i, size_t side, double start, bool plain, bool thin) {
+  void finish(uint32_t i, size_t side, double start, uint32_t touched) {
+    const uint32_t patch = scene_.obstacles.patch(i);
+    const bool creased = measure_ && scene_.patches.creased(patch);
     double& radius = radii_[i][side];
-    uint32_t& touched = touched_[i][side];
     const double most = reach_[i][side].radius;
-    if (!plain && !thin && touched != kNone && !scene_.sees(i, touched)) radius = straight(i, side, start);
     // An empty ball that no point limits is only a lower bound: start again from the clamp.
     if (!(radius < start) && radius < most) {
-      radius = plain ? scene_.tree.largest_ball(scene_.frames.position[i], scene_.frames.outward[i][side], most)
-                     : straight(i, side, most);
+      const Vec3 &x = scene_.frames.position[i], &outward = scene_.frames.outward[i][side];
+      radius = scene_.patches.hides(patch)
+                   ? scene_.tree.largest_ball_seen(x, outward, most,
+                                                   [&](uint32_t j) { return scene_.sees(i, j); }, touched)
+                   : scene_.tree.largest_ball(x, outward, most, creased ? &touched : nullptr);
     }
-    if (!measure_ || !scene_.patches.creased(scene_.obstacles.patch(i))) return;
-    radius = ball_.largest(i, side, radius, touched, most, metric_.radius[i]);
-  }
-
-  double straight(uint32_t i, size_t side, double most) {
-    return scene_.tree.largest_ball_seen(scene_.frames.position[i], scene_.frames.outward[i][side], most,
-                                         [&](uint32_t j) { return scene_.sees(i, j); }, touched_[i][side]);
+    if (creased) radius = ball_.largest(i, side, radius, touched, start, most, metric_.radius[i]);
   }
 
   const Scene& scene_;
   bool measure_;
   const LocalMetric& metric_;
   const NodeData<Reach>& reach_;
+  const CurveBvh::Sight& sight_;
   NodeData<Radii>& radii_;
-  NodeData<std::array<uint32_t, 2>>& touched_;
   GeodesicBall ball_;
   std::array<Radii, CurveBvh::kRun> start_;
+  std::array<std::array<uint32_t, 2>, CurveBvh::kRun> touched_;
 };
 
 }  // namespace
@@ -422,10 +435,11 @@ void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& 
   const Obstacles obstacles(surface, patches, curve, frames, boundary, rule, pool);
   tree.build(obstacles.positions(), pool);
   const Scene scene{surface, patches, curve, frames, obstacles, tree};
-  NodeData<std::array<uint32_t, 2>> touched(n, {kNone, kNone});
+  const CurveBvh::Sight sight{obstacles.patches(),
+                              [&](uint32_t patch, uint32_t run) { return scene.seen_of(patch, run); }};
   constexpr size_t kBlock = 256;
   pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-    BallsOfRun balls(scene, measure, metric, reach, radii, touched);
+    BallsOfRun balls(scene, measure, metric, reach, sight, radii);
     for (auto first = static_cast<uint32_t>(begin); first < end; first += CurveBvh::kRun) {
       balls.find(first, std::min(first + CurveBvh::kRun, static_cast<uint32_t>(end)));
     }
