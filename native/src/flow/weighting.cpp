@@ -132,11 +132,13 @@ void set_polish_terms(const Weighting& w) {
 void keep_hairpins_round(const Weighting& w) {
   const NodeData<double> curvature =
       smoothed_curvature(w.state.curve, w.state.metric, tuning::kCurvatureSmoothing, w.pool);
-  for (size_t i = 0; i < curvature.size(); ++i) {
-    const double tightness =
-        (curvature[i] - tuning::kRoundHairpin) / (tuning::kTightHairpin - tuning::kRoundHairpin);
-    w.weights.bending[i] *= 1 + tuning::kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
-  }
+  w.pool.for_blocks(curvature.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const double tightness =
+          (curvature[i] - tuning::kRoundHairpin) / (tuning::kTightHairpin - tuning::kRoundHairpin);
+      w.weights.bending[i] *= 1 + tuning::kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
+    }
+  });
 }
 
 double polish_push(const Weighting& w) {

@@ -22,6 +22,7 @@ double power(double x, double e) {
   if (e == 2) return x * x;
   if (e == 4) return (x * x) * (x * x);
   if (e == 6) return (x * x) * (x * x) * (x * x);
+  if (e == 8) return ((x * x) * (x * x)) * ((x * x) * (x * x));
   return std::pow(x, e);
 }
 
