@@ -10,7 +10,7 @@
         flow = meander.Flow(surface, options)
     reason = flow.run()                                     # "converged"
     curve = flow.polylines()                                # positions, offsets, closed, ...
-    meander.write_curve("spot.svg", flow, layout_as="top")
+    meander.write_curve("spot.svg", flow, layout="top")
 
 Lengths are in the units of the vertices; indices are zero-based. What goes wrong with a mesh or a
 wish is a `MeanderError`, with a file a `FileError`: one sentence for people. Calls into the library

@@ -120,7 +120,8 @@ def _drawing_values(
     for name, value in drawing.items():
         row = _DRAWING.get(name)
         if row is None:
-            raise FileError(f"there is no option {name}; choose from {', '.join(_DRAWING)}")
+            known = ", ".join(option for option in _DRAWING if option not in _IN_BLENDER)
+            raise FileError(f"there is no option {name}; choose from {known}")
         if name in _IN_BLENDER:
             raise FileError(f"{name} needs Blender; leave it out")
         if kind is None or row.setting not in kind.options:

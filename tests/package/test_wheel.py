@@ -181,6 +181,22 @@ def test_the_page_about_it_is_right(installed: Environment) -> None:
     assert written == {"octahedron.obj", "octahedron.csv", "octahedron.svg"}
 
 
+def test_the_example_that_help_shows_is_right(installed: Environment, ball: Path) -> None:
+    shutil.copy(ball, installed.work / "spot.obj")
+    script = (
+        "import inspect, meander\n"
+        "paragraphs = inspect.cleandoc(meander.__doc__).split('\\n\\n')\n"
+        "(first, *rest) = [text for text in paragraphs if text.startswith('    ')]\n"
+        "example = inspect.cleandoc('\\n' + '\\n'.join([first, *rest]))\n"
+        "assert example.startswith('import meander') and 'write_curve' in example\n"
+        "exec(example)\n"
+        "print(reason)\n"
+    )
+    done = installed.run(installed.python, "-c", script)
+    assert (done.returncode, done.stdout) == (0, "converged\n"), done.stderr
+    assert (installed.work / "spot.svg").read_text().startswith("<?xml")
+
+
 def test_it_needs_nothing_but_numpy(installed: Environment) -> None:
     script = (
         "import sys, numpy\n"
