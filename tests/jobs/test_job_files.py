@@ -110,6 +110,25 @@ def test_names_and_outputs_follow_their_patterns(items, job):
     assert found[0].log == job.folder / "job" / "meshes" / "a-fine.log"
 
 
+@pytest.mark.parametrize(
+    ("what", "name"),
+    [
+        ('input = "**/b.*"', "{stem}-{suffix}"), ('input = "**/c.obj"', "{folder}-{stem}"),
+        ('input = "shot.blend"\nobject = "Rock *"', "{stem}-{object}"),
+        ('input = "shot.blend"\nframes = "1-2"', "{stem}-{frame}"),
+    ],
+)  # fmt: skip
+def test_items_of_one_name_are_told_apart_as_is_said(items, job, what, name):
+    (job.folder / "deep").mkdir()
+    for path in ("meshes/b.PLY", "meshes/c.obj", "deep/c.obj"):
+        (job.folder / path).write_text("ok")
+    text = f'{SPACING}[[items]]\n{what}\n'
+    with pytest.raises(JobError, match="two items are called") as refusal:
+        items(text + 'name = "{stem}"\n')
+    assert f'name = "{name}"' in str(refusal.value)
+    assert len({item.name for item in items(text + f'name = "{name}"\n')}) == 2
+
+
 def test_what_a_job_has_written_is_not_its_input(items, job):
     job.results.mkdir()
     (job.results / "a.obj").write_text("")
@@ -216,7 +235,7 @@ MISTAKES = {
     "name leads out": (SPACING + ITEM + 'name = "../x"\n', "leads out"),
     "output leads out": (SPACING + ITEM + 'output = "/x.obj"\n', "leads out"),
     "kind of output": (SPACING + ITEM + 'output = "x.xyz"\n', "x.xyz"),
-    "one name": (SPACING + ITEM + ITEM, "two items are called 'a'"),
+    "one name": (SPACING + ITEM + ITEM, "{stem}-fine"),
     "one output": (SPACING + '[[items]]\ninput = "meshes/*.obj"\noutput = "x.obj"\n', "{name}"),
     "output is the log": (SPACING + ITEM + 'output = "a.report.json"\n', "itself twice"),
     "over an input": (

@@ -67,7 +67,7 @@ def test_a_limit_of_memory_is_a_failed_item(job):
         fake=False,
     )
     assert job.run().returncode == 1
-    assert "memory" in sentence_of(job, "b")
+    assert sentence_of(job, "b") == "needs more than 100 MB; raise memory, or the spacing"
     assert (job.results / "a.obj").exists() and not (job.results / "b.obj").exists()
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import time
@@ -14,6 +15,8 @@ from .job_file import JobError
 
 _ON_WINDOWS = os.name == "nt"
 _MEGABYTE = 1_000_000
+# What the library says, and what Python does, of memory that they were not given.
+_NO_MEMORY = re.compile(r"meander: There is not enough memory|MemoryError")
 _SIGNALS = {int(number): number.name for number in signal.Signals}
 
 
@@ -103,10 +106,10 @@ class Child:
             return ""
         lines = _last_lines(self._log)
         said = [line for line in lines if line.startswith("meander: ")]
+        if self._memory is not None and lines and _NO_MEMORY.match(lines[-1]):
+            return f"needs more than {self._memory:g} MB; raise memory, or the spacing"
         if code == 2 and said:
             return said[-1].removeprefix("meander: ")
-        if self._memory is not None and lines and lines[-1].startswith("MemoryError"):
-            return f"needs more than {self._memory:g} MB; raise memory, or the spacing"
         return f"ended with exit code {code}; see {log}"
 
     def end(self) -> int:

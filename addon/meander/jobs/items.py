@@ -17,8 +17,6 @@ from . import job_file, options
 from .job_file import JobError, JobFile, texts
 from .objects import Meshes
 
-# What a name or an output may be put together from.
-_PLACEHOLDERS = ("stem", "folder", "object", "frame")
 _FRAMES = re.compile(r"\s*(-?\d{1,7})\s*(?:-\s*(-?\d{1,7})\s*(?::\s*(\d{1,7})\s*)?)?")
 # Items of one job; more are surely a mistake in the frames.
 _MOST_FRAMES = 100_000
@@ -56,23 +54,33 @@ def items_of(job: JobFile, meshes: Meshes) -> list[Item]:
 
     meshes   says which meshes a .blend holds, where an item has a pattern for their names
     """
-    items: list[Item] = []
-    sources: dict[str, str] = {}
+    named: dict[str, Item] = {}
     defaults = options.check_keys(f"{job.path.name}: [defaults]", job.defaults)
     for number, table in enumerate(job.items, 1):
         where = f"{job.path.name}: [[items]] number {number}"
         merged = defaults | options.check_keys(where, table)
         for item in _expanded(job, where, merged, meshes):
-            source = " ".join(str(path) for path in options.files_read(item.options)[:1])
-            if item.name in sources:
-                raise JobError(
-                    f"{where}: two items are called {item.name!r}, of {sources[item.name]} and of "
-                    f'{source}; tell them apart with a name such as "{{folder}}-{{stem}}"'
-                )
-            sources[item.name] = source
-            items.append(item)
+            if item.name in named:
+                other = named[item.name]
+                raise JobError(f"{where}: {_one_name(item.name, other.options, item.options)}")
+            named[item.name] = item
+    items = list(named.values())
     _check_paths(items)
     return items
+
+
+def _one_name(name: str, first: argparse.Namespace, second: argparse.Namespace) -> str:
+    """About two items with one name, by their options: what they are made from, and what to do."""
+    both = f"two items are called {name!r}, of {first.input} and of {second.input}"
+    for part, differs in (
+        ("{stem}-{object}", first.object != second.object),
+        ("{stem}-{frame}", first.frame != second.frame),
+        ("{folder}-{stem}", first.input.parent.name != second.input.parent.name),
+        ("{stem}-{suffix}", first.input.suffix.lower() != second.input.suffix.lower()),
+    ):
+        if differs:
+            return f'{both}; tell them apart with name = "{part}"'
+    return f'{both}; give one of them a name of its own, such as name = "{{stem}}-fine"'
 
 
 def shard_of(items: list[Item], number: int, count: int) -> list[Item]:
@@ -172,6 +180,7 @@ def _item(
 ) -> Item:
     values = {
         "stem": _as_part(path.stem),
+        "suffix": _as_part(path.suffix.lower()),
         "folder": _as_part(path.parent.name),
         "object": _as_part(object_name or ""),
         "frame": "" if frame is None else frame,
