@@ -91,8 +91,8 @@ class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
     bl_label = "Add Preset"
     preset_menu = "MEANDER_PT_presets"
     preset_subdir = SUBDIR
-    preset_defines = ("settings = bpy.context.active_object.meander",)
-    preset_values = tuple(f"settings.{name}" for name in SETTINGS)
+    # Without preset_defines, which do nothing in a Blender before 5.1 on Python 3.13 (Debian 13's).
+    preset_values = tuple(f"bpy.context.active_object.meander.{name}" for name in SETTINGS)
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

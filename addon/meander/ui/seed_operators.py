@@ -137,8 +137,11 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         mesh_object = context.active_object
         mesh = bmesh.from_edit_mesh(mesh_object.data)
-        # As they were selected, where Blender knows.
-        picked = [item for item in mesh.select_history if isinstance(item, bmesh.types.BMVert)]
+        # As they were selected, where Blender knows. By number: in Debian 13's Blender 4.3, on
+        # Python 3.13, the history cannot be iterated.
+        history = mesh.select_history
+        chosen = [history[index] for index in range(len(history))]
+        picked = [item for item in chosen if isinstance(item, bmesh.types.BMVert)]
         others = [vertex for vertex in mesh.verts if vertex.select and vertex not in picked]
         ends = [vertex.co[:] for vertex in picked + others]
         if len(ends) != 2:
