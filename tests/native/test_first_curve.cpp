@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// First curves of surfaces of very many parts. With a time that grows with the square of their number these tests
-// take minutes.
+// First curves of surfaces of very many parts, and of very small ones. With a time that grows with the square of
+// their number these tests take minutes.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 
 #include "curve/crossings.h"
 #include "curve/first_curve.h"
@@ -85,6 +86,23 @@ TEST(FirstCurve, BeginsWhereTheBoundaryLeavesRoom) {
       EXPECT_NEAR((position(surface, node) - middle).norm(), 1.5 * r, 1e-9 * r);
     }
   }
+}
+
+/// Rays as long as the circle is wide would wind thousands of times round the small ones, which took minutes.
+TEST(FirstCurve, OfComponentsFarSmallerThanTheSpacingIsFoundAtOnce) {
+  Mesh mesh = cube();
+  constexpr uint32_t kSmall = 10;
+  for (uint32_t k = 1; k <= kSmall; ++k) {
+    mesh = joined(mesh, scaled(cube(), 1e-3 / k), 3.0 * k);
+  }
+  const Surface surface = make_surface(mesh);
+  const double r = 0.4 / surface.scale();
+  ThreadPool pool(1);
+  const std::clock_t begin = std::clock();
+  const Curve curve = first_curve(surface, nullptr, RadiusField(r), true, PointTree({}), 1, pool);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 1.0);  // measured: .002
+  EXPECT_EQ(curve.strands.size(), 1 + kSmall);
+  EXPECT_TRUE(CrossingTest().find(surface, curve, pool).empty());
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ class Loops {
   /// A closed strand of the ends of rays; false, with the curve as before, where a ray meets the boundary or the
   /// strand itself or any other.
   bool add_circle(const SurfacePoint& middle, double wide) {
+    if (is_all_within(wide, middle.face)) return false;
     std::vector<Path> rays(kRays);
     Curve loop;
     for (uint32_t k = 0; k < kRays; ++k) {
@@ -120,6 +121,30 @@ class Loops {
     }
     if (!test_.find(surface_, loop, pool_).empty() || touches_others(loop)) return false;
     append(loop);
+    return true;
+  }
+
+  /// Is no point of the component farther from any of this face? Then rays as long as this wind round it, on a
+  /// component far smaller than r thousands of times, and what they end in crosses itself.
+  bool is_all_within(double distance, uint32_t face) const {
+    const auto longest = [&](uint32_t f) {
+      double most = 0;
+      for (uint32_t k = 0; k < 3; ++k) {
+        most = std::max(most, norm(surface_.corner(f, next_corner(k)) - surface_.corner(f, k)));
+      }
+      return most;
+    };
+    std::unordered_set<uint32_t> seen{face};
+    std::vector<std::pair<uint32_t, double>> faces{{face, longest(face)}};  // breadth first, with all points this near
+    for (size_t k = 0; k < faces.size(); ++k) {
+      const auto [f, near] = faces[k];
+      if (near > distance) return false;
+      for (HalfEdge e = 3 * f; e < 3 * f + 3; ++e) {
+        const HalfEdge twin = surface_.twin(e);
+        if (twin == kNone || !seen.insert(face_of(twin)).second) continue;
+        faces.emplace_back(face_of(twin), near + longest(face_of(twin)));
+      }
+    }
     return true;
   }
 
