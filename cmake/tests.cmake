@@ -28,6 +28,8 @@ foreach(test_source IN LISTS test_sources)
     PROPERTIES TIMEOUT 300)
 endforeach()
 
+include(cmake/sweep.cmake)
+
 # The header is C99: one C program runs a step through the shared library, as a client would.
 add_executable(c99_step tests/native/c99_step.c)
 target_compile_options(c99_step PRIVATE -pedantic -Wall -Wextra -Werror)

@@ -5,9 +5,9 @@
 #
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
-# in both, jobs of many surfaces, UI tests in a window, the commands of the documents, the linter,
-# and the rule which module may import which. Every suite runs, even if others fail. Logs stay in
-# build/logs; the last line counts the tests, and the exit code is 0 only when nothing failed.
+# in both, jobs of many surfaces, hard surfaces, UI tests in a window, the commands of the documents,
+# the linter, and the rule which module may import which. Every suite runs, even if others fail. Logs
+# stay in build/logs; the last line counts the tests, and the exit code is 0 only when nothing failed.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -126,6 +126,9 @@ first_row() {
   profile core
   suite core 900 "${in_profile[@]}" \
     /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/core
+  profile sweep
+  suite sweep 600 "${in_profile[@]}" \
+    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/sweep
   profile blender-4.5
   suite blender-4.5 900 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
   window ui run.py 100

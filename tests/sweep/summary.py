@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the tables of docs/reliability.md from the rows of a sweep: only what was run.
+
+    python3 tests/sweep/summary.py build/sweep/rows.jsonl [--page docs/reliability.md]
+
+Without --page the tables are printed; with it they take the place of those that the page has.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import statistics
+import sys
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+from rows import EXPECTED, failed, read_rows
+
+Row = dict[str, Any]
+
+BEGIN, END = "<!-- tables of the sweep -->", "<!-- end of the tables -->"
+
+# Of runs with fewer nodes the time is not that of their nodes.
+FEWEST_NODES = 200
+SLOW = 4.0
+
+
+def cost(row: Row) -> float | None:
+    """Seconds per node and iteration, where there are enough nodes to tell."""
+    iterations, nodes = row.get("iterations", 0), row.get("node_iterations", 0.0)
+    return row["flowing"] / nodes if iterations and nodes / iterations >= FEWEST_NODES else None
+
+
+def relative_costs(rows: Iterable[Row]) -> dict[int, float]:
+    """The cost of rows, by their place, in medians of those with the same preset and measure."""
+    costs: dict[tuple[str, str], dict[int, float]] = defaultdict(dict)
+    for place, row in enumerate(rows):
+        seconds = cost(row)
+        if seconds is not None:
+            costs[row["preset"], row["measure"]][place] = seconds
+    relative = {}
+    for group in costs.values():
+        median = statistics.median(group.values())
+        relative |= {place: seconds / median for place, seconds in group.items()}
+    return relative
+
+
+def _table(head: list[str], lines: list[list[object]]) -> str:
+    rows = [head, ["---"] * len(head), *lines]
+    return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in rows)
+
+
+def _counts(rows: list[Row]) -> list[object]:
+    """The numbers under HEAD."""
+    outcomes = Counter(row["outcome"] for row in rows)
+    others = sum(count for name, count in outcomes.items() if name not in EXPECTED)
+    checked = sum(row.get("checked", 0) for row in rows)
+    crossings = sum(row.get("crossings", 0) for row in rows)
+    wrong = sum(1 for row in rows if row.get("faults"))
+    return [
+        len(rows),
+        *(outcomes[name] for name in EXPECTED),
+        others,
+        f"{checked:,}",
+        crossings,
+        wrong,
+    ]
+
+
+HEAD = ["runs", *EXPECTED, "crash, hang, error", "curves checked", "crossings", "runs with a fault"]
+
+
+def by(rows: list[Row], name: str, key: Callable[[Row], Any]) -> str:
+    """A table with a line for each value of `key`."""
+    groups: dict[Any, list[Row]] = defaultdict(list)
+    for row in rows:
+        groups[key(row)].append(row)
+    lines = [[value, *_counts(groups[value])] for value in sorted(groups)]
+    return _table([name, *HEAD], lines)
+
+
+def of_models(rows: list[Row]) -> str:
+    """A line for each model: outcomes, largest curve, longest set-up, slowest run, failures."""
+    relative = relative_costs(rows)
+    groups: dict[str, list[int]] = defaultdict(list)
+    for place, row in enumerate(rows):
+        groups[row["model"]].append(place)
+    lines = []
+    for model, places in sorted(groups.items()):
+        mine = [rows[place] for place in places]
+        outcomes = Counter(row["outcome"] for row in mine)
+        said = ", ".join(f"{outcomes[name]} {name}" for name in sorted(outcomes))
+        costs = [relative[place] for place in places if place in relative]
+        lines.append(
+            [
+                model.replace("_", " "),
+                said,
+                f"{max(row.get('nodes', 0) for row in mine):,}",
+                f"{max(row.get('creating', 0) for row in mine):.2f}",
+                f"{max(costs):.1f}" if costs else "",
+                sum(failed(row) for row in mine),
+            ]
+        )
+    head = ["model", "outcomes", "most nodes", "longest set-up, s", "slowest", "failed"]
+    return _table(head, lines)
+
+
+def refusals(rows: list[Row]) -> str:
+    """The sentences with which runs were refused, numbers left out."""
+    sentences = Counter(
+        re.sub(r"\d[\d.e+-]*", "…", row["reason"]) for row in rows if row["outcome"] == "refused"
+    )
+    return _table(["runs", "refused because"], [[n, text] for text, n in sentences.most_common()])
+
+
+def failures(rows: list[Row]) -> str:
+    """What is wrong, run by run."""
+    lines = [
+        f"* {row['model']}, {row['factor']:g} r, {row['preset']}, {row['measure']}, seed "
+        f"{row['seed']}: {row['outcome']} {row.get('reason', '')} {row.get('first_fault', '')}"
+        for row in rows
+        if failed(row)
+    ]
+    return "\n".join(lines) if lines else "No run failed."
+
+
+def tables(rows: list[Row]) -> str:
+    """All that is said of a sweep, in Markdown."""
+    relative = relative_costs(rows)
+    slow = sorted({rows[place]["model"] for place, value in relative.items() if value > SLOW})
+    checked = sum(row.get("checked", 0) for row in rows)
+    nodes = sum(row.get("node_iterations", 0) for row in rows)
+    parts = [
+        f"{len(rows):,} runs on {len({row['model'] for row in rows})} models, with {checked:,} "
+        f"curves checked and {nodes / 1e6:,.0f} million nodes in them.",
+        by(rows, "radius", lambda row: row["factor"]),
+        by(rows, "preset and measure", lambda row: f"{row['preset']}, {row['measure']}"),
+        by(rows, "seed", lambda row: row["seed"]),
+        f"Time per node and iteration, where there are at least {FEWEST_NODES} nodes: "
+        f"{sum(value > SLOW for value in relative.values())} of {len(relative):,} runs take more "
+        f"than {SLOW:g} times the median of their preset and measure"
+        + (f" (on {', '.join(name.replace('_', ' ') for name in slow)})." if slow else "."),
+        refusals(rows),
+        failures(rows),
+        of_models(rows),
+    ]
+    return "\n\n".join(parts)
+
+
+def put_into(page: str, text: str) -> str:
+    """A page with the text between its two marks."""
+    before, mark, rest = page.partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not mark or not end:
+        sys.exit(f"summary.py: the page has no {BEGIN} and {END}; put both where the tables go")
+    return f"{before}{BEGIN}\n\n{text}\n\n{END}{after}"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
+    parser.add_argument("rows", type=Path, nargs="+", help="files of rows")
+    parser.add_argument("--page", type=Path, help="the page that has the tables")
+    arguments = parser.parse_args()
+    rows = [row for path in arguments.rows for row in read_rows(path)]
+    if not rows:
+        sys.exit("summary.py: there are no rows; run sweep.py first")
+    text = tables(rows)
+    if arguments.page is None:
+        print(text)
+    else:
+        page = arguments.page.read_text(encoding="utf-8")
+        arguments.page.write_text(put_into(page, text), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables say what the rows say."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import summary
+
+
+def row(**changes: Any) -> dict[str, Any]:
+    whole = dict(model="cube", factor=1.0, preset="even", measure="geodesic", seed=1, threads=1)
+    whole |= dict(most_iterations=0, outcome="converged", reason="", iterations=100, checked=101)
+    whole |= dict(nodes=500, node_iterations=40_000.0, crossings=0, faults=0, creating=0.1)
+    return whole | dict(flowing=0.4) | changes
+
+
+def test_outcomes_are_counted() -> None:
+    rows = [row(), row(seed=2), row(factor=3.0, outcome="crash", reason="SIGSEGV")]
+    lines = summary.by(rows, "radius", lambda row: row["factor"]).splitlines()
+    assert lines[2] == "| 1.0 | 2 | 2 | 0 | 0 | 0 | 0 | 0 | 202 | 0 | 0 |"
+    assert lines[3] == "| 3.0 | 1 | 0 | 0 | 0 | 0 | 0 | 1 | 101 | 0 | 0 |"
+
+
+def test_what_fails_is_said() -> None:
+    assert summary.failures([row()]) == "No run failed."
+    said = summary.failures([row(), row(faults=2, first_fault="iteration 3: crossing: here")])
+    assert said == "* cube, 1 r, even, geodesic, seed 1: converged  iteration 3: crossing: here"
+
+
+def test_refusals_are_put_together() -> None:
+    refused = [row(outcome="refused", reason=f"Face {k} has no area.") for k in (3, 17)]
+    assert summary.refusals(refused).endswith("| 2 | Face … has no area. |")
+
+
+def test_slow_runs_are_measured_against_their_like() -> None:
+    rows = [row(seed=k) for k in range(9)] + [row(flowing=4.0), row(preset="finest", flowing=40.0)]
+    relative = summary.relative_costs(rows)
+    assert relative[9] == pytest.approx(10) and relative[10] == 1
+    assert summary.cost(row(node_iterations=1000.0)) is None, "too few nodes to tell"
+    assert "1 of 11 runs take more than 4 times" in summary.tables(rows)
+
+
+def test_only_the_tables_of_a_page_change() -> None:
+    page = f"before\n{summary.BEGIN}\nold\n{summary.END}\nafter\n"
+    new = summary.put_into(page, "new")
+    assert new == f"before\n{summary.BEGIN}\n\nnew\n\n{summary.END}\nafter\n"
+    assert summary.put_into(new, "new") == new
+    with pytest.raises(SystemExit):
+        summary.put_into("no marks", "new")
