@@ -3,6 +3,8 @@
 // The crossing test against a comparison of all pairs in exact integers.
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include "curve/crossings.h"
 #include "test_curves.h"
 
@@ -79,6 +81,29 @@ TEST(Crossings, EqualBruteForceWhereEverythingTouches) {
       points.back().x += 1.0 / 32;
     expect_equal(s, strand_in_face(s, points, round % 2 == 0), rng);
   }
+}
+
+/// As where strands wind round a limb thinner than the spacing: each piece goes from side to side of its face. When
+/// all of them were put into all cells of a grid, this took the cube of their number.
+TEST(Crossings, OfPiecesFromSideToSideOfAFaceAreFoundInTime) {
+  const Surface s = make_surface(octahedron());
+  constexpr uint32_t kLines = 1500;
+  std::vector<Vec2> points;
+  for (uint32_t k = 0; k < kLines; ++k) {
+    const double t = 0.5 + 0.45 * k / kLines;
+    const Vec2 one = make_point(0, 0.99 - t, t, 0.01).b, other = make_point(0, 0.99 - t, 0.01, t).b;
+    points.push_back(k % 2 ? one : other);
+    points.push_back(k % 2 ? other : one);
+  }
+  CrossingTest test;
+  ThreadPool pool(1);
+  const auto find = [&] { return test.find(s, strand_in_face(s, points, false), pool); };
+  const std::clock_t begin = std::clock();
+  EXPECT_TRUE(find().empty());
+  std::swap(points[1000], points[1004]);
+  EXPECT_EQ(find(), brute_force(s, strand_in_face(s, points, false)));
+  EXPECT_FALSE(find().empty());
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 3.0);  // measured: .03; 30 with cells
 }
 
 TEST(Crossings, EqualBruteForceAcrossManyFaces) {

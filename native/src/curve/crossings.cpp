@@ -41,12 +41,10 @@ class FaceTest {
     if (changed_ && std::none_of(begin, end, [&](const Piece& p) { return (*changed_)[p.segment] != 0; })) {
       return;
     }
-    if (count <= kFew) {
+    if (count <= kFew || !by_cells(begin, count)) {
       for (const Piece* p = begin; p != end; ++p) {
         for (const Piece* q = p + 1; q != end; ++q) test(*p, *q);
       }
-    } else {
-      by_cells(begin, count);
     }
   }
 
@@ -81,8 +79,9 @@ class FaceTest {
     return node.face == q.face && same(node.b, q.from) && same(p.to, q.from);
   }
 
-  /// Many pieces in one face: only those in the same cell of a grid are compared.
-  void by_cells(const Piece* pieces, size_t count) {
+  /// Many pieces in one face: only those in the same cell of a grid are compared. False, with nothing done, where
+  /// they are so long that their cells would hold more pairs than there are.
+  bool by_cells(const Piece* pieces, size_t count) {
     Vec2 low = pieces[0].from, high = low;
     for (size_t i = 0; i < count; ++i) {
       for (const Vec2 v : {pieces[i].from, pieces[i].to}) {
@@ -103,6 +102,8 @@ class FaceTest {
       const uint32_t x1 = column(std::max(p.from.x, p.to.x), low.x, cell.x);
       const uint32_t y0 = column(std::min(p.from.y, p.to.y), low.y, cell.y);
       const uint32_t y1 = column(std::max(p.from.y, p.to.y), low.y, cell.y);
+      // With c cells for each of n pieces, n cells hold n c^2 / 2 pairs.
+      if (entries_.size() + size_t{x1 - x0 + 1} * (y1 - y0 + 1) > count * width) return false;
       for (uint32_t y = y0; y <= y1; ++y) {
         for (uint32_t x = x0; x <= x1; ++x) entries_.push_back({uint64_t{y} * width + x, i});
       }
@@ -113,6 +114,7 @@ class FaceTest {
         test(pieces[entries_[i].second], pieces[entries_[j].second]);
       }
     }
+    return true;
   }
 
   const Curve& curve_;
