@@ -86,7 +86,8 @@ job.addTask = function (task) {
         demand(job.tasks.some(function (other) { return other.name === name; }),
             task.name + " depends on what is not there: " + name);
     });
-    job.tasks.push(task);
+    // A copy, as in Flamenco's Manager: what a script adds to the task afterwards is lost.
+    job.tasks.push(JSON.parse(JSON.stringify(task)));
 };
 compileJob(job);
 print(JSON.stringify(job.tasks));

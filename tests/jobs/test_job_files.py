@@ -270,6 +270,15 @@ def test_wrong_arguments_are_one_sentence(refused, arguments):
     refused(SPACING + ITEM, *arguments)
 
 
+def test_objects_of_a_scene_that_is_missing_are_not_asked_for(job, capsys):
+    job.write(SPACING + '[[items]]\ninput = "gone.blend"\nobject = "*"\n', fake=False)
+    for more in ([], ["--list"]):
+        assert command.main([str(job.file), *more]) == 2
+        sentence = capsys.readouterr().err.strip()
+        assert_sentence(sentence)
+        assert "gone.blend cannot be read" in sentence and "check the path" in sentence
+
+
 def test_a_pattern_of_no_object_names_what_there_is(items):
     with pytest.raises(JobError, match="called 'Stone\\*', but it has Ball, Rock 1, Rock 2"):
         items(SPACING + '[[items]]\ninput = "shot.blend"\nobject = "Stone*"\n')

@@ -36,7 +36,8 @@ class Meshes:
         return self._known[path]
 
     def _read(self, path: Path) -> list[str]:
-        note = None if self._kept is None else self._kept / f"{digest_of(path)}.json"
+        digest = digest_of(path)  # before Blender is asked: it says what is wrong with the path
+        note = None if self._kept is None else self._kept / f"{digest}.json"
         if note is not None:
             try:
                 return json.loads(note.read_text(encoding="utf-8"))
