@@ -150,7 +150,8 @@ def gaps_are_marked() -> Generator[float, None, None]:
         bpy.ops.meander.show_gaps()
     yield 0.7
     picture("9_hidden")
-    assert changed_share("9_limit", "9_hidden") == 0.0
+    # All but single pixels: Blender smooths its edges in the course of some redraws.
+    assert changed_share("9_limit", "9_hidden") < 1e-4
     assert state() == before
 
 

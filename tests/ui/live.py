@@ -147,7 +147,13 @@ def while_painting() -> Iterator[float]:
     override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
     with bpy.context.temp_override(**override):
         bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
-    settings = bpy.context.tool_settings
+        settings = bpy.context.tool_settings
+        if settings.weight_paint.brush is None:  # Debian 13's Blender comes without brushes
+            own = bpy.data.brushes.new("Paint", mode="WEIGHT_PAINT")
+            own.asset_mark()
+            bpy.ops.brush.asset_activate(
+                asset_library_type="LOCAL", relative_asset_identifier=f"Brush/{own.name}"
+            )
     settings.unified_paint_settings.size = 60
     settings.unified_paint_settings.weight = 1.0
     yield 0.4

@@ -8,6 +8,7 @@ seconds it names. It leaves pictures of what it saw in build/ui and ends with ex
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
 import threading
 import time
@@ -25,6 +26,9 @@ from meander.ui import panels
 
 ROOT = Path(__file__).resolve().parents[2]
 PICTURES = ROOT / "build" / "ui"
+# A program that takes a picture of the screen, as words before the file's name; empty: Blender,
+# whose own pictures are black with the software driver of Debian 13.
+CAMERA = os.environ.get("MEANDER_CAMERA", "").split()
 
 # A story takes 30 s on a quiet machine, most of it computing. This is for one that is busy or far
 # slower, and lets the story tell where it stands before scripts/test.sh ends it.
@@ -103,6 +107,9 @@ def middle_of(area_type: str) -> tuple[int, int]:
 
 
 def picture(name: str) -> None:
+    if CAMERA:
+        subprocess.run([*CAMERA, PICTURES / f"{name}.png"], check=True)
+        return
     window = bpy.context.window_manager.windows[0]
     with bpy.context.temp_override(window=window):
         bpy.ops.screen.screenshot(filepath=str(PICTURES / f"{name}.png"))
