@@ -21,7 +21,10 @@ for suite in "${suites[@]}"; do
 done
 
 bash scripts/install_dependencies.sh
-command -v debootstrap >/dev/null || apt-get install -y -qq --no-install-recommends debootstrap
+if ! command -v debootstrap >/dev/null; then
+  apt-get update -qq
+  apt-get install -y -qq --no-install-recommends debootstrap
+fi
 bash scripts/build.sh stage addon
 zip=$(ls -t build/meander-*.zip | head -n 1)
 system=$PWD/build/debian-13

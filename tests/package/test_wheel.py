@@ -347,6 +347,8 @@ def test_a_job_of_many_meshes(installed: Environment, ball: Path) -> None:
     assert (installed.work / "job" / "ball.obj").read_bytes() == direct.read_bytes()
     script = installed.run(*command, "--slurm", "2").stdout
     assert f"exec {installed.python} -m meander.jobs {job} " in script
+    told = installed.run(*command[:-1], "--help").stdout
+    assert told.startswith("usage: python -m meander.jobs ") and "farm.py" not in told
     (installed.work / "scene.blend").write_bytes(b"BLENDER")
     for more, words in (("", "Python package"), ('object = "Rock*"\n', "in Blender only")):
         job.write_text(f'[defaults]\nspacing = 0.3\n[[items]]\ninput = "scene.blend"\n{more}')

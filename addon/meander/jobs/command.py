@@ -44,7 +44,7 @@ def main(argv: Sequence[str]) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = Parser(
-        prog="farm.py",
+        prog=engine.name_of_command(),
         description="Fill many surfaces: run what a job file says and is not done yet.",
         allow_abbrev=False,
     )

@@ -73,6 +73,11 @@ def missing_program(job: JobFile, items: list[Item]) -> str | None:
     return None
 
 
+def name_of_command() -> str:
+    """What this command is called in its own help."""
+    return _FARM.name if _FARM.is_file() else f"python -m {_PACKAGE.name}.jobs"
+
+
 def this_command() -> list[str]:
     """How this very command is started again, before its own arguments."""
     blender = _running_blender()
