@@ -3,11 +3,11 @@
 #
 # test_debian13.sh [command|add-on|window]...
 #
-# Makes a Debian 13 in build/debian-13 (3 GB, by debootstrap, from Debian's packages), and runs in
+# Makes a Debian 13 in build/debian-13 (2 GB, by debootstrap, from Debian's packages), and runs in
 # its Blender 4.3.2 what bpy modules cannot: "blender --command meander", a job in Blender's own
 # Python, and the stories in a window; and the tests of the add-on. Needs root, as debootstrap and
-# chroot do. scripts/test.sh does not run it: it takes ten minutes. The pictures of the window are
-# left in build/debian-13/home/pictures.
+# chroot do. scripts/test.sh does not run it: it takes a quarter of an hour. The pictures of the
+# window are left in build/debian-13/home/pictures.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 [ "$(id -u)" -eq 0 ] || { echo "Run this script as root: it makes a system of its own" >&2; exit 1; }
