@@ -38,13 +38,23 @@ class FaceTest {
 
   void operator()(const Piece* begin, const Piece* end) {
     const size_t count = static_cast<size_t>(end - begin);
-    if (changed_ && std::none_of(begin, end, [&](const Piece& p) { return (*changed_)[p.segment] != 0; })) {
-      return;
-    }
-    if (count <= kFew || !by_cells(begin, count)) {
+    if (!changed_) {
+      if (count > kFew && by_cells(begin, count)) return;
       for (const Piece* p = begin; p != end; ++p) {
         for (const Piece* q = p + 1; q != end; ++q) test(*p, *q);
       }
+      return;
+    }
+    const auto has_changed = [&](const Piece& p) { return (*changed_)[p.segment] != 0; };
+    if (count > kFew && static_cast<size_t>(std::count_if(begin, end, has_changed)) > kFew && by_cells(begin, count)) {
+      return;
+    }
+    for (const Piece* p = begin; p != end; ++p) {
+      if (!has_changed(*p)) continue;
+      for (const Piece* q = begin; q != p; ++q) {
+        if (!has_changed(*q)) test(*q, *p);
+      }
+      for (const Piece* q = p + 1; q != end; ++q) test(*p, *q);
     }
   }
 
