@@ -25,6 +25,7 @@ BEGIN, END = "<!-- tables of the sweep -->", "<!-- end of the tables -->"
 
 # Of runs with fewer nodes the time is not that of their nodes.
 FEWEST_NODES = 200
+NOMINAL = 1 / 20  # the nominal radius in roots of the area: see shapes.py
 SLOW = 4.0
 
 
@@ -46,6 +47,30 @@ def relative_costs(rows: Iterable[Row]) -> dict[int, float]:
         median = statistics.median(group.values())
         relative |= {place: seconds / median for place, seconds in group.items()}
     return relative
+
+
+def filled(row: Row) -> float:
+    """How much of the surface the curve fills: 2 r L / A, near 1 where it is full."""
+    area = (row["radius"] / row["factor"] / NOMINAL) ** 2
+    return 2 * row["radius"] * row.get("length", 0.0) / area
+
+
+def half_empty(rows: list[Row]) -> tuple[list[Row], int]:
+    """Runs that ended with less than half of the surface filled, and of how many.
+
+    Only of those that ought to fill it: not of the preset paper, which leaves a stroke as it is;
+    not with distances through space, where a curve on one side of a thin sheet fills both sides;
+    and not with a wider spacing than the nominal one.
+    """
+    ought = [
+        row
+        for row in rows
+        if row["outcome"] in ("converged", "limit", "stalled")
+        and row["preset"] != "paper"
+        and row["measure"] == "geodesic"
+        and row["factor"] <= 1
+    ]
+    return [row for row in ought if filled(row) < 0.5], len(ought)
 
 
 def _table(head: list[str], lines: list[list[object]]) -> str:
@@ -127,10 +152,19 @@ def failures(rows: list[Row]) -> str:
     return "\n".join(lines) if lines else "No run failed."
 
 
+def _names(rows: list[Row]) -> str:
+    """The models of rows, each once, with the number of its rows where there are several."""
+    counts = Counter(row["model"].replace("_", " ") for row in rows)
+    return ", ".join(
+        f"{name} {count} times" if count > 1 else name for name, count in sorted(counts.items())
+    )
+
+
 def tables(rows: list[Row]) -> str:
     """All that is said of a sweep, in Markdown."""
     relative = relative_costs(rows)
-    slow = sorted({rows[place]["model"] for place, value in relative.items() if value > SLOW})
+    slow = [rows[place] for place, value in relative.items() if value > SLOW]
+    sparse, ought = half_empty(rows)
     checked = sum(row.get("checked", 0) for row in rows)
     nodes = sum(row.get("node_iterations", 0) for row in rows)
     parts = [
@@ -140,9 +174,11 @@ def tables(rows: list[Row]) -> str:
         by(rows, "preset and measure", lambda row: f"{row['preset']}, {row['measure']}"),
         by(rows, "seed", lambda row: row["seed"]),
         f"Time per node and iteration, where there are at least {FEWEST_NODES} nodes: "
-        f"{sum(value > SLOW for value in relative.values())} of {len(relative):,} runs take more "
-        f"than {SLOW:g} times the median of their preset and measure"
-        + (f" (on {', '.join(name.replace('_', ' ') for name in slow)})." if slow else "."),
+        f"{len(slow)} of {len(relative):,} runs take more than {SLOW:g} times the median of their "
+        "preset and measure" + (f" (on {_names(slow)})." if slow else "."),
+        f"Of {ought} runs along the surface that ended by themselves, with the presets even and "
+        f"finest and radii up to the nominal one, {len(sparse)} leave more than half of it empty"
+        + (f" (on {_names(sparse)})." if sparse else "."),
         refusals(rows),
         failures(rows),
         of_models(rows),

@@ -13,7 +13,8 @@ def row(**changes: Any) -> dict[str, Any]:
     whole = dict(model="cube", factor=1.0, preset="even", measure="geodesic", seed=1, threads=1)
     whole |= dict(most_iterations=0, outcome="converged", reason="", iterations=100, checked=101)
     whole |= dict(nodes=500, node_iterations=40_000.0, crossings=0, faults=0, creating=0.1)
-    return whole | dict(flowing=0.4) | changes
+    whole |= dict(flowing=0.4, radius=0.05, length=10.0)  # on an area of 1, which that fills
+    return whole | changes
 
 
 def test_outcomes_are_counted() -> None:
@@ -40,6 +41,16 @@ def test_slow_runs_are_measured_against_their_like() -> None:
     assert relative[9] == pytest.approx(10) and relative[10] == 1
     assert summary.cost(row(node_iterations=1000.0)) is None, "too few nodes to tell"
     assert "1 of 11 runs take more than 4 times" in summary.tables(rows)
+
+
+def test_runs_that_leave_half_of_the_surface_empty_are_said() -> None:
+    assert summary.filled(row()) == pytest.approx(1)
+    assert summary.filled(row(factor=0.5, radius=0.025)) == pytest.approx(0.5)
+    empty = row(model="a_cube", length=4.0, outcome="stalled")
+    excused = [dict(preset="paper"), dict(measure="euclidean"), dict(factor=3.0, radius=0.15)]
+    sparse, ought = summary.half_empty([row(), empty, *(empty | other for other in excused)])
+    assert sparse == [empty] and ought == 2
+    assert "1 leave more than half of it empty (on a cube)." in summary.tables([row(), empty])
 
 
 def test_only_the_tables_of_a_page_change() -> None:
