@@ -4,7 +4,7 @@
 #
 # Fails unless the shared library exports exactly the functions that the header declares, needs no
 # libraries but those of the compiler and the system (a sanitized one also that of the sanitizers),
-# and has no search path for them.
+# and has no search path for them, and computes no curve with functions that differ between systems.
 
 file(READ "${HEADER}" header)
 string(REGEX MATCHALL "MEANDER_API [^;(]*(meander_[a-z_]+)\\(" declarations "${header}")
@@ -36,6 +36,14 @@ set(surplus ${exported})
 list(REMOVE_ITEM surplus ${declared})
 if(missing OR surplus)
   message(FATAL_ERROR "declared but not exported: ${missing}\nexported but not declared: ${surplus}")
+endif()
+
+# Functions that round differently from system to system; base/elementary.h has ours. (cabs is left:
+# Eigen chooses pivots by it, of numbers without an imaginary part.)
+execute_process(COMMAND "${NM}" -D --undefined-only --format=posix "${LIBRARY}"
+  OUTPUT_VARIABLE undefined COMMAND_ERROR_IS_FATAL ANY)
+if(undefined MATCHES "(^|\n)((sin|cos|sincos|tan|asin|acos|atan|atan2|exp|exp2|expm1|log|log2|log10|log1p|pow|hypot|cbrt)f?)[ @]")
+  message(FATAL_ERROR "use elementary::${CMAKE_MATCH_2}, which rounds alike everywhere: base/elementary.h")
 endif()
 
 execute_process(COMMAND "${READELF}" -d "${LIBRARY}"

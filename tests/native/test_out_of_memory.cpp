@@ -8,6 +8,9 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
+#ifdef _WIN32
+#include <malloc.h>
+#endif
 
 #include "curve/crossings.h"
 #include "curve/refinement.h"
@@ -20,16 +23,24 @@ namespace {
 
 std::atomic<long> allocations_left{std::numeric_limits<long>::max()};
 
+#ifdef _WIN32  // has aligned memory under other names
+void* aligned(std::size_t alignment, std::size_t size) { return _aligned_malloc(size, alignment); }
+void free_aligned(void* memory) { _aligned_free(memory); }
+#else
+void* aligned(std::size_t alignment, std::size_t size) { return std::aligned_alloc(alignment, size); }
+void free_aligned(void* memory) { std::free(memory); }
+#endif
+
 void* allocate(std::size_t size, std::size_t alignment) {
   if (allocations_left.fetch_sub(1) == 0) throw std::bad_alloc();
   const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  void* memory = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment);
+  void* memory = aligned(alignment, rounded > 0 ? rounded : alignment);
   if (!memory) throw std::bad_alloc();
   return memory;
 }
 
 /// Not inline: the compiler would warn that free() gets a pointer from `new`.
-[[gnu::noinline]] void release(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void release(void* memory) noexcept { free_aligned(memory); }
 
 }  // namespace
 

@@ -52,7 +52,7 @@ class UnrolledSquare : public Unrolled {
 class UnrolledPrism : public Unrolled {
  public:
   UnrolledPrism(uint32_t sides, uint32_t along, double height)
-      : Unrolled(cylinder(sides, along, height)), sides_(sides), height_(height) {}
+      : Unrolled(cylinder(sides, along, height)), sides_(sides) {}
   std::string name() const override { return "prism of " + std::to_string(sides_) + " sides"; }
   double distance(const SurfacePoint& a, const SurfacePoint& b) const override {
     const double round = 2 * sides_ * std::sin(kPi / sides_);
@@ -73,7 +73,6 @@ class UnrolledPrism : public Unrolled {
     return {width * side + (p - from).dot(to - from) / width, p.z()};
   }
   uint32_t sides_;
-  double height_;
 };
 
 /// A pyramid of n sides without its base: a cone to the geodesics on it.

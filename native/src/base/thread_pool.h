@@ -16,6 +16,10 @@
 
 namespace meander {
 
+/// What a thread takes at a time of loops that do little for each node, or for each face or vertex.
+inline constexpr size_t kNodeGrain = 2048;
+inline constexpr size_t kMeshGrain = 4096;
+
 /// Threads that live as long as the pool and share loops with the caller. Not copyable. One loop at
 /// a time; the caller's thread is one of the pool.
 ///

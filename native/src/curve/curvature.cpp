@@ -3,16 +3,15 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace meander {
 namespace {
-
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
 
 /// The angle of a unit vector, to 1e-7: strands hardly turn at most nodes.
 double angle(Vec2 t) {
   constexpr double kSmall = 0.25;
-  if (!(t.x > 0 && std::abs(t.y) < kSmall)) return std::atan2(t.y, t.x);
+  if (!(t.x > 0 && std::abs(t.y) < kSmall)) return elementary::atan2(t.y, t.x);
   const double y2 = t.y * t.y;
   return t.y * (1 + y2 * (1.0 / 6 + y2 * (3.0 / 40 + y2 * (15.0 / 336))));
 }
@@ -20,7 +19,7 @@ double angle(Vec2 t) {
 /// The turn at every node in radians, to the left positive; 0 at open ends.
 NodeData<double> turns(const Curve& curve, ThreadPool& pool) {
   NodeData<double> turn(curve.size(), 0);
-  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       const auto i = static_cast<uint32_t>(k);
       const uint32_t before = curve.previous(i);
@@ -36,7 +35,7 @@ NodeData<double> turns(const Curve& curve, ThreadPool& pool) {
 NodeData<double> smoothed_curvature(const Curve& curve, const LocalMetric& metric, double width, ThreadPool& pool) {
   const NodeData<double> turn = turns(curve, pool);
   NodeData<double> curvature(curve.size());
-  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       const auto i = static_cast<uint32_t>(k);
       const double reach = width * metric.radius[i];

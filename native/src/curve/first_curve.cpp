@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/elementary.h"
 #include "base/failure.h"
 #include "base/tuning.h"
 #include "curve/crossings.h"
@@ -107,7 +108,7 @@ class Loops {
     Curve loop;
     for (uint32_t k = 0; k < kRays; ++k) {
       const double a = 2 * std::numbers::pi * k / kRays;
-      const Trace ray = trace_geodesic(surface_, middle, wide * Vec2{std::cos(a), std::sin(a)}, rays[k]);
+      const Trace ray = trace_geodesic(surface_, middle, wide * Vec2{elementary::cos(a), elementary::sin(a)}, rays[k]);
       if (ray.hit_boundary) return false;
       add_node(loop, ray.end);
     }

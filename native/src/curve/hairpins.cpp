@@ -5,13 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/elementary.h"
 #include "base/tuning.h"
 
 namespace meander {
 namespace {
-
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
 
 /// Arc length along a strand, in units of the local r, and turning up to a node. A closed strand has no end,
 /// so nodes are numbered before the first and after the last as well.
@@ -19,14 +17,14 @@ class Course {
  public:
   Course(const Curve& curve, const Strand& strand, const LocalMetric& metric, ThreadPool& pool)
       : closed_(strand.closed), count_(strand.count), arc_length_(strand.count + 1, 0), turn_(strand.count + 1, 0) {
-    pool.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
+    pool.for_blocks(strand.count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k) {
         const uint32_t i = strand.first + static_cast<uint32_t>(k), before = curve.previous(i);
         if (!curve.has_segment(i)) continue;
         arc_length_[k + 1] = curve.shapes[i].length / metric.radius[i];
         if (before == kNone) continue;
         const Vec2 t = curve.shapes[i].leaving * conj(curve.shapes[before].arriving);
-        turn_[k + 1] = std::atan2(t.y, t.x);
+        turn_[k + 1] = elementary::atan2(t.y, t.x);
       }
     });
     std::partial_sum(arc_length_.begin(), arc_length_.end(), arc_length_.begin());
@@ -69,7 +67,7 @@ class Course {
 std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool& pool) {
   // Turning within half a window to both sides of every node.
   std::vector<double> turning(strand.count);
-  pool.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(strand.count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
     const double start = course.arc_length(static_cast<int64_t>(begin));
     int64_t first = course.first_after(start - tuning::kHairpinWindow / 2), last = first;
     for (auto k = static_cast<int64_t>(begin); k < static_cast<int64_t>(end); ++k) {

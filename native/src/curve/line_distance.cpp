@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "base/elementary.h"
 #include "base/front_search.h"
 
 namespace meander {
@@ -24,7 +25,7 @@ constexpr double kFlat = 0.94;
 uint32_t next_edge(uint32_t e) { return 3 * (e / 3) + next_corner(e % 3); }
 uint32_t edge_before(uint32_t e) { return 3 * (e / 3) + prev_corner(e % 3); }
 
-double angle(const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); }
+double angle(const Vec3& u, const Vec3& v) { return elementary::atan2(u.cross(v).norm(), u.dot(v)); }
 
 }  // namespace
 
@@ -152,7 +153,7 @@ NearestOnLine LineDistance::across(uint32_t a, uint32_t b, uint32_t c) const {
     const double sx = (from.distance * from.distance - to.distance * to.distance + length * length) / (2 * length);
     const double sy = std::sqrt(std::max(0.0, from.distance * from.distance - sx * sx));
     foot = sx + (x - sx) * sy / (sy + y);
-    distance = std::hypot(x - sx, y + sy);
+    distance = elementary::hypot(x - sx, y + sy);
   } else {
     foot = x - y * slope / rise;  // the front's normal is (slope, rise)
     distance = from.distance + slope * x + rise * y;

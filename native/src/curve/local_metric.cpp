@@ -6,12 +6,6 @@
 #include "base/tuning.h"
 
 namespace meander {
-namespace {
-
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
-
-}  // namespace
 
 void find_local_metric(const Surface& surface, const Curve& curve, const RadiusField& radius, const MetricRules& rules,
                        ThreadPool& pool, LocalMetric& metric) {
@@ -19,7 +13,7 @@ void find_local_metric(const Surface& surface, const Curve& curve, const RadiusF
     values->resize(curve.size());
   }
   const bool narrow = rules.boundary_distance <= tuning::kWideStrip;
-  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double r = radius.at(surface, curve.nodes[i]);
       metric.radius[i] = r;

@@ -9,9 +9,6 @@
 namespace meander {
 namespace {
 
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
-
 /// Cuts a segment's path into `parts` of equal length: fills paths[0] to paths[parts - 1], and nodes[1] to
 /// nodes[parts - 1] with where they begin. Returns how many there are; rounding may leave out the last cut.
 uint32_t cut(const Surface& surface, const SurfacePoint& start, const SurfacePoint& end, const Path& path,
@@ -95,8 +92,8 @@ uint32_t Refinement::parts_of(const Curve& curve, const NodeData<double>& target
 /// Fills changes_ with what is to change, along the curve. All threads look for what could; of two nodes
 /// in a row only the first may go, and that is found out in order. Most late iterations change little.
 void Refinement::choose(const Curve& curve, const NodeData<double>& target, ThreadPool& pool) {
-  candidates_.resize(ThreadPool::block_count(curve.size(), kBlock));
-  pool.for_blocks(curve.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
+  candidates_.resize(ThreadPool::block_count(curve.size(), kNodeGrain));
+  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t block, size_t begin, size_t end) {
     candidates_[block].clear();
     for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
       if (!curve.has_segment(i)) continue;
@@ -226,7 +223,7 @@ void Refinement::lay_out(Curve& curve, ThreadPool& pool) {
     put_block(curve, static_cast<uint32_t>(begin), static_cast<uint32_t>(end));
   };
   lent_ = true;
-  pool.for_blocks(curve.size(), kBlock, fill);
+  pool.for_blocks(curve.size(), kNodeGrain, fill);
   next_.link();
 }
 

@@ -29,7 +29,7 @@ constexpr double kAstray = 0.25;
 constexpr int kShots = 3;
 
 /// After this many halvings a marked node stays where it was.
-constexpr int kHalvings = 4;
+constexpr int kStepHalvings = 4;
 
 }  // namespace
 
@@ -246,7 +246,7 @@ void Retraction::back_off(const Curve& curve, const std::vector<std::pair<uint32
   }
   for (const Strand& strand : curve.strands) spread(strand, reach);
   for (uint32_t i = 0; i < curve.size(); ++i) {
-    if (node_changed_[i]) share_[i] = attempt > kHalvings ? 0 : 0.5 * share_[i];
+    if (node_changed_[i]) share_[i] = attempt > kStepHalvings ? 0 : 0.5 * share_[i];
   }
 }
 

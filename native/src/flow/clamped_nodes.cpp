@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
 #include "base/tuning.h"
 #include "flow/free_nodes.h"
 
@@ -13,9 +14,6 @@ namespace {
 
 /// A medial radius this near the clamp (relative) is one that found nothing.
 constexpr double kClamped = 1 - 1e-9;
-
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
 
 }  // namespace
 
@@ -34,12 +32,12 @@ void perturb_empty_stretches(const Curve& curve, const NodeData<Radii>& radii, c
                              ThreadPool& pool, NodeData<Radii>& felt_radii) {
   const size_t n = curve.size();
   const auto empty = [&](size_t i) { return sees_nothing(radii, metric, static_cast<uint32_t>(i)); };
-  if (pool.first(n, kBlock, empty) == n) return;
+  if (pool.first(n, kNodeGrain, empty) == n) return;
   for (const Strand& strand : curve.strands) {
     double phase = 0;
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       if (empty(i)) {
-        const double favour = tuning::kPerturbation * std::sin(phase);
+        const double favour = tuning::kPerturbation * elementary::sin(phase);
         felt_radii[i][0] *= 1 + favour;
         felt_radii[i][1] *= 1 - favour;
       }

@@ -12,14 +12,14 @@ namespace meander {
 namespace {
 
 /// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 512;
+constexpr size_t kMeasuredGrain = 512;
 
 /// The mean distance of the nodes of `curve`, which are at `nodes`, from an earlier one, in the local r.
 double mean_distance(const std::vector<Vec3>& nodes, const LocalMetric& metric, const Convergence::Picture& earlier,
                      ThreadPool& pool) {
   const PointTree tree(earlier.nodes);
   std::vector<double> distance(nodes.size());
-  pool.for_blocks(nodes.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(nodes.size(), kMeasuredGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const Vec3& p = nodes[i];
       const uint32_t near = tree.nearest(p)->index;

@@ -16,7 +16,7 @@ namespace meander {
 namespace {
 
 /// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 512;
+constexpr size_t kCarriedGrain = 512;
 
 /// Refuses a surface that would be refused for a new flow.
 void check_size(const FlowState& state, const Surface& surface) {
@@ -52,7 +52,7 @@ FlowState carried_to(std::shared_ptr<const Surface> surface, const FlowState& st
     for (double& r : sides) r *= factor;
   }
   Curve& curve = next.curve;
-  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(curve.size(), kCarriedGrain, [&](size_t, size_t begin, size_t end) {
     for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
       if (!curve.has_segment(i)) continue;
       curve.shapes[i] =

@@ -4,14 +4,11 @@
 namespace meander {
 namespace {
 
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
-
 template <class Value>
 void carry_over(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeData<Value>& values, NodeData<Value>& old) {
   if (values.empty()) return;
   old.resize(origin.size());
-  pool.for_blocks(origin.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(origin.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) old[i] = values[origin[i]];
   });
   values.swap(old);

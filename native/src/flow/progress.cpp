@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/tuning.h"
 
 namespace meander {
@@ -36,7 +37,7 @@ double share_without_polish(const FlowSettings& settings, const ProgressFigures&
 /// x while little is expected to be left, and then ever more slowly, so that it stays below 1.
 double slowed(double x) {
   constexpr double kFrom = 0.7;
-  return x <= kFrom ? x : 1 - (1 - kFrom) * std::exp(-(x - kFrom) / (1 - kFrom));
+  return x <= kFrom ? x : 1 - (1 - kFrom) * elementary::exp(-(x - kFrom) / (1 - kFrom));
 }
 
 /// The work of the phases of a flow with a polish, in iterations with long segments on a curve that fills the surface.

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/elementary.h"
 #include "flow/flow.h"
 #include "flow/free_nodes.h"
 
@@ -17,7 +18,8 @@ double mean_change(const FlowState& before, const FlowState& next, ThreadPool& p
   const Surface& surface = *before.domain.surface;
   const double sum = sum_over_free(curve, pool, [&](uint32_t i) {
     const SurfacePoint& p = curve.nodes[i];
-    return std::abs(std::log(next.domain.wanted_radius.at(surface, p) / before.domain.wanted_radius.at(surface, p)));
+    const double ratio = next.domain.wanted_radius.at(surface, p) / before.domain.wanted_radius.at(surface, p);
+    return std::abs(elementary::log(ratio));
   });
   return sum / std::max(1.0, free_nodes(curve, pool));
 }

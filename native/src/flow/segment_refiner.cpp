@@ -12,9 +12,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Where r varies, parts of a cut guide may be long for the r at their own ends, and are cut again.
 constexpr int kMostCuts = 10;
 
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
-
 }  // namespace
 
 void SegmentRefiner::refine(FlowState& state, double segment_length, ThreadPool& pool) {
@@ -33,7 +30,7 @@ void SegmentRefiner::apply(FlowState& state, double segment_length, double guide
   update_metric(state, pool);
   const Curve& curve = state.curve;
   targets_.resize(curve.size());
-  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
       const double h = curve.on_guide(i) ? guide_length : segment_length;
       targets_[i] = h * state.metric.radius[i] / state.settings.radius;

@@ -10,9 +10,6 @@
 namespace meander {
 namespace {
 
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
-
 /// The longest step that node i may take in the direction of `step`, in the surface's unit.
 double longest_step(const Plan& plan, const FlowState& state, const MedialState& medial, size_t i, Vec2 step) {
   const size_t side = dot(step, medial.frames.bitangent2[i]) > 0 ? 0 : 1;
@@ -28,7 +25,7 @@ void add_momentum_and_cap(const Plan& plan, const FlowState& state, const Medial
   const NodeData<Vec2>& last = state.nodes.steps;
   const double momentum = last.empty() ? 0 : plan.momentum;
   const Frames& frames = medial.frames;
-  pool.for_blocks(displacement.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(displacement.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       Vec2& d = displacement[i];
       if (momentum > 0) d = d + momentum * (last[i].x * frames.tangent[i] + last[i].y * frames.bitangent2[i]);
@@ -68,7 +65,7 @@ const NodeData<Vec2>& Step::find(const Plan& plan, const FlowState& state, const
 const NodeData<Radii>& Step::driving_radii(const FlowState& state, const MedialState& medial, ThreadPool& pool) {
   if (state.domain.boundary->empty()) return medial.felt_radii;
   driving_radii_.resize(medial.felt_radii.size());
-  pool.for_blocks(driving_radii_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(driving_radii_.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       for (size_t side = 0; side < 2; ++side) {
         driving_radii_[i][side] = medial.felt_radii[i][side] + std::max(0.0, -medial.reach[i][1 - side].driving);
@@ -106,7 +103,7 @@ void remember_steps(const Plan& plan, const NodeData<Vec2>& displacement, const 
     return;
   }
   steps.resize(displacement.size());
-  pool.for_blocks(displacement.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(displacement.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       steps[i] = {dot(displacement[i], frames.tangent[i]), dot(displacement[i], frames.bitangent2[i])};
     }

@@ -13,9 +13,6 @@
 namespace meander {
 namespace {
 
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
-
 /// What the weights are a function of, and the weights.
 struct Weighting {
   const FlowState& state;
@@ -39,7 +36,7 @@ void align(const Weighting& w) {
   if (!w.aligned()) return;
   w.weights.alignment.assign(w.size(), w.settings().alignment_weight);
   w.weights.field.resize(w.size());
-  w.pool.for_blocks(w.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) w.weights.field[i] = w.state.domain.directions.at(w.state.curve.nodes[i]);
   });
 }
@@ -76,7 +73,7 @@ template <class Usual>
 void set_length_weights(const Weighting& w, double push, const NodeData<double>& spacing, const Usual& usual) {
   NodeData<double>& length = w.weights.length;
   length.resize(w.size());
-  w.pool.for_blocks(w.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const bool empty = w.settings().grow_into_empty &&
                          sees_nothing(w.state.nodes.radii, w.state.metric, static_cast<uint32_t>(i));
@@ -132,7 +129,7 @@ void set_polish_terms(const Weighting& w) {
 void keep_hairpins_round(const Weighting& w) {
   const NodeData<double> curvature =
       smoothed_curvature(w.state.curve, w.state.metric, tuning::kCurvatureSmoothing, w.pool);
-  w.pool.for_blocks(curvature.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  w.pool.for_blocks(curvature.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double tightness =
           (curvature[i] - tuning::kRoundHairpin) / (tuning::kTightHairpin - tuning::kRoundHairpin);

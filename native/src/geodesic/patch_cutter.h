@@ -85,7 +85,7 @@ class SurfacePatches::Cutter {
   /// Sizes double from level to level, so that neighbours mostly agree about it.
   uint32_t level_at(uint32_t f) const {
     if (!radius_.varies()) return 0;
-    return static_cast<uint32_t>(std::clamp(std::floor(std::log2(kSize * radius_at(f) / least_size_)), 0.0, 60.0));
+    return static_cast<uint32_t>(std::clamp(std::ilogb(kSize * radius_at(f) / least_size_), 0, 60));
   }
   double size_at(uint32_t level) const { return std::ldexp(least_size_, static_cast<int>(level)); }
   bool gridded(uint32_t f) const { return (patches_.patch_of_face_[f] & kGridded) != 0; }

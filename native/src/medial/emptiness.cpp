@@ -15,7 +15,7 @@ namespace {
 constexpr double kFarthest = 3;
 
 /// What is gathered of the curve for points nearby reaches this many r farther than the first of them needs.
-constexpr double kMargin = 0.5;
+constexpr double kGatherMargin = 0.5;
 
 /// A geodesic inside of a face, and its rounded end, differ by less than this share of r.
 constexpr double kRounded = 0.001;
@@ -185,7 +185,7 @@ std::optional<Gap> EmptinessNearby::above(const SurfacePoint& p, double size) {
   double d = distance(x, enough);
   if (d < enough) return std::nullopt;
   if (!((x - middle_).norm() + d < covered_)) {  // something else may be nearer
-    gather(x, kMargin * r);
+    gather(x, kGatherMargin * r);
     d = distance(x, enough);
     if (d < enough) return std::nullopt;
   }

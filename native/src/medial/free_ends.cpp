@@ -15,7 +15,7 @@ namespace {
 constexpr size_t kFewEnds = 32;
 
 /// Rounding changes the radius of a ball by less than this share of the surface's diagonal and its own.
-constexpr double kSlack = 1e-9;
+constexpr double kBallRounding = 1e-9;
 
 /// The largest empty ball of Ma, Bae and Choi, see CurveBvh::largest_ball.
 class BallAhead {
@@ -36,7 +36,7 @@ class BallAhead {
   double radius_;
 };
 
-double with_slack(double radius) { return radius + kSlack * (1 + radius); }
+double with_slack(double radius) { return radius + kBallRounding * (1 + radius); }
 
 /// The nodes of a curve, for the balls ahead of its ends.
 class Nodes {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/point_tree.h"
 #include "geodesic/geodesic_trace.h"
 
@@ -26,7 +27,7 @@ constexpr double kSameStart = 0.5;
 /// The climb tries this many directions, and ends at a step of this many r.
 constexpr int kDirections = 8;
 constexpr double kFinestStep = 0.005;
-constexpr int kMostRounds = 200;
+constexpr int kMostSteps = 200;
 
 /// Less gain than this (relative) is rounding.
 constexpr double kGain = 1 + 1e-9;
@@ -43,13 +44,13 @@ SurfacePoint trace_end(const Surface& surface, const SurfacePoint& start, Vec2 d
 Gap climb(const Emptiness& emptiness, Gap gap) {
   const double finest = kFinestStep * emptiness.local_radius(gap.centre);
   const double eighth = 2 * std::numbers::pi / kDirections;
-  const Vec2 turn{std::cos(eighth), std::sin(eighth)};
+  const Vec2 turn{elementary::cos(eighth), elementary::sin(eighth)};
   // Other directions after every failure, so that neither a crease nor the boundary hides where the size grows.
-  const Vec2 offset{std::cos(0.382 * eighth), std::sin(0.382 * eighth)};
+  const Vec2 offset{elementary::cos(0.382 * eighth), elementary::sin(0.382 * eighth)};
   Vec2 direction{1, 0};
   double step = 0.25 * gap.radius;
   EmptinessNearby nearby(emptiness);
-  for (int round = 0; round < kMostRounds && step > finest; ++round) {
+  for (int round = 0; round < kMostSteps && step > finest; ++round) {
     Gap best = gap;
     for (int k = 0; k < kDirections; ++k) {
       direction = direction * turn;

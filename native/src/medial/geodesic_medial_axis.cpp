@@ -10,9 +10,6 @@
 namespace meander {
 namespace {
 
-/// A ball may start this much larger than the node's last one before it is known to be large enough.
-constexpr double kWarmth = 1.2;
-
 /// Near a crease what limits the straight ball is believed if the normals at both ends differ by less than this (a
 /// cosine), and the line between them leaves either plane by less than this (a sine).
 constexpr double kAlike = 0.7, kRise = 0.36;
@@ -49,6 +46,13 @@ constexpr double kOpposite = -0.3;
 /// to so many r are seen from there, at most so often.
 constexpr double kInside = 0.02, kSeenFromCentre = 2;
 constexpr int kMostRounds = 3;
+
+/// Rays go ahead, and at 0.7 and 1.25 radians to either side.
+constexpr std::array<Vec2, 5> kRays{{{1, 0},
+                                     {0.7648421872844885, 0.644217687237691},
+                                     {0.7648421872844885, -0.644217687237691},
+                                     {0.3153223623952687, 0.9489846193555862},
+                                     {0.3153223623952687, -0.9489846193555862}}};
 
 /// The search looks around points this far apart on rays, as far around, in r.
 constexpr double kStep = 0.6, kAround = 0.6;
@@ -296,8 +300,7 @@ class GeodesicBall {
     const double to_crease = flat_known ? scene_.patches.to_crease(scene_.obstacles.patch(node_)) : 0;
     if (to_crease > 2 * least_ || (flat_known && is_flat(least_))) return;
     look_around(here(), flat_known);
-    for (const double angle : {0.0, 0.7, -0.7, 1.25, -1.25}) {
-      const Vec2 turned{std::cos(angle), std::sin(angle)};
+    for (const Vec2 turned : kRays) {
       const Vec2 direction = ahead_ * turned;
       const double half = 0.5 * kStep * r_;
       double from = 0, to = std::max(2 * half, to_crease - half);

@@ -4,12 +4,6 @@
 #include <algorithm>
 
 namespace meander {
-namespace {
-
-/// A ball may start this much larger than the node's last one before it is known to be large enough.
-constexpr double kWarmth = 1.2;
-
-}  // namespace
 
 void compute_medial_axis(const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
                          const NodeData<Reach>& reach, ThreadPool& pool, CurveBvh& tree,

@@ -12,6 +12,9 @@
 
 namespace meander {
 
+/// A ball may start this much larger than the node's last one before it is known to be large enough.
+inline constexpr double kWarmth = 1.2;
+
 /// r+ (on the side of the bitangent) and r- of a node.
 using Radii = std::array<double, 2>;
 

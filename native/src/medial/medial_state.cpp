@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/tuning.h"
 #include "medial/geodesic_medial_axis.h"
 
 namespace meander {
 namespace {
-
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
 
 void find_radii(const MedialScene& scene, ThreadPool& pool, MedialState& state, NodeData<Radii>& radii) {
   if (!scene.patches) {
@@ -32,7 +30,7 @@ void find_medial_state(const MedialScene& scene, const NodeData<CachedDirections
                 scene.metric, pool, state.reach);
   find_radii(scene, pool, state, radii);
   state.felt_radii.resize(radii.size());
-  pool.for_blocks(radii.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(radii.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       for (size_t side = 0; side < 2; ++side) {
         const double driving = std::max(0.0, state.reach[i][side].driving);
@@ -46,7 +44,7 @@ void find_medial_state(const MedialScene& scene, const NodeData<CachedDirections
 double in_local_radii(const Frames& frames, const LocalMetric& metric, size_t node, size_t side, double radius) {
   const double growth = std::clamp(2 * frames.radius_slope[node][side] * radius / metric.radius[node],
                                    tuning::kLeastRadiusGrowth, tuning::kMostRadiusGrowth);
-  return growth == 0 ? radius : radius * (std::log1p(growth) / growth);
+  return growth == 0 ? radius : radius * (elementary::log1p(growth) / growth);
 }
 
 }  // namespace meander

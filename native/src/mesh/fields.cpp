@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 
+#include "base/elementary.h"
 #include "base/failure.h"
 #include "mesh/closest_point.h"
 #include "mesh/vertex_geometry.h"
@@ -43,7 +44,7 @@ CurvatureTensor curvature_tensor(const VertexGeometry& g) {
     const Vec3 &n0 = s.face_normal(f), &n1 = s.face_normal(face_of(other));
     // Positive where the surface bulges to the side of its normals. Along an edge it does not bend.
     const double length = edge.norm();
-    const double angle = std::atan2(n0.cross(n1).dot(edge) / length, n0.dot(n1));
+    const double angle = elementary::atan2(n0.cross(n1).dot(edge) / length, n0.dot(n1));
     for (const uint32_t v : ends) {
       const auto i = static_cast<Eigen::Index>(v);
       const double share = 0.25 * angle * length / g.area()[i];
@@ -61,7 +62,7 @@ Lines least_bending(const VertexGeometry& g, double radius) {
   return g.smoothed(Lines(g.smoothed(t.difference, length).cwiseProduct(g.smoothed(t.mean, length))), 0.5 * length);
 }
 
-double mean_size(const Lines& x) { return x.size() ? x.cwiseAbs().mean() : 0; }
+double mean_size(const Lines& x) { return x.size() ? x.unaryExpr(&size_of).mean() : 0; }
 
 /// Component of every vertex; kNone for unused ones.
 std::vector<uint32_t> components(const Surface& s) {
@@ -155,7 +156,7 @@ VertexData<Vec3> smoothest_directions(const Surface& surface) {
     if (component[v] == kNone) continue;
     random = random * 6364136223846793005u + 1442695040888963407u;
     x[v] += kAxis * g.line_along(v, Vec3::UnitX()) +
-            std::polar(kNoise, 2 * std::numbers::pi * static_cast<double>(random >> 11) * 0x1p-53);
+            polar(kNoise, 2 * std::numbers::pi * static_cast<double>(random >> 11) * 0x1p-53);
   }
   normalise(x, area, component, count);
   for (int k = 0; k < kMostIterations; ++k) {
@@ -193,7 +194,7 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
           const auto v = static_cast<Eigen::Index>(surface.face(p.face)[c]);
           const double w = kStiffness * p.weight(c) * length / static_cast<double>(samples) / (2 * pitch);
           weight[v] += w;
-          wish[v] += std::polar(w, 2 * g.angle_at_corner(p.face, c, flat));
+          wish[v] += polar(w, 2 * g.angle_at_corner(p.face, c, flat));
         }
         stroked[surface.component(p.face)] = 1;
       }

@@ -21,9 +21,6 @@ using Vec3 = Eigen::Vector3d;
 
 constexpr uint32_t kNever = UINT32_MAX;
 
-/// Faces, or vertices, that a thread takes at once.
-constexpr size_t kBlock = 4096;
-
 [[noreturn]] void refuse(const std::string& sentence, ElementKind kind = ElementKind::kNoElement,
                          size_t index = 0, size_t index2 = 0) {
   throw Failure(FailureKind::kInvalidMesh, sentence, kind, static_cast<uint32_t>(index),
@@ -99,7 +96,7 @@ bool has_area(std::span<const double> vertices, const Triangle& face, const Plac
 
 void check_areas(std::span<const double> vertices, const Table<Triangle>& faces, const Placement& placement,
                  const Names& names, ThreadPool& pool) {
-  const size_t f = pool.first(faces.size(), kBlock, [&](size_t i) { return !has_area(vertices, faces[i], placement); });
+  const size_t f = pool.first(faces.size(), kMeshGrain, [&](size_t i) { return !has_area(vertices, faces[i], placement); });
   if (f == faces.size()) return;
   refuse("Face " + str(names.face(f)) + " has no area (its corners lie on a line); dissolve degenerate faces.",
          ElementKind::kFace, names.face(f));
@@ -158,7 +155,7 @@ std::span<Side> first_edge(std::span<Side> sides) {
 Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, const Names& names, ThreadPool& pool) {
   SidesOfVertices table(faces, vertex_count, pool);
   Table<uint32_t> mate(3 * faces.size(), kNoTwin);
-  const size_t crowded = pool.first(vertex_count, kBlock, [&](size_t v) {
+  const size_t crowded = pool.first(vertex_count, kMeshGrain, [&](size_t v) {
     std::span<Side> sides = table.of(v);
     std::sort(sides.begin(), sides.end());
     while (!sides.empty()) {
@@ -185,8 +182,8 @@ Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, co
 void number_components(CheckedMesh& mesh, ThreadPool& pool) {
   const auto face_count = static_cast<uint32_t>(mesh.faces.size());
   DisjointSets sets(face_count);
-  std::vector<std::vector<uint32_t>> across(ThreadPool::block_count(face_count, kBlock));  // sides
-  pool.for_blocks(face_count, kBlock, [&](size_t block, size_t begin, size_t end) {
+  std::vector<std::vector<uint32_t>> across(ThreadPool::block_count(face_count, kMeshGrain));  // sides
+  pool.for_blocks(face_count, kMeshGrain, [&](size_t block, size_t begin, size_t end) {
     for (auto side = static_cast<uint32_t>(3 * begin); side < 3 * end; ++side) {
       const uint32_t f = side / 3, other = mesh.twin[side];
       if (other == kNoTwin || other / 3 >= f) continue;
@@ -218,7 +215,7 @@ bool opposed(const CheckedMesh& mesh, uint32_t side) {
 void orient(CheckedMesh& mesh, const Names& names, ThreadPool& pool) {
   const size_t face_count = mesh.faces.size();
   mesh.flipped.assign(face_count, 0);
-  const size_t disagreeing = pool.first(3 * face_count, kBlock, [&](size_t i) {
+  const size_t disagreeing = pool.first(3 * face_count, kMeshGrain, [&](size_t i) {
     const auto side = static_cast<uint32_t>(i);
     return mesh.twin[side] != kNoTwin && !opposed(mesh, side);
   });
@@ -266,7 +263,7 @@ void flip(CheckedMesh& mesh) {
 /// A vertex whose faces form more than one fan is named.
 void check_vertices(const CheckedMesh& mesh, size_t vertex_count, const Names& names, ThreadPool& pool) {
   std::vector<uint32_t> any_corner(vertex_count, kNever);
-  pool.for_blocks(3 * mesh.faces.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(3 * mesh.faces.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
     for (auto corner = static_cast<uint32_t>(begin); corner < end; ++corner) {
       const std::atomic_ref any(any_corner[mesh.faces[corner / 3][corner % 3]]);
       any.store(corner, std::memory_order_relaxed);  // whichever comes last

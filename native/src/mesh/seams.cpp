@@ -19,7 +19,7 @@ using Vec3 = Eigen::Vector3d;
 constexpr double kNearest = 0.25;
 
 /// A turn (turn_at_edge) from which on faces count as lying on each other: they are two sheets, not one.
-constexpr double kFolded = 1.99;
+constexpr double kFlatTurn = 1.99;
 
 constexpr uint32_t kNobody = UINT32_MAX;
 
@@ -126,7 +126,7 @@ std::vector<Seam> find_seams(std::span<const Vec3> positions, std::span<const Tr
         const uint32_t one = sides[k].second, other = sides[l].second;
         const bool along = places[from(faces, one)] == places[from(faces, other)];
         const double turn = turn_at_edge(a, b, positions[apex(faces, one)], positions[apex(faces, other)]);
-        if (turn < (along ? 1 : kFolded)) pairs.emplace_back(along, turn, one, other);
+        if (turn < (along ? 1 : kFlatTurn)) pairs.emplace_back(along, turn, one, other);
       }
     }
     std::sort(pairs.begin(), pairs.end());

@@ -8,14 +8,12 @@
 
 #include <Eigen/Geometry>
 
+#include "base/elementary.h"
 #include "base/failure.h"
 #include "base/thread_pool.h"
 
 namespace meander {
 namespace {
-
-/// Faces, or vertices, that a thread takes at once.
-constexpr size_t kBlock = 4096;
 
 /// Rounds to a multiple of 2^-30. The offset keeps values that are exact ties in one scale, and a
 /// rounding error away from it in another, from being rounded apart: ties become generic values.
@@ -25,7 +23,7 @@ double to_grid(double x) { return std::floor(x * 0x1p30 + 0.38196601125) * 0x1p-
 
 Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads)
     : caller_(vertices.begin(), vertices.end()) {
-  ThreadPool pool(faces.size() / 3 > kBlock ? threads : 1);
+  ThreadPool pool(faces.size() / 3 > kMeshGrain ? threads : 1);
   CheckedMesh mesh = check_mesh(vertices, faces, pool);
   faces_ = std::move(mesh.faces);
   flipped_ = std::move(mesh.flipped);
@@ -52,7 +50,7 @@ void Surface::place(const Placement& placement, ThreadPool& pool) {
   low_ = Vec3(placement.low[0], placement.low[1], placement.low[2]);
   scale_ = placement.diagonal;
   positions_.resize(caller_.size() / 3);
-  pool.for_blocks(positions_.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(positions_.size(), kMeshGrain, [&](size_t, size_t begin, size_t end) {
     for (uint32_t v = static_cast<uint32_t>(begin); v < end; ++v) positions_[v] = to_inside(caller_position(v));
   });
 }
@@ -72,7 +70,7 @@ bool Surface::simply_connected() const {
 double Surface::corner_angle(uint32_t f, uint32_t k) const {
   const Vec2 p = corner(f, k);
   const Vec2 u = corner(f, next_corner(k)) - p, v = corner(f, prev_corner(k)) - p;
-  return std::atan2(cross(u, v), dot(u, v));
+  return elementary::atan2(cross(u, v), dot(u, v));
 }
 
 void Surface::lay_out(ThreadPool& pool) {
@@ -80,7 +78,7 @@ void Surface::lay_out(ThreadPool& pool) {
   flat_.resize(n);
   x_axis_.resize(n);
   face_normal_.resize(n);
-  const size_t without_area = pool.first(n, kBlock, [&](size_t index) {
+  const size_t without_area = pool.first(n, kMeshGrain, [&](size_t index) {
     const uint32_t f = static_cast<uint32_t>(index);
     return !lay_out_face(f);
   });
@@ -131,8 +129,8 @@ bool Surface::lay_out_face(uint32_t f) {
 /// along the boundary.
 void Surface::connect(const Table<HalfEdge>& twins, ThreadPool& pool) {
   hinges_.resize(faces_.size());
-  std::vector<std::vector<HalfEdge>> boundary(ThreadPool::block_count(faces_.size(), kBlock));
-  pool.for_blocks(faces_.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
+  std::vector<std::vector<HalfEdge>> boundary(ThreadPool::block_count(faces_.size(), kMeshGrain));
+  pool.for_blocks(faces_.size(), kMeshGrain, [&](size_t block, size_t begin, size_t end) {
     for (auto e = static_cast<HalfEdge>(3 * begin); e < 3 * end; ++e) {
       hinges_[face_of(e)].twin[corner_of(e)] = twins[e];
       if (twins[e] == kNone) boundary[block].push_back(e);

@@ -112,20 +112,20 @@ void VertexGeometry::find_edges() {
     const double back = angle_[3 * f + l] + scale_[to] * surface_.corner_angle(f, l);
     const double weight = 0.5 * (cotangent(e) + (other != kNone ? cotangent(other) : 0));
     // A line is its own opposite, so the half turn between the two views of the edge drops out.
-    edges_.push_back({from, to, std::max(weight, kLeastWeight), std::polar(1.0, 2 * (back - angle_[e]))});
+    edges_.push_back({from, to, std::max(weight, kLeastWeight), polar(1.0, 2 * (back - angle_[e]))});
   }
 }
 
 double VertexGeometry::angle_at_corner(uint32_t f, uint32_t k, Vec2 v) const {
   const Vec2 edge = surface_.corner(f, next_corner(k)) - surface_.corner(f, k);
-  const double to_edge = std::atan2(cross(edge, v), dot(edge, v));
+  const double to_edge = elementary::atan2(cross(edge, v), dot(edge, v));
   // Both planes agree on the bisector of the corner.
   const double half = 0.5 * surface_.corner_angle(f, k);
   return angle_[3 * f + k] + scale_[surface_.face(f)[k]] * half + (to_edge - half);
 }
 
 Vec3 VertexGeometry::to_space(uint32_t v, double angle) const {
-  return std::cos(angle) * axis_[v] + std::sin(angle) * normal_[v].cross(axis_[v]);
+  return elementary::cos(angle) * axis_[v] + elementary::sin(angle) * normal_[v].cross(axis_[v]);
 }
 
 Complex VertexGeometry::line_along(uint32_t v, const Vec3& direction) const {
@@ -138,7 +138,7 @@ VertexData<Vec3> VertexGeometry::to_space(const Lines& lines, double least) cons
   VertexData<Vec3> out(surface_.vertex_count(), Vec3::Zero());
   for (uint32_t v = 0; v < out.size(); ++v) {
     const Complex line = lines[index(v)];
-    if (used(v) && std::abs(line) > least) out[v] = to_space(v, 0.5 * std::arg(line));
+    if (used(v) && size_of(line) > least) out[v] = to_space(v, 0.5 * angle_of(line));
   }
   return out;
 }

@@ -9,6 +9,7 @@
 
 #include <Eigen/SparseCore>
 
+#include "base/elementary.h"
 #include "mesh/surface.h"
 #include "mesh/vertex_data.h"
 
@@ -16,6 +17,12 @@ namespace meander {
 
 /// A line in the tangent plane of a vertex is held as its square, a complex number: no sign to choose.
 using Complex = std::complex<double>;
+/// As std::polar, std::arg and std::abs, which differ from system to system.
+inline Complex polar(double size, double angle) {
+  return {size * elementary::cos(angle), size * elementary::sin(angle)};
+}
+inline double angle_of(const Complex& z) { return elementary::atan2(z.imag(), z.real()); }
+inline double size_of(const Complex& z) { return elementary::hypot(z.real(), z.imag()); }
 using Functions = Eigen::VectorXd;   ///< one value a vertex
 using Lines = Eigen::VectorXcd;      ///< one squared vector a vertex, in the vertex's own plane
 

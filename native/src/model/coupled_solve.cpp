@@ -12,9 +12,6 @@ namespace {
 
 using Block = Eigen::Matrix2d;
 
-/// A closed strand below this many nodes has couplings that fall on one another; it is solved densely.
-constexpr size_t kLeastBanded = 6;
-
 Block block_of(double number, const Sym2& m) {
   Block b;
   b << number + m.xx, m.xy, m.xy, number + m.yy;
@@ -81,7 +78,7 @@ class BlockPentadiagonal {
   std::vector<Block, Eigen::aligned_allocator<Block>> inverse_, first_, second_;
 };
 
-std::vector<Vec2> solve_open(const StrandSystem& a) {
+std::vector<Vec2> solve_coupled_open(const StrandSystem& a) {
   const size_t n = a.diagonal.size();
   BlockPentadiagonal<1>::Right x(n);
   for (size_t i = 0; i < n; ++i) x[i] << a.right[i].x, a.right[i].y;
@@ -91,7 +88,7 @@ std::vector<Vec2> solve_open(const StrandSystem& a) {
   return z;
 }
 
-std::vector<Vec2> solve_dense(const StrandSystem& a) {
+std::vector<Vec2> solve_coupled_dense(const StrandSystem& a) {
   const auto at = [](size_t i) { return static_cast<Eigen::Index>(2 * i); };
   const size_t n = a.diagonal.size();
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(at(n), at(n));
@@ -114,7 +111,7 @@ std::vector<Vec2> solve_dense(const StrandSystem& a) {
   return z;
 }
 
-std::vector<Vec2> solve_closed(const StrandSystem& a) {
+std::vector<Vec2> solve_coupled_closed(const StrandSystem& a) {
   // Unknowns 0 .. m - 1 are banded; p = m and q = m + 1 border them. Column 0 is the right-hand side,
   // columns 1 and 2 are the couplings with p, 3 and 4 those with q.
   const size_t n = a.diagonal.size(), m = n - 2, p = m, q = m + 1;
@@ -156,8 +153,8 @@ std::vector<Vec2> solve_closed(const StrandSystem& a) {
 }  // namespace
 
 std::vector<Vec2> solve_coupled(const StrandSystem& system) {
-  if (!system.closed) return solve_open(system);
-  return system.diagonal.size() < kLeastBanded ? solve_dense(system) : solve_closed(system);
+  if (!system.closed) return solve_coupled_open(system);
+  return system.diagonal.size() < kLeastBanded ? solve_coupled_dense(system) : solve_coupled_closed(system);
 }
 
 }  // namespace meander

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/tuning.h"
 
 namespace meander {
@@ -23,7 +24,7 @@ double power(double x, double e) {
   if (e == 4) return (x * x) * (x * x);
   if (e == 6) return (x * x) * (x * x) * (x * x);
   if (e == 8) return ((x * x) * (x * x)) * ((x * x) * (x * x));
-  return std::pow(x, e);
+  return elementary::pow(x, e);
 }
 
 struct MedialForce {
@@ -40,17 +41,14 @@ MedialForce medial_force(const Radii& radii, double r, double q) {
   return {r * (a2 * a - b2 * b), (q - 1) * (a2 + b2)};
 }
 
-/// Nodes or terms that a thread takes at a time.
-constexpr uint32_t kBlock = 2048;
-
 /// Fills the frames of a strand's nodes, carried parallel from (1, 0) on, and the directions of its
 /// segments in them; returns the frame that arrives after the last segment.
 ///
 /// Every block begins with (1, 0) too, and is turned by what the blocks before it arrive with.
 Vec2 carry_frames(const Curve& curve, const Strand& strand, ThreadPool& pool, std::vector<Vec2>& frames,
                   std::vector<Vec2>& directions) {
-  std::vector<Vec2> start(ThreadPool::block_count(strand.count, kBlock) + 1, Vec2{1, 0});
-  pool.for_blocks(strand.count, kBlock, [&](size_t block, size_t begin, size_t end) {
+  std::vector<Vec2> start(ThreadPool::block_count(strand.count, kNodeGrain) + 1, Vec2{1, 0});
+  pool.for_blocks(strand.count, kNodeGrain, [&](size_t block, size_t begin, size_t end) {
     Vec2 frame{1, 0};
     for (size_t k = begin; k < end; ++k) {
       frames[k] = frame;
@@ -63,7 +61,7 @@ Vec2 carry_frames(const Curve& curve, const Strand& strand, ThreadPool& pool, st
     start[block + 1] = frame;
   });
   for (size_t block = 2; block < start.size(); ++block) start[block] = unit(start[block] * start[block - 1]);
-  pool.for_blocks(strand.count, kBlock, [&](size_t block, size_t begin, size_t end) {
+  pool.for_blocks(strand.count, kNodeGrain, [&](size_t block, size_t begin, size_t end) {
     if (block == 0) return;
     for (size_t k = begin; k < end; ++k) {
       frames[k] = frames[k] * start[block];
@@ -84,7 +82,7 @@ struct MedialStiffness {
 
 MedialStiffness medial_stiffness(const Radii& radii, double r, double q) {
   double sum = 0;
-  for (const double radius : radii) sum += std::pow(std::max(radius / r, kLeastRatio), q - 2);
+  for (const double radius : radii) sum += power(std::max(radius / r, kLeastRatio), q - 2);
   return {sum, (q - 2) * sum};
 }
 
@@ -96,7 +94,7 @@ std::vector<double> power_factors(const Curve& curve, const Strand& strand, cons
   for (uint32_t k = 0; k < factor.size(); ++k) {
     const uint32_t i = strand.first + k;
     const double l = segment_length(curve, i, metric.radius[i]);
-    factor[k] = std::pow(l / metric.radius[i], p - 2);
+    factor[k] = power(l / metric.radius[i], p - 2);
     length += l;
     sum += l * factor[k];
   }
@@ -120,12 +118,12 @@ double medial_energy(const Radii& radii, double r, double q) {
 /// add to one node, the last two terms of every block follow when all threads are done.
 template <class Term>
 void for_terms(uint32_t count, ThreadPool& pool, const Term& term) {
-  pool.for_blocks(count, kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k + 2 < end; ++k) term(static_cast<uint32_t>(k));
   });
-  for (uint32_t begin = 0; begin < count; begin += kBlock) {
-    const uint32_t end = std::min(begin + kBlock, count);
-    for (uint32_t k = end - std::min(end - begin, 2u); k < end; ++k) term(k);
+  for (size_t begin = 0; begin < count; begin += kNodeGrain) {
+    const size_t end = std::min<size_t>(begin + kNodeGrain, count);
+    for (size_t k = end - std::min<size_t>(end - begin, 2); k < end; ++k) term(static_cast<uint32_t>(k));
   }
 }
 
@@ -305,7 +303,7 @@ void StrandSystem::reset(size_t n, ThreadPool& pool) {
   for (std::vector<double>* numbers : {&diagonal, &first, &second}) numbers->resize(n);
   right.resize(n);
   frame.resize(n);
-  pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(n, kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (std::vector<double>* numbers : {&diagonal, &first, &second}) {
       std::fill(numbers->data() + begin, numbers->data() + end, 0);
     }

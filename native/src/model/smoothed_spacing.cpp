@@ -9,16 +9,13 @@
 namespace meander {
 namespace {
 
-/// Nodes that a thread takes at a time.
-constexpr size_t kBlock = 2048;
-
 /// A segment shorter than this (in r) would make the smoothing infinitely stiff.
-constexpr double kShortest = 1e-6;
+constexpr double kShortestSmoothed = 1e-6;
 
 /// What couples u at both ends of segment i in (1 - s^2 d^2 / ds^2) u = raw u, s being the smoothing.
 double stiffness_of(const Curve& curve, const LocalMetric& metric, uint32_t i) {
   const double r = metric.radius[i], smoothing = tuning::kSpacingSmoothing;
-  return smoothing * smoothing * r * r / std::max(curve.shapes[i].length, kShortest * r);
+  return smoothing * smoothing * r * r / std::max(curve.shapes[i].length, kShortestSmoothed * r);
 }
 
 double raw_spacing(const Radii& radii, double r) {
@@ -52,7 +49,7 @@ NodeData<double> smoothed_spacing(const Curve& curve, const LocalMetric& metric,
   strands.for_strands(curve, pool, [&](const Strand& strand, ThreadPool& threads, StrandSystem& system) {
     system.reset(strand.count, threads);
     system.closed = strand.closed;
-    threads.for_blocks(strand.count, kBlock, [&](size_t, size_t begin, size_t end) {
+    threads.for_blocks(strand.count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k) {
         add_row(curve, metric, radii, strand.first + static_cast<uint32_t>(k), k, system);
       }

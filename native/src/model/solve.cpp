@@ -16,9 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A closed strand below this many nodes has couplings that fall on one another; it is solved densely.
-constexpr size_t kLeastBanded = 6;
-
 /// A chunk keeps two nodes at either end of its couplings apart.
 constexpr size_t kShortestChunk = 4;
 

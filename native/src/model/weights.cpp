@@ -3,12 +3,13 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/tuning.h"
 
 namespace meander {
 
 double power_balance(double q) {
-  return q == 2 ? 1 : tuning::kPowerLimit + (1 - tuning::kPowerLimit) * std::exp(-tuning::kPowerRate * (q - 2));
+  return q == 2 ? 1 : tuning::kPowerLimit + (1 - tuning::kPowerLimit) * elementary::exp(-tuning::kPowerRate * (q - 2));
 }
 
 double polish_balance(double q) { return q == 2 ? 0 : tuning::kPolishBalance + tuning::kPolishBalanceSlope * q; }
