@@ -10,7 +10,7 @@ add_custom_target(addon
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/make_addon_zip.py"
           --addon "${PROJECT_SOURCE_DIR}/addon/meander"
           --version "${PROJECT_VERSION}"
-          --native $<TARGET_FILE:meander>
+          --native "${meander_platform}=$<TARGET_FILE:meander>"
           --licence "${PROJECT_SOURCE_DIR}/LICENSE"
           --licence "${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md"
           --pages "${PROJECT_SOURCE_DIR}/docs"

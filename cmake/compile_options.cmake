@@ -8,6 +8,8 @@ add_library(meander_compile_options INTERFACE)
 target_compile_options(meander_compile_options INTERFACE
   -Wall -Wextra -Wshadow
   $<$<COMPILE_LANGUAGE:CXX>:-Wconversion>
+  # Clang's -Wconversion includes this, GCC's does not.
+  $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wno-sign-conversion>
   # No code reads errno or traps floating-point exceptions, and support for them keeps sqrt and
   # comparisons from being plain instructions. -ffast-math is out of the question: crossing tests
   # rely on exact signs.
@@ -15,6 +17,18 @@ target_compile_options(meander_compile_options INTERFACE
   # A fused multiply-add rounds once instead of twice: the same source would give different curves
   # on a processor that has it. For the same reason there is no -march=native.
   -ffp-contract=off)
+
+# What is built for release has the same bytes in whatever folder its sources lie.
+if(CMAKE_CROSSCOMPILING)
+  target_compile_options(meander_compile_options INTERFACE
+    "-ffile-prefix-map=${PROJECT_BINARY_DIR}=build"
+    "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
+endif()
+
+if(meander_machine STREQUAL "arm64")
+  target_compile_options(meander_compile_options INTERFACE
+    "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/eigen_without_fma.h>")
+endif()
 
 if(MEANDER_WERROR)
   target_compile_options(meander_compile_options INTERFACE -Werror)

@@ -31,17 +31,41 @@ add_library(meander SHARED $<TARGET_OBJECTS:meander_core> $<TARGET_OBJECTS:meand
 set_target_properties(meander PROPERTIES
   OUTPUT_NAME "meander-${PROJECT_VERSION}"
   LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib"
+  RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib" # a DLL is one for CMake
+  ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib"
   LINKER_LANGUAGE CXX
   LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/exports.map")
+if(WIN32)
+  set_target_properties(meander PROPERTIES PREFIX "")
+endif()
 target_include_directories(meander INTERFACE "${PROJECT_SOURCE_DIR}/native/include")
 target_link_libraries(meander PRIVATE Threads::Threads meander_compile_options)
-target_link_options(meander PRIVATE
-  "LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map"
-  "LINKER:--as-needed"
-  "LINKER:--gc-sections")
-# A sanitized library finds its run-time symbols only in the program that loads it.
-if(NOT MEANDER_SANITIZE)
-  target_link_options(meander PRIVATE "LINKER:--no-undefined")
+if(APPLE)
+  # Hidden visibility and this leave the C API, and the runtime's operators new and delete, which the system
+  # joins with its own.
+  target_link_options(meander PRIVATE -Wl,-dead_strip)
+  # A name without the folder in which it was built.
+  set_target_properties(meander PROPERTIES BUILD_WITH_INSTALL_NAME_DIR ON INSTALL_NAME_DIR "@rpath")
+elseif(MINGW)
+  # What is marked for export is all that is exported; the C++ runtime comes along.
+  target_link_options(meander PRIVATE -static)
+elseif(NOT WIN32)
+  target_link_options(meander PRIVATE
+    "LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map"
+    "LINKER:--as-needed"
+    "LINKER:--gc-sections")
+  # A sanitized library finds its run-time symbols only in the program that loads it.
+  if(NOT MEANDER_SANITIZE)
+    target_link_options(meander PRIVATE "LINKER:--no-undefined")
+  endif()
+endif()
+# Zig's runtime has debug information, which is fifty times larger than the library.
+if(MEANDER_ZIG)
+  target_link_options(meander PRIVATE -s)
+endif()
+
+if(MEANDER_UNITY)
+  include(cmake/unity.cmake)
 endif()
 
 # The Python module that declares the C API is generated from the header in every build, so it
@@ -59,7 +83,7 @@ if(MEANDER_STAGE)
   add_custom_target(stage ALL
     COMMAND ${CMAKE_COMMAND}
             "-DFILES=$<TARGET_FILE:meander>"
-            "-DFOLDER=${PROJECT_SOURCE_DIR}/addon/meander/native"
+            "-DFOLDER=${PROJECT_SOURCE_DIR}/addon/meander/native/${meander_platform}"
             -P "${PROJECT_SOURCE_DIR}/cmake/stage.cmake"
     DEPENDS meander abi
     COMMENT "Copying the library into addon/meander/native" VERBATIM)

@@ -3,7 +3,9 @@
 # meander_openmesh: OpenMesh's headers, and the few of its sources that they need. Debian has the rest of
 # OpenMesh only as a shared library, which no system has by itself (docs/building.md).
 
-find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/TriConnectivity.hh REQUIRED)
+if(NOT OPENMESH_INCLUDE_DIR)
+  find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/TriConnectivity.hh REQUIRED)
+endif()
 # The sources are those of 9.0, and read members that its headers declare.
 file(STRINGS "${OPENMESH_INCLUDE_DIR}/OpenMesh/Core/System/config.h" openmesh_version
   REGEX "^#define OM_VERSION 0x90000")

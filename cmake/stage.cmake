@@ -23,7 +23,7 @@ foreach(file IN LISTS FILES)
   endif()
 endforeach()
 
-file(GLOB others RELATIVE "${FOLDER}" "${FOLDER}/libmeander-*")
+file(GLOB others RELATIVE "${FOLDER}" "${FOLDER}/libmeander-*" "${FOLDER}/meander-*")
 list(REMOVE_ITEM others ${names})
 foreach(name IN LISTS others)
   file(REMOVE "${FOLDER}/${name}")

@@ -14,9 +14,11 @@ from __future__ import annotations
 import argparse
 import base64
 import hashlib
+import importlib
 import sys
 import sysconfig
 import tomllib
+import types
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -47,13 +49,25 @@ def this_platform() -> str:
 def built_library() -> Path:
     """The library of this machine. Raises SystemExit where there is none or several."""
     names = ("libmeander-*.so", "libmeander-*.dylib", "meander-*.dll")
-    found = [path for name in names for path in sorted((ADDON / "native").glob(name))]
+    found = [path for name in names for path in sorted((ADDON / "native").glob(f"*/{name}"))]
     if len(found) != 1:
         raise SystemExit(
             f"{len(found)} libraries in {ADDON / 'native'}: run scripts/build.sh stage, or name "
             "one with --library"
         )
     return found[0]
+
+
+def _system_of(library: Path) -> str:
+    """What a library was built for, as `binding` calls it and looks for it: "linux-x64"."""
+    # Without the package around it, which is for Blender.
+    package = types.ModuleType("meander_binding")
+    package.__path__ = [str(ADDON / "binding")]
+    sys.modules["meander_binding"] = package
+    system = importlib.import_module("meander_binding.library_file").built_for(library)
+    if system is None:
+        raise SystemExit(f"{library} is not a library of a platform that Meander knows")
+    return system
 
 
 def contents(library: Path) -> dict[str, Path]:
@@ -70,7 +84,7 @@ def contents(library: Path) -> dict[str, Path]:
                     if name in files:
                         raise SystemExit(f"{path} and {files[name]} have the same place")
                     files[name] = path
-    files[f"{PACKAGE}/native/{library.name}"] = library
+    files[f"{PACKAGE}/native/{_system_of(library)}/{library.name}"] = library
     return files
 
 
@@ -124,7 +138,7 @@ def write_wheel(folder: Path, library: Path, platform: str) -> Path:
             entry = zipfile.ZipInfo(name, TIMESTAMP)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.create_system = 3  # Unix, on any machine: the permissions below are Unix's
-            entry.external_attr = (0o755 if name.endswith(".so") else 0o644) << 16
+            entry.external_attr = (0o755 if f"{PACKAGE}/native/" in name else 0o644) << 16
             archive.writestr(entry, data)
     unfinished.replace(wheel)
     return wheel

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Packs the add-on into a zip that contains one folder, the only form that both Blender 3.4 and the
-extensions of 4.2 and later install.
+extensions of 4.2 and later install. The manifest inside names the platforms whose libraries it has.
 
 The same contents give the same bytes: entries are sorted, and have a fixed time and permissions.
 Blender reads the add-on's version without running its code, so the copies of the version are
@@ -9,6 +9,7 @@ literals, which cannot be derived; they are compared with the project's instead.
 
 import argparse
 import ast
+import re
 import sys
 import tomllib
 import zipfile
@@ -16,6 +17,12 @@ from pathlib import Path
 from typing import Any
 
 FOLDER = "meander"
+MANIFEST = "blender_manifest.toml"
+# As manifests call them; a library lies in the folder of its platform.
+PLATFORMS = (
+    "linux-x64", "linux-arm64", "macos-x64", "macos-arm64", "windows-x64", "windows-arm64"
+)  # fmt: skip
+LIBRARIES = {".so", ".dylib", ".dll"}
 # The earliest time that a zip can store.
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 # Made by the build or by running the code, and never part of the sources.
@@ -42,7 +49,7 @@ def check_versions(addon: Path, version: str) -> None:
     bl_info = literal(addon / "__init__.py", "bl_info")
     found = {
         "__init__.py": ".".join(str(part) for part in bl_info["version"]),
-        "blender_manifest.toml": manifest_version(addon / "blender_manifest.toml"),
+        "blender_manifest.toml": manifest_version(addon / MANIFEST),
         "binding/abi.py": literal(addon / "binding" / "abi.py", "VERSION"),
     }
     wrong = [f"{addon / name}: {other}" for name, other in found.items() if other != version]
@@ -52,8 +59,31 @@ def check_versions(addon: Path, version: str) -> None:
         )
 
 
+def of_platform(text: str) -> tuple[str, Path]:
+    """PLATFORM=FILE of a flag: ("linux-x64", path)."""
+    platform, equals, path = text.partition("=")
+    if not equals or platform not in PLATFORMS:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} must be PLATFORM=FILE, PLATFORM one of {', '.join(PLATFORMS)}"
+        )
+    return platform, Path(path)
+
+
+def manifest_for(manifest_file: Path, platforms: list[str]) -> bytes:
+    """The manifest, with these as its platforms."""
+    named = ", ".join(f'"{platform}"' for platform in platforms)
+    text, count = re.subn(
+        r"(?m)^platforms = \[.*\]$",
+        f"platforms = [{named}]",
+        manifest_file.read_text(encoding="utf-8"),
+    )
+    if count != 1:
+        raise SystemExit(f"{manifest_file}: no line platforms = [...], which is replaced in a zip")
+    return text.encode()
+
+
 def contents(
-    addon: Path, native: list[Path], licences: list[Path], pages: Path | None
+    addon: Path, native: list[tuple[str, Path]], licences: list[Path], pages: Path | None
 ) -> dict[str, Path]:
     """Name inside the zip -> file."""
     files = {}
@@ -62,8 +92,8 @@ def contents(
         skipped = SKIPPED_FOLDERS.intersection(inside.parts) or path.suffix in SKIPPED_SUFFIXES
         if path.is_file() and not skipped:
             files[f"{FOLDER}/{inside.as_posix()}"] = path
-    for path in native:
-        files[f"{FOLDER}/native/{path.name}"] = path
+    for platform, path in native:
+        files[f"{FOLDER}/native/{platform}/{path.name}"] = path
     for path in licences:
         files[f"{FOLDER}/{path.name}"] = path
     # The texts alone: the pictures are larger than the add-on itself.
@@ -72,7 +102,7 @@ def contents(
     return files
 
 
-def write_zip(output: Path, files: dict[str, Path]) -> None:
+def write_zip(output: Path, files: dict[str, Path], manifest: bytes) -> None:
     # Written under a temporary name and renamed, so that a zip is always whole.
     unfinished = output.with_suffix(".zip.part")
     with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
@@ -87,8 +117,9 @@ def write_zip(output: Path, files: dict[str, Path]) -> None:
             entry = zipfile.ZipInfo(name, TIMESTAMP)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.create_system = 3  # Unix, on any machine: the permissions below are Unix's
-            entry.external_attr = (0o755 if path.suffix == ".so" else 0o644) << 16
-            archive.writestr(entry, path.read_bytes())
+            entry.external_attr = (0o755 if path.suffix in LIBRARIES else 0o644) << 16
+            data = manifest if name == f"{FOLDER}/{MANIFEST}" else path.read_bytes()
+            archive.writestr(entry, data)
     unfinished.replace(output)
 
 
@@ -96,7 +127,8 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--addon", type=Path, required=True, help="folder of the add-on's sources")
     parser.add_argument("--version", required=True, help="the project's version")
-    parser.add_argument("--native", type=Path, action="append", default=[], help="a library")
+    parser.add_argument("--native", type=of_platform, action="append", default=[],
+                        metavar="PLATFORM=FILE", help="a library, linux-x64=FILE")  # fmt: skip
     parser.add_argument("--licence", type=Path, action="append", default=[], help="a text to add")
     parser.add_argument("--pages", type=Path, help="folder of the pages that the panel opens")
     parser.add_argument("--output", type=Path, help="the zip to write")
@@ -109,7 +141,10 @@ def main() -> int:
     if arguments.output is None:
         parser.error("--output is needed unless --check-only is given")
     files = contents(arguments.addon, arguments.native, arguments.licence, arguments.pages)
-    write_zip(arguments.output, files)
+    if not arguments.native:
+        parser.error("--native is needed: a zip without a library would not work")
+    platforms = sorted({platform for platform, _path in arguments.native})
+    write_zip(arguments.output, files, manifest_for(arguments.addon / MANIFEST, platforms))
     size = arguments.output.stat().st_size / 1024
     print(f"{arguments.output}: {len(files)} files, {size:.0f} KiB")
     return 0

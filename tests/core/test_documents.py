@@ -25,7 +25,8 @@ TEST = re.compile(r"(?:tests/\w+/)?test_\w+(?:\.py|\.cpp)?")
 API = re.compile(r"\b(?:meander|MEANDER)_\w+\b")
 # Not of the header: the benchmark, a job type, and the options of the build.
 OTHERS = re.compile(
-    r"meander_(?:bench|core|fill|installed)|MEANDER_(?:BUILD_\w+|WERROR|SANITIZE|STAGE|PYTHON313)"
+    r"meander_(?:bench|core|fill|installed)|"
+    r"MEANDER_(?:BUILD_\w+|WERROR|SANITIZE|STAGE|HEADERS|UNITY|ZIG|LIBRARY|PYTHON313)"
 )
 
 

@@ -80,7 +80,7 @@ def test_fills_with_the_operator(installed: tuple[Blender, Path]) -> None:
 
     assert Path(found["addon"]) == addon
     # The library comes from the profile: nothing of the checkout was used.
-    assert [Path(path).parent for path in found["libraries"]] == [addon / "native"]
+    assert [Path(path).parent for path in found["libraries"]] == [addon / "native" / "linux-x64"]
     assert found["limits"] == [500_001, 500_001], "the preferences are not those of the add-on"
     assert found["cyclic"] == [True]
     assert found["length"] > 4 * found["seed_length"], "the curve has hardly grown"

@@ -56,7 +56,7 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
         for name in ("meander.blend", "blender_assets.cats.txt", "LICENSE.txt")
     }
     libraries = sorted(name for name in names if name.startswith("meander/native/"))
-    assert libraries == [f"meander/native/libmeander-{version}.so"]
+    assert libraries == [f"meander/native/linux-x64/libmeander-{version}.so"]
     presets = {name for name in names if name.startswith("meander/presets/meander/")}
     assert {Path(name).stem for name in presets} == {
         "Even", "Organic", "Few_Corners", "Rows", "As_Published"
@@ -115,8 +115,8 @@ def test_same_contents_give_same_bytes(addon_zip: Path, tmp_path: Path) -> None:
     command = [sys.executable, ROOT / "scripts/make_addon_zip.py", "--addon", folder,
                "--version", project_version(), "--pages", pages,
                "--output", tmp_path / "again.zip"]
-    for library in sorted(libraries.iterdir(), reverse=True):
-        command += ["--native", library]
+    for library in sorted(libraries.glob("*/*"), reverse=True):
+        command += ["--native", f"{library.parent.name}={library}"]
     for text in texts:
         command += ["--licence", text]
     subprocess.run(command, check=True, timeout=60)

@@ -21,6 +21,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from .abi import ABI_VERSION, PROTOTYPES, STRUCTS, VERSION, ErrorRecord, Status
 from .choices import C_OPTIONS, ELEMENT_KINDS
+from .library_file import (
+    built_for,
+    library_file,
+    needed,
+    platform_tag,
+    platforms_in,
+    system_version,
+    where_to_get,
+)
 
 _Record = TypeVar("_Record", bound=Structure)
 _Owner = TypeVar("_Owner", bound="Handle")
@@ -30,6 +39,9 @@ LIBRARY_VARIABLE = "MEANDER_LIBRARY"
 
 # The status of a MeanderError about the library file itself: it is missing or does not fit.
 STATUS_NO_LIBRARY = -1
+
+# The libraries of the package, in a folder for each platform.
+_NATIVE = Path(__file__).resolve().parents[1] / "native"
 
 
 # ------------------------------------------------------------------------------------------------
@@ -99,33 +111,70 @@ _load_lock = threading.Lock()
 
 
 def library_path() -> Path:
-    """Where the library is expected: MEANDER_LIBRARY if set, else ``native/`` in the package."""
+    """Where the library is expected: MEANDER_LIBRARY if set, else in the package, in the folder of
+    the platform that this Python runs on.
+    """
     override = os.environ.get(LIBRARY_VARIABLE)
     if override:
         return Path(override)
-    if sys.platform == "win32":
-        name = f"meander-{VERSION}.dll"
-    elif sys.platform == "darwin":
-        name = f"libmeander-{VERSION}.dylib"
-    else:
-        name = f"libmeander-{VERSION}.so"
-    return Path(__file__).resolve().parents[1] / "native" / name
+    return _NATIVE / library_file(platform_tag())
+
+
+def _refuse_missing(path: Path) -> None:
+    """Raises the sentence about a library that is not there."""
+    if os.environ.get(LIBRARY_VARIABLE):
+        raise MeanderError(
+            f"the native library {path}, which {LIBRARY_VARIABLE} names, is missing; correct that "
+            "variable or unset it",
+            STATUS_NO_LIBRARY,
+        )
+    tag, present = platform_tag(), platforms_in(_NATIVE)
+    found = f"what is there is for {', '.join(present)}" if present else "there is none"
+    raise MeanderError(
+        f"the native library for this platform, {tag}, is missing: it should be {path}, and "
+        f"{found}; {where_to_get(tag)}",
+        STATUS_NO_LIBRARY,
+    )
+
+
+def _refuse_foreign(path: Path) -> None:
+    """Raises a sentence about a file that this platform could not load."""
+    tag = platform_tag()
+    try:
+        found = built_for(path)
+    except OSError as problem:
+        raise MeanderError(
+            f"the native library {path} cannot be read ({problem.strerror}); install the add-on "
+            "again from its zip",
+            STATUS_NO_LIBRARY,
+        ) from problem
+    if found is None:
+        raise MeanderError(
+            f"the file {path} is not a native library for {tag}; {where_to_get(tag)}",
+            STATUS_NO_LIBRARY,
+        )
+    # A system that is not ours may use one of these formats; then loading decides.
+    if found != tag and sys.platform in ("linux", "win32", "darwin"):
+        raise MeanderError(
+            f"the native library {path} is for {found}, but Blender runs on {tag}; "
+            f"{where_to_get(tag)}",
+            STATUS_NO_LIBRARY,
+        )
 
 
 def _load(path: Path) -> ctypes.CDLL:
     """Loads the library and compares ABI and version before anything else is called."""
     if not path.is_file():
-        raise MeanderError(
-            f"the native library {path} is missing; build it, install the add-on again from its "
-            f"zip, or set {LIBRARY_VARIABLE} to its full path",
-            STATUS_NO_LIBRARY,
-        )
+        _refuse_missing(path)
+    _refuse_foreign(path)
     try:
         library = ctypes.CDLL(str(path))
     except OSError as problem:
+        tag = platform_tag()
         raise MeanderError(
-            f"the native library {path} cannot be loaded on this system ({problem}); install the "
-            "add-on from the zip made for it",
+            f"the native library {path} cannot be loaded on this system, {tag} with "
+            f"{system_version()} ({problem}); one of a release needs {needed(tag)}: "
+            f"{where_to_get(tag)}",
             STATUS_NO_LIBRARY,
         ) from problem
     try:
