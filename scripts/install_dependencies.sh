@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# install_dependencies.sh [--bpy VERSION]... [--site] [--farm]
+# install_dependencies.sh [--bpy VERSION]... [--site] [--farm] [--package]
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
 # apt-get (through sudo unless root), and for every --bpy a virtual environment
 # build/bpy-VERSION with Blender as a Python module, pytest, ruff, import-linter and readers of what
 # is exported from the Python index, for --site one, build/site-tools, with what makes the site from
-# the pages in docs/, and for --farm Slurm, for scripts/test_farm.sh.
+# the pages in docs/, for --farm Slurm, for scripts/test_farm.sh, and for --package Zig in
+# build/package-tools, which compiles for every platform, the headers that it needs, and what runs
+# programs of other platforms: Wine and qemu.
 # Running it again costs nothing: it fetches only what is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -23,15 +25,20 @@ farm_packages=(slurmctld slurmd slurm-client munge)
 bpy_packages=(ca-certificates python3-venv
   libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
 
+package_packages=(ca-certificates python3-venv python3-pytest python3-numpy binutils llvm
+  googletest wine wine64 qemu-user libc6-arm64-cross)
+
 bpy_versions=()
 site=0
 farm=0
+package_tools=0
 while [ $# -gt 0 ]; do
   case "$1" in
     --bpy) bpy_versions+=("${2:?--bpy needs a version, such as 4.5}"); shift 2 ;;
     --site) site=1; shift ;;
     --farm) farm=1; shift ;;
-    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm]" >&2; exit 2 ;;
+    --package) package_tools=1; shift ;;
+    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--package]" >&2; exit 2 ;;
   esac
 done
 
@@ -39,6 +46,7 @@ wanted=("${build_packages[@]}" "${blender_packages[@]}" "${job_packages[@]}")
 [ ${#bpy_versions[@]} -eq 0 ] || wanted+=("${bpy_packages[@]}")
 [ $site -eq 0 ] || wanted+=(ca-certificates python3-venv)
 [ $farm -eq 0 ] || wanted+=("${farm_packages[@]}")
+[ $package_tools -eq 0 ] || wanted+=("${package_packages[@]}")
 
 missing=()
 for package in "${wanted[@]}"; do
@@ -110,3 +118,16 @@ for version in "${bpy_versions[@]}"; do # about 1 GB each
     "pyembroidery==1.5.*" "ezdxf==1.4.*"
 done
 [ $site -eq 0 ] || venv /usr/bin/python3 build/site-tools "mkdocs-material==9.8.*" "mkdocs==1.6.*"
+if [ $package_tools -eq 1 ]; then
+  tools=build/package-tools
+  venv /usr/bin/python3 "$tools" "ziglang==0.17.1"
+  # Where the presets look for it, whatever Python the environment has.
+  ln -sfn "$(cd "$tools" && echo lib/python3*/site-packages/ziglang/zig)" "$tools/zig"
+  # The headers without those of this system, which lie beside them in /usr/include.
+  if [ ! -e "$tools/include/OpenMesh" ]; then
+    rm -rf "$tools/include" "$tools/include.part"
+    mkdir "$tools/include.part"
+    cp -RL /usr/include/eigen3/Eigen /usr/include/nanoflann.hpp /usr/include/OpenMesh "$tools/include.part"
+    mv "$tools/include.part" "$tools/include"
+  fi
+fi

@@ -5,9 +5,10 @@
 #
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
-# in both, jobs of many surfaces, hard surfaces, UI tests in a window, the commands of the documents,
-# the linter, and the rule which module may import which. Every suite runs, even if others fail. Logs
-# stay in build/logs; the last line counts the tests, and the exit code is 0 only when nothing failed.
+# in both, jobs of many surfaces, hard surfaces, the libraries of a release for Linux and Windows, UI
+# tests in a window, the commands of the documents, the linter, and the rule which module may import
+# which. Every suite runs, even if others fail. Logs stay in build/logs; the last line counts the tests,
+# and the exit code is 0 only when nothing failed.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -118,6 +119,9 @@ window() {
 }
 
 check build 1800 bash scripts/build.sh
+# The library for Windows under Wine, and the one for older Linux; the compiler is fetched, and its
+# runtime is built first.
+suite platforms 1800 bash scripts/package.sh --test linux-x64 windows-x64
 suite native 600 ctest --test-dir build --output-on-failure --no-tests=error -j 2
 suite sanitized 2400 bash scripts/test_sanitized.sh
 
