@@ -59,10 +59,6 @@ elseif(NOT WIN32)
     target_link_options(meander PRIVATE "LINKER:--no-undefined")
   endif()
 endif()
-# Zig's runtime has debug information, which is fifty times larger than the library.
-if(MEANDER_ZIG)
-  target_link_options(meander PRIVATE -s)
-endif()
 
 if(MEANDER_UNITY)
   include(cmake/unity.cmake)

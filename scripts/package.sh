@@ -32,25 +32,38 @@ if [ ${#platforms[@]} -eq 0 ]; then
   platforms=(linux-x64 linux-arm64 windows-x64 windows-arm64 macos-x64 macos-arm64)
 fi
 
-bash scripts/install_dependencies.sh --package
+bash scripts/install_dependencies.sh --package ${test:+--emulators}
 
 # The compiler of releases writes no times into files, but a zip must not either.
 export SOURCE_DATE_EPOCH=315532800 # 1980, the earliest that a zip can hold
 mkdir -p build/package build/release
-native=()
-for platform in "${platforms[@]}"; do
-  begin=$SECONDS log=build/package/$platform.log
-  if ! { cmake --preset "$platform" && cmake --build --preset "$platform"; } >"$log" 2>&1; then
+
+library_of() { # PLATFORM: the file
+  find build/package/"$1"/lib -maxdepth 1 -name '*meander-*' \
+    \( -name '*.so' -o -name '*.dylib' -o -name '*.dll' \)
+}
+
+# library PLATFORM - builds it, and prints a line about it
+library() {
+  local begin=$SECONDS log=build/package/$1.log file
+  if ! { cmake --preset "$1" && cmake --build --preset "$1"; } >"$log" 2>&1; then
     tail -n 40 "$log" >&2
-    echo "$0: the library for $platform was not built; the whole log is $log" >&2
-    exit 1
+    echo "$0: the library for $1 was not built; the whole log is $log" >&2
+    return 1
   fi
-  library=$(find build/package/"$platform"/lib -maxdepth 1 -name '*meander-*' \
-    \( -name '*.so' -o -name '*.dylib' -o -name '*.dll' \))
+  file=$(library_of "$1")
   printf '%-14s %6d KiB  %4d s  %s\n' \
-    "$platform" $(($(stat -c %s "$library") / 1024)) $((SECONDS - begin)) "$library"
-  native+=("$platform=$library")
+    "$1" $(($(stat -c %s "$file") / 1024)) $((SECONDS - begin)) "$file"
+}
+# Two at a time: when it first links for a system, Zig builds the runtime, on one core.
+running=0
+for platform in "${platforms[@]}"; do
+  if [ $running -eq 2 ]; then wait -n; else running=$((running + 1)); fi
+  library "$platform" &
 done
+for ((; running > 0; running--)); do wait -n; done
+native=()
+for platform in "${platforms[@]}"; do native+=("$platform=$(library_of "$platform")"); done
 
 version=$(sed -n 's/^project(Meander VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 /usr/bin/python3 scripts/generate_abi.py --header native/include/meander/meander.h \

@@ -26,7 +26,7 @@ mkdir "$system/meander"
 cp build/package/linux-x64/lib/libmeander-*.so "$system/meander"
 
 export ZIG_GLOBAL_CACHE_DIR=$PWD/build/package-tools/cache ZIG_LOCAL_CACHE_DIR=$PWD/build/package-tools/cache
-build/package-tools/zig cc -target x86_64-linux-gnu.2.28 -std=c99 -O1 -ffp-contract=off \
+build/package-tools/zig cc -target x86_64-linux-gnu.2.28 -std=c99 -O2 -ffp-contract=off \
   -Inative/include tests/platforms/curve_bytes.c "$system"/meander/libmeander-*.so \
   -Wl,-rpath,/meander -o "$system/meander/curve_bytes"
 here=$(ls -t build/lib/libmeander-*.so | head -n 1)

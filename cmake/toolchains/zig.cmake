@@ -19,8 +19,18 @@ list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES MEANDER_ZIG)
 # What they try can be seen without linking, for which the runtime would have to be built first.
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
-set(CMAKE_C_COMPILER "${MEANDER_ZIG}" cc -target ${zig_target})
-set(CMAKE_CXX_COMPILER "${MEANDER_ZIG}" c++ -target ${zig_target})
+# CMake hands the target to the compiler. Knowing it, it identifies the compiler without linking a program,
+# for which Zig would build a runtime that nothing else needs: a minute for each system.
+set(CMAKE_C_COMPILER "${MEANDER_ZIG}" cc)
+set(CMAKE_CXX_COMPILER "${MEANDER_ZIG}" c++)
+set(CMAKE_C_COMPILER_TARGET ${zig_target})
+set(CMAKE_CXX_COMPILER_TARGET ${zig_target})
+# Zig adds debug information unless told not to: a third of the compiler's time, and its runtime's is
+# fifty times larger than the library. A program that keeps it needs a runtime of its own, built anew.
+set(CMAKE_C_FLAGS_INIT -g0)
+set(CMAKE_CXX_FLAGS_INIT -g0)
+set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
+set(CMAKE_SHARED_LINKER_FLAGS_INIT -s)
 
 # CMake calls these as programs without arguments of their own.
 foreach(tool ar ranlib rc)

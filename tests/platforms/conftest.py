@@ -50,13 +50,18 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 @pytest.fixture(scope="session")
 def zig() -> Callable[..., None]:
-    """Runs Zig, with what it builds cached where package.sh has it."""
+    """Runs Zig, with what it builds cached where package.sh has it.
+
+    From another folder than those above Zig: below the working directory it names its own files by
+    another path, finds nothing in the cache, and builds its runtime once more, for a minute.
+    """
     environment = os.environ | {
         "ZIG_GLOBAL_CACHE_DIR": str(TOOLS / "cache"), "ZIG_LOCAL_CACHE_DIR": str(TOOLS / "cache")
     }
 
     def run(*arguments: str | Path) -> None:
-        subprocess.run([TOOLS / "zig", *arguments], env=environment, check=True, timeout=900)
+        subprocess.run([TOOLS / "zig", *arguments], env=environment, cwd=ROOT / "tests", check=True,
+                       timeout=900)
 
     return run
 

@@ -46,7 +46,8 @@ def test_same_curves(
     if emulated.startswith("windows"):
         shutil.copy(library, tmp_path)  # where a program looks first
         linked = library.with_name(f"lib{library.name}.a")
-    zig("cc", "-target", TARGETS[emulated], "-std=c99", "-O1", "-ffp-contract=off",
+    # With the level and -s of the library, for which Zig has built its runtime.
+    zig("cc", "-target", TARGETS[emulated], "-std=c99", "-O2", "-s", "-ffp-contract=off",
         "-I", ROOT / "native/include",
         HERE / "curve_bytes.c", linked, f"-Wl,-rpath,{library.parent}", "-o", program)
     curves = runner(emulated, program, *(() if LONG else SHORT))
