@@ -49,17 +49,18 @@ include(cmake/sweep.cmake)
 add_executable(c99_step tests/native/c99_step.c)
 target_compile_options(c99_step PRIVATE -pedantic -Wall -Wextra -Werror)
 target_link_libraries(c99_step PRIVATE meander m)
-if(MEANDER_SANITIZE)
-  target_link_libraries(c99_step PRIVATE meander_compile_options)
-endif()
 add_test(NAME c99_step COMMAND c99_step "${PROJECT_VERSION}")
 
 # A program compiled against the first header of this ABI runs with the present library.
 add_executable(abi2_client tests/native/abi2/client.c)
 target_compile_options(abi2_client PRIVATE -pedantic -Wall -Wextra -Werror)
 target_link_libraries(abi2_client PRIVATE meander)
+# What sanitizers check of C++ is in a run-time library that only C++ programs are linked with.
 if(MEANDER_SANITIZE)
-  target_link_libraries(abi2_client PRIVATE meander_compile_options)
+  foreach(client c99_step abi2_client)
+    target_link_libraries(${client} PRIVATE meander_compile_options)
+    set_target_properties(${client} PROPERTIES LINKER_LANGUAGE CXX)
+  endforeach()
 endif()
 add_test(NAME abi2_client COMMAND abi2_client)
 

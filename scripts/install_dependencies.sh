@@ -1,21 +1,26 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# install_dependencies.sh [--bpy VERSION]... [--site] [--farm] [--package]
+# install_dependencies.sh [--bpy VERSION]... [--site] [--farm] [--sanitizers]
+# install_dependencies.sh --package [--emulators]
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
 # apt-get (through sudo unless root), and for every --bpy a virtual environment
 # build/bpy-VERSION with Blender as a Python module, pytest, ruff, import-linter and readers of what
 # is exported from the Python index, for --site one, build/site-tools, with what makes the site from
-# the pages in docs/, for --farm Slurm, for scripts/test_farm.sh, and for --package Zig in
-# build/package-tools, which compiles for every platform, the headers that it needs, and what runs
-# programs of other platforms: Wine and qemu.
+# the pages in docs/, for --farm Slurm, for scripts/test_farm.sh, and for --sanitizers Clang, for
+# scripts/test_sanitized.sh.
+#
+# With --package it installs what scripts/package.sh needs and nothing else, no Blender: CMake, and in
+# build/package-tools Zig, which compiles for every platform, and the headers that it needs. With
+# --emulators also Wine, qemu and what else tests/platforms needs.
+#
 # Running it again costs nothing: it fetches only what is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-build_packages=(cmake ninja-build g++ pkgconf python3
-  libeigen3-dev libnanoflann-dev libopenmesh-dev libgtest-dev)
+header_packages=(libeigen3-dev libnanoflann-dev libopenmesh-dev)
+build_packages=(cmake ninja-build g++ pkgconf python3 "${header_packages[@]}" libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
 blender_packages=(blender python3-numpy python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
 # A JavaScript engine of half a megabyte, in which the job type for Flamenco is tested.
@@ -24,29 +29,37 @@ farm_packages=(slurmctld slurmd slurm-client munge)
 # Libraries that Blender's wheel expects from the system and does not include.
 bpy_packages=(ca-certificates python3-venv
   libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
-
-package_packages=(ca-certificates python3-venv python3-pytest python3-numpy binutils llvm
-  googletest wine wine64 qemu-user libc6-arm64-cross)
+# Clang compiles with sanitizers in half of the time that GCC takes.
+sanitizer_packages=(clang libclang-rt-dev)
+package_packages=(ca-certificates cmake ninja-build python3 python3-venv "${header_packages[@]}")
+emulator_packages=(python3-pytest python3-numpy gcc libc6-dev binutils llvm googletest
+  wine wine64 qemu-user libc6-arm64-cross)
 
 bpy_versions=()
 site=0
 farm=0
+sanitizers=0
 package_tools=0
+emulators=0
 while [ $# -gt 0 ]; do
   case "$1" in
     --bpy) bpy_versions+=("${2:?--bpy needs a version, such as 4.5}"); shift 2 ;;
     --site) site=1; shift ;;
     --farm) farm=1; shift ;;
+    --sanitizers) sanitizers=1; shift ;;
     --package) package_tools=1; shift ;;
-    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--package]" >&2; exit 2 ;;
+    --emulators) emulators=1; shift ;;
+    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] | --package [--emulators]" >&2; exit 2 ;;
   esac
 done
 
 wanted=("${build_packages[@]}" "${blender_packages[@]}" "${job_packages[@]}")
+[ $package_tools -eq 0 ] || wanted=("${package_packages[@]}")
+[ $emulators -eq 0 ] || wanted+=("${emulator_packages[@]}")
 [ ${#bpy_versions[@]} -eq 0 ] || wanted+=("${bpy_packages[@]}")
 [ $site -eq 0 ] || wanted+=(ca-certificates python3-venv)
 [ $farm -eq 0 ] || wanted+=("${farm_packages[@]}")
-[ $package_tools -eq 0 ] || wanted+=("${package_packages[@]}")
+[ $sanitizers -eq 0 ] || wanted+=("${sanitizer_packages[@]}")
 
 missing=()
 for package in "${wanted[@]}"; do

@@ -5,8 +5,8 @@
 #
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
-# in both, jobs of many surfaces, hard surfaces, the libraries of a release for Linux and Windows, UI
-# tests in a window, the commands of the documents, the linter, and the rule which module may import
+# in both, jobs of many surfaces, hard surfaces, the library of a release for Windows, UI tests in a
+# window, the commands of the documents, the linter, and the rule which module may import
 # which. Every suite runs, even if others fail. Logs stay in build/logs; the last line counts the tests,
 # and the exit code is 0 only when nothing failed.
 #
@@ -17,7 +17,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 
-bash scripts/install_dependencies.sh --bpy 4.5
+bash scripts/install_dependencies.sh --bpy 4.5 --site --sanitizers
+bash scripts/install_dependencies.sh --package --emulators
 # Without these two there is nothing to test; everything else is built below, as a test of its own.
 bash scripts/build.sh stage addon
 
@@ -119,11 +120,13 @@ window() {
 }
 
 check build 1800 bash scripts/build.sh
-# The library for Windows under Wine, and the one for older Linux; the compiler is fetched, and its
-# runtime is built first.
-suite platforms 1800 bash scripts/package.sh --test linux-x64 windows-x64
 suite native 600 ctest --test-dir build --output-on-failure --no-tests=error -j 2
+
+# What compiles much, but often waits for the linker or for one test: Wine's, or the slowest sanitized
+# one. The library for Windows stands for all platforms that are not this one.
+suite platforms 1800 bash scripts/package.sh --test windows-x64 &
 suite sanitized 2400 bash scripts/test_sanitized.sh
+wait $!
 
 # The rest runs in one process at a time, so two rows of suites share the processors.
 first_row() {
@@ -140,6 +143,9 @@ first_row() {
   window ui-live live.py 100
   window ui-look look.py 100
   window ui-make make.py 100
+  check site 120 bash scripts/build_site.sh
+  check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
+  check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
 }
 second_row() {
   profile blender-3.4
@@ -162,9 +168,6 @@ wait $!
 
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
-check site 120 bash scripts/build_site.sh
-check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
-check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
 
 printf '\n'
 cut -d ' ' -f 3- "$results"

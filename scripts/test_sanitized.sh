@@ -5,12 +5,15 @@
 #
 # Builds the library and the native tests with AddressSanitizer and UndefinedBehaviorSanitizer in a
 # folder of their own, build/sanitized, and runs the tests there. Without NDEBUG: the assertions of
-# Eigen are on, which no other build has.
+# Eigen are on, which no other build has. By Clang, which takes half of the time and warns of other things
+# than GCC, with which everything else is built.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+bash scripts/install_dependencies.sh --sanitizers
 cmake -S . -B build/sanitized -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
-  -DMEANDER_BUILD_BENCH=OFF -DMEANDER_SANITIZE=address,undefined \
+  -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+  -DMEANDER_BUILD_BENCH=OFF -DMEANDER_SANITIZE=address,undefined -DMEANDER_UNITY=ON \
   -DCMAKE_CXX_FLAGS_RELEASE=-O1
 cmake --build build/sanitized
 ctest --test-dir build/sanitized --output-on-failure --no-tests=error -j 2

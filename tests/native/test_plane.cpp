@@ -32,7 +32,7 @@ TEST(Orientation, EqualsIntegersOnRandomPoints) {
 
 TEST(Orientation, EqualsIntegersOnNearlyCollinearPoints) {
   Rng rng(2);
-  int zeros = 0, differ_from_rounded = 0;
+  int differ_from_rounded = 0;
   for (int k = 0; k < 50000; ++k) {
     const Vec2 a = random_snapped(rng), b = random_snapped(rng);
     const double t = rng.in(-0.2, 1.2);
@@ -45,7 +45,6 @@ TEST(Orientation, EqualsIntegersOnNearlyCollinearPoints) {
     ASSERT_EQ(orientation(a, b, c), sign);
     ASSERT_EQ(orientation(b, a, c), -sign);
     ASSERT_EQ(orientation(b, c, a), sign);
-    zeros += sign == 0;
     const double rounded = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     differ_from_rounded += (rounded > 0 ? 1 : (rounded < 0 ? -1 : 0)) != sign;
   }
