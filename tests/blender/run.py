@@ -5,6 +5,7 @@
     python tests/blender/run.py [pytest ...]
 """
 
+import os
 import sys
 from pathlib import Path
 
@@ -25,4 +26,13 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    import bpy
+
+    status = main()
+    if not bpy.app.binary_path:
+        # As a module, bpy 4.2 frees the classes of panels after Python's interpreter has ended,
+        # and crashes or not as memory falls: its exit code would say nothing about the tests.
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status)
+    sys.exit(status)
