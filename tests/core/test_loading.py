@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
@@ -11,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from conftest import PACKAGE
-from meander import core
+from meander import batch, core
 from meander.binding import native_library
 from sentences import assert_sentence
 
@@ -110,3 +111,35 @@ def test_file_name_carries_the_version(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_override_is_the_full_path(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(core.LIBRARY_VARIABLE, "/some/where.so")
     assert core.library_path() == Path("/some/where.so")
+
+
+def test_a_bare_name_is_a_file_here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    # The loader of the system looks for a bare name in its own folders, and would find another.
+    name = "libc.so.6" if sys.platform == "linux" else "libsystem.dylib"
+    (tmp_path / name).write_text("not a library")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv(core.LIBRARY_VARIABLE, name)
+    monkeypatch.setattr(native_library, "_loaded", None)
+    with pytest.raises(core.MeanderError) as caught:
+        core.default_options()
+    assert str(tmp_path / name) in str(caught.value)
+
+
+def test_another_library_is_said_aloud(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    monkeypatch.delenv(core.LIBRARY_VARIABLE, raising=False)
+    assert core.library_notice() == ""
+    path, report = core.library_path(), tmp_path / "report.json"
+    mesh = tmp_path / "square.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
+    given = ["--input", mesh, "--output", tmp_path / "out.obj", "--spacing", 0.3, "--quiet"]
+    given += ["--iterations", 2, "--report", report]
+    assert batch.main([str(item) for item in given]) == 0
+    assert capsys.readouterr().err == ""
+    monkeypatch.setenv(core.LIBRARY_VARIABLE, str(path))
+    assert batch.main([str(item) for item in given]) == 0
+    notice = capsys.readouterr().err.rstrip("\n")
+    assert str(path) in notice and core.LIBRARY_VARIABLE in notice
+    assert_sentence(notice)
+    assert notice.endswith(json.loads(report.read_text())["warnings"][0])

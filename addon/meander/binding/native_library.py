@@ -116,8 +116,16 @@ def library_path() -> Path:
     """
     override = os.environ.get(LIBRARY_VARIABLE)
     if override:
-        return Path(override)
+        # A bare name would be looked for where the system has its libraries, and not here.
+        return Path(override).absolute()
     return _NATIVE / library_file(platform_tag())
+
+
+def library_notice() -> str:
+    """A sentence that names the library where it is not that of the package; else empty."""
+    if not os.environ.get(LIBRARY_VARIABLE):
+        return ""
+    return f"the native library is {library_path()}, which {LIBRARY_VARIABLE} names"
 
 
 def _refuse_missing(path: Path) -> None:

@@ -54,6 +54,12 @@ def parser(place: Place) -> argparse.ArgumentParser:
         metavar="N",
         help="of the .blend; default: the one it was saved in",
     )
+    add(
+        "--run-scripts",
+        action="store_true",
+        help="run the Python that the .blend holds: scripts that start when it is opened, and "
+        "drivers; without it none is run, whatever Blender's preferences say",
+    )
     add("--output", type=Path, required=True, metavar="OUT", help=f"one of {', '.join(OUTPUTS)}")
     add("--report", type=Path, metavar="JSON", help="write figures of the run")
     add("--seed", type=Path, metavar="CURVE", help=".obj with v and l lines, in the mesh's space")
@@ -98,6 +104,8 @@ def check_options(arguments: argparse.Namespace) -> None:
                 raise BadInput(f"--{name} names an object of a .blend, but --input is {kind}")
         if arguments.frame is not None:
             raise BadInput(f"--frame is one of a .blend, but --input is {kind}")
+        if arguments.run_scripts:
+            raise BadInput(f"--run-scripts is for those of a .blend, but --input is {kind}")
     for part in (density, preparation, terms, motion):
         wrong = part.problem_of(arguments, kind)
         if wrong is not None:
@@ -134,16 +142,25 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
             raise BadInput(f"the folder of {option} {path} does not exist; make it first")
         if not (path.exists() and not path.is_file()) and not os.access(target.parent, os.W_OK):
             raise BadInput(f"the folder of {option} {path} cannot be written to; choose another")
+        if path.exists() and not os.access(target, os.W_OK):
+            raise BadInput(f"{option} {path} is protected against writing; choose another name")
         for other, other_path in taken.items():
             # A scene may be saved over itself: it still holds all that was in it.
             scene = option == "--output" and other == "--input" and path.suffix == ".blend"
-            if (
-                other_path is not None
-                and target == Path(os.path.realpath(other_path))
-                and not scene
-            ):
+            if other_path is not None and not scene and _are_one(target, other_path):
                 raise BadInput(f"{option} would overwrite {other} {path}; choose another name")
         taken[option] = path
+
+
+def _are_one(target: Path, other: Path) -> bool:
+    """Whether two paths name the same file: through links, or in capitals where a file system
+    does not tell them from small letters."""
+    if target == Path(os.path.realpath(other)):
+        return True
+    try:
+        return target.samefile(other)
+    except OSError:  # one of them is not there
+        return False
 
 
 def _is(question: Callable[[Path], bool], option: str, path: Path) -> bool:

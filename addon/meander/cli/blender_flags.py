@@ -13,6 +13,7 @@ _DATA = "it names something of a .blend"
 _REASONS = {
     "object": _OBJECT,
     "frame": "it is a frame of a .blend",
+    "run_scripts": "it is for scripts of a .blend",
     "seed_object": _CURVE,
     "guides_object": _CURVE,
     "direction_object": _CURVE,

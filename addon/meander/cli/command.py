@@ -37,7 +37,10 @@ def _process(argv: Sequence[str], place: Place) -> None:
         place.blender(arguments.cut)
     options = flow_options(arguments)
     given = read_input(arguments, options, place)
-    warnings = core.option_warnings(options)
+    warnings = [*given.warnings, *core.option_warnings(options)]
+    library = core.library_notice()
+    if library:
+        warnings.insert(0, library)
     for warning in warnings:
         print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
     opened = _open(given, place)

@@ -27,4 +27,5 @@ class Input:
     fixed_ends: bool = False
     stroke: tuple[list[float], list[float]] | None = None  # its ends
     parts: list[strands.Part] = field(default_factory=list)  # what the seed is put together from
+    warnings: list[str] = field(default_factory=list)
     surface_object: Any = None  # of Blender; None: the mesh came from a file of its own

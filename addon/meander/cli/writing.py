@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-from contextlib import ExitStack
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from typing import Any
 from .. import core
 from ..model import bridges, mesh_files, report
 from ..model.simplification import light_of
-from ..model.whole_files import whole_file
+from ..model.whole_files import naming, whole_files
 from . import cut, density, export, flags, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown, bridge_figures, bridged, lightened
@@ -26,6 +25,7 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
         "input": str(arguments.input),
         "object": None if given.surface_object is None else given.surface_object.name,
         "frame": arguments.frame,
+        "run_scripts": arguments.run_scripts,
         "output": str(arguments.output),
         **toolpath_options.echo(arguments),
         **export.echo(arguments),
@@ -56,21 +56,19 @@ def write_outputs(
     place: Place,
 ) -> None:
     """Writes all files beside their places first, then moves them in, the report at the end."""
-    with ExitStack() as stack:  # leaves in reverse order
-        report_path = None
-        if arguments.report is not None:
-            report_path = stack.enter_context(whole_file(arguments.report))
-        cut_path = None
-        if grown.cut is not None:
-            cut_path = stack.enter_context(whole_file(arguments.cut))
-        curve_path = stack.enter_context(whole_file(arguments.output))
-        written, line = _write_curve(curve_path, arguments, given, grown, place)
+    wanted = (arguments.output, None if grown.cut is None else arguments.cut, arguments.report)
+    with whole_files([path for path in wanted if path is not None]) as temporary:
+        paths = iter(temporary)
+        with naming(arguments.output):
+            written, line = _write_curve(next(paths), arguments, given, grown, place)
         record["points"] = {"all": len(grown.curve.positions), "written": written}
-        if cut_path is not None:
-            record["cut"] = cut.write(cut_path, arguments, given, grown.cut, place)
+        if grown.cut is not None:
+            with naming(arguments.cut):
+                record["cut"] = cut.write(next(paths), arguments, given, grown.cut, place)
         record["bridges"] = bridge_figures(line)
-        if report_path is not None:
-            report.write_report(report_path, record)
+        if arguments.report is not None:
+            with naming(arguments.report):
+                report.write_report(next(paths), record)
 
 
 def _write_curve(

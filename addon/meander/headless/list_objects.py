@@ -12,6 +12,6 @@ import sys
 import bpy
 
 if __name__ == "__main__":
-    bpy.ops.wm.open_mainfile(filepath=sys.argv[-1], load_ui=False)
+    bpy.ops.wm.open_mainfile(filepath=sys.argv[-1], load_ui=False, use_scripts=False)
     names = sorted(thing.name for thing in bpy.context.scene.objects if thing.type == "MESH")
     print(f"meander objects: {json.dumps(names)}", flush=True)

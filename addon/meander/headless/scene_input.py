@@ -35,7 +35,11 @@ def read(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
 def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
     """Opens a .blend and takes surface, seed and density from its objects, in world units."""
     try:
-        bpy.ops.wm.open_mainfile(filepath=str(arguments.input.absolute()), load_ui=False)
+        bpy.ops.wm.open_mainfile(
+            filepath=str(arguments.input.absolute()),
+            load_ui=False,
+            use_scripts=arguments.run_scripts,  # and not what the preferences say
+        )
     except RuntimeError as problem:
         raise BadInput(
             f"{arguments.input} is no .blend file that Blender {bpy.app.version_string} can open; "
@@ -72,7 +76,18 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
         guides = strands_of_curve(guides_object, depsgraph)
         numbers = point_numbers(guides_object, guides)
         given.parts.append(strands.Part(guides_object.name, guides, guide=True, numbers=numbers))
+    if bpy.app.autoexec_fail:  # known once the scene was evaluated
+        given.warnings.append(_not_run(arguments))
     return given
+
+
+def _not_run(arguments: argparse.Namespace) -> str:
+    """What is said of Python in the file that was kept from running."""
+    what = " ".join(bpy.app.autoexec_fail_message.split())
+    return (
+        f"{arguments.input} holds Python that was not run ({what}), so the scene may look "
+        "different; if you trust the file, --run-scripts runs it"
+    )
 
 
 def _curve_object(arguments: argparse.Namespace, option: str) -> bpy.types.Object:

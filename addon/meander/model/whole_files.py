@@ -3,14 +3,19 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import secrets
 import shutil
 import stat
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path
+
+# What file systems without a way to flush say to it.
+_NO_FLUSH = (errno.EINVAL, errno.ENOSYS, errno.ENOTSUP)
 
 # A longer suffix is none that a writer goes by, and the name of a file may only be so long.
 _LONGEST_SUFFIX = 8
@@ -22,6 +27,17 @@ TEMPORARY_NAMES = "MEANDER_TEMPORARY_NAMES"
 
 class FileError(Exception):
     """A file that cannot be read or written; ``str(error)`` is one sentence for people."""
+
+
+class NotWritten(FileError):
+    """One that cannot be written.
+
+    reason   why, as the system puts it
+    """
+
+    def __init__(self, path: Path, reason: str) -> None:
+        super().__init__(f"{path} cannot be written ({reason}); choose another place")
+        self.reason = reason
 
 
 def read_bytes(path: Path) -> bytes:
@@ -38,42 +54,147 @@ def read_bytes(path: Path) -> bytes:
 def whole_file(path: Path) -> Iterator[Path]:
     """A temporary path for a writer, which becomes the file `path` when the block ends well.
 
-    A file that is there keeps its mode, and a symbolic link stays one: what it points to is
+    A file that is there keeps its mode, and its owner where this process may give it away; one
+    that may not be written is not replaced either. A symbolic link stays one: what it points to is
     written. What is no file, such as a pipe or a device, is written into at the end. After an
-    exception everything is as it was and the temporary file is gone. The temporary path lies beside
-    the file and has its suffix, since some writers go by these.
+    exception everything is as it was and the temporary file is gone; a process that is killed
+    leaves that one behind, and nothing else. The temporary path lies beside the file and has its
+    suffix, since some writers go by these. Its contents are on the disk before they take the name.
 
     Raises FileError when the file cannot be written.
     """
+    with whole_files([path]) as (temporary,), naming(path):
+        yield temporary
+
+
+@contextmanager
+def whole_files(paths: Sequence[Path]) -> Iterator[list[Path]]:
+    """The same for several: none becomes a file before all of them are on their disks.
+
+    They take their names in the order of `paths`, one after the other: who finds the last one finds
+    all of them. An OSError of the block is for the writer to put into words: see `naming`.
+    """
+    with ExitStack() as stack:
+        begun = []
+        for path in paths:
+            with naming(path):
+                begun.append(stack.enter_context(_begun(path)))
+        yield [each.temporary for each in begun]
+        for each in begun:
+            with naming(each.path):
+                each.complete()
+        for each in begun:
+            with naming(each.path):
+                each.move()
+
+
+@contextmanager
+def naming(path: Path) -> Iterator[None]:
+    """Says which file it is that an OSError of the block is about: it becomes a FileError.
+
+    One that names a temporary file of ours, from a writer that was given its path, names `path`.
+    """
     try:
-        target = Path(os.path.realpath(path))
-        mode = _mode_of(path)
-        if mode is None or stat.S_ISREG(mode):
-            temporary = _beside(target)
-            with _removed(temporary):
-                _make(temporary, mode)
-                yield temporary
-                if mode is not None:
-                    temporary.chmod(stat.S_IMODE(mode))
-                os.replace(temporary, target)
+        yield
+    except (OSError, NotWritten) as problem:
+        reason = problem.reason if isinstance(problem, NotWritten) else problem.strerror or problem
+        raise NotWritten(path, str(reason)) from problem
+
+
+@dataclass(frozen=True)
+class _Begun:
+    """A file that is being written under another name.
+
+    path       as it was asked for
+    target     where that leads
+    there      the status of what is there; None: nothing is
+    temporary  what is written meanwhile
+    """
+
+    path: Path
+    target: Path
+    there: os.stat_result | None
+    temporary: Path
+
+    @property
+    def is_moved(self) -> bool:
+        """Whether the temporary file becomes the file; what is no file is written into."""
+        return self.there is None or stat.S_ISREG(self.there.st_mode)
+
+    def complete(self) -> None:
+        """Everything that can fail before a name is taken."""
+        if self.is_moved:
+            if self.there is not None:
+                _give_rights(self.temporary, self.there)
+            _flush(self.temporary)
+
+    def move(self) -> None:
+        if self.is_moved:
+            os.replace(self.temporary, self.target)
+            _flush_folder(self.target.parent)
         else:
-            with tempfile.TemporaryDirectory() as folder:
-                temporary = _beside(Path(folder) / target.name)
-                yield temporary
-                with temporary.open("rb") as source, path.open("wb") as sink:
-                    shutil.copyfileobj(source, sink)
-    except OSError as problem:
-        raise FileError(
-            f"{path} cannot be written ({problem.strerror or problem}); choose another place"
-        ) from problem
+            with self.temporary.open("rb") as source, self.path.open("wb") as sink:
+                shutil.copyfileobj(source, sink)
 
 
-def _mode_of(path: Path) -> int | None:
-    """The mode of what is there, links followed; None: nothing is."""
+@contextmanager
+def _begun(path: Path) -> Iterator[_Begun]:
+    target, there = Path(os.path.realpath(path)), _status_of(path)
+    with ExitStack() as stack:
+        if there is None or stat.S_ISREG(there.st_mode):
+            if there is not None and not os.access(target, os.W_OK):
+                raise PermissionError(errno.EACCES, "it is protected against writing")
+            temporary = _beside(target)
+            stack.callback(temporary.unlink, missing_ok=True)
+            _make(temporary, there)
+        else:
+            folder = stack.enter_context(tempfile.TemporaryDirectory())
+            temporary = _beside(Path(folder) / target.name)
+        yield _Begun(path, target, there, temporary)
+
+
+def _flush(path: Path) -> None:
+    """Waits until what was written into a file is on the disk: some say only then that it is full.
+
+    Raises OSError.
+    """
+    with path.open("r+b") as file:
+        try:
+            os.fsync(file.fileno())
+        except OSError as problem:
+            if problem.errno not in _NO_FLUSH:
+                raise
+
+
+def _flush_folder(folder: Path) -> None:
+    """Has a new name reach the disk, where a folder can be opened for that. The file is in its
+    place already, so that a failure is none of the file's."""
+    if os.name == "nt":
+        return
+    with suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+def _status_of(path: Path) -> os.stat_result | None:
+    """The status of what is there, links followed; None: nothing is."""
     try:
-        return path.stat().st_mode
+        return path.stat()
     except FileNotFoundError:
         return None
+
+
+def _give_rights(temporary: Path, there: os.stat_result) -> None:
+    """The owner, as far as this process may, and the mode of the file that is there."""
+    if hasattr(os, "chown"):
+        made = temporary.stat()
+        if (made.st_uid, made.st_gid) != (there.st_uid, there.st_gid):
+            with suppress(PermissionError):
+                os.chown(temporary, there.st_uid, there.st_gid)
+    temporary.chmod(stat.S_IMODE(there.st_mode))
 
 
 def _beside(target: Path) -> Path:
@@ -83,18 +204,10 @@ def _beside(target: Path) -> Path:
     return target.with_name(f".{begin}{secrets.token_hex(4)}.tmp{suffix}")
 
 
-def _make(temporary: Path, mode: int | None) -> None:
+def _make(temporary: Path, there: os.stat_result | None) -> None:
     """Makes the temporary file before it is written, so that nobody reads what they may not.
 
     Not for Blender, which would keep what is there as a backup; it writes elsewhere first anyway.
     """
-    if mode is not None and temporary.suffix != ".blend":
+    if there is not None and temporary.suffix != ".blend":
         os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o600))
-
-
-@contextmanager
-def _removed(temporary: Path) -> Iterator[None]:
-    try:
-        yield
-    finally:
-        temporary.unlink(missing_ok=True)

@@ -6,7 +6,9 @@ from __future__ import annotations
 import bpy
 from bpy.props import IntProperty
 
+from .. import core
 from ..model.estimate import Estimate
+from .sidebar import notice
 
 # "meander" as an add-on of 3.4, "bl_ext.user_default.meander" as an extension.
 PACKAGE = __package__.rpartition(".")[0]
@@ -39,6 +41,9 @@ class MeanderPreferences(bpy.types.AddonPreferences):
         row = layout.row()
         row.prop(self, "most_points")
         row.prop(self, "most_memory")
+        library = core.library_notice()
+        if library:
+            notice(layout, library, "ERROR")
 
 
 def is_large(estimate: Estimate) -> bool:
@@ -56,6 +61,8 @@ def _limit(name: str) -> int:
 
 
 def register() -> None:
+    if core.library_notice():
+        print(f"meander: {core.library_notice()}", flush=True)
     bpy.utils.register_class(MeanderPreferences)
 
 
