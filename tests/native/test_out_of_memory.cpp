@@ -4,67 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cstdlib>
-#include <limits>
 #include <new>
-#ifdef _WIN32
-#include <malloc.h>
-#endif
 
 #include "curve/crossings.h"
 #include "curve/refinement.h"
+#include "failing_allocations.h"
 #include "flow/flow.h"
 #include "flow/job.h"
 #include "test_curves.h"
 #include "test_seeds.h"
-
-namespace {
-
-std::atomic<long> allocations_left{std::numeric_limits<long>::max()};
-
-#ifdef _WIN32  // has aligned memory under other names
-void* aligned(std::size_t alignment, std::size_t size) { return _aligned_malloc(size, alignment); }
-void free_aligned(void* memory) { _aligned_free(memory); }
-#else
-void* aligned(std::size_t alignment, std::size_t size) { return std::aligned_alloc(alignment, size); }
-void free_aligned(void* memory) { std::free(memory); }
-#endif
-
-void* allocate(std::size_t size, std::size_t alignment) {
-  if (allocations_left.fetch_sub(1) == 0) throw std::bad_alloc();
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  void* memory = aligned(alignment, rounded > 0 ? rounded : alignment);
-  if (!memory) throw std::bad_alloc();
-  return memory;
-}
-
-/// Not inline: the compiler would warn that free() gets a pointer from `new`.
-[[gnu::noinline]] void release(void* memory) noexcept { free_aligned(memory); }
-
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
-void* operator new[](std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t a) { return allocate(size, static_cast<std::size_t>(a)); }
-void* operator new[](std::size_t size, std::align_val_t a) { return allocate(size, static_cast<std::size_t>(a)); }
-// A sanitizer has its own versions, which would not call these.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  try {
-    return ::operator new(size);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-}
-void* operator new[](std::size_t size, const std::nothrow_t& nothrow) noexcept { return ::operator new(size, nothrow); }
-void operator delete(void* memory) noexcept { release(memory); }
-void operator delete[](void* memory) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
 namespace meander::test {
 namespace {
@@ -72,14 +20,14 @@ namespace {
 /// Calls work() with its n-th allocation failing; false if it makes fewer than that.
 template <class Work>
 bool runs_out_of_memory(long n, const Work& work) {
-  allocations_left = n;
   bool failed = false;
-  try {
-    work();
-  } catch (const std::bad_alloc&) {
-    failed = true;
-  }
-  allocations_left = std::numeric_limits<long>::max();
+  with_failing_allocation(n, [&] {
+    try {
+      work();
+    } catch (const std::bad_alloc&) {
+      failed = true;
+    }
+  });
   return failed;
 }
 
@@ -164,62 +112,6 @@ TEST(OutOfMemory, AFlowGoesOn) {
     }
     EXPECT_GT(failures, 20);
   }
-}
-
-/// Calls `call` with its n-th allocation failing, for n = 0, 1, ... until none fails, and expects a status
-/// and a sentence every time: what is thrown across C ends the program here, since C cannot catch it.
-template <class Call>
-void expect_status_and_sentence(const char* name, const Call& call) {
-  SCOPED_TRACE(name);
-  long n = 0;
-  for (;; ++n) {
-    auto error = prepared<meander_error>();
-    meander_status status = MEANDER_STATUS_INTERNAL;
-    const bool thrown = runs_out_of_memory(n, [&] { status = call(&error); });
-    ASSERT_FALSE(thrown) << "allocation " << n;
-    if (status == MEANDER_STATUS_OK) break;
-    ASSERT_EQ(status, MEANDER_STATUS_OUT_OF_MEMORY) << "allocation " << n;
-    ASSERT_EQ(error.status, status);
-    ASSERT_NE(error.text[0], '\0');
-  }
-  EXPECT_GT(n, 0) << "nothing was allocated";
-}
-
-TEST(OutOfMemory, NothingIsThrownAcrossC) {
-  const Mesh mesh = sphere(1);
-  meander_surface* surface = nullptr;
-  meander_flow* flow = nullptr;
-  auto options = prepared<meander_flow_options>();
-  options.radius = 0.3;
-  options.threads = 1;
-  options.length_weight = 9;  // gives a warning
-  expect_status_and_sentence("warning", [&](meander_error* error) {
-    size_t size = 0;
-    return meander_flow_options_get_warning(&options, 0, nullptr, 0, &size, error);
-  });
-  expect_status_and_sentence("context", [&](meander_error* error) {
-    meander_context* context = nullptr;
-    const meander_status status = meander_context_create(&context, error);
-    EXPECT_EQ(context != nullptr, status == MEANDER_STATUS_OK);
-    meander_context_destroy(context);
-    return status;
-  });
-  auto preparation = prepared<meander_surface_options>();
-  preparation.threads = 1;
-  preparation.split_bow_ties = 1;
-  expect_status_and_sentence("surface", [&](meander_error* error) {
-    return meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                  &preparation, &surface, nullptr, error);
-  });
-  expect_status_and_sentence("flow", [&](meander_error* error) {
-    return meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, error);
-  });
-  expect_status_and_sentence("statistics", [&](meander_error* error) {
-    auto statistics = prepared<meander_flow_statistics>();
-    return meander_flow_compute_statistics(flow, &statistics, nullptr, error);
-  });
-  meander_flow_destroy(flow);
-  meander_surface_destroy(surface);
 }
 
 /// What a caller can see of a flow, and what it goes on from.

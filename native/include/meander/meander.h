@@ -696,8 +696,10 @@ MEANDER_API meander_status meander_flow_set_directions(meander_flow* flow, const
  * retraction, reconnection, crossing test and back-off, refinement. After it, as before it, no two
  * segments cross or touch, every point is on the surface, and strands and fixed nodes are as seeded.
  *
- * context   NULL, or a context; when it is cancelled during the step, the flow keeps the state of
- *           the last whole iteration and MEANDER_STATUS_CANCELLED is returned
+ * Whatever the failure, the flow keeps the state of the last whole iteration.
+ *
+ * context   NULL, or a context; when it is cancelled during the step, MEANDER_STATUS_CANCELLED is
+ *           returned
  * returns   MEANDER_STATUS_OK also when the flow had converged before: meander_flow_stop_reason says
  *           so, and another step is still taken, so that an interactive host decides when to stop */
 MEANDER_API meander_status meander_flow_step(meander_flow* flow, meander_context* context,
@@ -707,7 +709,7 @@ MEANDER_API meander_status meander_flow_step(meander_flow* flow, meander_context
  * meander_flow_stop_reason says which.
  *
  * context   NULL, or a context, which cancels the run and shows its progress
- * returns   MEANDER_STATUS_CANCELLED leaves the last whole iteration in place */
+ * returns   MEANDER_STATUS_CANCELLED, or another failure, leaves the last whole iteration in place */
 MEANDER_API meander_status meander_flow_run(meander_flow* flow, meander_context* context,
                                             meander_error* error);
 

@@ -18,6 +18,7 @@ meander_status meander_flow_get_polylines(const meander_flow* flow, double* posi
     const size_t points = polyline_point_count(f.curve()), strands = f.curve().strands.size();
     const bool fits = points <= point_capacity && strands <= strand_capacity;
     if (fits) require(positions && offsets && closed, "An array for the polylines is NULL.");
+    if (fits && normals) f.normals().prepare();
     *point_count = points;
     *strand_count = strands;
     if (fits) write_polylines(f.surface(), f.curve(), f.normals(), positions, normals, offsets, closed);

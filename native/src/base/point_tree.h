@@ -4,12 +4,18 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
+// Where memory runs out nanoflann throws, but before that it prints, which a library in somebody's program must not.
+#pragma push_macro("fprintf")
+#undef fprintf
+#define fprintf(...) static_cast<void>(0)
 #include <nanoflann.hpp>
+#pragma pop_macro("fprintf")
 
 namespace meander {
 

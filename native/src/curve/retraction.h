@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "curve/crossings.h"
@@ -34,6 +35,9 @@ class Retraction {
   const NodeData<double>& move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement,
                                ThreadPool& pool, MoveSeconds& seconds);
 
+  /// Puts the curve back as it was before the last move(), whatever has become of it since.
+  void take_back(Curve& curve) noexcept { std::swap(curve, next_); }
+
   /// Makes every segment, but those of guides, a shortest geodesic again between nodes that stay, after the
   /// surface has moved under `curve`, whose shapes are those of its paths as they are. It has no crossings and
   /// gets none: where straight segments would cross, the paths are kept.
@@ -56,7 +60,7 @@ class Retraction {
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
 
   CrossingTest test_;
-  Curve next_;
+  Curve next_;                          // and after a move the curve before it
   std::vector<Path> traces_;
   std::vector<double> share_;           // of the displacement that a node takes
   NodeData<double> moved_;              // how far it has gone

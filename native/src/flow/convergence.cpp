@@ -97,6 +97,12 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
   return settled;
 }
 
+/// Does the present phase last until the curve has come to rest?
+bool Convergence::awaits_rest() const {
+  if (rule_ == StopRule::kPaper) return false;
+  return phase_ == Phase::kFinishing || (phase_ == Phase::kGrowing && !polish_wanted_);
+}
+
 void Convergence::note_idleness(const IterationFigures& figures) {
   const bool stuck = figures.wanted >= tuning::kIdle && figures.moved < tuning::kIdle;
   idle_ = stuck ? idle_ + 1 : 0;
@@ -115,17 +121,24 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
                        const IterationFigures& figures, ThreadPool& pool) {
   lengths_.push_back(figures.length);
   const size_t now = lengths_.size(), age = now - phase_start_;
+  const double change = age > tuning::kWindow ? std::abs(figures.length / lengths_[now - 1 - tuning::kWindow] - 1) : 1;
+  bool settled = false;
+  try {
+    settled = awaits_rest() && has_settled(surface, curve, metric, change, pool);
+  } catch (...) {
+    lengths_.pop_back();
+    throw;
+  }
   note_idleness(figures);
   if (rule_ == StopRule::kPaper) {
     quiet_ = figures.displacement_norm < tuning::kPaperLimit ? quiet_ + 1 : 0;
     converged_ = quiet_ >= tuning::kPaperIterations;
     return;
   }
-  const double change = age > tuning::kWindow ? std::abs(figures.length / lengths_[now - 1 - tuning::kWindow] - 1) : 1;
   switch (phase_) {
     case Phase::kGrowing:
       if (!polish_wanted_) {
-        if (has_settled(surface, curve, metric, change, pool)) begin(Phase::kCooling);
+        if (settled) begin(Phase::kCooling);
       } else if (has_grown(change, figures.clamped_share)) {
         begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
       }
@@ -137,7 +150,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
       if (++polished_ >= tuning::kPolishIterations) begin(fitting_ ? Phase::kCooling : Phase::kFinishing);
       break;
     case Phase::kFinishing:
-      if (has_settled(surface, curve, metric, change, pool)) begin(Phase::kCooling);
+      if (settled) begin(Phase::kCooling);
       break;
     case Phase::kCooling:
       converged_ = age >= tuning::kCoolingIterations;

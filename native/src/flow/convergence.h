@@ -36,7 +36,8 @@ class Convergence {
   Convergence(StopRule rule, bool polish, uint32_t hairpin_removal_iterations)
       : rule_(rule), polish_wanted_(polish), hairpin_removal_iterations_(hairpin_removal_iterations) {}
 
-  /// Takes note of an iteration and of the curve after it, whose metric is given.
+  /// Takes note of an iteration and of the curve after it, whose metric is given. Whatever it throws, all is then as
+  /// it was.
   void note(const Surface& surface, const Curve& curve, const LocalMetric& metric, const IterationFigures& figures,
             ThreadPool& pool);
 
@@ -65,6 +66,7 @@ class Convergence {
 
  private:
   void begin(Phase phase);
+  bool awaits_rest() const;
   void note_idleness(const IterationFigures& figures);
   bool has_grown(double change, double clamped_share) const;
   bool has_settled(const Surface& surface, const Curve& curve, const LocalMetric& metric, double change,

@@ -86,21 +86,11 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   IterationFigures figures = figures_of(displacement);
   IterationRecord record = record_of(displacement);
 
-  // Nodes move along geodesics and are joined again, no farther than nothing crosses (3.3, 3.3.1).
-  move(plan, displacement, figures);
-
-  // Segments are split and removed, and what nodes carry follows (3.3.2).
-  watch.lap();
-  refiner_.refine(state_, plan.segment_length, pool_);
-  seconds.refine += watch.lap();
-
-  // What this says about the phase, and about the end.
-  note(figures);
-  record.length = state_.curve.length();
-  record.nodes = state_.curve.size();
-  record.seconds = total.lap();
-  seconds.total += record.seconds;
-  record_.history.push_back(record);
+  // The curve moves.
+  remember(plan, displacement);
+  move(plan, displacement, figures, record);
+  record_.history.back().seconds = total.lap();
+  seconds.total += record_.history.back().seconds;
   return true;
 }
 
@@ -146,16 +136,45 @@ IterationRecord Flow::record_of(const NodeData<Vec2>& displacement) {
   return record;
 }
 
-void Flow::move(const Plan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures) {
-  NodeHistory& nodes = state_.nodes;
-  if (plan.reuse_directions) remember_directions(medial_.frames, state_.metric, pool_, nodes.directions);
-  const NodeData<double>& moved =
-      retraction_.move(*state_.domain.surface, state_.curve, displacement, pool_, record_.seconds.move);
-  figures.moved =
-      mean_over_movable(state_.curve, pool_, [&](uint32_t i) { return moved[i] / state_.metric.radius[i]; });
-  remember_steps(plan, displacement, medial_.frames, pool_, nodes.steps);
+/// What the nodes will carry once they have moved.
+void Flow::remember(const Plan& plan, const NodeData<Vec2>& displacement) {
+  nodes_after_.radii = state_.nodes.radii;
+  nodes_after_.directions = state_.nodes.directions;
+  if (plan.reuse_directions) remember_directions(medial_.frames, state_.metric, pool_, nodes_after_.directions);
+  remember_steps(plan, displacement, medial_.frames, pool_, nodes_after_.steps);
 }
 
+/// Moves the curve, and takes note of the iteration. Whatever it throws, all is then as it was.
+void Flow::move(const Plan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures,
+                IterationRecord& record) {
+  // Nodes move along geodesics and are joined again, no farther than nothing crosses (3.3, 3.3.1).
+  const NodeData<double>& moved =
+      retraction_.move(*state_.domain.surface, state_.curve, displacement, pool_, record_.seconds.move);
+  const size_t iterations = record_.history.size();
+  std::swap(state_.nodes, nodes_after_);
+  try {
+    figures.moved =
+        mean_over_movable(state_.curve, pool_, [&](uint32_t i) { return moved[i] / state_.metric.radius[i]; });
+
+    // Segments are split and removed, and what nodes carry follows (3.3.2).
+    Stopwatch watch;
+    refiner_.refine(state_, plan.segment_length, pool_);
+    record_.seconds.refine += watch.lap();
+
+    // What this says about the phase, and about the end.
+    record.length = state_.curve.length();
+    record.nodes = state_.curve.size();
+    record_.history.push_back(record);
+    note(figures);
+  } catch (...) {
+    retraction_.take_back(state_.curve);
+    std::swap(state_.nodes, nodes_after_);
+    record_.history.resize(iterations);
+    throw;
+  }
+}
+
+/// The last thing in an iteration that may fail: what it throws, it throws before it has changed anything.
 void Flow::note(IterationFigures& figures) {
   update_metric(state_, pool_);
   figures.length = state_.curve.growing_length();

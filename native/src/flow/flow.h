@@ -91,7 +91,8 @@ class Flow {
   void find_medial_axis(const Plan& plan);
   IterationFigures figures_of(const NodeData<Vec2>& displacement);
   IterationRecord record_of(const NodeData<Vec2>& displacement);
-  void move(const Plan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures);
+  void remember(const Plan& plan, const NodeData<Vec2>& displacement);
+  void move(const Plan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures, IterationRecord& record);
   void note(IterationFigures& figures);
   double progress() const;
 
@@ -109,6 +110,7 @@ class Flow {
   Step step_;
   Retraction retraction_;
   SegmentRefiner refiner_;
+  NodeHistory nodes_after_;  // what the nodes of an iteration carry on, and then those before it
 };
 
 }  // namespace meander

@@ -14,6 +14,23 @@ struct StrandPoints {
   std::vector<std::array<double, 3>> weights;  // of the face's corners, the surface's order
   std::vector<Vec3> positions;
   std::vector<uint32_t> nodes;  // where in the lists the nodes are
+  std::vector<double> along;    // up to every point, and once more round a closed strand
+
+  /// Nothing can fail after that.
+  void reserve_for(const Curve& curve) {
+    size_t most = 0, most_nodes = 0;
+    for (const Strand& strand : curve.strands) {
+      size_t points = strand.count;
+      for (uint32_t i = strand.first; i < strand.end(); ++i) points += curve.paths[i].size();
+      most = std::max(most, points);
+      most_nodes = std::max<size_t>(most_nodes, strand.count);
+    }
+    faces.reserve(most);
+    weights.reserve(most);
+    positions.reserve(most);
+    nodes.reserve(most_nodes);
+    along.reserve(most + 1);
+  }
 
   void collect(const Surface& surface, const Curve& curve, const Strand& strand) {
     faces.clear();
@@ -47,9 +64,11 @@ void put(const Vec3& v, double* to) { std::copy(v.data(), v.data() + 3, to); }
 void write_point_data(const Flow& flow, const MeshMap* map, const PointArrays& arrays) {
   const Surface& surface = flow.surface();
   const Curve& curve = flow.curve();
+  if (arrays.normals) flow.normals().prepare();
   StrandPoints points;
-  std::vector<double> along;  // up to every point, and once more round a closed strand
-  size_t first = 0;           // of the strand, in the arrays
+  points.reserve_for(curve);
+  std::vector<double>& along = points.along;
+  size_t first = 0;  // of the strand, in the arrays
   for (const Strand& strand : curve.strands) {
     points.collect(surface, curve, strand);
     const std::vector<Vec3>& x = points.positions;

@@ -41,8 +41,12 @@ void NormalField::find() const {
   }
 }
 
-Vec3 NormalField::blended(uint32_t f, double w0, double w1, double w2) const {
+void NormalField::prepare() const {
   std::call_once(found_, [this] { find(); });
+}
+
+Vec3 NormalField::blended(uint32_t f, double w0, double w1, double w2) const {
+  prepare();
   const Triangle& t = surface_.face(f);
   return unit_or(w0 * normals_[t[0]] + w1 * normals_[t[1]] + w2 * normals_[t[2]], surface_.face_normal(f));
 }

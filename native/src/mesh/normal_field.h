@@ -19,6 +19,9 @@ class NormalField {
   /// The normals are computed when they are first asked for, on any thread.
   NormalField(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
+  /// Computes them now, so that blended() cannot fail.
+  void prepare() const;
+
   /// The unit normal at the point of face f with these weights of its corners.
   Vec3 blended(uint32_t f, double w0, double w1, double w2) const;
 
