@@ -9,7 +9,7 @@
 # build/bpy-VERSION with Blender as a Python module, pytest, ruff, import-linter and readers of what
 # is exported from the Python index, for --site one, build/site-tools, with what makes the site from
 # the pages in docs/, for --farm Slurm, for scripts/test_farm.sh, and for --sanitizers Clang, for
-# scripts/test_sanitized.sh.
+# scripts/test_sanitized.sh, and its library for Python, for tests/mutation.
 #
 # With --package it installs what scripts/package.sh needs and nothing else, no Blender: CMake, and in
 # build/package-tools Zig, which compiles for every platform, and the headers that it needs. With
@@ -30,7 +30,7 @@ farm_packages=(slurmctld slurmd slurm-client munge)
 bpy_packages=(ca-certificates python3-venv
   libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
 # Clang compiles with sanitizers in half of the time that GCC takes.
-sanitizer_packages=(clang libclang-rt-dev)
+sanitizer_packages=(clang libclang-rt-dev python3-clang)
 package_packages=(ca-certificates cmake ninja-build python3 python3-venv "${header_packages[@]}")
 emulator_packages=(python3-pytest python3-numpy gcc libc6-dev binutils llvm googletest
   wine wine64 qemu-user libc6-arm64-cross)

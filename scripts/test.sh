@@ -135,7 +135,7 @@ first_row() {
     /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/core
   profile sweep
   suite sweep 600 "${in_profile[@]}" \
-    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/sweep
+    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/sweep tests/mutation
   profile blender-4.5
   suite blender-4.5 900 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
   window ui run.py 100

@@ -149,6 +149,54 @@ TEST(Crossings, NeighboursMayMeetInTheirNodeOnly) {
   EXPECT_TRUE(find({{0.125, 0.125}, {0.375, 0.375}, {0.25, 0.25 + kGrain}}).empty());
 }
 
+/// All pairs of pieces between the points of a lattice: crossing, touching, on one line together or apart, and without
+/// length.
+TEST(Crossings, TouchEqualsTheExactTestOnALattice) {
+  constexpr uint32_t kPoints = 4;
+  std::vector<Vec2> points;
+  for (uint32_t k = 0; k < kPoints * kPoints; ++k) points.push_back({(k % kPoints) / 8.0, (k / kPoints) / 8.0});
+  const auto whole_number = [](double x) { return static_cast<int64_t>(std::ldexp(x, 50)); };
+  const auto exact = [&](const Piece& p) {
+    return ExactPiece{whole_number(p.from.x), whole_number(p.from.y), whole_number(p.to.x), whole_number(p.to.y),
+                      p.segment,              kNone,                  kNone};
+  };
+  uint32_t wrong = 0;
+  for (const Vec2 a : points) {
+    for (const Vec2 b : points) {
+      for (const Vec2 c : points) {
+        for (const Vec2 d : points) {
+          const Piece p{0, 0, a, b}, q{0, 1, c, d};
+          wrong += touch(p, q) != exact_touch(exact(p), exact(q));
+        }
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0u);
+}
+
+/// Segments that run over many faces and come back, so that a segment crosses the next one far from their node.
+TEST(Crossings, EqualBruteForceWhereLongSegmentsComeBack) {
+  Rng rng(25);
+  uint32_t neighbours = 0;
+  for (const Mesh& mesh : {cube(), octahedron(), sphere(1), torus(9, 6)}) {
+    const Surface s = make_surface(mesh);
+    for (int round = 0; round < 60; ++round) {
+      Curve c;
+      SurfacePoint at = random_point(s, rng);
+      add_node(c, at);
+      for (uint32_t k = 0; k < 3; ++k) {
+        const Trace trace = trace_geodesic(s, at, rng.in(0.3, 2) * rng.direction(), c.paths.back());
+        add_node(c, at = trace.end);
+      }
+      c.strands.push_back({0, c.size(), false});
+      c.link();
+      expect_equal(s, c, rng);
+      for (const auto& [a, b] : exact_crossings(s, c)) neighbours += b == a + 1;
+    }
+  }
+  EXPECT_GT(neighbours, 100u);
+}
+
 TEST(Crossings, TouchingCounts) {
   const Surface s = make_surface(octahedron());
   CrossingTest test;
