@@ -555,7 +555,7 @@ enum {
 typedef uint32_t meander_stop_rule;
 enum {
   MEANDER_STOP_RULE_SETTLED = 0, /* the picture has stopped changing: nodes are on average within 0.05
-                                    (local) r of the curve of 10 iterations before, length within 0.25 % */
+                                    (local) r of the curve of 5 iterations before, length within 0.25 % */
   MEANDER_STOP_RULE_PAPER = 1    /* |d|_2 / n < 3e-4 r, the test of the authors' own program, in 10
                                     iterations in a row */
 };
@@ -583,7 +583,7 @@ typedef struct meander_flow_options {
   double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A
                                polish takes the larger of this and polish_medial_power */
   double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
-  double growth_coarsening; /* before a polish, and in its first 30 iterations, segments are longer than
+  double growth_coarsening; /* before a polish, and in its first 22 iterations, segments are longer than
                                h by this factor; in [1, 4] */
   double start_spacing_factor;  /* the curve first fills the surface at this many times the spacing,
                                    which then shrinks to the one asked for (Fig. 25): fewer corners,

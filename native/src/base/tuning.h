@@ -167,21 +167,23 @@ inline constexpr double kMostWhileCooling = 0.04;
 
 // ---- When a phase ends ----------------------------------------------------------------------------------------------
 
-/// Lengths and curves are compared with those of this many iterations before. Not measured.
-inline constexpr size_t kWindow = 10;
 
 /// The paper's rule: |d|_2 / n in r (Table 2), in as many iterations in a row. With few nodes one quiet step is no end:
 /// "native: Let the paper's rule hold for ten iterations before it ends a run".
 inline constexpr double kPaperLimit = 3e-4;
 inline constexpr size_t kPaperIterations = 10;
 
-/// Growth ends when the length changes by less than this share in a window and fewer nodes than this still see nothing
-/// beside them, or when the length has all but stopped changing. Not measured.
+/// Growth ends when the length changes by less than this share in so many iterations and fewer nodes than this still see
+/// nothing beside them, or when the length has all but stopped changing. Half as many iterations, the same shares: two
+/// hairpins more of fifty, and what is to lie along a field has not turned yet (docs/quality.md, on when a curve has
+/// settled).
+inline constexpr size_t kGrowthWindow = 10;
 inline constexpr double kGrownLength = 0.02, kGrownClamped = 0.01;
 inline constexpr double kGrownForSure = 0.005;
 
-/// Iterations of the polish with long segments: until the picture is at rest (docs/quality.md, on momentum).
-inline constexpr uint32_t kPolishIterations = 30;
+/// Iterations of the polish with long segments: 30 leave .002 more near_target and a hairpin less, for a tenth more work
+/// (the same place).
+inline constexpr uint32_t kPolishIterations = 22;
 
 /// So many of them fit a finished curve to another spacing, and more of them hardly make it more even: near_target of
 /// bunny after 10, 15, 20 and 30 is .932, .937, .939 and .943 for a spacing a tenth wider, .950, .953, .952 and .956 for
@@ -193,8 +195,10 @@ inline constexpr uint32_t kFittingIterations = 18;
 /// and .908; fitted to half the spacing of .90, of .955 once it has grown again, and of .964 from scratch.
 inline constexpr double kMostFitted = 0.22;
 
-/// A curve has settled when its length changes by less than this share in a window, and the mean distance of its nodes
-/// from what it was is less than so many r: .05 instead of .04 takes a tenth of the work (docs/quality.md).
+/// A curve has settled when its length changes by less than this share in so many iterations, and the mean distance of
+/// its nodes from what it was is less than so many r: .05 instead of .04 takes a tenth of the work, and 5 iterations
+/// instead of 10 another sixth (docs/quality.md, on momentum and on when a curve has settled).
+inline constexpr size_t kSettledWindow = 5;
 inline constexpr double kSettledLength = 0.0025, kSettledDistance = 0.05;
 
 /// Iterations with short steps at the end. Not measured.
@@ -208,9 +212,10 @@ inline constexpr size_t kIdleIterations = 5;
 
 // ---- Progressive spacing (Fig. 25) ----------------------------------------------------------------------------------
 
-/// The wide curve is complete when its length changes by less than this share in a window, or after as many iterations.
-/// Not measured.
+/// The wide curve is complete when its length changes by less than this share in so many iterations, or after as many
+/// iterations as the last says. Not measured.
 inline constexpr double kWideGrown = 0.02;
+inline constexpr size_t kWideWindow = 10;
 inline constexpr size_t kWideIterations = 150;
 
 /// What the spacing is multiplied by in each iteration from then on. "flow: Let the spacing shrink more slowly from a
@@ -222,15 +227,15 @@ inline constexpr double kWideTurns = 50;
 
 // ---- Progress, which changes no curve -------------------------------------------------------------------------------
 
-/// The length at which growth ends, over that of a curve that fills the surface. Measured on bunny and hand_closed at
-/// 1.5 times the radius of docs/performance.md and on spot: .83 to .88 in even, as are the next two.
+/// The length at which growth ends, over that of a curve that fills the surface. Measured on bunny, hand_closed, spot
+/// and cube at the radius of docs/performance.md and 1.5 times as much: .83 to .86 in even, as are the next two.
 inline constexpr double kLengthWhenGrown = 0.85;
 
-/// The work of growth in iterations with long segments on a curve that fills the surface: 30 to 40.
+/// The work of growth in iterations with long segments on a curve that fills the surface: 28 to 39.
 inline constexpr double kGrowthWork = 35;
 
-/// Iterations until the curve has settled: 11 in most runs, else 21.
-inline constexpr double kFinishingIterations = 11;
+/// Iterations until the curve has settled: 6 or 11, in one of eight runs 16.
+inline constexpr double kFinishingIterations = 8;
 
 /// Where there is no polish: the share of the time until the curve is as long as at the end of growth, the length at
 /// which it becomes quiet, and the share of the quiet iterations that end the run.

@@ -16,8 +16,9 @@ double angle(Vec2 t) {
   return t.y * (1 + y2 * (1.0 / 6 + y2 * (3.0 / 40 + y2 * (15.0 / 336))));
 }
 
-/// The turn at every node in radians, to the left positive; 0 at open ends.
-NodeData<double> turns(const Curve& curve, ThreadPool& pool) {
+}  // namespace
+
+NodeData<double> turns_at_nodes(const Curve& curve, ThreadPool& pool) {
   NodeData<double> turn(curve.size(), 0);
   pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
@@ -30,10 +31,8 @@ NodeData<double> turns(const Curve& curve, ThreadPool& pool) {
   return turn;
 }
 
-}  // namespace
-
 NodeData<double> smoothed_curvature(const Curve& curve, const LocalMetric& metric, double width, ThreadPool& pool) {
-  const NodeData<double> turn = turns(curve, pool);
+  const NodeData<double> turn = turns_at_nodes(curve, pool);
   NodeData<double> curvature(curve.size());
   pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {

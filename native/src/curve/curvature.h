@@ -9,6 +9,9 @@
 
 namespace meander {
 
+/// The turn at every node in radians, to the left positive and to 1e-7; 0 at open ends.
+NodeData<double> turns_at_nodes(const Curve& curve, ThreadPool& pool);
+
 /// The geodesic curvature at every node in units of 1 / r, without its sign, as a mean along the strand with weights
 /// that fall linearly to 0 at `width` r on both sides: 1 in a round hairpin between strands at the spacing 2 r, 0
 /// where a strand runs straight. `width`, above 0, should span some nodes; both arguments are of the same curve.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/elementary.h"
 #include "base/tuning.h"
+#include "curve/curvature.h"
 
 namespace meander {
 namespace {
@@ -15,16 +15,15 @@ namespace {
 /// so nodes are numbered before the first and after the last as well.
 class Course {
  public:
-  Course(const Curve& curve, const Strand& strand, const LocalMetric& metric, ThreadPool& pool)
+  /// `turns`  at all nodes of the curve
+  Course(const Curve& curve, const Strand& strand, const LocalMetric& metric, const NodeData<double>& turns,
+         ThreadPool& pool)
       : closed_(strand.closed), count_(strand.count), arc_length_(strand.count + 1, 0), turn_(strand.count + 1, 0) {
     pool.for_blocks(strand.count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k) {
-        const uint32_t i = strand.first + static_cast<uint32_t>(k), before = curve.previous(i);
-        if (!curve.has_segment(i)) continue;
-        arc_length_[k + 1] = curve.shapes[i].length / metric.radius[i];
-        if (before == kNone) continue;
-        const Vec2 t = curve.shapes[i].leaving * conj(curve.shapes[before].arriving);
-        turn_[k + 1] = elementary::atan2(t.y, t.x);
+        const uint32_t i = strand.first + static_cast<uint32_t>(k);
+        if (curve.has_segment(i)) arc_length_[k + 1] = curve.shapes[i].length / metric.radius[i];
+        turn_[k + 1] = turns[i];
       }
     });
     std::partial_sum(arc_length_.begin(), arc_length_.end(), arc_length_.begin());
@@ -95,7 +94,7 @@ std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool
 
 std::vector<Hairpin> find_hairpins(const Curve& curve, const Strand& strand,
                                    const LocalMetric& metric, ThreadPool& pool) {
-  return find(Course(curve, strand, metric, pool), strand, pool);
+  return find(Course(curve, strand, metric, turns_at_nodes(curve, pool), pool), strand, pool);
 }
 
 NodeData<uint8_t> mark_short_runs(const Curve& curve, const LocalMetric& metric, double share,
@@ -104,11 +103,12 @@ NodeData<uint8_t> mark_short_runs(const Curve& curve, const LocalMetric& metric,
     size_t strand;
     double from, to;
   };
+  const NodeData<double> turns = turns_at_nodes(curve, pool);
   std::vector<Run> runs;
   std::vector<Course> courses;
   for (size_t s = 0; s < curve.strands.size(); ++s) {
     const Strand& strand = curve.strands[s];
-    courses.emplace_back(curve, strand, metric, pool);
+    courses.emplace_back(curve, strand, metric, turns, pool);
     const std::vector<Hairpin> hairpins = find(courses.back(), strand, pool);
     for (size_t h = 0; h < hairpins.size(); ++h) {
       const bool wraps = h + 1 == hairpins.size();

@@ -81,7 +81,7 @@ bool Convergence::has_grown(double change, double clamped_share) const {
 bool Convergence::has_settled(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                               double change, ThreadPool& pool) {
   const size_t now = lengths_.size();
-  if (picture_ && now - picture_->iteration < tuning::kWindow) return false;
+  if (picture_ && now - picture_->iteration < tuning::kSettledWindow) return false;
   Picture present{now, {}, {}, {}};
   present.nodes.reserve(curve.size());
   present.next.reserve(curve.size());
@@ -121,10 +121,12 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
                        const IterationFigures& figures, ThreadPool& pool) {
   lengths_.push_back(figures.length);
   const size_t now = lengths_.size(), age = now - phase_start_;
-  const double change = age > tuning::kWindow ? std::abs(figures.length / lengths_[now - 1 - tuning::kWindow] - 1) : 1;
+  const auto change = [&](size_t window) {
+    return age > window ? std::abs(figures.length / lengths_[now - 1 - window] - 1) : 1;
+  };
   bool settled = false;
   try {
-    settled = awaits_rest() && has_settled(surface, curve, metric, change, pool);
+    settled = awaits_rest() && has_settled(surface, curve, metric, change(tuning::kSettledWindow), pool);
   } catch (...) {
     lengths_.pop_back();
     throw;
@@ -139,7 +141,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     case Phase::kGrowing:
       if (!polish_wanted_) {
         if (settled) begin(Phase::kCooling);
-      } else if (has_grown(change, figures.clamped_share)) {
+      } else if (has_grown(change(tuning::kGrowthWindow), figures.clamped_share)) {
         begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
       }
       break;

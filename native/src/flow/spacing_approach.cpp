@@ -14,7 +14,8 @@ SpacingApproach::SpacingApproach(double start, double radius, double area)
 double SpacingApproach::next(const IterationFigures& figures) {
   lengths_.push_back(figures.length);
   const size_t n = lengths_.size();
-  const double change = n > tuning::kWindow ? std::abs(lengths_[n - 1] / lengths_[n - 1 - tuning::kWindow] - 1) : 1;
+  constexpr size_t kWindow = tuning::kWideWindow;
+  const double change = n > kWindow ? std::abs(lengths_[n - 1] / lengths_[n - 1 - kWindow] - 1) : 1;
   if (change < tuning::kWideGrown || n > tuning::kWideIterations) shrinking_ = true;
   if (shrinking_) factor_ = std::max(1.0, tuning::kShrinking * factor_);
   return factor_;
