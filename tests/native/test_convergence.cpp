@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The order of the phases in a flow with a polish, and that a moving surface does not restart them.
+// The order of the phases in a flow with a polish, when each of them ends, and what is left of them when the surface
+// has moved or other settings are asked for.
 #include <gtest/gtest.h>
 
+#include "base/tuning.h"
 #include "flow/convergence.h"
 #include "test_curves.h"
 
@@ -107,6 +109,296 @@ TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {
   EXPECT_EQ(growing.restarted(0).phase(), Phase::kFinishing);
   EXPECT_EQ(growing.restarted(0.5).phase(), Phase::kGrowing);
   EXPECT_EQ(plain.restarted(0).phase(), Phase::kGrowing);
+}
+
+/// A closed strand around a square in a face, whose nodes may lie anywhere between its corners.
+struct Square {
+  static constexpr uint32_t kPerSide = 6;
+  static constexpr double kSide = 0.25, kRadius = 0.01;
+
+  /// `moved` is how far all of it lies to the right, in r; `slid` how far nodes but the corners have gone along the
+  /// sides, as a share of what is between two of them.
+  void place(double moved, double slid) {
+    curve = Curve();
+    const Triangle& face = surface.face(0);
+    const Vec3 origin = surface.position(face[0]), right = (surface.position(face[1]) - origin).normalized();
+    const Vec3 slanted = surface.position(face[2]) - origin;
+    const Vec3 up = (slanted - slanted.dot(right) * right).normalized();
+    const Vec3 corner[4] = {0 * right, right, right + up, up};
+    for (uint32_t side = 0; side < 4; ++side) {
+      for (uint32_t k = 0; k < kPerSide; ++k) {
+        const double along = k == 0 ? 0 : (k + slid) / kPerSide;
+        const Vec3 at = (1 - along) * corner[side] + along * corner[(side + 1) % 4];
+        const Vec3 p = origin + (0.4 + kRadius * moved) * right + 0.05 * up + kSide * at;
+        add_node(curve, point_at(surface, 0, surface.to_plane(0, p - origin)));
+        EXPECT_NEAR((position(surface, curve.nodes.back()) - p).norm(), 0, 1e-12);  // it is in the face
+      }
+    }
+    curve.strands.push_back({0, curve.size(), true});
+    join_in_face(surface, curve);
+    metric = even_metric(curve, kRadius);
+  }
+
+  Surface surface = make_surface(flat_grid(1));
+  Curve curve;
+  LocalMetric metric;
+};
+
+/// Notes iterations on the square, with figures that say that nothing is wrong.
+struct Noting : Square {
+  explicit Noting(bool polish, uint32_t hairpin_removal = kHairpinRemoval, StopRule rule = StopRule::kSettled)
+      : convergence(rule, polish, hairpin_removal) {
+    place(0, 0);
+  }
+  void note(double length = 1, double clamped_share = 0, double displacement_norm = 1) {
+    convergence.note(surface, curve, metric, {length, clamped_share, 1, 1, displacement_norm}, pool);
+  }
+  void note_times(size_t times) {
+    for (size_t k = 0; k < times; ++k) note();
+  }
+  /// Until a phase begins; false if it does not.
+  bool reaches(Phase phase) {
+    for (int k = 0; k < 200 && convergence.phase() != phase; ++k) note();
+    return convergence.phase() == phase;
+  }
+
+  ThreadPool pool{1};
+  Convergence convergence;
+};
+
+constexpr size_t kWindow = tuning::kWindow;
+
+TEST(Convergence, GrowthEndsWhereTheLengthOfAWindowBeforeIsTheSame) {
+  for (const size_t jump : {0u, 1u, 5u, 17u}) {  // iterations before the length changes
+    Noting n(true);
+    for (size_t k = 1; k <= jump + kWindow; ++k) {
+      n.note(k <= jump ? 1 : 2);
+      // Of a jump after the window the first lengths are compared as well, and are equal.
+      if (jump <= kWindow) {
+        ASSERT_EQ(n.convergence.phase(), Phase::kGrowing) << k;
+      }
+    }
+    if (jump > kWindow) continue;
+    n.note(2);
+    EXPECT_EQ(n.convergence.phase(), Phase::kHairpinRemoval);
+    EXPECT_EQ(n.convergence.iterations_in_phase(), 0u);
+  }
+}
+
+/// Whichever way the length changes, and whether or not there are hairpins to remove.
+TEST(Convergence, GrowthEndsByLengthAndEmptiness) {
+  struct Case {
+    double change, clamped_share;
+    bool ends;
+  };
+  const double little = tuning::kGrownLength, sure = tuning::kGrownForSure, empty = tuning::kGrownClamped;
+  for (const Case& c : {Case{1.05 * little, 0, false}, Case{0.95 * little, 0.95 * empty, true},
+                        Case{0.95 * little, 1.05 * empty, false}, Case{1.05 * sure, 1.05 * empty, false},
+                        Case{0.95 * sure, 1.05 * empty, true}, Case{0.95 * sure, 1, true}}) {
+    for (const double sign : {1.0, -1.0}) {
+      for (const uint32_t removal : {0u, 1u, kHairpinRemoval}) {
+        Noting n(true, removal);
+        n.note(1, 1);
+        for (size_t k = 1; k < kWindow; ++k) n.note(5, 1);
+        n.note(1 + sign * c.change, c.clamped_share);
+        const Phase next = removal > 0 ? Phase::kHairpinRemoval : Phase::kPolishing;
+        EXPECT_EQ(n.convergence.phase(), c.ends ? next : Phase::kGrowing) << c.change << " " << c.clamped_share;
+      }
+    }
+  }
+}
+
+/// Without a polish growth ends when the curve rests, which two pictures a window apart decide. Nodes may slide along
+/// the curve.
+TEST(Convergence, RestIsMeasuredAcrossTheCurve) {
+  // Two of the four sides lie along the move, and their nodes but for the corners in front lie on the curve as it was,
+  // so 2 sides and those 2 corners are `moved` away from it.
+  const double share = (2.0 * Square::kPerSide + 2 - 2) / (4.0 * Square::kPerSide);
+  for (const double distance : {0.5, 0.97, 1.03, 2.0}) {
+    for (const double slid : {0.0, 0.5}) {
+      for (const double change : {-1.05, -0.95, 0.0, 0.95, 1.05}) {
+        for (const double wide : {1.0, 2.0}) {  // the local r
+          Noting n(false);
+          for (size_t k = 0; k < kWindow; ++k) {
+            n.note(k == 0 ? 1 : 3);
+            ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
+          }
+          n.place(distance * wide * tuning::kSettledDistance / share, slid);
+          n.metric = even_metric(n.curve, wide * Square::kRadius);
+          n.note(1 + change * tuning::kSettledLength);
+          const bool rests = distance < 1 && std::abs(change) < 1;
+          EXPECT_EQ(n.convergence.phase(), rests ? Phase::kCooling : Phase::kGrowing) << distance << " " << slid;
+          if (rests) continue;
+          // The next picture is compared with this one, another window later.
+          for (size_t k = 1; k < kWindow; ++k) {
+            n.note(1 + change * tuning::kSettledLength);
+            ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
+          }
+          n.note(1 + change * tuning::kSettledLength);
+          EXPECT_EQ(n.convergence.phase(), Phase::kCooling);
+        }
+      }
+    }
+  }
+}
+
+/// What hardly moves in an iteration may yet move in a window of them.
+TEST(Convergence, DriftIsNoRest) {
+  Noting n(false);
+  for (size_t k = 0; k < 4 * kWindow; ++k) {
+    n.place(0.5 * tuning::kSettledDistance * static_cast<double>(k), 0);
+    n.note();
+    ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
+  }
+  n.note_times(2 * kWindow);
+  EXPECT_EQ(n.convergence.phase(), Phase::kCooling);
+}
+
+TEST(Convergence, EndsWithSomeShortSteps) {
+  for (const bool polish : {false, true}) {
+    Noting n(polish);
+    ASSERT_TRUE(n.reaches(polish ? Phase::kFinishing : Phase::kGrowing));
+    if (polish) {
+      n.note_times(kWindow);
+      EXPECT_EQ(n.convergence.phase(), Phase::kFinishing);
+      EXPECT_EQ(n.convergence.iterations_in_phase(), kWindow);
+    }
+    ASSERT_TRUE(n.reaches(Phase::kCooling));
+    for (uint32_t k = 0; k < tuning::kCoolingIterations; ++k) {
+      EXPECT_EQ(n.convergence.iterations_in_phase(), k);
+      EXPECT_FALSE(n.convergence.converged());
+      n.note();
+    }
+    EXPECT_TRUE(n.convergence.converged());
+  }
+}
+
+/// Nodes that move by the limit itself do move, and those that are to move by it are asked to. Each iteration in which
+/// something moves begins the count anew.
+TEST(Convergence, StallsAfterSomeIterationsInARow) {
+  Noting n(true);
+  const auto idle = [&](double wanted, double moved) {
+    n.convergence.note(n.surface, n.curve, n.metric, {1, 0, wanted, moved, 1}, n.pool);
+    return n.convergence.stalled();
+  };
+  for (size_t k = 0; k < 2 * tuning::kIdleIterations; ++k) EXPECT_FALSE(idle(1, tuning::kIdle));
+  for (size_t k = 0; k < 2 * tuning::kIdleIterations; ++k) EXPECT_FALSE(idle(0.99 * tuning::kIdle, 0));
+  for (int round = 0; round < 2; ++round) {
+    for (size_t k = 1; k < tuning::kIdleIterations; ++k) EXPECT_FALSE(idle(tuning::kIdle, 0.99 * tuning::kIdle));
+    EXPECT_TRUE(idle(1, 0));
+    EXPECT_TRUE(idle(1, 0));
+    EXPECT_FALSE(idle(1, 1));
+  }
+}
+
+/// By the paper's rule, whatever the curve does.
+TEST(Convergence, OfThePaperIsQuietForSomeIterationsInARow) {
+  Noting n(true, kHairpinRemoval, StopRule::kPaper);
+  const double quiet = 0.99 * tuning::kPaperLimit, loud = tuning::kPaperLimit;  // what counts is below it
+  for (uint32_t k = 1; k < tuning::kPaperIterations; ++k) {
+    n.note(1, 0, quiet);
+    EXPECT_EQ(n.convergence.quiet_iterations(), k);
+  }
+  n.note(1, 0, loud);
+  EXPECT_EQ(n.convergence.quiet_iterations(), 0u);
+  for (uint32_t k = 0; k < tuning::kPaperIterations; ++k) {
+    EXPECT_FALSE(n.convergence.converged());
+    n.note(1, 0, quiet);
+  }
+  EXPECT_TRUE(n.convergence.converged());
+  EXPECT_EQ(n.convergence.phase(), Phase::kGrowing);
+}
+
+/// A curve is fitted by the end of a polish: what was at its end cools right after, what was not is finished first.
+TEST(Convergence, GoesOnWithAPolishWhereSettingsAreRevised) {
+  const FlowSettings settings = [] {
+    FlowSettings s = with_polish();
+    s.hairpin_removal_iterations = kHairpinRemoval;
+    return s;
+  }();
+  for (const Phase from : {Phase::kFinishing, Phase::kCooling}) {
+    for (const bool moves : {false, true}) {  // the surface, right after
+      Noting n(true);
+      ASSERT_TRUE(n.reaches(from));
+      n.convergence = n.convergence.revised(settings, 0.1, false);
+      n.note_times(3);
+      n.convergence = n.convergence.revised(settings, 0.1, false);  // once more: it is fitted anew
+      if (moves) n.convergence = n.convergence.restarted(1);
+      ASSERT_EQ(n.convergence.phase(), Phase::kPolishing);
+      n.note_times(tuning::kFittingIterations - 1);
+      EXPECT_EQ(n.convergence.phase(), Phase::kPolishing);
+      n.note();
+      EXPECT_EQ(n.convergence.phase(), from);
+    }
+  }
+  // What is removed goes on being removed, for as many iterations as are left.
+  Noting n(true);
+  ASSERT_TRUE(n.reaches(Phase::kHairpinRemoval));
+  n.note_times(3);
+  EXPECT_EQ(n.convergence.iterations_in_phase(), 3u);
+  n.convergence = n.convergence.revised(settings, 0, false);
+  EXPECT_EQ(n.convergence.phase(), Phase::kHairpinRemoval);
+  n.note_times(kHairpinRemoval - 3 - 1);
+  EXPECT_EQ(n.convergence.phase(), Phase::kHairpinRemoval);
+  // What is past it does not go back, though more are asked for than were made.
+  FlowSettings more = settings;
+  more.hairpin_removal_iterations = kHairpinRemoval + 5;
+  Noting finishing(true);
+  ASSERT_TRUE(finishing.reaches(Phase::kFinishing));
+  EXPECT_EQ(finishing.convergence.revised(more, 0, false).phase(), Phase::kPolishing);
+  // If no more are asked for, the polish begins, with all of its iterations.
+  FlowSettings fewer = settings;
+  fewer.hairpin_removal_iterations = kHairpinRemoval - 1;
+  Convergence polishing = n.convergence.revised(fewer, 0, false);
+  EXPECT_EQ(polishing.phase(), Phase::kPolishing);
+  EXPECT_EQ(polishing.iterations_in_phase(), 0u);
+  n.note();
+  ASSERT_EQ(n.convergence.phase(), Phase::kPolishing);
+  n.note_times(5);
+  n.convergence = n.convergence.revised(settings, 0, false);
+  EXPECT_EQ(n.convergence.iterations_in_phase(), 5u);
+  n.note_times(tuning::kPolishIterations - 5);
+  EXPECT_EQ(n.convergence.phase(), Phase::kFinishing);
+}
+
+TEST(Convergence, GrowsAgainWhereTooMuchIsRevised) {
+  const FlowSettings settings = with_polish();
+  Noting n(true);
+  EXPECT_EQ(n.convergence.revised(settings, 0, false).phase(), Phase::kGrowing);
+  ASSERT_TRUE(n.reaches(Phase::kFinishing));
+  const Convergence& made = n.convergence;
+  EXPECT_EQ(made.revised(settings, 0, true).phase(), Phase::kGrowing);
+  FlowSettings plain = settings;
+  plain.polish = false;
+  EXPECT_EQ(made.revised(plain, 0, false).phase(), Phase::kGrowing);
+  // Changes add up until it grows again, also over a moving surface, and count from then on.
+  const double most = tuning::kMostFitted;
+  EXPECT_EQ(made.revised(settings, 0.98 * most, false).phase(), Phase::kPolishing);
+  EXPECT_EQ(made.revised(settings, most, false).phase(), Phase::kPolishing);
+  EXPECT_EQ(made.revised(settings, 1.02 * most, false).phase(), Phase::kGrowing);
+  const Convergence half = made.revised(settings, 0.6 * most, false).restarted(0);
+  EXPECT_EQ(half.revised(settings, 0.38 * most, false).phase(), Phase::kPolishing);
+  n.convergence = half.revised(settings, 0.42 * most, false);
+  EXPECT_EQ(n.convergence.phase(), Phase::kGrowing);
+  ASSERT_TRUE(n.reaches(Phase::kPolishing));
+  EXPECT_EQ(n.convergence.revised(settings, 0.98 * most, false).phase(), Phase::kPolishing);
+  // One that was made without a polish grows by other rules, so it begins anew.
+  Noting unpolished(false);
+  ASSERT_TRUE(unpolished.reaches(Phase::kCooling));
+  EXPECT_EQ(unpolished.convergence.revised(settings, 0, false).phase(), Phase::kGrowing);
+}
+
+/// How much of the curve still sees nothing beside it decides whether it has filled the surface when this moves.
+TEST(Convergence, OnAMovedSurfaceGrowsOnlyWhereItHasNotFilledIt) {
+  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval);
+  EXPECT_EQ(growing.restarted(0.95 * tuning::kGrownClamped).phase(), Phase::kFinishing);
+  EXPECT_EQ(growing.restarted(tuning::kGrownClamped).phase(), Phase::kGrowing);
+  EXPECT_EQ(growing.restarted(1.05 * tuning::kGrownClamped).phase(), Phase::kGrowing);
+  for (const Phase phase : {Phase::kFinishing, Phase::kCooling}) {
+    Noting n(true);
+    ASSERT_TRUE(n.reaches(phase));
+    EXPECT_EQ(n.convergence.restarted(1).phase(), Phase::kFinishing);
+  }
 }
 
 }  // namespace

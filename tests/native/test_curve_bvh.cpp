@@ -245,6 +245,13 @@ TEST(CurveBvh, TheFirstOfEqualsIsTouched) {
           brute_force_seen(points, points[i], b[i][side], 1, [&](uint32_t j) { return sees(i, j); });
       EXPECT_EQ(radii[i][side], expected.radius);
       EXPECT_EQ(touched[i][side], expected.touched);
+      // Of all points, for this one alone; a ball that is as large as it may be is limited by none.
+      for (const double most : {1.0, 0.125}) {
+        const Limit of_all = brute_force_seen(points, points[i], b[i][side], most, [](uint32_t) { return true; });
+        uint32_t alone = 0;
+        EXPECT_EQ(tree.largest_ball(points[i], b[i][side], most, &alone), of_all.radius);
+        EXPECT_EQ(alone, of_all.touched);
+      }
     }
   }
 }

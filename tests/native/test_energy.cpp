@@ -137,7 +137,7 @@ void expect_slope_and_curvature(Scene& s, const Strand& strand) {
 TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
   for (const Mesh& mesh : meshes()) {
     for (const double p : {1.0, 1.5, 3.0, 6.0}) {
-      for (const double q : {1.5, 3.0, 6.0}) {
+      for (const double q : {1.5, 2.0, 3.0, 6.0}) {
         Scene s(mesh, 55);
         const uint32_t n = s.curve.size();
         s.weights.length.assign(n, 0.7);
