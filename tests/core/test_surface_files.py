@@ -6,6 +6,7 @@ from __future__ import annotations
 import random
 import struct
 import time
+import tracemalloc
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -27,6 +28,8 @@ def complaint(path: Path) -> str:
         surface_files.read_mesh(path)
     assert_sentence(str(caught.value))
     assert str(path) in str(caught.value)
+    assert str(caught.value).isprintable()
+    assert len(str(caught.value)) < 200 + len(str(path))
     return str(caught.value)
 
 
@@ -138,6 +141,11 @@ TEXT = plain("ascii", POLYGONS)
         (TEXT.replace(b"4 0 1 2 3", b"inf 0 1 2 3"), "inf"),
         (TEXT.replace(b"4 0 1 2 3", b"4 0 1 two 3"), "no number"),
         (TEXT.replace(b"4 0 1 2 3", b"9 0 1 2 3"), "before the last"),
+        # A column twice, where rows are read one by one.
+        (crowded("binary_little_endian").replace(b"short group", b"short x"), "'x' twice"),
+        (TEXT.replace(b"property float z", b"property float z\nproperty float z"), "'z' twice"),
+        (WHOLE.replace(b"face 2", b"face \x1b[2J"), r"face \x1b"),
+        (TEXT.replace(b"4 0 1 2 3", b"4 0 1 2 " + b"x" * 999), "no number"),
     ],
 )
 def test_a_ply_file_that_is_malformed(tmp_path: Path, data: bytes, words: str) -> None:
@@ -259,6 +267,24 @@ def test_whatever_is_in_a_file_it_is_a_mesh_or_a_sentence(tmp_path: Path, suffix
             assert vertices.shape == (len(vertices), 3) and vertices.dtype == np.float64
             assert faces.shape == (len(faces), 3) and faces.dtype == np.uint32
     assert 60 < refused < 600
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".stl"])
+def test_memory_grows_with_the_file_not_with_its_longest_word(tmp_path: Path, suffix: str) -> None:
+    """Of 20,000 words one has 20,000 letters: room for the longest for all is 400 MB."""
+    path = tmp_path / f"mesh{suffix}"
+    long = b"x" * 20_000
+    if suffix == ".ply":
+        head = b"ply\nformat ascii 1.0\nelement vertex 20000\nproperty float x\nend_header\n"
+        path.write_bytes(head + b"1 " * 19_999 + long)
+    else:
+        path.write_bytes(b"solid\n" + b"vertex 1 2 3\n" * 6_665 + b"vertex 1 2 " + long)
+    tracemalloc.start()
+    try:
+        complaint(path)
+        assert tracemalloc.get_traced_memory()[1] < 100 * path.stat().st_size
+    finally:
+        tracemalloc.stop()
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".stl"])

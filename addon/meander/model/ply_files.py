@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from .numbers_in_text import NoNumber, numbers_of
 from .whole_files import FileError, read_bytes
 
 # Both generations of names.
@@ -98,9 +99,12 @@ def _header(data: bytes) -> tuple[str | None, list[_Element], int]:
                 if elements[-1].count < 0:
                     raise ValueError
             elif words[:1] == ["property"]:
-                elements[-1].properties.append(_property(words[1:]))
+                found = _property(words[1:])
+                if any(other.name == found.name for other in elements[-1].properties):
+                    raise _Malformed(f"has a property {found.name[:60]!r} twice")
+                elements[-1].properties.append(found)
         except (KeyError, IndexError, ValueError):
-            line = " ".join(words)[:60]
+            line = repr(" ".join(words)[:60])[1:-1]
             raise _Malformed(f"has a line in its PLY header that means nothing ({line})") from None
     if order == "":
         raise _Malformed("does not say its format in its PLY header")
@@ -123,8 +127,8 @@ def _tables(
     values = None
     if order is None:
         try:
-            values = np.array(data[begin:].split(), dtype=np.bytes_).astype(np.float64)
-        except ValueError as problem:
+            values = numbers_of(data[begin:].split())
+        except NoNumber as problem:
             raise _Malformed(f"holds something that is no number ({problem})") from None
         begin = 0
     tables: dict[str, _Table] = {}

@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 import re
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .numbers_in_text import NoNumber, numbers_of
 from .whole_files import FileError, read_bytes
 
 _HEAD = 84  # bytes before the first triangle of a binary file: 80 for people, then the number
@@ -46,8 +48,8 @@ def _corners_of_text(path: Path, data: bytes) -> NDArray[np.float64]:
     if len(found) % 3:
         raise FileError(f"{path} ends within a triangle; export it again")
     try:
-        return np.array(found, dtype=np.bytes_).reshape(-1, 3).astype(np.float64)
-    except ValueError as problem:
+        return numbers_of(list(chain.from_iterable(found))).reshape(-1, 3)
+    except NoNumber as problem:
         raise FileError(
             f"{path} has a vertex without three coordinates ({problem}); export it again"
         ) from problem
