@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import difflib
-import math
 import os
 import sys
 from collections.abc import Iterable
@@ -86,8 +85,10 @@ def _tables(path: Path) -> dict[str, Any]:
             return tomllib.load(file)
     except OSError as problem:
         raise JobError(f"{path} cannot be read ({problem.strerror}); check the path") from problem
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
+    except ValueError as problem:  # also of bytes that are no text, and of numbers without end
         raise JobError(f"{path} is no TOML: {problem}; correct it there") from problem
+    except RecursionError as problem:
+        raise JobError(f"{path} has brackets in brackets without end; correct it") from problem
 
 
 def _table(path: Path, tables: dict[str, Any], name: str) -> dict[str, Any]:
@@ -125,7 +126,8 @@ def limit(where: str, key: str, value: Any) -> float:
     """The limit `key` of LEAST_LIMITS as a number. Raises JobError."""
     least, unit = LEAST_LIMITS[key]
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    if not number or not math.isfinite(value) or value < least:
+    # The one is not finite, and the other larger than any double.
+    if not number or value != value or not least <= value <= sys.float_info.max:
         raise JobError(f"{where}: {key} is a number of {unit}, {least} or more, not {value!r}")
     return float(value)
 
