@@ -142,9 +142,10 @@ TEXT = plain("ascii", POLYGONS)
         (TEXT.replace(b"4 0 1 2 3", b"4 0 1 two 3"), "no number"),
         (TEXT.replace(b"4 0 1 2 3", b"9 0 1 2 3"), "before the last"),
         # A column twice, where rows are read one by one.
-        (crowded("binary_little_endian").replace(b"short group", b"short x"), "'x' twice"),
-        (TEXT.replace(b"property float z", b"property float z\nproperty float z"), "'z' twice"),
+        (crowded("binary_little_endian").replace(b"short group", b"short x"), "property x twice"),
+        (TEXT.replace(b"float z", b"float z\nproperty float z"), "property z twice"),
         (WHOLE.replace(b"face 2", b"face \x1b[2J"), r"face \x1b"),
+        (WHOLE.replace(b"element face", b"element \x1b[2J")[:-1], r"last \x1b"),
         (TEXT.replace(b"4 0 1 2 3", b"4 0 1 2 " + b"x" * 999), "no number"),
     ],
 )

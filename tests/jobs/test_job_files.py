@@ -53,6 +53,7 @@ def refused(job, capsys):
         sentence = captured.err.rstrip("\n")
         assert_sentence(sentence)
         assert sentence.startswith("meander: ")
+        assert sentence.isprintable() and len(sentence) < 600
         assert not job.results.exists()
         return sentence
 
@@ -199,6 +200,8 @@ MISTAKES = {
     "kind in job": ("[job]\nfolder = 3\n" + SPACING + ITEM, "folder"),
     "engine": ('[job]\nengine = "rocket"\n' + SPACING + ITEM, "rocket"),
     "command is empty": ("[job]\ncommand = []\n" + SPACING + ITEM, "command"),
+    "command is a number": ("[job]\ncommand = 3\n" + SPACING + ITEM, "command is a list"),
+    "folder is endless": ("[job]\nfolder = [" + "1, " * 400 + "]\n" + SPACING + ITEM, "..."),
     "command and engine": ('[job]\ncommand = ["x"]\nengine = "auto"\n' + SPACING + ITEM, "command"),
     "no input": (SPACING + '[[items]]\nname = "x"\n', "input is missing"),
     "key of an item": (SPACING + ITEM + "spaceing = 1\n", "did you mean 'spacing'"),

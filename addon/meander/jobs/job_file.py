@@ -56,8 +56,8 @@ def read(path: Path) -> JobFile:
     for name in tables:
         if name not in ("job", "defaults", "items"):
             raise JobError(
-                f"{path.name}: {name!r} stands outside of [job], [defaults] and [[items]]; put it "
-                "into one of them"
+                f"{path.name}: {quoted(name)} stands outside of [job], [defaults] and [[items]]; "
+                "put it into one of them"
             )
     job = _table(path, tables, "job")
     _check_job(path, job)
@@ -103,23 +103,33 @@ def _check_job(path: Path, job: dict[str, Any]) -> None:
         kind = _JOB_KEYS.get(key)
         if kind is None:
             raise JobError(f"{path.name}: [job] {unknown_key(key, _JOB_KEYS)}")
-        texts = kind is not list or (value and all(isinstance(part, str) for part in value))
-        if not isinstance(value, kind) or not texts:
-            raise JobError(f"{path.name}: [job] {key} is {_KINDS[kind]}, not {value!r}")
+        right = isinstance(value, kind)
+        if right and kind is list:
+            right = bool(value) and all(isinstance(part, str) for part in value)
+        if not right:
+            raise JobError(f"{path.name}: [job] {key} is {_KINDS[kind]}, not {quoted(value)}")
     if job.get("engine", "auto") not in ENGINES:
         choices = ", ".join(ENGINES)
-        raise JobError(f"{path.name}: [job] has no engine {job['engine']!r}; choose from {choices}")
+        raise JobError(
+            f"{path.name}: [job] has no engine {quoted(job['engine'])}; choose from {choices}"
+        )
     if "command" in job and len(job) > 1 + ("folder" in job):
         raise JobError(
             f"{path.name}: [job] command stands for engine, blender and python; drop these"
         )
 
 
+def quoted(value: Any) -> str:
+    """What stands in a job file, as Python would write it; of much the beginning."""
+    text = repr(value)
+    return text if len(text) <= 80 else text[:77] + "..."
+
+
 def unknown_key(key: str, known: Iterable[str]) -> str:
     """The end of a sentence about a key that there is not."""
     near = difflib.get_close_matches(key, list(known), 1)
     advice = f"did you mean {near[0]!r}?" if near else "see the page about farms"
-    return f"has the unknown key {key!r}; {advice}"
+    return f"has the unknown key {quoted(key)}; {advice}"
 
 
 def limit(where: str, key: str, value: Any) -> float:
@@ -128,7 +138,8 @@ def limit(where: str, key: str, value: Any) -> float:
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
     # The one is not finite, and the other larger than any double.
     if not number or value != value or not least <= value <= sys.float_info.max:
-        raise JobError(f"{where}: {key} is a number of {unit}, {least} or more, not {value!r}")
+        given = quoted(value)
+        raise JobError(f"{where}: {key} is a number of {unit}, {least} or more, not {given}")
     return float(value)
 
 
@@ -136,5 +147,5 @@ def texts(where: str, key: str, value: Any) -> list[str]:
     """A text, or a list of them, as a list. Raises JobError."""
     several = value if isinstance(value, list) else [value]
     if not several or not all(isinstance(one, str) and one for one in several):
-        raise JobError(f"{where}: {key} is a text in quotes or a list of them, not {value!r}")
+        raise JobError(f"{where}: {key} is a text in quotes or a list of them, not {quoted(value)}")
     return several

@@ -101,14 +101,19 @@ def _header(data: bytes) -> tuple[str | None, list[_Element], int]:
             elif words[:1] == ["property"]:
                 found = _property(words[1:])
                 if any(other.name == found.name for other in elements[-1].properties):
-                    raise _Malformed(f"has a property {found.name[:60]!r} twice")
+                    raise _Malformed(f"has a property {_quoted(found.name)} twice")
                 elements[-1].properties.append(found)
         except (KeyError, IndexError, ValueError):
-            line = repr(" ".join(words)[:60])[1:-1]
+            line = _quoted(" ".join(words))
             raise _Malformed(f"has a line in its PLY header that means nothing ({line})") from None
     if order == "":
         raise _Malformed("does not say its format in its PLY header")
     return order, elements, at
+
+
+def _quoted(text: str) -> str:
+    """The beginning of what stands in a header, without control characters."""
+    return repr(text[:60])[1:-1]
 
 
 def _property(words: list[str]) -> _Property:
@@ -265,7 +270,8 @@ class _Rows:
         )
 
     def _short(self) -> _Malformed:
-        return _Malformed(f"ends before the last {self.element.name} that its header counts")
+        name = _quoted(self.element.name)
+        return _Malformed(f"ends before the last {name} that its header counts")
 
 
 def _vertices(table: _Table | None) -> NDArray[np.float64]:
