@@ -37,6 +37,7 @@ from .binding.choices import (
     STOP_REASONS,
 )
 from .binding.context import Context
+from .binding.cost import Cost, Extent, estimate_cost
 from .binding.cut import NO_STRAND, CutSurface, cut_surface
 from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
 from .binding.flow_options import FlowOptions, default_options, option_warnings
@@ -69,7 +70,9 @@ __all__ = [
     "VERSION",
     "BoundaryRule",
     "Context",
+    "Cost",
     "CutSurface",
+    "Extent",
     "Faults",
     "Flow",
     "FlowOptions",
@@ -87,6 +90,7 @@ __all__ = [
     "SurfaceOptions",
     "cut_surface",
     "default_options",
+    "estimate_cost",
     "find_faults",
     "library_notice",
     "library_path",

@@ -3,12 +3,17 @@
 
 from __future__ import annotations
 
+import json
 import math
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import geometry
 import numpy as np
 import pytest
+from conftest import PACKAGE
 from meander import core
 from meander.model.estimate import Estimate, Speeds, described, estimated, extent_of
 
@@ -68,7 +73,7 @@ def test_density_and_mask_count():
 
 def test_half_the_spacing_takes_four_times_as_much():
     vertices, faces = geometry.icosphere(0)
-    extent = replace(extent_of(vertices, faces), edges=0.0, faces=0)
+    extent = replace(extent_of(vertices, faces), edge_density=0.0, faces=0)
     coarse, fine = (
         estimated(extent, options_of("even", spacing), False, Speeds()) for spacing in (0.1, 0.05)
     )
@@ -79,22 +84,27 @@ def test_half_the_spacing_takes_four_times_as_much():
 
 def test_the_speed_is_that_of_the_runs_before():
     speeds = Speeds()
-    options = options_of("even", 0.1)
-    before = speeds.seconds(options, 50_000)
+
+    def cost_of(preset: str) -> tuple[core.FlowOptions, core.Cost]:
+        options = options_of(preset, 0.1)
+        return options, core.estimate_cost(core.Extent(0, 50.0, 50.0, 0.0), options)
+
+    options, cost = cost_of("even")
+    before = speeds.seconds(options, cost)
     speeds.learn(options, 100, 1000.0)
-    assert speeds.seconds(options, 50_000) == before, "a small run says nothing"
-    speeds.learn(options, 50_000, 3.0 * before)
-    assert speeds.seconds(options, 50_000) == pytest.approx(3.0 * before)
-    paper = options_of("paper", 0.1)
-    assert speeds.seconds(paper, 50_000) == pytest.approx(3.0 * Speeds().seconds(paper, 50_000))
-    speeds.learn(options, 50_000, before)
-    assert before < speeds.seconds(options, 50_000) < 3.0 * before
+    assert speeds.seconds(options, cost) == before, "a small run says nothing"
+    speeds.learn(options, round(cost.nodes), 3.0 * before)
+    assert speeds.seconds(options, cost) == pytest.approx(3.0 * before, rel=1e-3)
+    paper = cost_of("paper")
+    assert speeds.seconds(*paper) == pytest.approx(3.0 * Speeds().seconds(*paper), rel=1e-3)
+    speeds.learn(options, round(cost.nodes), before)
+    assert before < speeds.seconds(options, cost) < 3.0 * before
 
 
 def test_surfaces_without_area_have_no_points():
     vertices, faces = np.zeros((3, 3)), np.array([[0, 1, 2]])
     estimate = estimated(extent_of(vertices, faces), options_of("even", 0.1), True, Speeds())
-    assert estimate.points == 0 and estimate.seconds == 0.0
+    assert estimate.points == 0 and estimate.seconds < 1e-6
 
 
 @pytest.mark.parametrize(
@@ -121,6 +131,122 @@ def test_edges_are_counted_once():
     unique = np.unique(pairs, axis=0)
     lengths = np.linalg.norm(vertices[unique[:, 0]] - vertices[unique[:, 1]], axis=1).sum()
     extent = extent_of(vertices, faces)
-    assert extent.edges * extent.node_area == pytest.approx(lengths)
+    assert extent.edge_density * extent.node_area == pytest.approx(lengths)
     assert math.isclose(extent.length_area, 4.0 * math.pi, rel_tol=0.1)
     assert extent.faces == len(faces)
+
+
+def grow_by_a_cosine(vertices):
+    return np.exp(np.cos(3.0 * vertices[:, 0]))
+
+
+@pytest.mark.parametrize("density", [None, grow_by_a_cosine])
+def test_the_library_measures_the_same_extent(density):
+    vertices, faces = geometry.icosphere(3)
+    vertices = 7.0 * vertices * (1.0 + 0.2 * vertices[:, :1] ** 2)
+    values = None if density is None else density(vertices)
+    ours = extent_of(vertices, faces, values)
+    with core.Surface(vertices, faces) as surface:
+        theirs = surface.extent(values)
+    assert theirs.faces == ours.faces
+    for name in ("length_area", "node_area", "edge_density"):
+        # Inside of the library vertices are rounded to 2^-30 of the diagonal.
+        assert getattr(theirs, name) == pytest.approx(getattr(ours, name), rel=1e-7)
+
+
+def test_what_a_mask_leaves_out_is_no_part_of_the_extent():
+    vertices, faces = geometry.icosphere(3)
+    prepared = core.SurfaceOptions()
+    prepared.face_mask = vertices[faces].mean(axis=1)[:, 0] > 0.0
+    with core.Surface(vertices, faces, prepared) as surface:
+        extent, area = surface.extent(np.full(len(vertices), 4.0)), surface.statistics()["area"]
+    assert extent.node_area == pytest.approx(4.0 * area)
+    assert extent.length_area == pytest.approx(2.0 * area)
+
+
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
+def test_a_cost_does_not_depend_on_the_unit(size):
+    options = options_of("finest", 0.1 * size)
+    options.segment_length = 0.3 * options.radius
+    extent = core.Extent(1000, 5.0 * size**2, 6.0 * size**2, 7.0 / size)
+    cost = core.estimate_cost(extent, options)
+    plain = options_of("finest", 0.1)
+    plain.segment_length = 0.3 * plain.radius
+    expected = core.estimate_cost(core.Extent(1000, 5.0, 6.0, 7.0), plain)
+    assert cost.length / size == pytest.approx(expected.length)
+    for name in ("nodes", "points", "memory", "processor_seconds"):
+        assert getattr(cost, name) == pytest.approx(getattr(expected, name))
+
+
+def test_a_limit_of_iterations_lowers_the_seconds_only():
+    options = options_of("even", 0.1)
+    extent = core.Extent(1000, 5.0, 5.0, 7.0)
+    whole = core.estimate_cost(extent, options)
+    options.iteration_limit = 10
+    short = core.estimate_cost(extent, options)
+    assert replace(short, processor_seconds=0.0) == replace(whole, processor_seconds=0.0)
+    assert short.processor_seconds < 0.1 * whole.processor_seconds
+
+
+@pytest.mark.parametrize("spacing", [1e-300, 1e-322])
+def test_a_cost_without_a_number_is_infinite(spacing):
+    cost = core.estimate_cost(core.Extent(1, 1.0, 1.0, 1.0), options_of("even", spacing))
+    assert all(value == math.inf for value in vars(cost).values())
+
+
+@pytest.mark.parametrize("figure", ["length_area", "node_area", "edge_density"])
+@pytest.mark.parametrize("wrong", [-1.0, math.nan, math.inf])
+def test_figures_that_are_none_are_refused(figure, wrong):
+    extent = replace(core.Extent(1, 1.0, 1.0, 1.0), **{figure: wrong})
+    with pytest.raises(core.MeanderError, match="extent"):
+        core.estimate_cost(extent, options_of("even", 0.1))
+
+
+@pytest.mark.parametrize("spacing", [0.0, -1.0, math.nan, math.inf])
+def test_a_spacing_that_is_none_is_refused(spacing):
+    with pytest.raises(core.MeanderError, match="spacing"):
+        core.estimate_cost(core.Extent(1, 1.0, 1.0, 1.0), options_of("even", spacing))
+
+
+# Fills a sphere and prints the memory that this took, and what it was expected to take. The library
+# is loaded and the arrays are there before; writing 5 there makes the kernel forget older peaks.
+MEASURE = """
+import importlib.util, json, sys
+package, tests, preset, spacing, subdivisions = sys.argv[1:]
+place = importlib.util.spec_from_file_location("meander", package + "/__init__.py",
+                                               submodule_search_locations=[package])
+sys.modules["meander"] = importlib.util.module_from_spec(place)
+place.loader.exec_module(sys.modules["meander"])
+sys.path.append(tests)
+import geometry
+from meander import core
+def kilobytes(name):
+    with open("/proc/self/status") as file:
+        return next(int(line.split()[1]) for line in file if line.startswith(name))
+vertices, faces = geometry.icosphere(int(subdivisions))
+options = core.default_options(preset)
+options.radius = float(spacing) / 2
+options.iteration_limit = 40
+with open("/proc/self/clear_refs", "w") as file:
+    file.write("5")
+before = kilobytes("VmRSS")
+surface = core.Surface(vertices, faces)
+cost = core.estimate_cost(surface.extent(), options)
+flow = core.Flow(surface, options)
+flow.run()
+print(json.dumps([1024 * (kilobytes("VmHWM") - before), cost.memory]))
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="Linux tells of peaks")
+@pytest.mark.parametrize(
+    ("preset", "spacing", "subdivisions"), [("paper", 0.06, 4), ("paper", 0.4, 7), ("even", 0.4, 7)]
+)
+def test_the_memory_that_a_run_takes(preset, spacing, subdivisions):
+    given = [PACKAGE, Path(geometry.__file__).parent, preset, spacing, subdivisions]
+    done = subprocess.run(
+        [sys.executable, "-c", MEASURE, *map(str, given)], capture_output=True, text=True,
+        timeout=120, check=True,
+    )  # fmt: skip
+    taken, expected = json.loads(done.stdout)
+    assert expected == pytest.approx(taken, rel=0.3)

@@ -59,6 +59,19 @@ def test_meshes_with_one_that_is_malformed(job):
     assert geometry.off_surface(geometry.grid(6), curve.points).max() < 1e-9
 
 
+def test_an_item_that_would_be_too_large_is_a_failed_item(job):
+    job.meshes(a=mesh_text(geometry.grid(6)))
+    text = '[defaults]\nspacing = 0.1\niterations = 3\n%s\n[[items]]\ninput = "meshes/*.obj"\n'
+    job.write(text % "limit-nodes = 10", fake=False)
+    assert job.run().returncode == 1
+    assert "raise --limit-nodes" in sentence_of(job, "a")
+    job.write(text % "", fake=False)
+    assert job.run().returncode == 0
+    # What may be has nothing to do with what was made.
+    job.write(text % "limit-nodes = 100_000", fake=False)
+    assert "1 of 1 item done" in job.run("--status").stderr
+
+
 def test_a_limit_of_memory_is_a_failed_item(job):
     job.meshes(a=mesh_text(geometry.grid(6)), b=mesh_text(geometry.grid(300)))
     job.write(

@@ -15,6 +15,8 @@ inline meander_status init(meander_preview* s) { return meander_preview_init(s, 
 inline meander_status init(meander_surface_options* s) { return meander_surface_options_init(s, sizeof *s); }
 inline meander_status init(meander_surface_statistics* s) { return meander_surface_statistics_init(s, sizeof *s); }
 inline meander_status init(meander_flow_statistics* s) { return meander_flow_statistics_init(s, sizeof *s); }
+inline meander_status init(meander_extent* s) { return meander_extent_init(s, sizeof *s); }
+inline meander_status init(meander_cost* s) { return meander_cost_init(s, sizeof *s); }
 inline meander_status init(meander_flow_options* s) {
   return meander_flow_options_init(s, sizeof *s, MEANDER_PRESET_EVEN);
 }

@@ -10,9 +10,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .abi import SurfaceOptionsRecord, SurfaceStatisticsRecord
+from .abi import ExtentRecord, SurfaceOptionsRecord, SurfaceStatisticsRecord
 from .choices import CURVATURES, DIRECTIONS
 from .context import Context, pointer_of
+from .cost import Extent
 from .native_library import (
     Handle,
     MeanderError,
@@ -200,6 +201,24 @@ class Surface(Handle):
         call(native().meander_surface_get_statistics, self._alive(), byref(record))
         # The C name has changed since; reports keep the first one.
         return {_FIGURES.get(name, name): value for name, value in figures_of(record).items()}
+
+    def extent(self, density: ArrayLike | None = None) -> Extent:
+        """What there is to fill, for estimate_cost; see meander_surface_measure_extent.
+
+        density  (vertex count,) float64, as for Flow; None: 1 everywhere
+
+        Raises MeanderError for a density that is not positive or of another length.
+        """
+        values = None if density is None else checked_array("density", density, np.float64, None)
+        record = prepared(ExtentRecord)
+        call(
+            native().meander_surface_measure_extent,
+            self._alive(),
+            address_of(values),
+            0 if values is None else len(values),
+            byref(record),
+        )
+        return Extent(record.faces, record.length_area, record.node_area, record.edge_density)
 
     def outlines(
         self, distance: float, spacing: float, context: Context | None = None

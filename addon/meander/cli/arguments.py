@@ -18,6 +18,7 @@ from . import (
     density,
     export,
     flags,
+    limits,
     motion,
     preparation,
     strands,
@@ -79,6 +80,7 @@ def parser(place: Place) -> argparse.ArgumentParser:
     export.add_options(parser)
     motion.add_options(parser)
     cut.add_options(parser)
+    limits.add_options(parser)
     return parser
 
 

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
 import traceback
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Any
 
 from .. import core
@@ -14,7 +15,7 @@ from ..model import bridges, report, strands
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
-from . import cut, preparation
+from . import cut, limits, preparation
 from .arguments import check_arguments, parser
 from .flags import flow_options
 from .grown import grown_of
@@ -43,7 +44,7 @@ def _process(argv: Sequence[str], place: Place) -> None:
         warnings.insert(0, library)
     for warning in warnings:
         print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
-    opened = _open(given, place)
+    opened = _open(given, arguments, place)
     with opened.flow as flow:
         reason = run(flow, place.say)
         figures = flow.statistics() | {"stop_reason": reason}
@@ -58,6 +59,7 @@ def _process(argv: Sequence[str], place: Place) -> None:
         grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
         grown = replace(grown, cut=cut.cut_of(flow, arguments))
     record["warnings"] = warnings
+    record["estimate"] = asdict(opened.cost)
     record["preparation"] = preparation.counts(opened.figures, given.loose_edges)
     write_outputs(arguments, given, grown, record, place)
     for line in _remarks(given, opened, figures, record):
@@ -84,10 +86,15 @@ def _remarks(
     return [line for line in told if line]
 
 
-def _open(given: Input, place: Place) -> Opened:
-    """Opens the flow; an error names elements as the user counts them."""
+def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
+    """Opens the flow, unless it would be too large; an error names elements as the user counts
+    them."""
+
+    def accept(cost: core.Cost) -> None:
+        limits.refuse_large(cost, arguments)
+
     try:
-        return interruptible(lambda context: open_flow(given.problem, context))
+        return interruptible(lambda context: open_flow(given.problem, context, accept))
     except core.MeanderError as refusal:
         named = refusal
         if given.surface_object is not None and place.host is not None:

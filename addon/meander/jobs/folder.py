@@ -165,7 +165,10 @@ class Folder:
 
 
 # Where things lie, whose bytes count instead, and what changes nothing in them.
-_NOT_IN_KEY = ("input", "seed", "guides", "output", "cut", "report", "threads", "quiet")
+_NOT_IN_KEY = (
+    *("input", "seed", "guides", "output", "cut", "report", "threads", "quiet"),
+    *("limit_nodes", "limit_memory"),
+)
 
 
 class Claim:

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a run is going to cost: points, time and memory, before it begins; no bpy.
 
-The curve that fills a surface has a length of area over spacing, its nodes lie at an even distance,
-and it crosses edges of the mesh as often as any line that runs in all directions: 2 / pi times per
-unit of length and per unit of edge length for each unit of area (Crofton). On spheres of 512 and of
-8,192 faces, in all presets, nodes and crossings came within 8 % of that.
+What the curve comes to is the library's own estimate: core.estimate_cost. Here stand what holds the
+curve afterwards, how fast this machine is, and the words.
 """
 
 from __future__ import annotations
 
 import math
+import os
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,44 +16,14 @@ from numpy.typing import NDArray
 
 from .. import core
 
-# The mean distance of nodes, in h: they are kept between h and 2 h apart.
-MEAN_SEGMENT = 1.38
-# The length of a finished curve, over area by spacing.
-FULL_LENGTH = 1.04
-# The segment length h where none is chosen, in r; see meander.h.
-DEFAULT_SEGMENT = 0.2
-# Seconds for each node of a curve of 10,000 on two quiet processors, with distances through space,
-# and how the number of iterations grows with the nodes: docs/performance.md.
-SECONDS_PER_NODE = {"even": 50e-6, "finest": 130e-6, "paper": 13e-6}
-ALONG_SURFACE = 1.3  # times as long with distances along the surface; 1.1 to 1.6 were measured
-GROWTH = 0.15
-REFERENCE_NODES = 1e4
-# Bytes for each node of the flow, and for each face of the surface.
-BYTES_PER_NODE = 2200
-BYTES_PER_FACE = 400
 # Bytes for each point of the curve object: itself, an undo step, and its body where it has
 # one.
 BYTES_PER_POINT = 330
 BYTES_PER_BEVELLED_POINT = 1600
 # Runs of fewer nodes say nothing of the machine's speed.
 LEAST_NODES = 2000
-
-
-@dataclass(frozen=True)
-class Extent:
-    """What there is to fill.
-
-    length_area   area of the faces, each times the square root of its density: over the spacing it
-                  is the length of the curve
-    node_area     area of the faces, each times its density: where strands are closer, so are nodes
-    edges         length of all edges over the area of the faces
-    faces         how many
-    """
-
-    length_area: float
-    node_area: float
-    edges: float
-    faces: int
+# The share of a run that threads do not share.
+_ALONE = 0.1
 
 
 @dataclass(frozen=True)
@@ -71,8 +40,10 @@ def extent_of(
     faces: NDArray[np.integer],
     density: NDArray[np.float64] | None = None,
     share: float = 1.0,
-) -> Extent:
+) -> core.Extent:
     """The extent of triangles, of whose area only a share is to be filled.
+
+    The same as core.Surface.extent of a surface made of them, without making one.
 
     vertices (n, 3), faces (m, 3), density (n,) or None for 1 everywhere.
     """
@@ -87,11 +58,11 @@ def extent_of(
         node_area = float((areas * of_face.mean(axis=1)).sum())
     # An edge is a side of two faces.
     edges = sides / (2.0 * area) if area > 0.0 else 0.0
-    return Extent(share * length_area, share * node_area, edges, len(faces))
+    return core.Extent(len(faces), share * length_area, share * node_area, edges)
 
 
 class Speeds:
-    """How many seconds a node takes on this machine, learned from the runs that ended here."""
+    """How many seconds a run takes on this machine, learned from the runs that ended here."""
 
     def __init__(self) -> None:
         self._factor: float | None = None
@@ -100,34 +71,43 @@ class Speeds:
         """Takes the figures of a whole run into account; of a small one it takes none."""
         if nodes < LEAST_NODES:
             return
-        factor = seconds / _reference_seconds(options, nodes)
+        factor = seconds / _seconds(options, _cost_of(options, nodes))
         # The machine may be busy with other things: half new, half old.
         self._factor = factor if self._factor is None else math.sqrt(self._factor * factor)
 
-    def seconds(self, options: core.FlowOptions, nodes: float) -> float:
-        """How long a run to so many nodes takes."""
-        return (self._factor or 1.0) * _reference_seconds(options, nodes)
+    def seconds(self, options: core.FlowOptions, cost: core.Cost) -> float:
+        """How long a run of this cost takes."""
+        return (self._factor or 1.0) * _seconds(options, cost)
 
 
-def _reference_seconds(options: core.FlowOptions, nodes: float) -> float:
-    rate = SECONDS_PER_NODE[options.preset]
-    if options.medial_axis == core.MedialAxis.GEODESIC:
-        rate *= ALONG_SURFACE
-    return rate * nodes * max(1.0, nodes / REFERENCE_NODES) ** GROWTH
+def _cost_of(options: core.FlowOptions, nodes: float) -> core.Cost:
+    """The cost of so many nodes, on a surface of few faces."""
+    of_one = core.estimate_cost(core.Extent(0, 1.0, 1.0, 0.0), options)
+    area = nodes / of_one.nodes
+    return core.estimate_cost(core.Extent(0, area, area, 0.0), options)
+
+
+def _seconds(options: core.FlowOptions, cost: core.Cost) -> float:
+    threads = options.threads or os.cpu_count() or 1
+    return cost.processor_seconds * (_ALONE + (1.0 - _ALONE) / threads)
 
 
 def estimated(
-    extent: Extent, options: core.FlowOptions, bevelled: bool, speeds: Speeds
+    extent: core.Extent, options: core.FlowOptions, bevelled: bool, speeds: Speeds
 ) -> Estimate:
-    """What a run with these options comes to, whose radius and segment length are chosen."""
-    scale = FULL_LENGTH / (2.0 * options.radius)
-    length = scale * extent.length_area
-    segment = MEAN_SEGMENT * (options.segment_length or DEFAULT_SEGMENT * options.radius)
-    nodes = scale * extent.node_area / segment
-    points = nodes + 2.0 / math.pi * length * extent.edges
+    """What a run with these options comes to, whose radius and segment length are chosen.
+
+    Raises core.MeanderError for options that are out of range.
+    """
+    cost = core.estimate_cost(extent, options)
     of_point = BYTES_PER_BEVELLED_POINT if bevelled else BYTES_PER_POINT
-    memory = BYTES_PER_NODE * nodes + of_point * points + BYTES_PER_FACE * extent.faces
-    return Estimate(round(points), speeds.seconds(options, nodes), round(memory))
+    memory = cost.memory + of_point * cost.points
+    return Estimate(_whole(cost.points), speeds.seconds(options, cost), _whole(memory))
+
+
+def _whole(value: float) -> int:
+    """The nearest whole number; the largest that Blender shows for what is infinite."""
+    return round(min(value, 1e18))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -140,6 +120,19 @@ def described(estimate: Estimate) -> str:
         f"{_count(estimate.points)} points, {_duration(estimate.seconds)}, "
         f"{_size(estimate.memory)}"
     )
+
+
+def cost_in_words(cost: core.Cost) -> str:
+    """A cost in words: "1.2 M nodes, 2.5 GB and 12 min of a processor"."""
+    return (
+        f"{_count(cost.nodes)} nodes, {_size(cost.memory)} and "
+        f"{_duration(cost.processor_seconds)} of a processor"
+    )
+
+
+def size_in_words(size: float) -> str:
+    """Bytes in words, to two digits: "2.5 GB"."""
+    return _size(size)
 
 
 def _rounded(value: float) -> int:

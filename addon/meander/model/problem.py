@@ -38,27 +38,39 @@ class Opened:
 
     flow      the caller closes it
     density   per vertex; None: 1 everywhere
+    cost      that the run was expected to have; None: nobody asked
     figures   of core.Surface.statistics(), and "skipped_outlines" where outlines were wanted
     """
 
     flow: core.Flow
     density: np.ndarray | None
     figures: dict[str, Any]
+    cost: core.Cost | None = None
 
 
-def open_flow(problem: Problem, context: core.Context | None = None) -> Opened:
+def open_flow(
+    problem: Problem,
+    context: core.Context | None = None,
+    accept: Callable[[core.Cost], None] | None = None,
+) -> Opened:
     """Makes surface, density, outlines, flow and directions of a problem, in this order.
 
     The one place where a run begins: the operator, the batch command and the followers of surfaces
     in motion all come through here. Raises core.MeanderError, of the status CANCELLED where
     `context` has been cancelled meanwhile.
+
+    accept   is told what the run is expected to cost, before there is any curve, and raises what it
+             likes where that is too much
     """
-    options = problem.options
+    options, cost = problem.options, None
     with core.Surface(
         problem.vertices, problem.faces, problem.surface_options, options.threads, context
     ) as surface:
         figures = surface.statistics()
         density = _evaluated(problem.density, surface)
+        if accept is not None:
+            cost = core.estimate_cost(surface.extent(density), options)
+            accept(cost)
         seed = problem.seed
         if problem.outline:
             spacing = 2.0 * options.radius
@@ -72,7 +84,7 @@ def open_flow(problem: Problem, context: core.Context | None = None) -> Opened:
         except BaseException:
             flow.close()
             raise
-    return Opened(flow, density, figures)
+    return Opened(flow, density, figures, cost)
 
 
 def _evaluated(field: Any, surface: core.Surface) -> Any:

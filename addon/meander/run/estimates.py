@@ -15,7 +15,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .. import core
-from ..model.estimate import Estimate, Extent, Speeds, estimated, extent_of
+from ..model.estimate import Estimate, Speeds, estimated, extent_of
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
@@ -38,7 +38,7 @@ speeds = Speeds()
 @dataclass(frozen=True)
 class _Measured:
     meaning: Meaning
-    extent: Extent | None  # None: the object cannot be filled as it is
+    extent: core.Extent | None  # None: the object cannot be filled as it is
     automatic: float  # the spacing that 0 stands for
 
 
@@ -64,9 +64,9 @@ def shown(active: bpy.types.Object) -> Estimate | None:
     settings = active.meander
     try:
         options = options_of(settings, settings.spacing or _measured.automatic)
-    except core.MeanderError:  # no library: the button says so
+        return estimated(_measured.extent, options, settings.use_bevel, speeds)
+    except core.MeanderError:  # the button says why
         return None
-    return estimated(_measured.extent, options, settings.use_bevel, speeds)
 
 
 def of_plan(plan: Plan) -> Estimate:
@@ -119,7 +119,7 @@ def measure(active: bpy.types.Object) -> None:
     _measured = _Measured(meaning_of(active), extent, automatic)
 
 
-def _extent(vertices, faces, density, prepared, options) -> Extent:
+def _extent(vertices, faces, density, prepared, options) -> core.Extent:
     share = 1.0
     if callable(density) or prepared.face_mask is not None or prepared.vertex_mask is not None:
         with core.Surface(vertices, faces, prepared, options.threads) as surface:

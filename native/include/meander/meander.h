@@ -13,6 +13,7 @@
  *     meander_surface_create           mesh in; checked, copied, ready for any number of flows
  *     meander_surface_compute_...      its curvature and direction fields, for density and alignment
  *     meander_surface_find_outlines    lines along its boundary, to serve as guides
+ *     meander_extent_estimate_cost     what a run is going to cost, before it begins
  *     meander_flow_create              seed, spacing, density; nothing moves yet
  *     meander_flow_set_...             what else the curve follows, and where its surface goes
  *     meander_flow_step / run          the flow; cancelled from any thread through a meander_context
@@ -638,6 +639,78 @@ MEANDER_API meander_status meander_flow_options_init(meander_flow_options* optio
 MEANDER_API meander_status meander_flow_options_get_warning(const meander_flow_options* options,
                                                             size_t index, char* text, size_t capacity,
                                                             size_t* size, meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: cost                                                                                   */
+
+/* What there is to fill, as far as it decides what a run costs. Measured once, it serves for any
+ * options. Who knows the figures may also fill them in: with a density of 1 both areas are the area. */
+typedef struct meander_extent {
+  uint32_t struct_size; /* set by meander_extent_init */
+  uint32_t faces;       /* of the surface */
+  double length_area;   /* area of the faces, each times the mean of sqrt(density) at its vertices:
+                           over the spacing it is the length of the curve. Square units, >= 0 */
+  double node_area;     /* area of the faces, each times the mean density at its vertices: where
+                           strands are closer, so are nodes. Square units, >= 0 */
+  double edge_density;  /* length of all edges over the area of all faces, a boundary edge counted half.
+                           1 / unit, >= 0 */
+  uint64_t reserved[4];
+} meander_extent;
+
+/* Prepares an extent of nothing; see "Structs".
+ *
+ * extent       receives struct_size and zeros
+ * struct_size  sizeof(meander_extent) */
+MEANDER_API meander_status meander_extent_init(meander_extent* extent, size_t struct_size);
+
+/* Measures what there is to fill on a surface: what a mask leaves out is no part of it.
+ *
+ * density        double[density_count] as for meander_flow_create, or NULL for 1 everywhere
+ * density_count  the number of vertices passed to meander_surface_create; 0 for NULL
+ * extent         prepared by meander_extent_init; receives the figures
+ *
+ * Takes a few nanoseconds a face. Any thread. */
+MEANDER_API meander_status meander_surface_measure_extent(const meander_surface* surface,
+                                                          const double* density, size_t density_count,
+                                                          meander_extent* extent,
+                                                          meander_error* error);
+
+/* What a run to its own end comes to. All are estimates, and infinite where a number cannot hold them. */
+typedef struct meander_cost {
+  uint32_t struct_size; /* set by meander_cost_init */
+  uint32_t reserved32;
+  double nodes;
+  double points;            /* of the polylines: nodes, and crossings with edges of the mesh */
+  double length;            /* of the curve, in the caller's units */
+  double memory;            /* most bytes that the library holds at once, the surface included */
+  double processor_seconds; /* of one processor like those of docs/performance.md; the threads of a
+                               run share them */
+  uint64_t reserved[4];
+} meander_cost;
+
+/* Prepares the struct; see "Structs".
+ *
+ * cost         receives struct_size and zeros
+ * struct_size  sizeof(meander_cost) */
+MEANDER_API meander_status meander_cost_init(meander_cost* cost, size_t struct_size);
+
+/* Estimates what a run costs, before anything of it exists. Arithmetic only.
+ *
+ * extent    of meander_surface_measure_extent
+ * options   as for meander_flow_create; an iteration_limit lowers the seconds, and nothing else
+ * cost      prepared by meander_cost_init; receives the figures
+ *
+ * The curve has a length of area over spacing, its nodes lie at an even distance, and it crosses edges
+ * as often as lines that run in all directions do (Crofton). How near that comes was measured with the
+ * three presets: docs/performance.md. Other weights, seeds and guides are not in it; a surface whose parts are
+ * narrower than the spacing costs less memory, and where very much lies within one spacing a run takes
+ * longer than said here.
+ *
+ * Refused with MEANDER_STATUS_INVALID_ARGUMENT: figures that are negative or not finite, a radius that
+ * is no positive number. Any thread. */
+MEANDER_API meander_status meander_extent_estimate_cost(const meander_extent* extent,
+                                                        const meander_flow_options* options,
+                                                        meander_cost* cost, meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: life                                                                                   */

@@ -19,13 +19,19 @@ void require_ratio(double value, double low, double high, const char* name) {
   require_range(value, low * (1 - kRounding), high * (1 + kRounding), name);
 }
 
-void set_lengths(const meander_flow_options& o, const Surface& surface, FlowSettings& s) {
-  s.radius = checked_radius(o.radius, surface);
+void require_radius(double radius) {
+  if (std::isfinite(radius) && radius > 0) return;
+  refuse("The spacing must be a positive number; it is " + number(2 * radius) + ".");
+}
+
+/// `radius` is that of the options in a unit of which `scale` of the caller's are one.
+void set_lengths(const meander_flow_options& o, double radius, double scale, FlowSettings& s) {
+  s.radius = radius;
   if (o.segment_length != 0) require_ratio(o.segment_length / o.radius, 0.01, 1, "segment_length (in units of r)");
   if (o.max_radius != 0) require_ratio(o.max_radius / o.radius, 1.5, 1e6, "max_radius (in units of r)");
   require_range(o.max_radius_factor, 1.5, 1e6, "max_radius_factor");
-  s.segment_length = settle(o.segment_length != 0 ? o.segment_length / surface.scale() : kSegmentLength * s.radius);
-  s.max_radius = settle(o.max_radius != 0 ? o.max_radius / surface.scale() : o.max_radius_factor * s.radius);
+  s.segment_length = settle(o.segment_length != 0 ? o.segment_length / scale : kSegmentLength * s.radius);
+  s.max_radius = settle(o.max_radius != 0 ? o.max_radius / scale : o.max_radius_factor * s.radius);
 }
 
 void set_weights(const meander_flow_options& o, FlowSettings& s) {
@@ -89,6 +95,13 @@ void set_rules(const meander_flow_options& o, FlowSettings& s) {
   s.medial_axis = o.medial_axis == MEANDER_MEDIAL_AXIS_GEODESIC ? MedialAxis::kGeodesic : MedialAxis::kEuclidean;
   s.iteration_limit = o.iteration_limit;
   s.threads = o.threads;
+}
+
+void set_all_but_lengths(const meander_flow_options& o, FlowSettings& s) {
+  set_weights(o, s);
+  set_growth(o, s);
+  set_polish(o, s);
+  set_rules(o, s);
 }
 
 /// What is allowed but seldom meant, one sentence each.
@@ -163,9 +176,7 @@ meander_flow_options read_options(const meander_flow_options* given) {
 }
 
 double checked_radius(double radius, const Surface& surface) {
-  if (!(std::isfinite(radius) && radius > 0)) {
-    refuse("The spacing must be a positive number; it is " + number(2 * radius) + ".");
-  }
+  require_radius(radius);
   const double r = settle(radius / surface.scale());
   if (2 * r > 1 || 4 * r * r > surface.area()) {
     refuse("The spacing " + number(2 * radius) + " is larger than the surface (its diagonal is " +
@@ -176,11 +187,16 @@ double checked_radius(double radius, const Surface& surface) {
 
 FlowSettings checked_settings(const meander_flow_options& options, const Surface& surface) {
   FlowSettings settings;
-  set_lengths(options, surface, settings);
-  set_weights(options, settings);
-  set_growth(options, settings);
-  set_polish(options, settings);
-  set_rules(options, settings);
+  set_lengths(options, checked_radius(options.radius, surface), surface.scale(), settings);
+  set_all_but_lengths(options, settings);
+  return settings;
+}
+
+FlowSettings checked_settings_in_radii(const meander_flow_options& options) {
+  require_radius(options.radius);
+  FlowSettings settings;
+  set_lengths(options, 1, options.radius, settings);
+  set_all_but_lengths(options, settings);
   return settings;
 }
 

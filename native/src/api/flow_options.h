@@ -21,4 +21,7 @@ double checked_radius(double radius, const Surface& surface);
 /// Options as the flow wants them, lengths in the surface's own unit; throws Failure.
 FlowSettings checked_settings(const meander_flow_options& options, const Surface& surface);
 
+/// The same without a surface, lengths in units of r; throws Failure.
+FlowSettings checked_settings_in_radii(const meander_flow_options& options);
+
 }  // namespace meander

@@ -56,6 +56,18 @@ constexpr auto flow_options_layout() {
                                 AT(threads), AT(reserved)});
 }
 
+constexpr auto extent_layout() {
+  using S = meander_extent;
+  return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(faces), AT(length_area), AT(node_area),
+                                AT(edge_density), AT(reserved)});
+}
+
+constexpr auto cost_layout() {
+  using S = meander_cost;
+  return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(reserved32), AT(nodes), AT(points), AT(length),
+                                AT(memory), AT(processor_seconds), AT(reserved)});
+}
+
 constexpr auto preview_layout() {
   using S = meander_preview;
   return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(serial), AT(iterations), AT(nodes), AT(length),
@@ -102,6 +114,14 @@ std::span<const size_t> layout_of(std::string_view name) {
   }
   if (name == "meander_flow_options") {
     static constexpr auto kLayout = flow_options_layout();
+    return kLayout;
+  }
+  if (name == "meander_extent") {
+    static constexpr auto kLayout = extent_layout();
+    return kLayout;
+  }
+  if (name == "meander_cost") {
+    static constexpr auto kLayout = cost_layout();
     return kLayout;
   }
   if (name == "meander_preview") {

@@ -21,6 +21,8 @@ constexpr const char* name_of(const meander_error*) { return "meander_error"; }
 constexpr const char* name_of(const meander_surface_options*) { return "meander_surface_options"; }
 constexpr const char* name_of(const meander_surface_statistics*) { return "meander_surface_statistics"; }
 constexpr const char* name_of(const meander_seed*) { return "meander_seed"; }
+constexpr const char* name_of(const meander_extent*) { return "meander_extent"; }
+constexpr const char* name_of(const meander_cost*) { return "meander_cost"; }
 constexpr const char* name_of(const meander_flow_options*) { return "meander_flow_options"; }
 constexpr const char* name_of(const meander_flow_statistics*) { return "meander_flow_statistics"; }
 constexpr const char* name_of(const meander_preview*) { return "meander_preview"; }

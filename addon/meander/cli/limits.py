@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options of the batch command that say how large a run may be; no bpy."""
+
+from __future__ import annotations
+
+import argparse
+
+from .. import core
+from ..model.available_memory import available_memory
+from ..model.estimate import BYTES_PER_POINT, cost_in_words, size_in_words
+from . import values
+from .values import BadInput
+
+_MOST_NODES = 5_000_000
+_MEGABYTE = 1_000_000
+# From here on the library refuses by itself, and no flag helps.
+_MOST_OF_LIBRARY = 500_000_000
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group(
+        "limits", "A run that is expected to be larger is refused before it begins."
+    )
+    group.add_argument(
+        "--limit-nodes",
+        type=values.reader(int, least=1),
+        default=_MOST_NODES,
+        metavar="N",
+        help=f"of the curve; default: {_MOST_NODES:,}",
+    )
+    group.add_argument(
+        "--limit-memory",
+        type=values.reader(float, above=0.0),
+        metavar="MB",
+        help="default: what the machine has available",
+    )
+
+
+def cost_with_files(cost: core.Cost) -> float:
+    """Bytes that a run needs with what is written of it."""
+    return cost.memory + BYTES_PER_POINT * cost.points
+
+
+def refuse_large(cost: core.Cost, arguments: argparse.Namespace) -> None:
+    """Raises BadInput for a run that is expected to be larger than it may be."""
+    if cost.nodes > _MOST_OF_LIBRARY:
+        return
+    if cost.nodes > arguments.limit_nodes:
+        raise BadInput(
+            f"the run would need about {cost_in_words(cost)}, and --limit-nodes is "
+            f"{arguments.limit_nodes:,}; choose a larger spacing, or raise --limit-nodes"
+        )
+    needed, limit = cost_with_files(cost), arguments.limit_memory
+    if limit is not None and needed > limit * _MEGABYTE:
+        raise BadInput(
+            f"the run would need about {cost_in_words(cost)}, with its files "
+            f"{size_in_words(needed)}, and --limit-memory is {limit:,g} MB; choose a larger "
+            "spacing, or raise --limit-memory"
+        )
+    available = available_memory() if limit is None else None
+    if available is not None and needed > available:
+        raise BadInput(
+            f"the run would need about {cost_in_words(cost)}, with its files "
+            f"{size_in_words(needed)}, and {size_in_words(available)} are available; choose a "
+            "larger spacing, or give --limit-memory MB to begin nevertheless"
+        )
