@@ -17,13 +17,15 @@ constexpr double kCut = 8 * kClearance;
 struct Refined {
   Curve curve;
   NodeData<uint32_t> origin;
+  bool changed = false;
 };
 
 Refined refine(const Surface& s, const Curve& curve, double h, unsigned threads = 2) {
   Refined r{curve, {}};
   ThreadPool pool(threads);
   Refinement refinement;
-  if (!refinement.refine(s, r.curve, NodeData<double>(curve.size(), h), pool, r.origin)) {
+  r.changed = refinement.refine(s, r.curve, NodeData<double>(curve.size(), h), pool, r.origin);
+  if (!r.changed) {
     r.origin.resize(curve.size());
     std::iota(r.origin.begin(), r.origin.end(), 0u);
   }
@@ -157,6 +159,7 @@ TEST(Refine, SplittingKeepsLengthAndPlace) {
       EXPECT_EQ(kept, old.size());
       const Refined again = refine(s, r.curve, h);
       EXPECT_EQ(again.curve.size(), r.curve.size());
+      EXPECT_FALSE(again.changed);
     }
   }
 }
@@ -259,18 +262,25 @@ TEST(Refine, ManyNodesAreRefinedAsOneAfterAnother) {
   }
 }
 
+/// However many there are before: a pass removes every other node of most strands.
 TEST(Refine, KeepsTheLeastNumberOfNodes) {
   const Surface s = make_surface(sphere(2));
   Rng rng(84);
-  Curve curve;
-  ASSERT_TRUE(add_ring(s, curve, random_point(s, rng), 0.02, 20, 0, rng));
-  add_walk(s, curve, random_point(s, rng), 0.001, 20, 0.1, rng);
-  ASSERT_TRUE(exact_crossings(s, curve).empty());
-  Refined r{curve, {}};
-  for (int pass = 0; pass < 12; ++pass) r = refine(s, r.curve, 0.9);
-  ASSERT_TRUE(whole(s, r.curve));
-  EXPECT_EQ(r.curve.strands[0].count, 3u);
-  EXPECT_EQ(r.curve.strands[1].count, 2u);
+  for (uint32_t count = 3; count <= 20; ++count) {
+    Curve curve;
+    ASSERT_TRUE(add_ring(s, curve, random_point(s, rng), 0.02, count, 0, rng));
+    add_walk(s, curve, random_point(s, rng), 0.001, count - 1, 0.1, rng);
+    ASSERT_TRUE(exact_crossings(s, curve).empty());
+    Refined r{curve, {}};
+    for (int pass = 0; pass < 12; ++pass) {
+      const std::vector<uint32_t> expected = one_after_another(r.curve, 0.9);
+      r = refine(s, r.curve, 0.9);
+      ASSERT_TRUE(whole(s, r.curve));
+      EXPECT_EQ(r.origin.values(), expected);
+    }
+    EXPECT_EQ(r.curve.strands[0].count, 3u);
+    EXPECT_EQ(r.curve.strands[1].count, 2u);
+  }
 }
 
 }  // namespace

@@ -64,6 +64,11 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
         for (uint32_t i = 0; i < old.size(); ++i) {
           EXPECT_LE(moved[i], norm(d[i]) * (1 + kRounding));
           EXPECT_EQ(moved[i] == 0, same_bytes(curve.nodes[i], old.nodes[i])) << i;
+          // A node goes all of its way, or half of it, down to a 16th, or stays; less only where the boundary ends it.
+          if (!s.boundary().empty() || moved[i] == 0) continue;
+          const double halvings = std::log2(norm(d[i]) / moved[i]);
+          EXPECT_NEAR(halvings, std::round(halvings), kRounding);
+          EXPECT_LT(halvings, 4.5);
         }
         ASSERT_TRUE(whole(s, curve));
         ASSERT_TRUE(exact_crossings(s, curve).empty());
@@ -81,6 +86,89 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
       }
     }
   }
+}
+
+/// A node that would cross a fixed strand however little it moves. What is within 8 nodes of its segments stays with it
+/// in the end, on both sides and across the join of a closed strand; all others go all of their way.
+TEST(Move, AKnotHoldsWhatIsNear) {
+  constexpr uint32_t kNodes = 60, kReach = 8;
+  constexpr double kRadius = 0.08, kGap = 1e-7;
+  const Surface s = make_surface(flat_grid(1));
+  const Vec2 middle = flat(s, SurfacePoint{0, {1.0 / 3, 1.0 / 3}});
+  for (const bool closed : {false, true}) {
+    for (const uint32_t knot : {1u, 6u, 30u, 58u}) {
+      Curve curve;
+      const auto add = [&](Vec2 p, bool fixed) { add_node(curve, point_at(s, 0, middle + p), fixed); };
+      NodeData<Vec2> d(kNodes + 2);
+      for (uint32_t k = 0; k < kNodes; ++k) {
+        const double a = 2 * kPi * (static_cast<double>(k) - knot) / kNodes - kPi / 2;
+        const Vec2 out{std::cos(a), std::sin(a)};
+        add(k == knot ? Vec2{0, -1.1 * kRadius} : kRadius * out, false);
+        d[k] = k == knot ? Vec2{0, -0.01} : -0.001 * out;
+      }
+      curve.strands.push_back({0, kNodes, closed});
+      for (const double x : {-0.05, 0.05}) add({x, -1.1 * kRadius - kGap}, true);
+      curve.strands.push_back({kNodes, 2, false});
+      join_in_face(s, curve);
+      ASSERT_TRUE(exact_crossings(s, curve).empty());
+      ThreadPool pool(1);
+      Retraction retraction;
+      MoveSeconds seconds;
+      const NodeData<double>& moved = retraction.move(s, curve, d, pool, seconds);
+      for (uint32_t k = 0; k < kNodes; ++k) {
+        uint32_t away = k > knot ? k - knot : knot - k;
+        if (closed) away = std::min(away, kNodes - away);
+        EXPECT_NEAR(moved[k], away <= 1 + kReach ? 0 : norm(d[k]), kRounding * norm(d[k]))
+            << (closed ? "closed, " : "open, ") << "knot at " << knot << ", node " << k;
+      }
+      EXPECT_GT(seconds.retract, 0);
+      EXPECT_GT(seconds.reconnect, 0);
+      EXPECT_GT(seconds.crossings, 0);
+    }
+  }
+}
+
+/// Paths become shortest between nodes that stay, but for guides, which stay as drawn.
+TEST(Straighten, MovesNoNodeAndNoGuide) {
+  const Surface s = make_surface(bumpy_grid(12));
+  Rng rng(76);
+  uint32_t bent = 0;
+  for (const bool guide_first : {true, false}) {
+    Curve curve;
+    for (const bool second : {false, true}) {
+      const SurfacePoint centre{second ? 78u : 208u, {1.0 / 3, 1.0 / 3}};  // far from the outline
+      ASSERT_TRUE(add_ring(s, curve, centre, 0.08, 12, 0, rng));
+      curve.strands.back().guide = second != guide_first;
+    }
+    curve.link();
+    ASSERT_TRUE(exact_crossings(s, curve).empty());
+    // On this ring they were the shortest; on the same faces with other corners they are not.
+    const Surface moved = make_surface(with_noise(bumpy_grid(12), 0.15, 5));
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      curve.shapes[i] = measure_path(moved, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
+    }
+    const Curve old = curve;
+    ThreadPool pool(2);
+    Retraction retraction;
+    MoveSeconds seconds;
+    retraction.straighten(moved, curve, pool, seconds);
+    ASSERT_TRUE(whole(moved, curve));
+    for (uint32_t i = 0; i < curve.size(); ++i) {
+      EXPECT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
+      Path path = old.paths[i];
+      if (curve.on_guide(i)) {
+        ASSERT_EQ(curve.paths[i].size(), path.size());
+        for (size_t k = 0; k < path.size(); ++k) EXPECT_EQ(curve.paths[i][k].t, path[k].t);
+        EXPECT_EQ(curve.shapes[i].length, old.shapes[i].length);
+        continue;
+      }
+      const PathShape shortest =
+          PathShortener(moved).shorten(curve.nodes[i], curve.nodes[curve.next(i)], path);
+      EXPECT_NEAR(curve.shapes[i].length, shortest.length, kMeasured);
+      bent += old.shapes[i].length > shortest.length + 1e3 * kMeasured;
+    }
+  }
+  EXPECT_GT(bent, 0u);
 }
 
 TEST(Move, OneKnotDoesNotHoldTheOthers) {
