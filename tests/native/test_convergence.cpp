@@ -68,7 +68,7 @@ TEST_P(PhasesOf, FollowOneAnother) {
   EXPECT_EQ(iterations_of(Phase::kHairpinRemoval, 100), kHairpinRemoval);
   ASSERT_EQ(convergence_.phase(), Phase::kPolishing);
   EXPECT_EQ(plan().segment_length, 2);
-  EXPECT_EQ(iterations_of(Phase::kPolishing, 100), 30u);
+  EXPECT_EQ(iterations_of(Phase::kPolishing, 100), tuning::kPolishIterations);
   ASSERT_EQ(convergence_.phase(), Phase::kFinishing);
   EXPECT_EQ(plan().segment_length, 1);
   EXPECT_FALSE(convergence_.converged());
@@ -166,19 +166,17 @@ struct Noting : Square {
   Convergence convergence;
 };
 
-constexpr size_t kWindow = tuning::kWindow;
-
 TEST(Convergence, GrowthEndsWhereTheLengthOfAWindowBeforeIsTheSame) {
   for (const size_t jump : {0u, 1u, 5u, 17u}) {  // iterations before the length changes
     Noting n(true);
-    for (size_t k = 1; k <= jump + kWindow; ++k) {
+    for (size_t k = 1; k <= jump + tuning::kGrowthWindow; ++k) {
       n.note(k <= jump ? 1 : 2);
       // Of a jump after the window the first lengths are compared as well, and are equal.
-      if (jump <= kWindow) {
+      if (jump <= tuning::kGrowthWindow) {
         ASSERT_EQ(n.convergence.phase(), Phase::kGrowing) << k;
       }
     }
-    if (jump > kWindow) continue;
+    if (jump > tuning::kGrowthWindow) continue;
     n.note(2);
     EXPECT_EQ(n.convergence.phase(), Phase::kHairpinRemoval);
     EXPECT_EQ(n.convergence.iterations_in_phase(), 0u);
@@ -199,7 +197,7 @@ TEST(Convergence, GrowthEndsByLengthAndEmptiness) {
       for (const uint32_t removal : {0u, 1u, kHairpinRemoval}) {
         Noting n(true, removal);
         n.note(1, 1);
-        for (size_t k = 1; k < kWindow; ++k) n.note(5, 1);
+        for (size_t k = 1; k < tuning::kGrowthWindow; ++k) n.note(5, 1);
         n.note(1 + sign * c.change, c.clamped_share);
         const Phase next = removal > 0 ? Phase::kHairpinRemoval : Phase::kPolishing;
         EXPECT_EQ(n.convergence.phase(), c.ends ? next : Phase::kGrowing) << c.change << " " << c.clamped_share;
@@ -219,7 +217,7 @@ TEST(Convergence, RestIsMeasuredAcrossTheCurve) {
       for (const double change : {-1.05, -0.95, 0.0, 0.95, 1.05}) {
         for (const double wide : {1.0, 2.0}) {  // the local r
           Noting n(false);
-          for (size_t k = 0; k < kWindow; ++k) {
+          for (size_t k = 0; k < tuning::kSettledWindow; ++k) {
             n.note(k == 0 ? 1 : 3);
             ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
           }
@@ -230,7 +228,7 @@ TEST(Convergence, RestIsMeasuredAcrossTheCurve) {
           EXPECT_EQ(n.convergence.phase(), rests ? Phase::kCooling : Phase::kGrowing) << distance << " " << slid;
           if (rests) continue;
           // The next picture is compared with this one, another window later.
-          for (size_t k = 1; k < kWindow; ++k) {
+          for (size_t k = 1; k < tuning::kSettledWindow; ++k) {
             n.note(1 + change * tuning::kSettledLength);
             ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
           }
@@ -245,12 +243,12 @@ TEST(Convergence, RestIsMeasuredAcrossTheCurve) {
 /// What hardly moves in an iteration may yet move in a window of them.
 TEST(Convergence, DriftIsNoRest) {
   Noting n(false);
-  for (size_t k = 0; k < 4 * kWindow; ++k) {
-    n.place(0.5 * tuning::kSettledDistance * static_cast<double>(k), 0);
+  for (size_t k = 0; k < 4 * tuning::kSettledWindow; ++k) {
+    n.place(0.8 * tuning::kSettledDistance * static_cast<double>(k), 0);
     n.note();
     ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
   }
-  n.note_times(2 * kWindow);
+  n.note_times(2 * tuning::kSettledWindow);
   EXPECT_EQ(n.convergence.phase(), Phase::kCooling);
 }
 
@@ -259,9 +257,9 @@ TEST(Convergence, EndsWithSomeShortSteps) {
     Noting n(polish);
     ASSERT_TRUE(n.reaches(polish ? Phase::kFinishing : Phase::kGrowing));
     if (polish) {
-      n.note_times(kWindow);
+      n.note_times(tuning::kSettledWindow);
       EXPECT_EQ(n.convergence.phase(), Phase::kFinishing);
-      EXPECT_EQ(n.convergence.iterations_in_phase(), kWindow);
+      EXPECT_EQ(n.convergence.iterations_in_phase(), tuning::kSettledWindow);
     }
     ASSERT_TRUE(n.reaches(Phase::kCooling));
     for (uint32_t k = 0; k < tuning::kCoolingIterations; ++k) {
@@ -354,10 +352,10 @@ TEST(Convergence, GoesOnWithAPolishWhereSettingsAreRevised) {
   EXPECT_EQ(polishing.iterations_in_phase(), 0u);
   n.note();
   ASSERT_EQ(n.convergence.phase(), Phase::kPolishing);
-  n.note_times(5);
+  n.note_times(2);
   n.convergence = n.convergence.revised(settings, 0, false);
-  EXPECT_EQ(n.convergence.iterations_in_phase(), 5u);
-  n.note_times(tuning::kPolishIterations - 5);
+  EXPECT_EQ(n.convergence.iterations_in_phase(), 2u);
+  n.note_times(tuning::kPolishIterations - 2);
   EXPECT_EQ(n.convergence.phase(), Phase::kFinishing);
 }
 
