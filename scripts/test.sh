@@ -6,8 +6,8 @@
 # Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
 # without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
 # in both, jobs of many surfaces, hard surfaces, the library of a release for Windows, UI tests in a
-# window, the commands of the documents, the linter, and the rule which module may import
-# which. Every suite runs, even if others fail. Logs stay in build/logs; the last line counts the tests,
+# window, the commands of the documents, what runs in threads under ThreadSanitizer, the linter, and the
+# rule which module may import which. Every suite runs, even if others fail. Logs stay in build/logs; the last line counts the tests,
 # and the exit code is 0 only when nothing failed.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
@@ -166,8 +166,11 @@ first_row &
 second_row
 wait $!
 
+# One process as well, so the other processor compiles.
+suite threads 1800 bash scripts/test_threads.sh &
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
+wait $!
 
 printf '\n'
 cut -d ' ' -f 3- "$results"
