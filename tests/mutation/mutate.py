@@ -212,8 +212,10 @@ def not_compiling(path: Path, schemata: Schemata) -> frozenset[tuple[int, int, s
 
 
 def configure() -> None:
+    """With checks of indices and the like, so that a mutant that reads beyond an end dies of it."""
     if not (TREE / "build/build.ninja").exists():
         options = [
+            "-DCMAKE_CXX_FLAGS=-D_GLIBCXX_ASSERTIONS",
             "-DMEANDER_UNITY=ON",
             "-DMEANDER_STAGE=OFF",
             "-DPython3_EXECUTABLE=/usr/bin/python3",

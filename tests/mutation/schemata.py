@@ -159,17 +159,15 @@ class Schemata:
             return
         self.found.add(name)
         self._function = name
-        statements = list(body[0].get_children())
-        self._last = statements[-1] if statements else None
-        self._is_void = cursor.result_type.spelling == "void"
+        self._last = list(body[0].get_children())[-1:]
         for child in cursor.get_children():
             # Members that a constructor initializes, and the body; not parameters and types.
             if child.kind.is_expression() or child.kind == CursorKind.COMPOUND_STMT:
-                self._visit(child, cursor)
+                self._visit(child, cursor, cursor)
 
     # Expressions and statements
 
-    def _visit(self, cursor: Cursor, parent: Cursor) -> None:
+    def _visit(self, cursor: Cursor, parent: Cursor, grandparent: Cursor) -> None:
         if cursor.kind in {
             CursorKind.STATIC_ASSERT,
             CursorKind.TYPE_REF,
@@ -181,7 +179,7 @@ class Schemata:
             return
         children = list(cursor.get_children())
         if self._is_statement(cursor, parent):
-            self._statement(cursor, parent)
+            self._statement(cursor, parent, grandparent)
         self._operator(cursor)
         if cursor.kind in {CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL}:
             self._literal(cursor, parent)
@@ -191,8 +189,10 @@ class Schemata:
             self._condition(children[0])
         if cursor.kind == CursorKind.CASE_STMT:
             children = children[1:]
+        if cursor.kind == CursorKind.LAMBDA_EXPR:
+            self._last += list(children[-1].get_children())[-1:]
         for child in children:
-            self._visit(child, cursor)
+            self._visit(child, cursor, parent)
 
     def _is_statement(self, cursor: Cursor, parent: Cursor) -> bool:
         if cursor.kind not in REMOVABLE:
@@ -206,27 +206,22 @@ class Schemata:
             return cursor != siblings[0]
         return parent.kind in LOOPS and cursor == siblings[-1]
 
-    def _statement(self, cursor: Cursor, parent: Cursor) -> None:
+    def _statement(self, cursor: Cursor, parent: Cursor, grandparent: Cursor) -> None:
         start, end = self._extent(cursor)
+        text = self._text(cursor)
         semicolon = re.match(rb"\s*;", self.source[end:])
-        if semicolon is None:
+        if semicolon is None or text.startswith("throw"):
             return
         if cursor.kind == CursorKind.RETURN_STMT:
-            # A function that ends without its value may do anything, so only early returns.
-            early = parent.kind == CursorKind.IF_STMT or self._block_of_if(parent)
-            if not early or cursor == self._last or parent == self._last:
+            # What ends without its value may do anything, so early returns only.
+            branch = grandparent if parent.kind == CursorKind.COMPOUND_STMT else parent
+            if branch.kind != CursorKind.IF_STMT or any(branch == last for last in self._last):
                 return
-        text = self._text(cursor)
         number = self._new(start, text if len(text) < 40 else text[:37] + "...", ["removed"])
         if number is None:
             return
         self._open(start, f"{{ if (mutants::keeps({number})) ")
         self._close(end + semicolon.end(), " }")
-
-    def _block_of_if(self, block: Cursor) -> bool:
-        if block.kind != CursorKind.COMPOUND_STMT:
-            return False
-        return re.search(rb"\)\s*$", self.source[: self._extent(block)[0]]) is not None
 
     def _operator(self, cursor: Cursor) -> None:
         start, end = self._extent(cursor)

@@ -10,6 +10,8 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "base/failure.h"
+#include "base/thread_pool.h"
+#include "mesh/mesh_check.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -103,6 +105,105 @@ TEST(Refusal, AnEdgeWithThreeFaces) {
   const Failure failure = refusal(m);
   EXPECT_EQ(failure.element, ElementKind::kEdge);
   EXPECT_EQ((std::set{failure.index, failure.index2}), (std::set{a, b}));
+}
+
+/// The whole sentence, with the right numbers in it, for the first and another element of each kind.
+TEST(Refusal, SaysWhatIsWrongAndWhatToDo) {
+  const auto sentence = [](const Mesh& mesh) { return std::string(refusal(mesh).what()); };
+  const Mesh good = octahedron();  // 6 vertices, 8 faces
+  EXPECT_EQ(sentence(Mesh{}), "The mesh has no faces; give a mesh with at least one triangle.");
+  for (const uint32_t f : {0u, 5u}) {
+    const std::string face = "Face " + std::to_string(f);
+    for (uint32_t k = 0; k < 3; ++k) {
+      Mesh m = good;
+      m.faces[3 * f + k] = 6;
+      EXPECT_EQ(sentence(m),
+                face + " refers to vertex 6, but there are only 6 vertices (counted from 0); repair the face list.");
+      m = good;
+      const uint32_t twice = m.faces[3 * f + (k + 1) % 3];
+      m.faces[3 * f + k] = twice;
+      EXPECT_EQ(sentence(m), face + " uses vertex " + std::to_string(twice) +
+                                 " twice; remove the face or merge its vertices.");
+    }
+  }
+  for (const size_t at : {0, 2, 15}) {
+    Mesh m = good;
+    m.vertices[at] = std::nan("");
+    EXPECT_EQ(sentence(m), "Vertex " + std::to_string(at / 3) +
+                               " has a coordinate that is not a finite number; repair or remove it.");
+  }
+  EXPECT_EQ(sentence(scaled(good, 0)), "All vertices of the mesh are in one place; it has no surface.");
+  EXPECT_EQ(sentence(scaled(good, 1.5e308)), "The mesh is too large to measure; scale it down.");
+  // More and more faces on an edge between vertices that come first and last; the ones before it are sound.
+  for (const uint32_t faces : {3u, 4u, 5u}) {
+    Mesh m;
+    for (uint32_t k = 0; k < faces + 5; ++k) m.add(k, k * k, k % 3);
+    m.face(faces + 2, faces + 3, faces + 4);
+    for (uint32_t k = 0; k < faces; ++k) m.face(0, faces + 1, k + 1);
+    EXPECT_EQ(sentence(m), "The edge between vertices 0 and " + std::to_string(faces + 1) + " has " +
+                               std::to_string(faces) + " faces (1, 2, 3" + (faces > 3 ? ", ..." : "") +
+                               "); a surface has at most 2 there: remove the extra ones.");
+  }
+}
+
+/// By its height over its longest side, whichever that is, as a share of the mesh's size.
+TEST(Refusal, AFaceIsFlatByItsHeight) {
+  ThreadPool pool(1);
+  for (const double size : {1.0, 8.0}) {
+    for (const double height : {0.7, 1.4}) {
+      for (const double apex : {0.5, 0.125}) {
+        for (uint32_t first = 0; first < 3; ++first) {
+          Mesh m;
+          m.add(0, 0, 0);
+          m.add(1, 0, 0);
+          m.add(apex, height * size * kFlatFace, 0);
+          m.face(first, (first + 1) % 3, (first + 2) % 3);
+          // A larger face beside it makes the mesh `size` across.
+          if (size > 1) m.face(m.add(0, 1, 0), m.add(size, 1, 0), m.add(0.5 * size, 2, 0));
+          const auto check = [&] { return check_mesh(m.vertices, m.faces, pool); };
+          if (height > 1.2) {
+            EXPECT_NO_THROW(check()) << size << " " << apex << " " << first;
+          } else {
+            EXPECT_THROW(check(), Failure) << size << " " << apex << " " << first;
+          }
+        }
+      }
+    }
+  }
+}
+
+/// What moves is checked again, and the vertices that no face uses do not count.
+TEST(Placement, IsThatOfTheUsedVertices) {
+  ThreadPool pool(1);
+  Mesh m;
+  m.add(99, -99, 50);
+  m.add(3, 5, -7);
+  m.add(4, 5, -5);
+  m.add(3, 8, -7);
+  m.add(-40, 60, 70);
+  m.face(1, 2, 3);
+  const CheckedMesh checked = check_mesh(m.vertices, m.faces, pool);
+  const auto expect_box = [](const Placement& p) {
+    EXPECT_EQ(p.low, (std::array<double, 3>{3, 5, -7}));
+    EXPECT_EQ(p.diagonal, std::sqrt(1.0 + 9 + 4));
+  };
+  expect_box(checked.placement);
+  EXPECT_EQ(checked.used_vertices, 3u);
+  expect_box(check_placement(m.vertices, checked.faces, pool));
+  const auto refused = [&](const std::vector<double>& vertices) {
+    try {
+      check_placement(vertices, checked.faces, pool);
+    } catch (const Failure& failure) {
+      return std::string(failure.what());
+    }
+    return std::string();
+  };
+  std::vector<double> moved = m.vertices;
+  moved[3] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refused(moved), "Vertex 1 has a coordinate that is not a finite number; repair or remove it.");
+  moved = m.vertices;
+  for (size_t k = 0; k < 3; ++k) moved[9 + k] = moved[6 + k];
+  EXPECT_EQ(refused(moved), "Face 0 has no area (its corners lie on a line); dissolve degenerate faces.");
 }
 
 TEST(Refusal, ABowTie) {
