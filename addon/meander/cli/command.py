@@ -8,10 +8,11 @@ import sys
 import traceback
 from collections.abc import Sequence
 from dataclasses import asdict, replace
+from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import bridges, report, strands
+from ..model import bridges, bundle, report, strands
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
@@ -46,7 +47,7 @@ def _process(argv: Sequence[str], place: Place) -> None:
         print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
     opened = _open(given, arguments, place)
     with opened.flow as flow:
-        reason = run(flow, place.say)
+        reason = _run(opened, arguments, place)
         figures = flow.statistics() | {"stop_reason": reason}
         record = report.build_report(
             core.library_version(),
@@ -67,6 +68,27 @@ def _process(argv: Sequence[str], place: Place) -> None:
     for written in (arguments.output, arguments.cut):
         if written is not None:
             place.say(f"meander: wrote {written}")
+
+
+def _run(opened: Opened, arguments: argparse.Namespace, place: Place) -> str:
+    """Runs the flow to its end and returns the stop reason; a defect of the library leaves a bundle
+    beside the output."""
+    try:
+        return run(opened.flow, place.say)
+    except core.MeanderError as failure:
+        if bundle.is_defect(failure):
+            path = arguments.output.with_name(f"{arguments.output.stem}.defect{bundle.SUFFIX}")
+            _leave_bundle(path, opened, failure)
+        raise
+
+
+def _leave_bundle(path: Path, opened: Opened, failure: core.MeanderError) -> None:
+    said = f"what led to this, and the last good curve, are in {path}; please add it to the report"
+    try:
+        bundle.write_bundle(path, bundle.bundle_of(opened.flow, opened.problem, failure))
+    except (core.MeanderError, FileError) as problem:  # the failure itself is still to be told
+        said = str(problem)
+    print(f"meander: {said}", file=sys.stderr, flush=True)
 
 
 def _remarks(

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -39,12 +39,14 @@ class Opened:
     flow      the caller closes it
     density   per vertex; None: 1 everywhere
     cost      that the run was expected to have; None: nobody asked
+    problem   the one that was opened, with density and directions as they were found
     figures   of core.Surface.statistics(), and "skipped_outlines" where outlines were wanted
     """
 
     flow: core.Flow
     density: np.ndarray | None
     figures: dict[str, Any]
+    problem: Problem
     cost: core.Cost | None = None
 
 
@@ -84,7 +86,8 @@ def open_flow(
         except BaseException:
             flow.close()
             raise
-    return Opened(flow, density, figures, cost)
+    found = replace(problem, density=density, directions=directions)
+    return Opened(flow, density, figures, found, cost)
 
 
 def _evaluated(field: Any, surface: core.Surface) -> Any:

@@ -292,7 +292,8 @@ class Session:
             remark = "; ".join(
                 filter(None, (remark, bridges.described(joined.bridge_count, length)))
             )
-        return remark, strands.fit_warning(figures, plan.parts)
+        warnings = (self.stepper.defect, strands.fit_warning(figures, plan.parts))
+        return remark, "; ".join(filter(None, warnings))
 
     def suspend(self) -> None:
         """Ends the run without a result, and keeps it so that it can go on later."""

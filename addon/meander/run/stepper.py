@@ -9,13 +9,17 @@ Both ways give the same curve to the last bit.
 
 from __future__ import annotations
 
+import tempfile
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from .. import core
+from ..model import bundle
 from ..model.problem import Problem, open_flow
+from ..model.whole_files import FileError
 
 
 @dataclass(frozen=True)
@@ -46,6 +50,10 @@ class Stepper:
         self._started = False
         self._error: Exception | None = None
         self._stop_reason = "running"
+        self._opened: Problem | None = None  # with density and directions, once it is prepared
+        # What is to be said of a run that a defect of the library has ended; its result is the
+        # curve of the last iteration that ended well, as if it had been cancelled then.
+        self.defect = ""
         self.density: np.ndarray | None = None  # per vertex, once the run has been prepared
         # Of the result, once there is one: what it leaves empty, unless it was cancelled, and which
         # strands are guides.
@@ -75,7 +83,24 @@ class Stepper:
             self._begin()
             self._stop_reason = self._flow.run(self._context)
         except Exception as error:
-            self._error = error
+            self._note(error)
+
+    def _note(self, error: Exception) -> None:
+        """Keeps what went wrong. A defect in the midst of a run leaves the curve before it, and a
+        file for the report."""
+        self._error = error
+        if self._flow is None or not bundle.is_defect(error):
+            return
+        try:
+            made = bundle.bundle_of(self._flow, self._opened, error)
+            folder = tempfile.mkdtemp(prefix="meander-")
+            path = Path(folder) / f"defect{bundle.SUFFIX}"
+            bundle.write_bundle(path, made)
+        except (core.MeanderError, FileError, OSError):
+            return  # then there is nothing but the sentence
+        if made.iteration > 0:
+            self._error, self._stop_reason = None, "cancelled"
+            self.defect = f"{str(error).removesuffix('.')}, and add {path} to the report"
 
     def _begin(self) -> None:
         if self._flow is None:
@@ -86,10 +111,11 @@ class Stepper:
 
     def _prepare(self) -> None:
         opened = open_flow(self.problem)
-        self._flow, self.density, self.surface_figures = (
+        self._flow, self.density, self.surface_figures, self._opened = (
             opened.flow,
             opened.density,
             opened.figures,
+            opened.problem,
         )
 
     @property
@@ -102,7 +128,8 @@ class Stepper:
     @property
     def resumable(self) -> bool:
         """Whether the run has been cancelled, and can be started again to go on."""
-        return not self._started and self._error is None and self._stop_reason == "cancelled"
+        cancelled = self._stop_reason == "cancelled" and not self.defect
+        return not self._started and self._error is None and cancelled
 
     def poll(self) -> Snapshot | None:
         """The newest copy of the curve, once; None while there is none. Never waits.
@@ -131,6 +158,7 @@ class Stepper:
             raise
         self.density = density
         self.problem = replace(self.problem, options=options, density=density)
+        self._opened = replace(self._opened, options=options, density=density)
 
     @property
     def failed(self) -> bool:
@@ -149,7 +177,7 @@ class Stepper:
         try:
             self._stop_reason = self._flow.wait()
         except Exception as error:
-            self._error = error
+            self._note(error)
 
     def result(self) -> tuple[Snapshot, dict[str, Any], str]:
         """Waits for the end: the last curve, the full statistics, and the reason of the stop.

@@ -769,7 +769,9 @@ MEANDER_API meander_status meander_flow_set_directions(meander_flow* flow, const
  * retraction, reconnection, crossing test and back-off, refinement. After it, as before it, no two
  * segments cross or touch, every point is on the surface, and strands and fixed nodes are as seeded.
  *
- * Whatever the failure, the flow keeps the state of the last whole iteration.
+ * Whatever the failure, the flow keeps the state of the last whole iteration. So it does where the
+ * promise above is found broken, which is looked at before a step is kept, as far as it costs next to
+ * nothing: that is a defect, MEANDER_STATUS_INTERNAL, whose sentence names the iteration. It ends a run.
  *
  * context   NULL, or a context; when it is cancelled during the step, MEANDER_STATUS_CANCELLED is
  *           returned

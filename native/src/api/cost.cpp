@@ -18,7 +18,8 @@ Extent checked_extent(const meander_extent* given, double r) {
   require_struct(given);
   const meander_extent e = read_struct(given);
   for (const double figure : {e.length_area, e.node_area, e.edge_density}) {
-    require(std::isfinite(figure) && figure >= 0, "A figure of the extent is negative or not finite; measure it again.");
+    require(std::isfinite(figure) && figure >= 0,
+            "A figure of the extent is negative or not finite; measure it again.");
   }
   return {e.faces, e.length_area / r / r, e.node_area / r / r, e.edge_density * r};
 }

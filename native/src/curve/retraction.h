@@ -38,6 +38,9 @@ class Retraction {
   /// Puts the curve back as it was before the last move(), whatever has become of it since.
   void take_back(Curve& curve) noexcept { std::swap(curve, next_); }
 
+  /// The curve as it was before the last move().
+  const Curve& before() const { return next_; }
+
   /// Makes every segment, but those of guides, a shortest geodesic again between nodes that stay, after the
   /// surface has moved under `curve`, whose shapes are those of its paths as they are. It has no crossings and
   /// gets none: where straight segments would cross, the paths are kept.

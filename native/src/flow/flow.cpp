@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "base/failure.h"
 #include "base/stopwatch.h"
 #include "curve/crossings.h"
 #include "curve/first_curve.h"
 #include "flow/clamped_nodes.h"
 #include "flow/free_nodes.h"
+#include "flow/invariant.h"
 #include "flow/progress.h"
 #include "flow/weighting.h"
 
@@ -160,6 +163,8 @@ void Flow::move(const Plan& plan, const NodeData<Vec2>& displacement, IterationF
     Stopwatch watch;
     refiner_.refine(state_, plan.segment_length, pool_);
     record_.seconds.refine += watch.lap();
+    if (fault_) fault_(state_.curve);
+    keep_promises();
 
     // What this says about the phase, and about the end.
     record.length = state_.curve.length();
@@ -172,6 +177,17 @@ void Flow::move(const Plan& plan, const NodeData<Vec2>& displacement, IterationF
     record_.history.resize(iterations);
     throw;
   }
+}
+
+/// Throws where the curve that has moved is none that may be: what is a defect here ends the run with the curve of the
+/// iteration before, and not with a crash or a curve that cannot be made.
+void Flow::keep_promises() const {
+  const size_t iteration = record_.history.size() + 1;
+  const std::string broken =
+      broken_promise(*state_.domain.surface, retraction_.before(), state_.curve, iteration);
+  if (broken.empty()) return;
+  throw Failure(FailureKind::kInternal, "In iteration " + std::to_string(iteration) + " " + broken +
+                                            ", so the curve stays as it was before it; please report this.");
 }
 
 /// The last thing in an iteration that may fail: what it throws, it throws before it has changed anything.

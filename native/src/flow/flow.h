@@ -85,6 +85,9 @@ class Flow {
   void update_radii() { find_medial_axis(state_, nullptr); }
 
  private:
+  /// Of the tests: it spoils a curve that has moved, to see that this is found.
+  friend struct FlowFault;
+
   Plan plan() const { return plan_iteration(state_.settings, convergence_.phase()); }
   bool iterate(const std::function<bool()>& cancelled);
   void find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached, bool measure = true);
@@ -93,6 +96,7 @@ class Flow {
   IterationRecord record_of(const NodeData<Vec2>& displacement);
   void remember(const Plan& plan, const NodeData<Vec2>& displacement);
   void move(const Plan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures, IterationRecord& record);
+  void keep_promises() const;
   void note(IterationFigures& figures);
   double progress() const;
 
@@ -110,6 +114,7 @@ class Flow {
   Step step_;
   Retraction retraction_;
   SegmentRefiner refiner_;
+  std::function<void(Curve&)> fault_;  // none outside of tests
   NodeHistory nodes_after_;  // what the nodes of an iteration carry on, and then those before it
 };
 
