@@ -129,7 +129,10 @@ class ReachFinder {
   double distance_to_corner(uint32_t i, uint32_t side, double most) {
     const Vec3 &x = frames_.position[i], &outward = frames_.outward[i][side];
     double distance = most;
-    boundary_.tree().within(x, most * most, near_);
+    if (near_of_ != i) {  // the same for both sides
+      boundary_.tree().within(x, most * most, near_);
+      near_of_ = i;
+    }
     for (const uint32_t k : near_) {
       const Vec3 d = boundary_.samples()[k] - x;
       const double ahead = d.dot(outward);
@@ -156,7 +159,8 @@ class ReachFinder {
   const SurfacePatches* patches_;
   const LocalMetric& metric_;
   std::vector<Side> sides_;  // that the boundary may be near to
-  std::vector<uint32_t> near_;
+  uint32_t near_of_ = kNone;
+  std::vector<uint32_t> near_;  // samples near the node near_of_
 };
 
 }  // namespace
