@@ -283,7 +283,8 @@ def run(only: str, seconds: float, again: bool) -> None:
             continue
         result = {"key": key_of(mutant), "function": mutant.function}
         tests = table.get(mutant.number, [])
-        result |= try_mutant(mutant.number, tests, seconds, killers[mutant.file])
+        own = f"test_{Path(mutant.file).stem}"
+        result |= try_mutant(mutant.number, tests, seconds, own, killers[mutant.file])
         with (TREE / "results.jsonl").open("a") as file:
             file.write(json.dumps(result) + "\n")
         if result["outcome"] != "killed":
@@ -291,26 +292,33 @@ def run(only: str, seconds: float, again: bool) -> None:
 
 
 def try_mutant(
-    number: int, tests: list[tuple[float, str, str]], seconds: float, killers: Counter[str]
+    number: int,
+    tests: list[tuple[float, str, str]],
+    seconds: float,
+    own: str,
+    killers: Counter[str],
 ) -> dict[str, object]:
     """Runs the tests of one mutant, the quickest first, until one fails.
 
-    Programs that have killed many mutants of the file begin; this one's is added to `killers`.
+    `own` is the program that is named like the file: it begins, and all of its tests run. Programs
+    that have killed many mutants of the file follow; this one's is added to `killers`.
     """
     if not tests:
         return {"outcome": "not reached"}
     spent = 0.0
     groups: dict[str, list[tuple[float, str]]] = defaultdict(list)
     for cost, program, test in sorted(tests):
-        if spent + cost > seconds:
-            break
+        if spent + cost > seconds and program != own:
+            continue
         spent += cost
         groups[program].append((cost, test))
-    order = sorted(groups, key=lambda p: (-killers[p], sum(cost for cost, _ in groups[p])))
+    cost_of = {program: sum(cost for cost, _ in chosen) for program, chosen in groups.items()}
+    order = sorted(groups, key=lambda p: (p != own, -killers[p], cost_of[p]))
     for program in order:
         chosen = groups[program]
-        usual = sum(cost for cost, _ in chosen)
-        how = failure(TREE / "build" / program, [test for _, test in chosen], number, usual)
+        how = failure(
+            TREE / "build" / program, [test for _, test in chosen], number, cost_of[program]
+        )
         if how:
             killers[program] += 1
             return {"outcome": "killed", "by": program, "how": how}

@@ -169,6 +169,35 @@ TEST(Trace, NowhereIsWhereItStarted) {
   EXPECT_EQ(trace.length, 0);
 }
 
+/// step() says false from the end of a walk on, and nothing changes any more.
+TEST(Trace, StaysAtItsEnd) {
+  for (const Mesh& mesh : {sphere(2), flat_grid(5)}) {
+    const Surface s = make_surface(mesh);
+    Rng rng(17);
+    for (int k = 0; k < 50; ++k) {
+      GeodesicWalk walk(s, random_point(s, rng), rng.in(0, 1.5) * rng.direction());
+      while (walk.step()) {
+      }
+      const SurfacePoint end = walk.end();
+      const double length = walk.length();
+      for (int again = 0; again < 3; ++again) EXPECT_FALSE(walk.step());
+      EXPECT_TRUE(same_bytes(walk.end(), end));
+      EXPECT_EQ(walk.length(), length);
+    }
+  }
+}
+
+/// However long a displacement is, a walk has an end, which is on the surface.
+TEST(Trace, OfAnyLengthIsCutShortSomewhere) {
+  const Surface s = make_surface(octahedron());
+  Path path;
+  const SurfacePoint start = make_point(0, 0.2, 0.3, 0.5);
+  const Trace trace = trace_geodesic(s, start, 1e9 * Vec2{0.6, 0.8}, path);
+  EXPECT_LE(path.size(), 100000u);
+  ASSERT_TRUE(chains(s, start.face, trace.end.face, path));
+  ASSERT_TRUE(inside_face(s, trace.end));
+}
+
 TEST(Trace, EndsOnTheBoundaryOfACoarseSquare) {
   const Surface s = make_surface(flat_grid(1));
   Rng rng(16);
