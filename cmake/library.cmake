@@ -25,6 +25,12 @@ target_compile_definitions(meander_core PUBLIC EIGEN_MPL2_ONLY PRIVATE MEANDER_B
 target_link_libraries(meander_core
   PUBLIC Eigen3::Eigen nanoflann::nanoflann Threads::Threads meander_compile_options)
 
+# What libFuzzer is led by (tests/fuzz). The tests' own code is not counted, and those that do not fuzz are
+# hardly slower: the sanitizer's run-time library ignores the counters.
+if(MEANDER_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  target_compile_options(meander_core PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table)
+endif()
+
 # The version is part of the file name: a process that has loaded a library keeps it when another
 # takes its path, so the library of an add-on updated in a running Blender needs a name of its own.
 add_library(meander SHARED $<TARGET_OBJECTS:meander_core> $<TARGET_OBJECTS:meander_openmesh>)

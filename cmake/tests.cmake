@@ -51,6 +51,9 @@ if(CMAKE_CROSSCOMPILING)
 endif()
 
 include(cmake/sweep.cmake)
+if(MEANDER_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  include(cmake/fuzz.cmake)
+endif()
 
 # The header is C99: one C program runs a step through the shared library, as a client would.
 add_executable(c99_step tests/native/c99_step.c)

@@ -4,7 +4,8 @@
 # test_sanitized.sh
 #
 # Builds the library and the native tests with AddressSanitizer and UndefinedBehaviorSanitizer in a
-# folder of their own, build/sanitized, and runs the tests there. Without NDEBUG: the assertions of
+# folder of their own, build/sanitized, and runs the tests there, among them a minute of fuzzing the C API
+# (tests/fuzz), which takes one of two processors. Without NDEBUG: the assertions of
 # Eigen are on, which no other build has. By Clang, which takes half of the time and warns of other things
 # than GCC, with which everything else is built.
 set -euo pipefail
