@@ -353,6 +353,20 @@ def test_a_file_that_is_protected_is_not_replaced(open_folder: Path, option: str
     assert contents(folder) == {"kept.obj": b"earlier"}
 
 
+def test_a_file_that_may_be_written_but_not_read(open_folder: Path) -> None:
+    output = open_folder / "curve.obj"
+    output.write_text("earlier")
+    output.chmod(0o200)
+    if os.geteuid() == 0:
+        os.chown(output, NOBODY, NOBODY)
+    open_folder.chmod(0o777)
+    done = run_as_nobody(open_folder, "--output", output, "--quiet")
+    assert done.returncode == 0, done.stderr
+    assert output.stat().st_mode & 0o777 == 0o200
+    output.chmod(0o600)
+    assert output.read_text() != "earlier"
+
+
 def test_a_protected_file_is_not_replaced_by_an_export(open_folder: Path) -> None:
     kept = open_folder / "kept.svg"
     kept.write_text("earlier")

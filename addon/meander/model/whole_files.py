@@ -124,9 +124,9 @@ class _Begun:
     def complete(self) -> None:
         """Everything that can fail before a name is taken."""
         if self.is_moved:
+            _flush(self.temporary)  # while this process may open it
             if self.there is not None:
                 _give_rights(self.temporary, self.there)
-            _flush(self.temporary)
 
     def move(self) -> None:
         if self.is_moved:
