@@ -194,6 +194,14 @@ def test_a_cost_without_a_number_is_infinite(spacing):
     assert all(value == math.inf for value in vars(cost).values())
 
 
+@pytest.mark.parametrize("largest", ["length_area", "node_area", "edge_density"])
+@pytest.mark.parametrize("spacing", [1e-3, 1e300])
+def test_a_cost_is_a_number_or_infinite_whatever_the_extent(largest, spacing):
+    extent = replace(core.Extent(0, 0.0, 0.0, 0.0), **{largest: sys.float_info.max})
+    cost = core.estimate_cost(extent, options_of("even", spacing))
+    assert not any(math.isnan(value) for value in vars(cost).values())
+
+
 @pytest.mark.parametrize("figure", ["length_area", "node_area", "edge_density"])
 @pytest.mark.parametrize("wrong", [-1.0, math.nan, math.inf])
 def test_figures_that_are_none_are_refused(figure, wrong):

@@ -76,7 +76,9 @@ Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
   Cost cost;
   cost.length = per_area * extent.length_area;
   cost.nodes = per_area * extent.node_area / (kMeanSegment * settings.segment_length);
-  cost.points = cost.nodes + kCrossings * cost.length * extent.edge_density;
+  // What is too large for a number is still none times no edges.
+  constexpr double kMost = std::numeric_limits<double>::max();
+  cost.points = cost.nodes + kCrossings * std::min(cost.length, kMost) * std::min(extent.edge_density, kMost);
 
   const double per_node =
       kBytesPerNode + (settings.polish ? kPolishPerNode : 0) + (along_surface ? kGeodesicPerNode : 0);
