@@ -240,6 +240,8 @@ def reach() -> None:
     """Runs every test once, unless its program is older than what is known of it."""
     for program in programs():
         binary, file = TREE / "build" / program, TREE / "reached" / f"{program}.txt"
+        if not binary.exists():
+            raise SystemExit(f"{program} is not built: mutate.py build")
         if file.exists() and file.stat().st_mtime > binary.stat().st_mtime:
             continue
         file.parent.mkdir(exist_ok=True)

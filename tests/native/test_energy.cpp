@@ -137,7 +137,7 @@ void expect_slope_and_curvature(Scene& s, const Strand& strand) {
 TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
   for (const Mesh& mesh : meshes()) {
     for (const double p : {1.0, 1.5, 3.0, 6.0}) {
-      for (const double q : {1.5, 2.0, 3.0, 6.0}) {
+      for (const double q : {1.5, 2.0, 3.0, 6.0, 8.0}) {
         Scene s(mesh, 55);
         const uint32_t n = s.curve.size();
         s.weights.length.assign(n, 0.7);
@@ -187,6 +187,43 @@ TEST(Energy, DerivativeIsTheSystemsRightHandSide) {
             kStep * s.surface.to_space(s.curve.nodes[i].face, system.frame[k] * direction);
         const double slope = (model.energy(d) - model.energy(-d)) / (2 * kStep);
         EXPECT_NEAR(-dot(system.right[k], direction), slope, kDifference * (1 + std::abs(slope)));
+      }
+    }
+  }
+}
+
+/// A fixed node is in no coupling and gets no force, wherever it is; all else is as without it.
+TEST(Energy, FixedNodesAreLeftOutOfTheSystem) {
+  for (const bool aligned : {false, true}) {
+    Scene s(sphere(2), 56);
+    if (aligned) s.align();
+    const auto system_of = [&](const Strand& strand) {
+      StrandSystem system;
+      assemble(s.curve, strand, s.frames, s.radii, s.metric, s.weights, s.pool, system);
+      return system;
+    };
+    const auto same = [](const Sym2& a, const Sym2& b) { return a.xx == b.xx && a.xy == b.xy && a.yy == b.yy; };
+    for (const Strand& strand : s.curve.strands) {
+      const StrandSystem all = system_of(strand);
+      const uint32_t n = strand.count;
+      for (uint32_t fixed = 0; fixed < n; ++fixed) {
+        s.curve.fixed[strand.first + fixed] = 1;
+        const StrandSystem rest = system_of(strand);
+        s.curve.fixed[strand.first + fixed] = 0;
+        EXPECT_GT(rest.diagonal[fixed], 0);
+        EXPECT_EQ(norm(rest.right[fixed]), 0);
+        for (uint32_t k = 0; k < n; ++k) {
+          const bool next = k == fixed || (k + 1) % n == fixed, second = k == fixed || (k + 2) % n == fixed;
+          EXPECT_EQ(rest.first[k], next ? 0 : all.first[k]) << fixed << " " << k;
+          EXPECT_EQ(rest.second[k], second ? 0 : all.second[k]) << fixed << " " << k;
+          if (aligned) {
+            EXPECT_TRUE(same(rest.first_block[k], next ? Sym2{} : all.first_block[k])) << fixed << " " << k;
+            EXPECT_TRUE(same(rest.diagonal_block[k], k == fixed ? Sym2{} : all.diagonal_block[k]));
+          }
+          if (k == fixed) continue;
+          EXPECT_EQ(rest.diagonal[k], all.diagonal[k]);
+          EXPECT_EQ(norm(rest.right[k] - all.right[k]), 0);
+        }
       }
     }
   }
