@@ -88,42 +88,49 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
   }
 }
 
-/// A node that would cross a fixed strand however little it moves. What is within 8 nodes of its segments stays with it
-/// in the end, on both sides and across the join of a closed strand; all others go all of their way.
+/// A node that would cross a fixed strand. It and its neighbours go half or a quarter of their way where that is short
+/// enough. Where nothing is, what is within 8 nodes of its segments stays with it in the end, on both sides and across
+/// the join of a closed strand; all others go all of their way.
 TEST(Move, AKnotHoldsWhatIsNear) {
-  constexpr uint32_t kNodes = 60, kReach = 8;
-  constexpr double kRadius = 0.08, kGap = 1e-7;
+  constexpr uint32_t kNodes = 60;
+  constexpr double kRadius = 0.08;
   const Surface s = make_surface(flat_grid(1));
   const Vec2 middle = flat(s, SurfacePoint{0, {1.0 / 3, 1.0 / 3}});
-  for (const bool closed : {false, true}) {
-    for (const uint32_t knot : {1u, 6u, 30u, 58u}) {
-      Curve curve;
-      const auto add = [&](Vec2 p, bool fixed) { add_node(curve, point_at(s, 0, middle + p), fixed); };
-      NodeData<Vec2> d(kNodes + 2);
-      for (uint32_t k = 0; k < kNodes; ++k) {
-        const double a = 2 * kPi * (static_cast<double>(k) - knot) / kNodes - kPi / 2;
-        const Vec2 out{std::cos(a), std::sin(a)};
-        add(k == knot ? Vec2{0, -1.1 * kRadius} : kRadius * out, false);
-        d[k] = k == knot ? Vec2{0, -0.01} : -0.001 * out;
+  struct Case {
+    double gap, share;  // what part of their way the knot and what it holds can go
+    uint32_t reach;
+  };
+  for (const auto& [gap, share, reach] : {Case{1e-7, 0, 8}, Case{0.006, 0.5, 0}, Case{0.003, 0.25, 0}}) {
+    for (const bool closed : {false, true}) {
+      for (const uint32_t knot : {1u, 6u, 30u, 58u}) {
+        Curve curve;
+        const auto add = [&](Vec2 p, bool fixed) { add_node(curve, point_at(s, 0, middle + p), fixed); };
+        NodeData<Vec2> d(kNodes + 2);
+        for (uint32_t k = 0; k < kNodes; ++k) {
+          const double a = 2 * kPi * (static_cast<double>(k) - knot) / kNodes - kPi / 2;
+          const Vec2 out{std::cos(a), std::sin(a)};
+          add(k == knot ? Vec2{0, -1.1 * kRadius} : kRadius * out, false);
+          d[k] = k == knot ? Vec2{0, -0.01} : -0.001 * out;
+        }
+        curve.strands.push_back({0, kNodes, closed});
+        for (const double x : {-0.05, 0.05}) add({x, -1.1 * kRadius - gap}, true);
+        curve.strands.push_back({kNodes, 2, false});
+        join_in_face(s, curve);
+        ASSERT_TRUE(exact_crossings(s, curve).empty());
+        ThreadPool pool(1);
+        Retraction retraction;
+        MoveSeconds seconds;
+        const NodeData<double>& moved = retraction.move(s, curve, d, pool, seconds);
+        for (uint32_t k = 0; k < kNodes; ++k) {
+          uint32_t away = k > knot ? k - knot : knot - k;
+          if (closed) away = std::min(away, kNodes - away);
+          EXPECT_NEAR(moved[k], (away <= 1 + reach ? share : 1) * norm(d[k]), kRounding * norm(d[k]))
+              << (closed ? "closed, " : "open, ") << "knot at " << knot << ", node " << k;
+        }
+        EXPECT_GT(seconds.retract, 0);
+        EXPECT_GT(seconds.reconnect, 0);
+        EXPECT_GT(seconds.crossings, 0);
       }
-      curve.strands.push_back({0, kNodes, closed});
-      for (const double x : {-0.05, 0.05}) add({x, -1.1 * kRadius - kGap}, true);
-      curve.strands.push_back({kNodes, 2, false});
-      join_in_face(s, curve);
-      ASSERT_TRUE(exact_crossings(s, curve).empty());
-      ThreadPool pool(1);
-      Retraction retraction;
-      MoveSeconds seconds;
-      const NodeData<double>& moved = retraction.move(s, curve, d, pool, seconds);
-      for (uint32_t k = 0; k < kNodes; ++k) {
-        uint32_t away = k > knot ? k - knot : knot - k;
-        if (closed) away = std::min(away, kNodes - away);
-        EXPECT_NEAR(moved[k], away <= 1 + kReach ? 0 : norm(d[k]), kRounding * norm(d[k]))
-            << (closed ? "closed, " : "open, ") << "knot at " << knot << ", node " << k;
-      }
-      EXPECT_GT(seconds.retract, 0);
-      EXPECT_GT(seconds.reconnect, 0);
-      EXPECT_GT(seconds.crossings, 0);
     }
   }
 }
