@@ -186,7 +186,8 @@ TEST_P(FailingCall, LeavesEverythingAsItWas) {
     }
     ASSERT_TRUE(look(world) == after);
   }
-  EXPECT_TRUE(allocations == 0 || failures > 0);
+  // A call does without the first: see base/exception_memory.h.
+  EXPECT_TRUE(allocations <= 1 || failures > 0);
   RecordProperty("allocations", std::to_string(allocations));
   RecordProperty("failures", std::to_string(failures));
 }

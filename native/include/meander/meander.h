@@ -174,7 +174,8 @@ MEANDER_API meander_status meander_context_create(meander_context** context, mea
 MEANDER_API void meander_context_destroy(meander_context* context);
 
 /* Asks every call that was given this context to return MEANDER_STATUS_CANCELLED soon: a flow within
- * one iteration, other calls before they begin and at the points that their descriptions name.
+ * one iteration, mostly within a small part of it, other calls before they begin and at the points
+ * that their descriptions name. Everything is then as it was before the call, or before the iteration.
  * Sticky and idempotent; NULL is ignored. Any thread. */
 MEANDER_API void meander_context_cancel(meander_context* context);
 
@@ -266,7 +267,7 @@ MEANDER_API meander_status meander_surface_options_init(meander_surface_options*
  * options       NULL: the mesh as it is, by as many threads as the machine has. Its arrays are read
  *               during the call only
  * surface       receives the new surface; destroy it with meander_surface_destroy
- * context       or NULL; asked before the work begins and after it
+ * context       or NULL; asked before the work begins and all the while
  *
  * Whatever the options do, everything else keeps speaking of the mesh as passed here: faces of nodes
  * and gaps, weights, errors, and arrays with one value for each vertex. A merged vertex has the
@@ -729,7 +730,7 @@ typedef struct meander_flow meander_flow;
  * density_count  the number of vertices passed to meander_surface_create; 0 for NULL
  * options        not NULL; prepared by meander_flow_options_init, radius chosen
  * flow           receives the new flow; destroy it with meander_flow_destroy
- * context        or NULL; asked before the work begins and after it */
+ * context        or NULL; asked before the work begins and all the while */
 MEANDER_API meander_status meander_flow_create(const meander_surface* surface,
                                                const meander_seed* seed, const double* density,
                                                size_t density_count,
@@ -930,7 +931,7 @@ MEANDER_API meander_status meander_flow_set_options(meander_flow* flow,
  * vertices      double[3 * vertex_count], finite, in the caller's units, in the order of
  *               meander_surface_create
  * vertex_count  the same as then
- * context       or NULL; asked before the work begins
+ * context       or NULL; asked before the work begins and all the while
  *
  * Refused with MEANDER_STATUS_INVALID_MESH: another number of vertices, a coordinate that is not
  * finite, a face without area; with MEANDER_STATUS_INVALID_ARGUMENT: a surface smaller than the
@@ -992,7 +993,7 @@ MEANDER_API meander_status meander_flow_statistics_init(meander_flow_statistics*
  * stays as it is.
  *
  * statistics   prepared by meander_flow_statistics_init; receives them
- * context      or NULL; asked before the work begins and after it */
+ * context      or NULL; asked before the work begins and all the while */
 MEANDER_API meander_status meander_flow_compute_statistics(meander_flow* flow,
                                                            meander_flow_statistics* statistics,
                                                            meander_context* context,
@@ -1085,7 +1086,7 @@ MEANDER_API meander_status meander_flow_get_nodes(const meander_flow* flow, uint
  * barycentrics  double[3 * capacity]: weights of the face's vertices in the caller's order; sum 1
  * capacity      room in the arrays, in points
  * count         receives the number of points; when it exceeds capacity nothing is computed
- * context       or NULL; asked before the work begins and after it */
+ * context       or NULL; asked before the work begins and all the while */
 MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, double* arc_lengths,
                                                            double* normals, double* tangents,
                                                            double* radii, uint32_t* faces,
@@ -1118,7 +1119,7 @@ MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, d
  *             NULL
  * capacity    room in the arrays, in gaps
  * count       receives the number of gaps; when it exceeds capacity nothing is copied
- * context     or NULL; asked before the work begins and after it
+ * context     or NULL; asked before the work begins and all the while
  *
  * Two-call sizing as in meander_flow_get_polylines, but every call searches again: it costs one
  * medial axis and a few nearest-point queries a node and face. The curve stays as it is. */

@@ -77,7 +77,8 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     if (seed) strands = checked_seed(seed);
     strands.reach /= surface->surface->scale();
     auto made = std::make_unique<meander_flow>();
-    made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings);
+    made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings,
+                                        question(context));
     made->map = surface->map;
     check_cancelled(context);
     *flow = made.release();

@@ -18,6 +18,8 @@ meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, dou
     if (least_size != 0) require_range(least_size, 1, 1e6, "least_size (in units of the local r)");
     check_cancelled(context);
     Flow& f = *flow->flow;
+    const std::function<bool()> asked = question(context);
+    const auto watch = f.watch(asked);
     const std::vector<Gap> gaps = f.gaps(least_size != 0 ? least_size : kGapSize);
     check_cancelled(context);
     const bool fits = gaps.size() <= capacity;

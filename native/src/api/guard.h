@@ -4,10 +4,12 @@
 // status and a sentence.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <type_traits>
 
 #include "api/handles.h"
+#include "base/exception_memory.h"
 #include "base/failure.h"
 
 namespace meander {
@@ -20,6 +22,7 @@ meander_status report_exception(meander_error* error) noexcept;
 /// that succeeds unless it throws.
 template <class Call>
 meander_status guard(meander_error* error, Call&& call) noexcept {
+  can_throw();  // what can be had for that is there, before the call takes memory
   try {
     if constexpr (std::is_void_v<decltype(call())>) {
       call();
@@ -51,6 +54,12 @@ void require_threads(uint32_t threads);
 void require_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count);
 
 inline bool cancelled(const meander_context* context) { return context && context->control->cancelled; }
+
+/// The same as a question, for what asks it now and then.
+inline std::function<bool()> question(const meander_context* context) {
+  if (!context) return {};
+  return [context] { return cancelled(context); };
+}
 
 /// For calls that cannot be cancelled from inside: throws where the context has been cancelled.
 inline void check_cancelled(const meander_context* context) {

@@ -19,6 +19,8 @@ meander_status meander_flow_compute_point_data(meander_flow* flow, double* arc_l
     const size_t points = polyline_point_count(f.curve());
     if (points <= capacity) {
       check_cancelled(context);
+      const std::function<bool()> asked = question(context);
+      const auto watch = f.watch(asked);
       if (radii) f.update_radii();
       check_cancelled(context);
       write_point_data(f, flow->map.get(), {arc_lengths, normals, tangents, radii, faces, barycentrics});

@@ -57,10 +57,12 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
 }
 
 /// The surface of a prepared mesh; what it refuses is said of the caller's mesh.
-std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned threads) {
+std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned threads,
+                                          const std::function<bool()>& cancelled) {
   try {
-    return std::make_shared<const Surface>(mesh.vertices, mesh.faces, threads);
+    return std::make_shared<const Surface>(mesh.vertices, mesh.faces, threads, cancelled);
   } catch (const Failure& failure) {
+    if (failure.kind == FailureKind::kCancelled) throw;
     ThreadPool pool(1);
     check_mesh(mesh.vertices, mesh.faces, pool, &mesh.map);  // throws the same with the caller's names
     if (failure.element != ElementKind::kFace) throw;
@@ -73,9 +75,10 @@ std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned thr
 /// The surface of a mesh that has nothing to be mended, or null. Nothing is then prepared, and the curve is that of the
 /// strict check to the last bit.
 std::shared_ptr<const Surface> faultless_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
-                                                 double weld_distance, unsigned threads) {
+                                                 double weld_distance, unsigned threads,
+                                                 const std::function<bool()>& cancelled) {
   try {
-    auto surface = std::make_shared<const Surface>(vertices, faces, threads);
+    auto surface = std::make_shared<const Surface>(vertices, faces, threads, cancelled);
     if (weld_distance == 0) return surface;
     std::vector<uint32_t> boundary;
     for (const HalfEdge e : surface->boundary()) {  // of a flipped face the half-edges 0 and 2 have changed places
@@ -92,20 +95,21 @@ std::shared_ptr<const Surface> faultless_surface(std::span<const double> vertice
 }  // namespace
 
 std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
-                                                  const meander_surface_options& options) {
+                                                  const meander_surface_options& options,
+                                                  const std::function<bool()>& cancelled) {
   const PrepareSettings settings = checked_settings(options, vertices.size() / 3, faces.size() / 3);
   auto made = std::make_unique<meander_surface>();
   if (settings.changes_nothing()) {
-    made->surface = std::make_shared<const Surface>(vertices, faces, options.threads);
+    made->surface = std::make_shared<const Surface>(vertices, faces, options.threads, cancelled);
     return made;
   }
   check_numbers(vertices, faces);
   if (settings.only_mends()) {
-    made->surface = faultless_surface(vertices, faces, settings.weld_distance, options.threads);
+    made->surface = faultless_surface(vertices, faces, settings.weld_distance, options.threads, cancelled);
     if (made->surface) return made;
   }
   PreparedMesh mesh = prepare_mesh(vertices, faces, settings);
-  made->surface = surface_of(mesh, options.threads);
+  made->surface = surface_of(mesh, options.threads, cancelled);
   made->prepared = mesh.counts;
   made->map = std::make_shared<const MeshMap>(std::move(mesh.map));
   return made;

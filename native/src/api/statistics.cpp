@@ -95,6 +95,8 @@ meander_status meander_flow_compute_statistics(meander_flow* flow, meander_flow_
     require_idle(flow);
     require_struct(statistics);
     check_cancelled(context);
+    const std::function<bool()> asked = question(context);
+    const auto watch = flow->flow->watch(asked);
     const meander_flow_statistics figures = statistics_of(*flow);
     check_cancelled(context);
     write_struct(statistics, figures);

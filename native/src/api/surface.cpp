@@ -20,7 +20,8 @@ meander_status meander_surface_create(const double* vertices, size_t vertex_coun
       o = read_struct(options);
     }
     check_cancelled(context);
-    auto made = prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o);
+    auto made = prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o,
+                                 question(context));
     check_cancelled(context);
     *surface = made.release();
   });

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/exception_memory.h"
+#include "base/failure.h"
+
 namespace meander {
 namespace {
 
@@ -67,10 +70,12 @@ void ThreadPool::for_blocks(size_t count, size_t grain,
   if (count == 0) return;
   if (workers_.empty() || count <= grain) {
     for (size_t b = 0; b < block_count(count, grain); ++b) {
+      heed_cancel();
       body(b, b * grain, std::min(count, (b + 1) * grain));
     }
     return;
   }
+  heed_cancel();  // other threads may take all blocks
   {
     std::lock_guard lock(mutex_);
     body_ = &body;
@@ -108,14 +113,19 @@ void ThreadPool::take_blocks(unsigned thread) {
       const size_t block = own ? first_of(blocks) : end_of(blocks) - 1;
       const uint64_t rest = own ? pack(block + 1, end_of(blocks)) : pack(first_of(blocks), block);
       if (!share.compare_exchange_weak(blocks, rest, std::memory_order_relaxed)) continue;
-      do_block(block);
+      do_block(thread, block);
       blocks = share.load(std::memory_order_relaxed);
     }
   }
 }
 
-void ThreadPool::do_block(size_t block) {
+void ThreadPool::heed_cancel() const {
+  if (cancelled_ && (*cancelled_)()) throw Failure(FailureKind::kCancelled, "The computation was cancelled.");
+}
+
+void ThreadPool::do_block(unsigned thread, size_t block) {
   try {
+    if (thread == 0) heed_cancel();
     (*body_)(block, block * grain_, std::min(count_, (block + 1) * grain_));
   } catch (...) {
     share_out(0);
@@ -125,6 +135,7 @@ void ThreadPool::do_block(size_t block) {
 }
 
 void ThreadPool::work(unsigned thread) {
+  if (!can_throw()) return;  // the others do its share
   std::unique_lock lock(mutex_);
   for (;;) {
     lock.unlock();

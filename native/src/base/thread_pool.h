@@ -36,11 +36,28 @@ class ThreadPool {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
+  /// While it lives, loops of the pool end with Failure(FailureKind::kCancelled) where `cancelled` says so, which is
+  /// asked before every loop and before every block that the caller's thread takes, and on that thread only. What a loop has written by
+  /// then stays. The question must outlive it; an empty one is never asked. Watches nest; the inner one is asked.
+  class Watch {
+   public:
+    Watch(ThreadPool& pool, const std::function<bool()>& cancelled) : pool_(pool), outer_(pool.cancelled_) {
+      pool.cancelled_ = cancelled ? &cancelled : nullptr;
+    }
+    ~Watch() { pool_.cancelled_ = outer_; }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+   private:
+    ThreadPool& pool_;
+    const std::function<bool()>* outer_;
+  };
+
   unsigned size() const { return static_cast<unsigned>(workers_.size()) + 1; }
 
   /// Calls body(begin, end) for consecutive blocks of [0, count). Blocks depend on `count` and
   /// `grain` only, never on the number of threads, so a body that writes per index, or per block,
-  /// gives the same bytes for any pool. An exception of a body is thrown again here.
+  /// gives the same bytes for any pool. An exception of a body is thrown again here, and so is a cancel, see Watch.
   void for_blocks(size_t count, size_t grain,
                   const std::function<void(size_t block, size_t begin, size_t end)>& body);
 
@@ -88,7 +105,8 @@ class ThreadPool {
   void work(unsigned thread);
   void share_out(size_t blocks);
   void take_blocks(unsigned thread);
-  void do_block(size_t block);
+  void do_block(unsigned thread, size_t block);
+  void heed_cancel() const;
   template <class Done>
   void stay_awake(const Done& done) const;
 
@@ -103,6 +121,7 @@ class ThreadPool {
   bool quit_ = false;
   bool stays_awake_ = false;           // for a moment, see stay_awake
   std::exception_ptr error_;
+  const std::function<bool()>* cancelled_ = nullptr;  // of the present watch
 };
 
 }  // namespace meander

@@ -20,7 +20,8 @@ namespace {
 
 FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands* seed,
                       const VertexData<double>& density, const FlowSettings& settings, ThreadPool& pool,
-                      SeedFit& fit) {
+                      SeedFit& fit, const std::function<bool()>& cancelled) {
+  const ThreadPool::Watch watch(pool, cancelled);
   Domain domain(std::move(surface), density, settings, pool);
   Curve curve = first_curve(*domain.surface, seed, domain.radius, settings.widen_loops, domain.boundary->tree(),
                             2 * settings.boundary_distance, pool, &fit);
@@ -30,11 +31,12 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
 }  // namespace
 
 Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
-           const FlowSettings& settings)
+           const FlowSettings& settings, const std::function<bool()>& cancelled)
     : pool_(settings.threads),
-      state_(first_state(std::move(surface), seed, density, settings, pool_, seed_fit_)),
+      state_(first_state(std::move(surface), seed, density, settings, pool_, seed_fit_, cancelled)),
       convergence_(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
+  const ThreadPool::Watch watch(pool_, cancelled);
   refiner_.cut_guides(state_, plan().segment_length, pool_);
   state_.domain.radius.set_multiple(state_.domain.wanted_radius, approach_.factor());
   refiner_.refine(state_, plan().segment_length, pool_);
@@ -49,7 +51,14 @@ StopReason Flow::stop_reason() const {
 }
 
 bool Flow::step(const std::function<bool()>& cancelled) {
-  record_.cancelled = !iterate(cancelled);
+  const ThreadPool::Watch watch(pool_, cancelled);
+  try {
+    iterate();
+    record_.cancelled = false;
+  } catch (const Failure& failure) {
+    if (failure.kind != FailureKind::kCancelled) throw;
+    record_.cancelled = true;
+  }
   return !record_.cancelled;
 }
 
@@ -70,8 +79,7 @@ StopReason Flow::run(const std::function<bool()>& cancelled, const std::function
 }
 
 /// One iteration of section 3.
-bool Flow::iterate(const std::function<bool()>& cancelled) {
-  if (cancelled()) return false;
+void Flow::iterate() {
   Stopwatch total, watch;
   FlowSeconds& seconds = record_.seconds;
 
@@ -79,13 +87,11 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   const Plan plan = this->plan();
   find_medial_axis(plan);
   seconds.medial_axis += watch.lap();
-  if (cancelled()) return false;
 
   // The quadratic model of the energy (3.2), and the step to its minimum (eq. 10).
   choose_weights(plan, state_, medial_, strands_, pool_, weights_);
   const NodeData<Vec2>& displacement = step_.find(plan, state_, medial_, weights_, strands_, pool_);
   seconds.solve += watch.lap();
-  if (cancelled()) return false;
   IterationFigures figures = figures_of(displacement);
   IterationRecord record = record_of(displacement);
 
@@ -94,7 +100,6 @@ bool Flow::iterate(const std::function<bool()>& cancelled) {
   move(plan, displacement, figures, record);
   record_.history.back().seconds = total.lap();
   seconds.total += record_.history.back().seconds;
-  return true;
 }
 
 /// The medial axis of a curve, as it is.

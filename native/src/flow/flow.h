@@ -26,14 +26,15 @@ namespace meander {
 /// One thread at a time may use it, but for what says otherwise.
 class Flow {
  public:
-  /// `seed` null: face loops. `density`: positive; empty: 1 everywhere. Throws Failure.
+  /// `seed` null: face loops. `density`: positive; empty: 1 everywhere. Throws Failure, also where `cancelled`, which
+  /// may be empty, says so on the way.
   Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
-       const FlowSettings& settings);
+       const FlowSettings& settings, const std::function<bool()>& cancelled = {});
 
   /// The lines that alignment_weight refers to; before the first iteration.
   void set_field(LineField field) { state_.domain.directions = std::move(field); }
 
-  /// One iteration; false, with everything as before, when `cancelled` said so before the curve moved.
+  /// One iteration; false, with everything as before, when `cancelled` said so. It is asked in every loop.
   bool step(const std::function<bool()>& cancelled);
 
   /// Steps until one of the reasons holds. `progress` is told how far the curve has come, see progress.h, after each
@@ -52,6 +53,10 @@ class Flow {
   /// The curve goes on from where it is, see Convergence::revised; counts for run() as a new beginning. What asks for
   /// nothing else changes nothing. Whatever it throws, all is then as it was.
   void revise(FlowSettings settings, const VertexData<double>* density = nullptr);
+
+  /// While it lives, what is called from here on throws Failure(FailureKind::kCancelled) soon after `cancelled`, which
+  /// has to outlive it, says so; all is then as it was.
+  ThreadPool::Watch watch(const std::function<bool()>& cancelled) { return {pool_, cancelled}; }
 
   const Surface& surface() const { return *state_.domain.surface; }
   const Curve& curve() const { return state_.curve; }
@@ -89,7 +94,7 @@ class Flow {
   friend struct FlowFault;
 
   Plan plan() const { return plan_iteration(state_.settings, convergence_.phase()); }
-  bool iterate(const std::function<bool()>& cancelled);
+  void iterate();
   void find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached, bool measure = true);
   void find_medial_axis(const Plan& plan);
   IterationFigures figures_of(const NodeData<Vec2>& displacement);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/job.h"
 
+#include <new>
 #include <system_error>
 #include <utility>
 
+#include "base/exception_memory.h"
 #include "base/failure.h"
 
 namespace meander {
@@ -47,6 +49,11 @@ void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
 }
 
 void Job::work(Flow& flow, RunControl* control) noexcept {
+  if (!can_throw()) {
+    error_ = std::make_exception_ptr(std::bad_alloc());
+    running_ = false;
+    return;
+  }
   try {
     reason_ = flow.run([&] { return quit_ || (control && control->cancelled); },
                        [&](double progress) {

@@ -21,9 +21,11 @@ double to_grid(double x) { return std::floor(x * 0x1p30 + 0.38196601125) * 0x1p-
 
 }  // namespace
 
-Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads)
+Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads,
+                 const std::function<bool()>& cancelled)
     : caller_(vertices.begin(), vertices.end()) {
   ThreadPool pool(faces.size() / 3 > kMeshGrain ? threads : 1);
+  const ThreadPool::Watch watch(pool, cancelled);
   CheckedMesh mesh = check_mesh(vertices, faces, pool);
   faces_ = std::move(mesh.faces);
   flipped_ = std::move(mesh.flipped);
