@@ -293,6 +293,15 @@ def test_curvature_scales_with_the_mesh() -> None:
         assert np.abs(round_it[middle, 2]) == pytest.approx(0, abs=1e-4)
 
 
+@pytest.mark.parametrize("far", [40.0, 1e9, 1e86, 1.7e308])
+def test_a_stroke_from_far_away_is_as_good_as_one_from_nearby(far: float) -> None:
+    """It is looked at every half of an edge, but not where nothing is near."""
+    surface = core.Surface(*sheet(0.3, 0.3))
+    field = surface.extended_directions([[0.15, 0.15, 0], [far, 0.15, 0]], [0, 2])
+    assert np.linalg.norm(field, axis=1) == pytest.approx(1)
+    assert (np.abs(field[:, 0]) > 0.99).all()
+
+
 def test_fields_refuse_what_they_do_not_know() -> None:
     surface = core.Surface(*sheet(0.3, 0.3))
     for call in (

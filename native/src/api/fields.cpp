@@ -45,6 +45,19 @@ void write(const Surface& surface, const MeshMap* map, const VertexData<Vec3>& d
   });
 }
 
+/// As seen from the surface, a point that is farther away than this, in diagonals, is as good as there: what is nearest
+/// to it hardly changes, but a stroke is looked at every half of an edge.
+constexpr double kFarAway = 16;
+
+Vec3 within_reach(const Vec3& p, const Surface& surface) {
+  const Vec3 from = surface.position(surface.face(0)[0]);
+  Vec3 way = p - from;
+  const double farthest = way.cwiseAbs().maxCoeff();
+  if (farthest <= kFarAway) return p;
+  for (double& x : way) x = std::isfinite(farthest) ? x / farthest : std::isinf(x) ? std::copysign(1, x) : 0;
+  return from + kFarAway * way;
+}
+
 /// Points of strokes in the surface's own space.
 std::vector<Vec3> checked_points(const double* points, size_t count, const Surface& surface) {
   std::vector<Vec3> inside;
@@ -53,7 +66,7 @@ std::vector<Vec3> checked_points(const double* points, size_t count, const Surfa
     if (!p.allFinite()) {
       refuse("Stroke point " + std::to_string(i) + " has a coordinate that is not a finite number.");
     }
-    inside.push_back(surface.to_inside(p));
+    inside.push_back(within_reach(surface.to_inside(p), surface));
   }
   return inside;
 }
