@@ -13,11 +13,21 @@
 #include "flow/flow.h"
 #include "test_seeds.h"
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define MEANDER_UNDER_ASAN
+#endif
+#endif
+
 namespace meander::test {
 namespace {
 
 /// Of the asks of a call the first ones, and of the rest so many, get yes for an answer.
+#ifdef MEANDER_UNDER_ASAN
+constexpr int kFirst = 12, kSampled = 12;  // takes eight times as long
+#else
 constexpr int kFirst = 40, kSampled = 20;
+#endif
 
 /// A boundary, a guide, a stroke between fixed points, and what fill_regions adds.
 std::unique_ptr<Flow> seeded_flow(uint32_t threads, int iterations, const std::function<bool()>& cancelled = {}) {
