@@ -76,12 +76,14 @@ def test_even_is_what_a_new_mesh_has():
 
 
 def test_organic_winds_more_than_even():
-    turns = {}
-    for name in ("Even", "Organic"):
-        surface = activate(sphere())
-        use(presets.SHIPPED / f"{name}.py")
-        turns[name] = turning(fill(surface, 0.2))
-    assert turns["Organic"] > 1.05 * turns["Even"]
+    # Of one curve chance decides: the ratio is 1.05 to 1.57 for spacings from 0.15 to 0.25.
+    turns = {"Even": 0.0, "Organic": 0.0}
+    for name in turns:
+        for spacing in (0.15, 0.2, 0.25):
+            surface = activate(sphere())
+            use(presets.SHIPPED / f"{name}.py")
+            turns[name] += turning(fill(surface, spacing))
+    assert turns["Organic"] > 1.1 * turns["Even"]
 
 
 def turning(result: bpy.types.Object) -> float:

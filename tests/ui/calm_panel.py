@@ -106,7 +106,8 @@ def progress_of_a_run() -> Iterator[float]:
     phases = [text for k, text in enumerate(told) if k == 0 or text != told[k - 1]]
     assert phases == [text for text in PHASE_TEXTS.values() if text in phases], phases
     assert len(phases) > 1, phases  # the first may be over before the window has drawn it
-    assert any(" s left" in text for text in texts), texts
+    # What is left is known after half a second; on a quick machine that may be drawn no more.
+    assert end < 3.0 or any(" s left" in text for text in texts), texts
     times, shown = np.array(samples).T
     assert np.all(np.diff(shown) >= 0.0)
     off = float(np.abs(shown - times / end).mean())
