@@ -62,6 +62,12 @@ REMOVABLE = {
 }
 
 
+def operands_of(cursor: Cursor) -> list[Cursor]:
+    """Of one of OPERATORS."""
+    called = cursor.kind == CursorKind.CALL_EXPR
+    return list(cursor.get_arguments() if called else cursor.get_children())
+
+
 @dataclass
 class Mutant:
     """One change: `number` chooses it, `line` and `column` are those of the source as it was."""
@@ -228,11 +234,7 @@ class Schemata:
         if "basic_string" in cursor.type.get_canonical().spelling:
             return  # joined text
         if cursor.kind in OPERATORS:
-            operands = list(
-                cursor.get_arguments()
-                if cursor.kind == CursorKind.CALL_EXPR
-                else cursor.get_children()
-            )
+            operands = operands_of(cursor)
             if len(operands) == 2 and all(o is not None for o in operands):
                 (left, left_end), (right, right_end) = map(self._extent, operands)
                 operator = self.source[left_end:right].decode().strip()
@@ -316,11 +318,7 @@ class Schemata:
         if re.search(rb"constexpr\s*\($", self.source[:start]):
             return
         if inner.kind in OPERATORS:
-            operands = list(
-                inner.get_arguments()
-                if inner.kind == CursorKind.CALL_EXPR
-                else inner.get_children()
-            )
+            operands = operands_of(inner)
             if len(operands) == 2 and all(o is not None for o in operands):
                 between = self.source[self._extent(operands[0])[1] : self._extent(operands[1])[0]]
                 if between.decode().strip() in BOOLEAN:

@@ -12,19 +12,14 @@
 #include "base/failure.h"
 #include "flow/flow.h"
 #include "test_seeds.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define MEANDER_UNDER_ASAN
-#endif
-#endif
+#include "under_sanitizer.h"
 
 namespace meander::test {
 namespace {
 
 /// Of the asks of a call the first ones, and of the rest so many, get yes for an answer.
 #ifdef MEANDER_UNDER_ASAN
-constexpr int kFirst = 12, kSampled = 12;  // takes eight times as long
+constexpr int kFirst = 12, kSampled = 12;
 #else
 constexpr int kFirst = 40, kSampled = 20;
 #endif

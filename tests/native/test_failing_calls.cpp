@@ -14,14 +14,12 @@
 #include "api_structs.h"
 #include "failing_allocations.h"
 #include "test_meshes.h"
+#include "under_sanitizer.h"
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define MEANDER_UNDER_ASAN
+#ifdef MEANDER_UNDER_ASAN
 // Eigen's own: the copy of a sparse matrix that runs out of memory half-way loses the first half.
 extern "C" const char* __lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __lsan_default_suppressions() { return "leak:Eigen::SparseMatrix\n"; }
-#endif
 #endif
 
 namespace meander::test {
@@ -29,7 +27,7 @@ namespace {
 
 /// The first allocations all fail once; of the rest so many, at equal distances.
 #ifdef MEANDER_UNDER_ASAN
-constexpr long kAll = 20, kSampled = 20;  // takes eight times as long
+constexpr long kAll = 20, kSampled = 20;
 #else
 constexpr long kAll = 200, kSampled = 20;
 #endif

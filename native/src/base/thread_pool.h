@@ -37,8 +37,9 @@ class ThreadPool {
   ThreadPool& operator=(const ThreadPool&) = delete;
 
   /// While it lives, loops of the pool end with Failure(FailureKind::kCancelled) where `cancelled` says so, which is
-  /// asked before every loop and before every block that the caller's thread takes, and on that thread only. What a loop has written by
-  /// then stays. The question must outlive it; an empty one is never asked. Watches nest; the inner one is asked.
+  /// asked before every loop and before every block that the caller's thread takes, and on that thread only. What a
+  /// loop has written by then stays. The question must outlive it; an empty one is never asked. Watches nest; the inner
+  /// one is asked.
   class Watch {
    public:
     Watch(ThreadPool& pool, const std::function<bool()>& cancelled) : pool_(pool), outer_(pool.cancelled_) {
