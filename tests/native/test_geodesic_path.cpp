@@ -209,12 +209,13 @@ TEST(Follow, LeadsAPathAfterItsEnds) {
       at_once.insert(at_once.end(), end_trace.begin(), end_trace.end());
       const double length = shortener.shorten(new_start, new_end, at_once).length;
 
-      const PathShape shape = shortener.follow(new_start, new_end, start_trace, end_trace, path);
-      ASSERT_TRUE(chains(s, new_start.face, new_end.face, path));
-      expect_shape_is_measured(s, new_start, new_end, path, shape);
-      expect_locally_shortest(s, new_start, new_end, path);
+      Path followed;
+      const PathShape shape = shortener.follow(new_start, new_end, path, start_trace, end_trace, followed);
+      ASSERT_TRUE(chains(s, new_start.face, new_end.face, followed));
+      expect_shape_is_measured(s, new_start, new_end, followed, shape);
+      expect_locally_shortest(s, new_start, new_end, followed);
       if (plane) {
-        EXPECT_NEAR(shape.length, length, clearing(path.size()));
+        EXPECT_NEAR(shape.length, length, clearing(followed.size()));
       }
     }
     EXPECT_GT(long_ones, 10u);

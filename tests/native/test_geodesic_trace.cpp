@@ -158,6 +158,35 @@ TEST(Trace, DoesNotDependOnTheMeshesScale) {
   }
 }
 
+TEST(Trace, TheOtherWayIsThatOfTheOppositeDisplacement) {
+  const auto expect_same = [](GeodesicWalk& a, GeodesicWalk& b) {
+    while (a.step()) {
+      ASSERT_TRUE(b.step());
+      EXPECT_EQ(a.crossing().e, b.crossing().e);
+      EXPECT_EQ(a.crossing().t, b.crossing().t);
+    }
+    EXPECT_FALSE(b.step());
+    EXPECT_EQ(a.end().face, b.end().face);
+    EXPECT_EQ(a.end().b.x, b.end().b.x);
+    EXPECT_EQ(a.end().b.y, b.end().b.y);
+    EXPECT_EQ(a.length(), b.length());
+    EXPECT_EQ(a.hit_boundary(), b.hit_boundary());
+  };
+  for (const Mesh& mesh : {sphere(2), folded(12, 0.7)}) {
+    const Surface s = make_surface(mesh);
+    Rng rng(13);
+    for (int k = 0; k < 300; ++k) {
+      const SurfacePoint start = random_point(s, rng);
+      const Vec2 displacement = k == 0 ? Vec2{} : rng.in(0, 0.8) * rng.direction();
+      GeodesicWalk there(s, start, displacement);
+      GeodesicWalk other_way = there.other_way(), opposite(s, start, -displacement);
+      expect_same(other_way, opposite);
+      GeodesicWalk back_again = GeodesicWalk(s, start, displacement).other_way().other_way();
+      expect_same(there, back_again);
+    }
+  }
+}
+
 TEST(Trace, NowhereIsWhereItStarted) {
   const Surface s = make_surface(sphere(1));
   Rng rng(15);

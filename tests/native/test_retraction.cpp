@@ -265,8 +265,9 @@ TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
       PathShortener shortener(s);
       for (uint32_t i = 0; i < curve.size(); ++i) {
         const uint32_t j = curve.next(i);
-        Path path = old.paths[i];
-        const PathShape followed = shortener.follow(curve.nodes[i], curve.nodes[j], traces[i], traces[j], path);
+        Path path;
+        const PathShape followed =
+            shortener.follow(curve.nodes[i], curve.nodes[j], old.paths[i], traces[i], traces[j], path);
         EXPECT_NEAR(curve.shapes[i].length, followed.length, kMeasured);
         far += traces[i].size() + traces[j].size() >= 8;
       }

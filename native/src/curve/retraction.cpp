@@ -134,12 +134,12 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeD
         far.push_back(i);
         continue;
       }
-      Path& path = next_.paths[i];
-      path = old.paths[i];
       if (j == kNone || (share_[i] == 0 && share_[j] == 0)) {
+        next_.paths[i] = old.paths[i];
         next_.shapes[i] = old.shapes[i];
       } else {
-        next_.shapes[i] = shortener.follow(next_.nodes[i], next_.nodes[j], traces_[i], traces_[j], path);
+        next_.shapes[i] =
+            shortener.follow(next_.nodes[i], next_.nodes[j], old.paths[i], traces_[i], traces_[j], next_.paths[i]);
       }
     }
     guess(surface, old, displacement, far, shortener);
@@ -168,10 +168,7 @@ void Retraction::guess(const Surface& surface, const Curve& old, const NodeData<
       const SurfacePoint &start = next_.nodes[i], &goal = next_.nodes[j];
       Path& path = next_.paths[i];
       std::optional<PathShape> shape = aim(surface, start, goal, displacements[k], walks[k], path, shortener);
-      if (!shape) {
-        path = old.paths[i];
-        shape = shortener.follow(start, goal, traces_[i], traces_[j], path);
-      }
+      if (!shape) shape = shortener.follow(start, goal, old.paths[i], traces_[i], traces_[j], path);
       next_.shapes[i] = *shape;
     }
   }

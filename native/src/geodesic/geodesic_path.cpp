@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geodesic/geodesic_path.h"
 
+#include <algorithm>
 
 namespace meander {
 namespace {
@@ -264,7 +265,7 @@ std::optional<PathShape> PathShortener::adopt(const SurfacePoint& start, const S
   return std::nullopt;
 }
 
-PathShape PathShortener::follow(const SurfacePoint& start, const SurfacePoint& end,
+PathShape PathShortener::follow(const SurfacePoint& start, const SurfacePoint& end, std::span<const Crossing> path,
                                 std::span<const Crossing> start_trace, std::span<const Crossing> end_trace,
                                 std::vector<Crossing>& crossings) {
   const size_t legs = 1 + (start_trace.size() + end_trace.size()) / kLeg;
@@ -274,19 +275,22 @@ PathShape PathShortener::follow(const SurfacePoint& start, const SurfacePoint& e
       const size_t from = trace.size() * leg / legs, to = trace.size() * (leg + 1) / legs;
       return trace.subspan(from, to - from);
     };
+    if (leg > 0) {
+      crossings.swap(so_far_);
+      path = so_far_;
+    }
     const std::span<const Crossing> back = part(start_trace), on = part(end_trace);
-    extended_.clear();
-    for (size_t k = back.size(); k-- > 0;) extended_.push_back(reversed(back[k]));
-    extended_.insert(extended_.end(), crossings.begin(), crossings.end());
-    extended_.insert(extended_.end(), on.begin(), on.end());
-    crossings.swap(extended_);
+    crossings.resize(back.size() + path.size() + on.size());
+    auto to = std::ranges::transform(back.rbegin(), back.rend(), crossings.begin(), reversed).out;
+    to = std::ranges::copy(path, to).out;
+    std::ranges::copy(on, to);
     // Between two legs an end may be anywhere in the face that it has come to.
     const bool last = leg + 1 == legs;
     const auto reached = [&](const SurfacePoint& goal, std::span<const Crossing> trace) {
-      const size_t to = trace.size() * (leg + 1) / legs;
+      const size_t end_of_part = trace.size() * (leg + 1) / legs;
       return last || trace.empty() ? goal
-             : to == 0             ? middle_of(face_of(trace[0].e))
-                                   : middle_of(face_of(trace[to - 1].twin));
+             : end_of_part == 0    ? middle_of(face_of(trace[0].e))
+                                   : middle_of(face_of(trace[end_of_part - 1].twin));
     };
     shape = shorten(reached(start, start_trace), reached(end, end_trace), crossings);
   }

@@ -102,10 +102,11 @@ class PathShortener {
   /// shortest path. Backtracking in the input is removed. Returns the path's shape.
   PathShape shorten(const SurfacePoint& start, const SurfacePoint& end, std::vector<Crossing>& crossings);
 
-  /// The same for a path whose ends have walked away from it, each along its own trace, to `start` and
-  /// `end`: `crossings` leads between the faces in which the traces begin.
-  PathShape follow(const SurfacePoint& start, const SurfacePoint& end, std::span<const Crossing> start_trace,
-                   std::span<const Crossing> end_trace, std::vector<Crossing>& crossings);
+  /// The same for a `path` whose ends have walked away from it, each along its own trace, to `start` and `end`: it
+  /// leads between the faces in which the traces begin. `crossings` receives the result; `path` is no part of it.
+  PathShape follow(const SurfacePoint& start, const SurfacePoint& end, std::span<const Crossing> path,
+                   std::span<const Crossing> start_trace, std::span<const Crossing> end_trace,
+                   std::vector<Crossing>& crossings);
 
   /// The same for a path that was guessed: edges that lead from the face of `start` to that of `end`, or to
   /// one within three faces of it. Nothing if they lead elsewhere, and `crossings` may be anything then.
@@ -134,7 +135,7 @@ class PathShortener {
   std::vector<Portal> portals_;
   std::vector<Bend> bends_;
   std::vector<Vec2> corners_;  // of the pulled path: start, bends, end
-  std::vector<Crossing> spliced_, extended_;
+  std::vector<Crossing> spliced_, so_far_;
   Vec2 start_, end_;
   Vec2 carried_;  // what (1, 0) of the start's plane is in the end's
 };

@@ -22,24 +22,48 @@ GeodesicWalk::GeodesicWalk(const Surface& surface, const SurfacePoint& start, Ve
   // The corners seen from the start. Heights over the axis are sums of terms of one sign for the highest and
   // for the lowest corner, so that even a needle has one edge that runs upwards across the axis.
   const uint32_t f = start.face;
-  std::array<Vec2, 3> corner;
-  std::array<double, 3> height;
-  for (uint32_t k = 0; k < 3; ++k) height[k] = cross(direction_, surface.corner(f, k));
-  for (uint32_t k = 0; k < 3; ++k) {
-    const uint32_t i = next_corner(k), j = prev_corner(k);
-    corner[k] = start.weight(i) * (surface.corner(f, k) - surface.corner(f, i)) +
-                start.weight(j) * (surface.corner(f, k) - surface.corner(f, j));
-    corner[k] = {dot(direction_, corner[k]),
-                 start.weight(i) * (height[k] - height[i]) + start.weight(j) * (height[k] - height[j])};
-  }
-  for (uint32_t k = 0; k < 3; ++k) {
-    if (!(corner[k].y < 0 && corner[next_corner(k)].y >= 0)) continue;
-    face_.exit = 3 * f + k;
-    face_.ends[0] = corner[k];
-    face_.ends[1] = corner[next_corner(k)];
-    face_.behind = corner[prev_corner(k)];
-  }
-  ended_ = face_.exit == kNone;
+  const std::array<Vec2, 3> at{surface.corner(f, 0), surface.corner(f, 1), surface.corner(f, 2)};
+  const std::array<double, 3> weight{start.weight(0), start.weight(1), start.weight(2)};
+  const std::array<double, 3> height{cross(direction_, at[0]), cross(direction_, at[1]), cross(direction_, at[2])};
+  const auto ahead = [&](uint32_t k, uint32_t i, uint32_t j) {
+    return dot(direction_, weight[i] * (at[k] - at[i]) + weight[j] * (at[k] - at[j]));
+  };
+  const auto above = [&](uint32_t k, uint32_t i, uint32_t j) {
+    return weight[i] * (height[k] - height[i]) + weight[j] * (height[k] - height[j]);
+  };
+  begin_in({ahead(0, 1, 2), ahead(1, 2, 0), ahead(2, 0, 1)}, {above(0, 1, 2), above(1, 2, 0), above(2, 0, 1)});
+}
+
+/// Lays the first face by its corners, x and y of each as the start sees them, and finds the edge that the walk leaves
+/// it by. Without a branch, as walks go anywhere.
+void GeodesicWalk::begin_in(const std::array<double, 3>& x, const std::array<double, 3>& y) {
+  constexpr uint32_t kNoEdge = 3;
+  static constexpr std::array<uint8_t, 8> kUpwards{kNoEdge, 0, 1, 1, 2, 0, 2, kNoEdge};  // by which corners are below
+  const uint32_t k = kUpwards[(y[0] < 0 ? 1u : 0u) | (y[1] < 0 ? 2u : 0u) | (y[2] < 0 ? 4u : 0u)];
+  ended_ = k == kNoEdge;
+  if (ended_) return;
+  const uint32_t left = next_corner(k), behind = prev_corner(k);
+  face_.exit = 3 * start_.face + k;
+  face_.ends[Unfolding::kRight] = {x[k], y[k]};
+  face_.ends[Unfolding::kLeft] = {x[left], y[left]};
+  face_.behind = {x[behind], y[behind]};
+}
+
+GeodesicWalk GeodesicWalk::other_way() const {
+  if (face_.exit == kNone) return {surface_, start_, -wanted_ * direction_};
+  GeodesicWalk other = *this;
+  other.direction_ = -direction_;
+  std::array<double, 3> x, y;
+  const auto lay = [&](uint32_t k, Vec2 corner) {
+    x[k] = -corner.x;
+    y[k] = -corner.y;
+  };
+  const uint32_t k = corner_of(face_.exit);
+  lay(k, face_.right());
+  lay(next_corner(k), face_.left());
+  lay(prev_corner(k), face_.behind);
+  other.begin_in(x, y);
+  return other;
 }
 
 bool GeodesicWalk::step() {

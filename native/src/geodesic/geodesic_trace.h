@@ -31,6 +31,10 @@ class GeodesicWalk {
  public:
   GeodesicWalk(const Surface& surface, const SurfacePoint& start, Vec2 displacement);
 
+  /// The walk from the same start in the opposite direction, as far, for less than it costs anew; of a walk that has
+  /// not taken a step.
+  GeodesicWalk other_way() const;
+
   /// Crosses into the next face; false where the walk ends in this one, and from then on.
   bool step();
   /// Whether the walk has left its first face.
@@ -45,6 +49,7 @@ class GeodesicWalk {
   Vec2 direction() const;  ///< unit, in the plane of the end's face
 
  private:
+  void begin_in(const std::array<double, 3>& x, const std::array<double, 3>& y);
   double exit_at() const;
 
   const Surface& surface_;

@@ -25,6 +25,7 @@ Float4 load(const float* p) { return load<Float4>(p); }
 Float4 all(float v) { return Float4{v, v, v, v}; }
 Double2 both(double v) { return Double2{v, v}; }
 Float4 larger(Float4 a, Float4 b) { return a > b ? a : b; }
+Float4 smaller(Float4 a, Float4 b) { return a < b ? a : b; }
 
 /// A bit for each lane in which a comparison holds.
 uint32_t lanes_of(Int4 comparison) {
@@ -60,14 +61,15 @@ struct Ball {
         y(all(static_cast<float>(at.y() + radius * b.y()))),
         z(all(static_cast<float>(at.z() + radius * b.z()))) {
     const double r = radius + kSlack * (1 + radius);
-    squared = rounded_up(r * r);
+    constexpr double kRoundedUp = 1 + 1e-7;  // more than half a unit in the last place
+    squared = static_cast<float>(r * r * kRoundedUp);
   }
 
   /// Squared distances of the centre from four boxes, the first of them `at`.
   template <class Boxes>
   Float4 distances(const Boxes& boxes, uint32_t at) const {
     const auto outside = [&](Float4 c, size_t axis) {
-      return larger(larger(load(boxes.low[axis] + at) - c, c - load(boxes.high[axis] + at)), all(0));
+      return c - smaller(larger(c, load(boxes.low[axis] + at)), load(boxes.high[axis] + at));
     };
     const Float4 dx = outside(x, 0), dy = outside(y, 1), dz = outside(z, 2);
     return dx * dx + dy * dy + dz * dz;

@@ -90,7 +90,7 @@ class DirectionWalks {
   void add(uint32_t node, const Vec3& tangent) {
     const double length = tuning::kChord * metric_.radius[node];
     walks_.emplace_back(surface_, curve_.nodes[node], length * frames_.bitangent2[node]);
-    walks_.emplace_back(surface_, curve_.nodes[node], -length * frames_.bitangent2[node]);
+    walks_.push_back(walks_.back().other_way());
     nodes_[count_] = node;
     tangents_[count_++] = tangent;
   }

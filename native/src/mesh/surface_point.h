@@ -69,13 +69,15 @@ inline double clear_of_ends(double t) { return snap(std::clamp(t, kClearance, 1 
 
 inline Crossing reversed(const Crossing& c) { return {c.twin, c.e, 1 - c.t}; }
 
-/// Barycentric (b.x, b.y) of the point at share t of half-edge e, in the face of e; exact.
+/// Barycentric (b.x, b.y) of the point at share t of half-edge e, in the face of e; exact. Without a branch: a curve
+/// leaves faces by any of their edges.
 inline Vec2 on_edge(HalfEdge e, double t) {
-  switch (corner_of(e)) {
-    case 0: return {t, 0};
-    case 1: return {1 - t, t};
-    default: return {0, 1 - t};
-  }
+  struct Line {
+    Vec2 start, along;
+  };
+  static constexpr Line kEdges[3] = {{{0, 0}, {1, 0}}, {{1, 0}, {-1, 1}}, {{0, 1}, {0, -1}}};
+  const Line& edge = kEdges[corner_of(e)];
+  return edge.start + t * edge.along;
 }
 
 /// The point at share t of half-edge e, in the plane of its face.
