@@ -183,6 +183,7 @@ class SurfacePatches::Comparison {
     const uint32_t first = static_cast<uint32_t>(all.size());
     const uint32_t size = std::bit_ceil(2 * static_cast<uint32_t>(hidden.size()));
     patches_.hidden_in_[p] = {first, size - 1};
+    patches_.traits_[p].hides = true;
     all.resize(all.size() + size, kNone);
     for (const uint32_t q : hidden) {
       uint32_t k = slot(q) & (size - 1);

@@ -40,7 +40,7 @@ class SurfacePatches {
     }
   }
   /// Whether any patch is hidden from p.
-  bool hides(uint32_t p) const { return hidden_in_[p].mask != 0; }
+  bool hides(uint32_t p) const { return traits_[p].hides; }
 
   /// Whether the surface bends so much within reach of a patch that straight distances from it may be wrong: at a
   /// crease, where faces meet at an angle, or on a narrow limb.
@@ -83,7 +83,7 @@ class SurfacePatches {
     Vec2 origin, axis;  // along the longest edge; a cell is 1 / |axis| wide
     uint32_t cell_at(Vec2 p) const {
       const Vec2 q = conj(axis) * (p - origin);
-      const auto index = [](double x, uint32_t n) { return x > 0 ? static_cast<uint32_t>(std::min(x, n - 1.0)) : 0; };
+      const auto index = [](double x, uint32_t n) { return static_cast<uint32_t>(std::max(0.0, std::min(x, n - 1.0))); };
       return first + index(q.y, rows) * columns + index(q.x, columns);
     }
   };
@@ -91,6 +91,7 @@ class SurfacePatches {
     float to_crease, to_bend;
     Crease own = Crease::kFlat, creased = Crease::kFlat;  // in it, and within reach
     bool bent = false;
+    bool hides = false;  // others: asked of every node, where the table of them is not
   };
   /// Those hidden from one patch, in a hash table with open addressing that is at most half full.
   struct HiddenIn {
