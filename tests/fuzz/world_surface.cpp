@@ -143,10 +143,12 @@ void World::stroke_directions() {
 void World::outlines() {
   if (!spend(8)) return;
   const Shape& shape = surface().shape;
-  double spacing = 2 * radius_for(shape), distance = spacing * (0.1 + 1.9 * record_.a / 255);
+  double spacing = 2 * radius_for(shape), distance = spacing * (record_.a ? 0.1 + 1.9 * record_.a / 255 : 0.5);
   if (record_.b) spacing = hostile(record_.b);
   if (record_.c) distance = hostile(record_.c);
-  if (spacing > 0 && spacing < 0.01 * shape.diagonal) return;  // many points
+  // What would take long: many points, or many small faces along the boundary.
+  if (spacing > 0 && spacing < 0.02 * shape.diagonal) return;
+  if (distance >= 0.1 * spacing && distance < 0.05 * shape.diagonal) return;
   const auto handle = surface_handle();
   size_t points = 0, strands = 0, skipped = 0;
   const auto find = [&](Shown<double*> positions, size_t point_room, Shown<uint64_t*> offsets,
