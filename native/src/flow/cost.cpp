@@ -23,10 +23,10 @@ constexpr double kMeanSegment = 1.378;
 constexpr double kCrossings = 2 / std::numbers::pi;
 
 /// Iterations beside those that remove hairpins, on a curve of kFewNodes, and the power of the nodes that they grow by.
-constexpr double kIterations = 112, kUnpolishedIterations = 33;
+constexpr double kIterations = 98, kUnpolishedIterations = 33;
 constexpr double kFewNodes = 3000, kIterationGrowth = 0.2;
 /// Processor seconds of an iteration for each node, and for each point, whose faces have to be fetched.
-constexpr double kSecondsPerNode = 0.21e-6, kSecondsPerPoint = 0.25e-6;
+constexpr double kSecondsPerNode = 0.17e-6, kSecondsPerPoint = 0.2e-6;
 /// Processor seconds for each face, once.
 constexpr double kSecondsPerFace = 0.25e-6;
 
