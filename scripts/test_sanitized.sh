@@ -18,3 +18,4 @@ cmake -S . -B build/sanitized -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
   -DCMAKE_CXX_FLAGS_RELEASE=-O1
 cmake --build build/sanitized
 ctest --test-dir build/sanitized --output-on-failure --no-tests=error -j 2
+bash scripts/test_sanitized_python.sh --short
