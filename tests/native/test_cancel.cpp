@@ -5,12 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "base/failure.h"
+#include "curve/cut_surface.h"
 #include "flow/flow.h"
+#include "mesh/fields.h"
 #include "test_seeds.h"
 #include "under_sanitizer.h"
 
@@ -196,6 +202,210 @@ TEST(CancelAtAnyAsk, EndsTheMakingOfASurface) {
     EXPECT_GE(asks_of(make), 4);
     for (int n = 0; n < 4; ++n) EXPECT_TRUE(is_cancelled(n, make));
   }
+}
+
+// ------------------------------------------------------------------------------------------------
+// What is computed once, by the caller's thread alone
+
+using Bytes = std::string;
+
+template <class Value>
+void add(Bytes& bytes, const Value* values, size_t count) {
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
+}
+
+/// A call that keeps nothing: what it finds is all there is to see.
+struct Search {
+  std::string name;
+  std::function<Bytes(const std::function<bool()>&)> find;
+  int least_asks;
+};
+
+void PrintTo(const Search& search, std::ostream* out) { *out << search.name; }
+
+class CancelSearch : public testing::TestWithParam<Search> {};
+
+TEST_P(CancelSearch, EndsItAndTheNextOneIsWhole) {
+  const Search& search = GetParam();
+  const Bytes found = search.find({});
+  ASSERT_FALSE(found.empty());
+  const int asks = asks_of([&](const std::function<bool()>& question) { EXPECT_TRUE(search.find(question) == found); });
+  EXPECT_GE(asks, search.least_asks);
+  const int apart = std::max(1, (asks - kFirst) / kSampled);
+  for (int n = 0; n < asks; n += n < kFirst ? 1 : apart) {
+    ASSERT_TRUE(is_cancelled(n, [&](const std::function<bool()>& question) { search.find(question); })) << "ask " << n;
+  }
+  EXPECT_TRUE(search.find({}) == found);
+}
+
+const Surface& ball() {
+  static const Surface surface = make_surface(with_noise(sphere(3), 0.1, 5));
+  return surface;
+}
+
+template <class Value>
+Bytes bytes_of(const VertexData<Value>& values) {
+  Bytes bytes;
+  for (const Value& value : values) add(bytes, &value, 1);
+  return bytes;
+}
+
+/// With all that a cut can have: open and closed strands, a guide, a boundary, vertices inside of faces.
+Bytes cut_of(double detail, bool middle_lines, const std::function<bool()>& cancelled) {
+  static const auto flow = seeded_flow(1, 30);
+  const CutSurface cut = cut_surface(flow->surface(), nullptr, flow->curve(), detail, middle_lines, cancelled);
+  Bytes bytes;
+  const auto all = [&](const auto& values) { add(bytes, values.data(), values.size()); };
+  all(cut.positions);
+  all(cut.distances);
+  all(cut.vertex_faces);
+  all(cut.vertex_weights);
+  all(cut.faces);
+  all(cut.origins);
+  all(cut.strands);
+  all(cut.regions);
+  all(cut.sides);
+  all(cut.nearest_sides);
+  all(cut.along);
+  all(cut.face_distances);
+  all(cut.corner_weights);
+  all(cut.line_vertices);
+  all(cut.line_strands);
+  all(cut.arc_lengths);
+  all(cut.offsets);
+  all(cut.closed);
+  all(cut.lengths);
+  return bytes;
+}
+
+constexpr double kSmoothing = 0.1;
+
+const Search kSearches[] = {
+    {"curvature", [](const auto& asked) {
+       return bytes_of(curvature(ball(), CurvatureKind::kCurvedness, kSmoothing, asked));
+     }, 20},
+    {"gaussian_curvature", [](const auto& asked) {
+       return bytes_of(curvature(ball(), CurvatureKind::kGaussian, kSmoothing, asked));
+     }, 20},
+    {"directions", [](const auto& asked) { return bytes_of(principal_directions(ball(), true, kSmoothing, asked)); },
+     60},
+    {"smooth_directions", [](const auto& asked) { return bytes_of(smoothest_directions(ball(), asked)); }, 60},
+    {"stroke_directions", [](const auto& asked) {
+       static const std::vector<Vec3> points{ball().position(0), ball().position(40), ball().position(7)};
+       const Stroke stroke(points);
+       return bytes_of(extended_directions(ball(), {&stroke, 1}, asked));
+     }, 20},
+    {"cut", [](const auto& asked) { return cut_of(0, false, asked); }, 20},
+    {"cut_with_middle_lines", [](const auto& asked) { return cut_of(0.02, true, asked); }, 100},
+};
+
+INSTANTIATE_TEST_SUITE_P(Calls, CancelSearch, testing::ValuesIn(kSearches),
+                         [](const auto& search) { return search.param.name; });
+
+// ------------------------------------------------------------------------------------------------
+// Through the header
+
+/// A call with its outputs, which hold a pattern before it.
+struct PublicCall {
+  std::string name;
+  std::function<meander_status(meander_context*, std::vector<double>& output)> make;
+};
+
+struct ContextDeleter {
+  void operator()(meander_context* context) const { meander_context_destroy(context); }
+};
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// A cancel that comes while the call is at work ends it before it is done. When it comes is up to the system, so this
+/// is tried until it has come well after the beginning.
+TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
+  const Mesh mesh = with_noise(sphere(4), 0.1, 5);
+  const size_t vertices = mesh.vertex_count();
+  meander_surface* surface = nullptr;
+  ASSERT_EQ(meander_surface_create(mesh.vertices.data(), vertices, mesh.faces.data(), mesh.face_count(), nullptr,
+                                   &surface, nullptr, nullptr),
+            MEANDER_STATUS_OK);
+  meander_flow_options options;
+  ASSERT_EQ(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), MEANDER_STATUS_OK);
+  options.radius = 0.1;
+  options.threads = 1;
+  options.iteration_limit = 25;
+  meander_flow* flow = nullptr;
+  ASSERT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, nullptr), MEANDER_STATUS_OK);
+  ASSERT_EQ(meander_flow_run(flow, nullptr, nullptr), MEANDER_STATUS_OK);
+  const double stroke[] = {1, 0, 0, 0, 1, 0};
+  const uint64_t ends[] = {0, 2};
+  const PublicCall calls[] = {
+      {"curvature",
+       [&](meander_context* context, std::vector<double>& output) {
+         return meander_surface_compute_curvature(surface, MEANDER_CURVATURE_MEAN, 0.1, output.data(), vertices,
+                                                  context, nullptr);
+       }},
+      {"directions",
+       [&](meander_context* context, std::vector<double>& output) {
+         return meander_surface_compute_directions(surface, MEANDER_DIRECTIONS_CURVATURE_MIN, 0.1, output.data(),
+                                                   vertices, context, nullptr);
+       }},
+      {"smooth_directions",
+       [&](meander_context* context, std::vector<double>& output) {
+         return meander_surface_compute_directions(surface, MEANDER_DIRECTIONS_SMOOTH, 0, output.data(), vertices,
+                                                   context, nullptr);
+       }},
+      {"stroke_directions",
+       [&](meander_context* context, std::vector<double>& output) {
+         return meander_surface_compute_stroke_directions(surface, stroke, 2, ends, 1, output.data(), vertices,
+                                                          context, nullptr);
+       }},
+      {"cut",
+       [&](meander_context* context, std::vector<double>& output) {
+         meander_cut* cut = nullptr;
+         const meander_status status = meander_flow_cut_surface(flow, 0.02, 1, &cut, context, nullptr);
+         EXPECT_EQ(cut != nullptr, status == MEANDER_STATUS_OK);
+         if (cut) output[0] = 0;
+         meander_cut_destroy(cut);
+         return status;
+       }},
+  };
+  meander_context* made = nullptr;
+  ASSERT_EQ(meander_context_create(&made, nullptr), MEANDER_STATUS_OK);
+  const std::unique_ptr<meander_context, ContextDeleter> context(made);
+  const std::vector<double> pattern(3 * vertices, 7);
+  for (const PublicCall& call : calls) {
+    SCOPED_TRACE(call.name);
+    std::vector<double> whole = pattern;
+    const double start = processor_seconds();
+    const auto started = std::chrono::steady_clock::now();
+    ASSERT_EQ(call.make(context.get(), whole), MEANDER_STATUS_OK);
+    const auto took = std::chrono::steady_clock::now() - started;
+    const double seconds = processor_seconds() - start;
+    bool in_the_middle = false;
+    constexpr int kTries = 50;
+    for (int k = 0; k < kTries && !in_the_middle; ++k) {
+      std::thread canceller([&] {
+        std::this_thread::sleep_for(0.3 * took);
+        meander_context_cancel(context.get());
+      });
+      std::vector<double> output = pattern;
+      const double before = processor_seconds();
+      const meander_status status = call.make(context.get(), output);
+      const double spent = processor_seconds() - before;
+      canceller.join();
+      meander_context_reset(context.get());
+      if (status == MEANDER_STATUS_CANCELLED) {
+        ASSERT_TRUE(output == pattern);
+      } else {
+        ASSERT_EQ(status, MEANDER_STATUS_OK);
+      }
+      in_the_middle = status == MEANDER_STATUS_CANCELLED && spent > 0.1 * seconds && spent < 0.7 * seconds;
+    }
+    EXPECT_TRUE(in_the_middle);
+    std::vector<double> again = pattern;
+    ASSERT_EQ(call.make(context.get(), again), MEANDER_STATUS_OK);
+    EXPECT_TRUE(again == whole);
+  }
+  meander_flow_destroy(flow);
+  meander_surface_destroy(surface);
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ meander_status meander_flow_cut_surface(const meander_flow* flow, double detail,
     check_cancelled(context);
     const Flow& f = *flow->flow;
     auto made = std::make_unique<meander_cut>();
-    made->surface = cut_surface(f.surface(), flow->map.get(), f.curve(), detail, middle_lines != 0);
+    made->surface = cut_surface(f.surface(), flow->map.get(), f.curve(), detail, middle_lines != 0,
+                                question(context));
     check_cancelled(context);
     *cut = made.release();
   });

@@ -86,7 +86,7 @@ meander_status meander_surface_compute_curvature(const meander_surface* surface,
     const bool gaussian = kind == MEANDER_CURVATURE_GAUSSIAN || kind == MEANDER_CURVATURE_ABSOLUTE_GAUSSIAN;
     const double unit = gaussian ? 1 / (s.scale() * s.scale()) : 1 / s.scale();
     check_cancelled(context);
-    const VertexData<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius);
+    const VertexData<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius, question(context));
     check_cancelled(context);
     std::fill_n(values, vertex_count, 0.0);
     for_caller_vertices(s, map, [&](uint32_t theirs, uint32_t v) { values[theirs] = x[v] * unit; });
@@ -104,9 +104,11 @@ meander_status meander_surface_compute_directions(const meander_surface* surface
     require_vertices(vertex_count, s, map, directions);
     const double radius = checked_smoothing(smoothing, s);
     check_cancelled(context);
+    const std::function<bool()> asked = question(context);
     const VertexData<Vec3> found = kind == MEANDER_DIRECTIONS_SMOOTH
-                                        ? smoothest_directions(s)
-                                        : principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius);
+                                        ? smoothest_directions(s, asked)
+                                        : principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius,
+                                                               asked);
     check_cancelled(context);
     write(s, map, found, directions);
   });
@@ -131,7 +133,7 @@ meander_status meander_surface_compute_stroke_directions(const meander_surface* 
       strokes.push_back(std::span(inside).subspan(ends[g], ends[g + 1] - ends[g]));
     }
     check_cancelled(context);
-    const VertexData<Vec3> found = extended_directions(s, strokes);
+    const VertexData<Vec3> found = extended_directions(s, strokes, question(context));
     check_cancelled(context);
     write(s, map, found, directions);
   });

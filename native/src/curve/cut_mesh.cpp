@@ -14,6 +14,9 @@ namespace {
 /// Vertices are added in the inside of a face no nearer than this to what is there, in units of the detail.
 constexpr double kClear = 0.5;
 
+/// Pieces of work that a point counts for which is put into a triangulation.
+constexpr size_t kInsertion = 16;
+
 /// More vertices than this have no room in 32-bit numbers of edges.
 constexpr double kMostVertices = 2e8;
 
@@ -28,15 +31,16 @@ void check_room(double vertices) {
 /// Distributes the curve over the faces of the surface and triangulates one after the other.
 class CutMesh::Builder {
  public:
-  Builder(CutMesh& mesh, const Curve& curve, double detail)
-      : mesh_(mesh), surface_(mesh.surface_), curve_(curve), detail_(detail) {}
+  Builder(CutMesh& mesh, const Curve& curve, double detail, CancelPoll& poll)
+      : mesh_(mesh), surface_(mesh.surface_), curve_(curve), detail_(detail), poll_(poll) {}
 
   void run() {
     add_corners();
     add_line();
     divide_edges();
-    std::sort(on_edges_.begin(), on_edges_.end());
-    std::sort(pieces_.begin(), pieces_.end(), [](const FacePiece& a, const FacePiece& b) {
+    sort_on_edges();
+    std::sort(pieces_.begin(), pieces_.end(), [this](const FacePiece& a, const FacePiece& b) {
+      poll_();
       return a.face != b.face ? a.face < b.face : a.order < b.order;
     });
     size_t piece = 0;
@@ -60,9 +64,17 @@ class CutMesh::Builder {
     Vec2 a, b;
   };
 
+  void sort_on_edges() {
+    std::sort(on_edges_.begin(), on_edges_.end(), [this](const OnEdge& a, const OnEdge& b) {
+      poll_();
+      return a < b;
+    });
+  }
+
   void add_corners() {
     vertex_of_.assign(surface_.vertex_count(), kNone);
     for (uint32_t f = 0; f < surface_.face_count(); ++f) {
+      poll_();
       for (uint32_t k = 0; k < 3; ++k) {
         uint32_t& vertex = vertex_of_[surface_.face(f)[k]];
         if (vertex != kNone) continue;
@@ -79,8 +91,10 @@ class CutMesh::Builder {
       if (strand.guide) continue;
       LineStrand line{static_cast<uint32_t>(mesh_.line_.size()), 0, s, strand.closed, 0};
       for (uint32_t i = strand.first; i < strand.end(); ++i) {
+        poll_();
         add_to_line(mesh_.add_vertex({curve_.nodes[i].face, curve_.nodes[i].b}));
         for (const Crossing& c : curve_.paths[i]) {
+          poll_();
           const HalfEdge low = std::min(c.e, c.twin);
           const double t = low == c.e ? c.t : 1 - c.t;
           const uint32_t vertex = mesh_.add_vertex({face_of(low), on_edge(low, t)});
@@ -104,6 +118,7 @@ class CutMesh::Builder {
 
   void measure(LineStrand& line) {
     for (uint32_t k = 0; k < line.count; ++k) {
+      poll_();
       mesh_.arc_lengths_.push_back(line.length);
       const bool last = k + 1 == line.count;
       if (last && !line.closed) break;
@@ -117,6 +132,7 @@ class CutMesh::Builder {
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       if (!curve_.has_segment(i)) break;
       curve_.pieces_of(i, [&](const Piece& p) {
+        poll_();
         const uint32_t from = mesh_.line_[line.first + point];
         point = point + 1 == line.count ? 0 : point + 1;
         pieces_.push_back({p.face, static_cast<uint32_t>(pieces_.size()), from, mesh_.line_[line.first + point],
@@ -129,10 +145,11 @@ class CutMesh::Builder {
   void divide_edges() {
     if (!(detail_ > 0)) return;
     check_room(surface_.area() / (detail_ * detail_));
-    std::sort(on_edges_.begin(), on_edges_.end());
+    sort_on_edges();
     std::vector<OnEdge> more;
     size_t next = 0;
     for (HalfEdge e = 0; e < 3 * surface_.face_count(); ++e) {
+      poll_();
       const HalfEdge twin = surface_.twin(e);
       if (twin != kNone && twin < e) continue;
       const double length = norm(surface_.along(e));
@@ -143,6 +160,7 @@ class CutMesh::Builder {
         const double parts = std::ceil((to - from) * length / detail_);
         check_room(static_cast<double>(mesh_.vertex_count()) + parts);
         for (double k = 1; k < parts; ++k) {
+          poll_();
           const double t = snap(from + (to - from) * (k / parts));
           more.push_back({e, t, mesh_.add_vertex({face_of(e), on_edge(e, t)})});
         }
@@ -176,6 +194,7 @@ class CutMesh::Builder {
     }
     add_inside(f);
     for (const Triangulation::Corners& t : triangulation_.triangles()) {
+      poll_();
       Face face{{vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]}, f, {}};
       for (uint32_t k = 0; k < 3; ++k) face.at[k] = triangulation_.weights(t[k]);
       mesh_.faces_.push_back(face);
@@ -189,6 +208,7 @@ class CutMesh::Builder {
 
   /// The number of a point in the triangulation of the face, where another one must not be.
   uint32_t insert(uint32_t f, Vec2 at, uint32_t vertex) {
+    poll_(kInsertion);
     const uint32_t point = triangulation_.insert(at);
     if (point == vertices_.size()) vertices_.push_back(vertex);
     if (point == Triangulation::kNothing || vertices_[point] != vertex) refuse(f);
@@ -209,6 +229,7 @@ class CutMesh::Builder {
       for (double x = (std::floor((left - offset) / detail_) + 1) * detail_ + offset; x < right; x += detail_) {
         const Vec2 at{snap((x - share * c2.x) / c1.x), snap(share)};
         if (!(at.x > 0) || !(at.y > 0) || !(at.x + at.y < 1)) continue;
+        poll_(kInsertion);
         if (triangulation_.insert_clear(at, kClear * detail_) == Triangulation::kNothing) continue;
         vertices_.push_back(mesh_.add_vertex({f, at}));
       }
@@ -219,6 +240,7 @@ class CutMesh::Builder {
   const Surface& surface_;
   const Curve& curve_;
   const double detail_;
+  CancelPoll& poll_;
   std::vector<uint32_t> vertex_of_;  // per vertex of the surface
   std::vector<OnEdge> on_edges_;
   std::vector<FacePiece> pieces_;
@@ -227,9 +249,9 @@ class CutMesh::Builder {
   std::vector<uint32_t> vertices_;  // per point of the triangulation
 };
 
-CutMesh::CutMesh(const Surface& surface, const Curve& curve, double detail) : surface_(surface) {
-  Builder(*this, curve, detail).run();
-  connect();
+CutMesh::CutMesh(const Surface& surface, const Curve& curve, double detail, CancelPoll poll) : surface_(surface) {
+  Builder(*this, curve, detail, poll).run();
+  connect(poll);
 }
 
 uint32_t CutMesh::add_vertex(const Place& place) {
@@ -250,9 +272,9 @@ uint32_t CutMesh::add_vertex_on(uint32_t edge, double t) {
   return add_vertex({faces_[edge / 3].origin, at_share(edge, t)});
 }
 
-void CutMesh::replace_faces(std::vector<Face> faces) {
+void CutMesh::replace_faces(std::vector<Face> faces, CancelPoll& poll) {
   faces_ = std::move(faces);
-  connect();
+  connect(poll);
 }
 
 uint32_t CutMesh::next_point(uint32_t point) const {
@@ -274,7 +296,7 @@ uint32_t CutMesh::point_before(uint32_t strand, double along) const {
   return s.first + static_cast<uint32_t>(std::max<std::ptrdiff_t>(0, after - begin - 1));
 }
 
-void CutMesh::connect() {
+void CutMesh::connect(CancelPoll& poll) {
   struct Ends {
     uint32_t low, high, edge;
     bool operator<(const Ends& other) const {
@@ -286,6 +308,7 @@ void CutMesh::connect() {
   std::vector<Ends> all(count);
   line_side_.assign(count, 0);
   for (uint32_t e = 0; e < count; ++e) {
+    poll();
     const uint32_t a = faces_[e / 3].vertices[e % 3], b = faces_[e / 3].vertices[next_corner(e % 3)];
     all[e] = {std::min(a, b), std::max(a, b), e};
     const uint32_t p = line_point(a), q = line_point(b);
@@ -293,9 +316,13 @@ void CutMesh::connect() {
     if (next_point(p) == q) line_side_[e] = 1;
     if (previous_point(p) == q) line_side_[e] = -1;
   }
-  std::sort(all.begin(), all.end());
+  std::sort(all.begin(), all.end(), [&poll](const Ends& a, const Ends& b) {
+    poll();
+    return a < b;
+  });
   twins_.assign(count, kNone);
   for (size_t i = 0; i + 1 < count; ++i) {
+    poll();
     if (all[i].low != all[i + 1].low || all[i].high != all[i + 1].high) continue;
     twins_[all[i].edge] = all[i + 1].edge;
     twins_[all[i + 1].edge] = all[i].edge;

@@ -10,11 +10,22 @@ namespace {
 
 using Weights = std::array<double, 3>;
 
+/// What is done between two asks: less than a millisecond.
+constexpr uint32_t kPieces = 8192;
+/// Pieces that a vertex or face counts for which is put out.
+constexpr size_t kOutput = 16;
+
 Weights weights_at(Vec2 b) { return {1 - b.x - b.y, b.x, b.y}; }
 
 void put_vertices(const Surface& surface, const MeshMap* map, const CutMesh& mesh, const LineDistance& distance,
-                  CutSurface& out) {
+                  CutSurface& out, CancelPoll& poll) {
+  // Where vectors grow all that is in them is moved, without an ask.
+  out.positions.reserve(mesh.vertex_count());
+  out.distances.reserve(mesh.vertex_count());
+  out.vertex_faces.reserve(mesh.vertex_count());
+  out.vertex_weights.reserve(mesh.vertex_count());
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    poll(kOutput);
     const CutMesh::Place& place = mesh.place(v);
     const Weights w = weights_at(place.at);
     out.positions.push_back(caller_point(surface, place.face, w));
@@ -25,8 +36,19 @@ void put_vertices(const Surface& surface, const MeshMap* map, const CutMesh& mes
 }
 
 void put_faces(const Surface& surface, const MeshMap* map, const CutMesh& mesh, const LineFields& fields,
-               CutSurface& out) {
-  for (uint32_t f = 0; f < mesh.faces().size(); ++f) {
+               CutSurface& out, CancelPoll& poll) {
+  const size_t count = mesh.faces().size();
+  out.faces.reserve(count);
+  out.origins.reserve(count);
+  out.strands.reserve(count);
+  out.regions.reserve(count);
+  out.sides.reserve(count);
+  out.nearest_sides.reserve(count);
+  out.along.reserve(count);
+  out.face_distances.reserve(count);
+  out.corner_weights.reserve(count);
+  for (uint32_t f = 0; f < count; ++f) {
+    poll(kOutput);
     const CutMesh::Face& face = mesh.faces()[f];
     const FaceLine& line = fields.of_face(f);
     out.faces.push_back(face.vertices);
@@ -64,14 +86,15 @@ void put_line(const Surface& surface, const CutMesh& mesh, CutSurface& out) {
 }  // namespace
 
 CutSurface cut_surface(const Surface& surface, const MeshMap* map, const Curve& curve, double detail,
-                       bool middle_lines) {
-  CutMesh mesh(surface, curve, detail / surface.scale());
-  LineDistance distance(mesh);
-  if (middle_lines) add_middle_lines(mesh, distance);
-  const LineFields fields(mesh, distance);
+                       bool middle_lines, const std::function<bool()>& cancelled) {
+  CancelPoll poll(cancelled, kPieces);
+  CutMesh mesh(surface, curve, detail / surface.scale(), poll);
+  LineDistance distance(mesh, poll);
+  if (middle_lines) add_middle_lines(mesh, distance, poll);
+  const LineFields fields(mesh, distance, poll);
   CutSurface out;
-  put_vertices(surface, map, mesh, distance, out);
-  put_faces(surface, map, mesh, fields, out);
+  put_vertices(surface, map, mesh, distance, out, poll);
+  put_faces(surface, map, mesh, fields, out, poll);
   put_line(surface, mesh, out);
   return out;
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "curve/curve.h"
@@ -33,8 +34,9 @@ struct CutSurface {
 };
 
 /// Cuts a surface along a curve. `detail`, in the caller's units, and `middle_lines`: see meander_flow_cut_surface.
-/// `map` may be null.
+/// `map` may be null. `cancelled`, which may be empty, is asked all the while, on the caller's thread; throws
+/// Failure(FailureKind::kCancelled) if it says so.
 CutSurface cut_surface(const Surface& surface, const MeshMap* map, const Curve& curve, double detail,
-                       bool middle_lines);
+                       bool middle_lines, const std::function<bool()>& cancelled = {});
 
 }  // namespace meander

@@ -14,6 +14,9 @@ namespace {
 /// for places of different turns. On the inside of a bend they move as fast as one likes close to its centre.
 constexpr double kFastest = 4;
 
+/// Pieces of work that a corner counts for where the front passes.
+constexpr size_t kPassing = 16;
+
 /// Where the square of the way between the nearest places of two points is less than this share of what it is beside a
 /// straight line, the places count as one point.
 constexpr double kPointSource = 0.25;
@@ -29,18 +32,19 @@ double angle(const Vec3& u, const Vec3& v) { return elementary::atan2(u.cross(v)
 
 }  // namespace
 
-LineDistance::LineDistance(const CutMesh& mesh) : mesh_(mesh), nearest_(mesh.vertex_count()) {
-  find_corner_sides();
-  march();
+LineDistance::LineDistance(const CutMesh& mesh, CancelPoll poll) : mesh_(mesh), nearest_(mesh.vertex_count()) {
+  find_corner_sides(poll);
+  march(poll);
 }
 
 /// On which side of the line the corners of faces at it lie. No point of the line is on the boundary, so faces
 /// surround each of them.
-void LineDistance::find_corner_sides() {
+void LineDistance::find_corner_sides(CancelPoll& poll) {
   const uint32_t edges = static_cast<uint32_t>(3 * mesh_.faces().size());
   corner_side_.assign(edges, 0);
   piece_face_.assign(mesh_.line_point_count(), kNone);
   for (uint32_t e = 0; e < edges; ++e) {
+    poll();
     const uint32_t point = mesh_.line_point(vertex(e));
     if (point == kNone || mesh_.line_side(e) == 0) continue;
     if (mesh_.line_side(e) > 0) piece_face_[point] = mesh_.faces()[e / 3].origin;
@@ -96,18 +100,25 @@ bool LineDistance::one_sheet(uint32_t corner, uint32_t other) const {
   return std::abs(between(a, b)) <= kFastest * length;
 }
 
-void LineDistance::march() {
+void LineDistance::march(CancelPoll& poll) {
   // The corners of each vertex, vertex after vertex.
   std::vector<uint32_t> first(mesh_.vertex_count() + 1, 0), corners(3 * mesh_.faces().size());
-  for (uint32_t c = 0; c < corners.size(); ++c) ++first[vertex(c) + 1];
+  for (uint32_t c = 0; c < corners.size(); ++c) {
+    poll();
+    ++first[vertex(c) + 1];
+  }
   for (size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
   std::vector<uint32_t> end(first.begin(), first.end() - 1);
-  for (uint32_t c = 0; c < corners.size(); ++c) corners[end[vertex(c)]++] = c;
+  for (uint32_t c = 0; c < corners.size(); ++c) {
+    poll();
+    corners[end[vertex(c)]++] = c;
+  }
 
   FrontSearch front{AllNodes(mesh_.vertex_count())};
   for (uint32_t s = 0; s < mesh_.strands().size(); ++s) {
     const CutMesh::LineStrand& strand = mesh_.strands()[s];
     for (uint32_t p = strand.first; p < strand.first + strand.count; ++p) {
+      poll();
       nearest_[mesh_.line_vertex(p)] = {0, mesh_.arc_length(p), s, 0};
       front.offer(mesh_.line_vertex(p), 0);
     }
@@ -121,6 +132,7 @@ void LineDistance::march() {
   };
   while (const auto v = front.next()) {
     for (uint32_t i = first[*v]; i < first[*v + 1]; ++i) {
+      poll(kPassing);
       const uint32_t at = corners[i], a = next_edge(at), b = edge_before(at);
       if (!front.done(vertex(a))) offer(a, front.done(vertex(b)) ? across(at, b, a) : by_edge(at, a));
       if (!front.done(vertex(b))) offer(b, front.done(vertex(a)) ? across(at, a, b) : by_edge(at, b));
@@ -178,9 +190,9 @@ NearestOnLine LineDistance::beside(NearestOnLine other, const Vec3& x, uint32_t 
   return other;
 }
 
-void LineDistance::follow(const std::vector<NearestOnLine>& more) {
+void LineDistance::follow(const std::vector<NearestOnLine>& more, CancelPoll& poll) {
   nearest_.insert(nearest_.end(), more.begin(), more.end());
-  find_corner_sides();
+  find_corner_sides(poll);
 }
 
 /// Does the face in which a piece of the line lies, if there is one, hardly differ from this normal?

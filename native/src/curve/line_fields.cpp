@@ -4,18 +4,25 @@
 #include "base/disjoint_sets.h"
 
 namespace meander {
+namespace {
 
-LineFields::LineFields(const CutMesh& mesh, const LineDistance& distance)
+/// Pieces of work that a face counts for whose place is found.
+constexpr size_t kPlace = 16;
+
+}  // namespace
+
+LineFields::LineFields(const CutMesh& mesh, const LineDistance& distance, CancelPoll poll)
     : mesh_(mesh), faces_(mesh.faces().size()), parted_(mesh.surface().component_count(), 1) {
-  find_places(distance);
-  find_regions();
-  find_sides();
+  find_places(distance, poll);
+  find_regions(poll);
+  find_sides(poll);
 }
 
 /// A face belongs to the turn of its corner that is nearest to the line, but to that of a corner between turns only if
 /// it has no other one; what the other corners know of that turn follows from there.
-void LineFields::find_places(const LineDistance& distance) {
+void LineFields::find_places(const LineDistance& distance, CancelPoll& poll) {
   for (uint32_t f = 0; f < faces_.size(); ++f) {
+    poll(kPlace);
     const CutMesh::Face& face = mesh_.faces()[f];
     uint32_t chosen = 3 * f;
     int most = -1;
@@ -46,22 +53,25 @@ void LineFields::find_places(const LineDistance& distance) {
   }
 }
 
-void LineFields::find_regions() {
+void LineFields::find_regions(CancelPoll& poll) {
   DisjointSets joined(faces_.size());
   for (uint32_t e = 0; e < mesh_.twins().size(); ++e) {
+    poll();
     const uint32_t twin = mesh_.twins()[e];
     if (twin != kNone && twin > e && mesh_.line_side(e) == 0) joined.join(e / 3, twin / 3);
   }
   for (uint32_t f = 0; f < faces_.size(); ++f) {
+    poll();
     const uint32_t first = joined.find(f);
     faces_[f].region = first == f ? region_count_++ : faces_[first].region;
   }
 }
 
 /// Crosses the line from region to region and changes the side each time; the left of the first edge met is 1.
-void LineFields::find_sides() {
+void LineFields::find_sides(CancelPoll& poll) {
   std::vector<std::vector<std::pair<uint32_t, uint32_t>>> beside(region_count_);  // regions, and the edge between
   for (uint32_t e = 0; e < mesh_.twins().size(); ++e) {
+    poll();
     if (mesh_.line_side(e) == 0) continue;
     beside[faces_[e / 3].region].emplace_back(faces_[mesh_.twins()[e] / 3].region, e);
   }
@@ -76,6 +86,7 @@ void LineFields::find_sides() {
       const uint32_t region = queue.back();
       queue.pop_back();
       for (const auto& [other, edge] : beside[region]) {
+        poll();
         if (side[other] == 0) {
           side[other] = static_cast<int8_t>(-side[region]);
           queue.push_back(other);

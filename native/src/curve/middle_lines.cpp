@@ -13,13 +13,18 @@ constexpr double kLeastShare = 0.02;
 /// Halvings of the interval in which the middle of an edge is sought.
 constexpr int kHalvings = 16;
 
+/// Pieces of work that an edge counts for which is divided.
+constexpr size_t kDivision = 256;
+
 class MiddleLines {
  public:
-  MiddleLines(CutMesh& mesh, LineDistance& distance) : mesh_(mesh), distance_(distance) {}
+  MiddleLines(CutMesh& mesh, LineDistance& distance, CancelPoll& poll)
+      : mesh_(mesh), distance_(distance), poll_(poll) {}
 
   void add() {
     divided_.assign(mesh_.twins().size(), kNone);
     for (uint32_t e = 0; e < divided_.size(); ++e) {
+      poll_();
       const uint32_t twin = mesh_.twins()[e];
       if ((twin != kNone && twin < e) || mesh_.line_side(e) != 0) continue;
       divided_[e] = divide(e);
@@ -27,9 +32,12 @@ class MiddleLines {
     }
     std::vector<CutMesh::Face> faces;
     faces.reserve(mesh_.faces().size());
-    for (uint32_t f = 0; f < mesh_.faces().size(); ++f) divide_face(f, faces);
-    mesh_.replace_faces(std::move(faces));
-    distance_.follow(more_);
+    for (uint32_t f = 0; f < mesh_.faces().size(); ++f) {
+      poll_();
+      divide_face(f, faces);
+    }
+    mesh_.replace_faces(std::move(faces), poll_);
+    distance_.follow(more_, poll_);
   }
 
  private:
@@ -54,6 +62,7 @@ class MiddleLines {
     if (!(near_from(low).distance < near_to(low).distance && near_to(high).distance < near_from(high).distance)) {
       return kNone;  // there is no ridge between them
     }
+    poll_(kDivision);
     for (int k = 0; k < kHalvings; ++k) {
       const double t = 0.5 * (low + high);
       (near_from(t).distance < near_to(t).distance ? low : high) = t;
@@ -130,12 +139,15 @@ class MiddleLines {
 
   CutMesh& mesh_;
   LineDistance& distance_;
+  CancelPoll& poll_;
   std::vector<uint32_t> divided_;  // per edge
   std::vector<NearestOnLine> more_;
 };
 
 }  // namespace
 
-void add_middle_lines(CutMesh& mesh, LineDistance& distance) { MiddleLines(mesh, distance).add(); }
+void add_middle_lines(CutMesh& mesh, LineDistance& distance, CancelPoll poll) {
+  MiddleLines(mesh, distance, poll).add();
+}
 
 }  // namespace meander

@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 
 #include "base/elementary.h"
 #include "base/failure.h"
 #include "mesh/closest_point.h"
+#include "mesh/sparse_factors.h"
 #include "mesh/vertex_geometry.h"
 
 namespace meander {
@@ -22,7 +22,8 @@ constexpr double kDiffusion = 0.5;
 /// areas is added to it.
 constexpr double kShift = 1e-6;
 
-using LineSolver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<Complex>>;
+/// What is done between two asks: a few hundred microseconds, and for whole fields at once some milliseconds.
+constexpr uint32_t kPieces = 8192;
 
 /// The curvature tensor at the vertices: its mean, and half the difference of its two eigenvalues as a
 /// line along the direction in which the surface bends least (signed).
@@ -35,7 +36,9 @@ CurvatureTensor curvature_tensor(const VertexGeometry& g) {
   const Surface& s = g.surface();
   const auto n = static_cast<Eigen::Index>(s.vertex_count());
   CurvatureTensor t{Functions::Zero(n), Lines::Zero(n)};
+  CancelPoll poll = g.poll();
   for (HalfEdge e = 0; e < 3 * s.face_count(); ++e) {
+    poll();
     const HalfEdge other = s.twin(e);
     if (other == kNone || other < e) continue;
     const uint32_t f = face_of(e), k = corner_of(e), l = next_corner(k);
@@ -103,20 +106,23 @@ Eigen::SparseMatrix<Complex> shifted(Eigen::SparseMatrix<Complex> matrix, const 
   return matrix;
 }
 
-void require_success(const LineSolver& solver) {
-  if (solver.info() == Eigen::Success) return;
+void require_factors(const SparseFactors<Complex>& factors) {
+  if (factors.exist()) return;
   throw Failure(FailureKind::kInternal, "The direction field could not be computed; please report this mesh.");
 }
 
 }  // namespace
 
-VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double radius) {
-  const VertexGeometry g(surface);
+VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double radius,
+                             const std::function<bool()>& cancelled) {
+  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
   Functions x = Functions::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
   if (kind == CurvatureKind::kGaussian || kind == CurvatureKind::kAbsoluteGaussian) {
+    CancelPoll poll = g.poll();
     for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
+      poll();
       if (!g.used(v) || surface.on_boundary(v)) continue;
-      x[v] = (2 * std::numbers::pi - surface.total_angle(v)) / g.area()[v];
+      x[v] = (2 * std::numbers::pi - g.total_angle(v)) / g.area()[v];
     }
   } else {
     const CurvatureTensor t = curvature_tensor(g);
@@ -128,23 +134,24 @@ VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double 
   return VertexData<double>(std::vector<double>(x.begin(), x.end()));
 }
 
-VertexData<Vec3> principal_directions(const Surface& surface, bool most, double radius) {
-  const VertexGeometry g(surface);
+VertexData<Vec3> principal_directions(const Surface& surface, bool most, double radius,
+                                      const std::function<bool()>& cancelled) {
+  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
   const Lines least = least_bending(g, radius);
   // Where the surface bends equally in all directions only rounding would be left.
   constexpr double kNothing = 1e-7;
   return g.to_space(most ? Lines(-least) : least, kNothing * mean_size(least));
 }
 
-VertexData<Vec3> smoothest_directions(const Surface& surface) {
+VertexData<Vec3> smoothest_directions(const Surface& surface, const std::function<bool()>& cancelled) {
   constexpr int kMostIterations = 100;
   constexpr double kSettled = 1e-6;  // change of a field of square mean 1
-  const VertexGeometry g(surface);
+  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
   const std::vector<uint32_t> component = components(surface);
   const Functions area = relative_area(g, component);
   const size_t count = surface.component_count();
-  const LineSolver solver(shifted(g.line_laplacian(), area));
-  require_success(solver);
+  const SparseFactors<Complex> factors(shifted(g.line_laplacian(), area), g.poll());
+  require_factors(factors);
 
   // Of several smoothest fields the iteration finds the one nearest to where it starts: at the directions of
   // least bending, with some of the x-axis, and a little noise, so that no start is orthogonal to the smoothest.
@@ -152,7 +159,9 @@ VertexData<Vec3> smoothest_directions(const Surface& surface) {
   normalise(x, area, component, count);
   constexpr double kAxis = 0.05, kNoise = 1e-3;
   uint64_t random = 1;
+  CancelPoll poll = g.poll();
   for (uint32_t v = 0; v < component.size(); ++v) {
+    poll();
     if (component[v] == kNone) continue;
     random = random * 6364136223846793005u + 1442695040888963407u;
     x[v] += kAxis * g.line_along(v, Vec3::UnitX()) +
@@ -160,7 +169,7 @@ VertexData<Vec3> smoothest_directions(const Surface& surface) {
   }
   normalise(x, area, component, count);
   for (int k = 0; k < kMostIterations; ++k) {
-    Lines y = solver.solve(area.cast<Complex>().cwiseProduct(x));
+    Lines y = factors.solve(area.cast<Complex>().cwiseProduct(x), g.poll());
     normalise(y, area, component, count);
     const double change = area.dot((y - x).cwiseAbs2()) / static_cast<double>(count);
     x = std::move(y);
@@ -169,16 +178,20 @@ VertexData<Vec3> smoothest_directions(const Surface& surface) {
   return g.to_space(x, 1e-9);
 }
 
-VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes) {
+VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes,
+                                     const std::function<bool()>& cancelled) {
   // How much stiffer a stroke of the length of an edge is than the field around it.
   constexpr double kStiffness = 30;
-  const VertexGeometry g(surface);
+  constexpr size_t kSearch = 256;  // pieces of work that a search for the nearest point counts for
+  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
   const std::vector<uint32_t> component = components(surface);
   const ClosestPoint closest(surface);
   const double pitch = 0.5 * surface.mean_edge_length();
   Lines wish = Lines::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
   Functions weight = Functions::Zero(wish.size());
   std::vector<uint8_t> stroked(surface.component_count(), 0);
+  CancelPoll poll = g.poll();
+  poll.now();
   for (const Stroke& stroke : strokes) {
     for (size_t k = 0; k + 1 < stroke.size(); ++k) {
       const Vec3 along = stroke[k + 1] - stroke[k];
@@ -186,6 +199,7 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
       if (!(length > 0)) continue;
       const auto samples = static_cast<size_t>(std::ceil(length / pitch));
       for (size_t q = 0; q < samples; ++q) {
+        poll(kSearch);
         const double at = (static_cast<double>(q) + 0.5) / static_cast<double>(samples);
         const SurfacePoint p = closest(stroke[k] + at * along).point;
         const Vec2 flat{along.dot(surface.to_space(p.face, {1, 0})), along.dot(surface.to_space(p.face, {0, 1}))};
@@ -201,10 +215,11 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
     }
   }
   Eigen::SparseMatrix<Complex> matrix = shifted(g.line_laplacian(), relative_area(g, component));
+  poll.now();
   for (Eigen::Index v = 0; v < weight.size(); ++v) matrix.coeffRef(v, v) += weight[v];
-  const LineSolver solver(matrix);
-  require_success(solver);
-  Lines x = solver.solve(wish);
+  const SparseFactors<Complex> factors(matrix, g.poll());
+  require_factors(factors);
+  Lines x = factors.solve(wish, g.poll());
   for (uint32_t v = 0; v < component.size(); ++v) {
     if (component[v] == kNone || !stroked[component[v]]) x[v] = 0;
   }

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 
 #include "base/failure.h"
+#include "mesh/sparse_factors.h"
 
 namespace meander {
 namespace {
@@ -18,45 +18,38 @@ constexpr double kLeastWeight = 1e-3;
 
 Eigen::Index index(uint32_t v) { return static_cast<Eigen::Index>(v); }
 
-template <class Number>
-void add_edge(std::vector<Eigen::Triplet<Number>>& entries, uint32_t from, uint32_t to, double weight, Number carry) {
-  const auto i = static_cast<int>(from), j = static_cast<int>(to);
-  entries.emplace_back(i, i, weight);
-  entries.emplace_back(j, j, weight);
-  entries.emplace_back(j, i, -weight * carry);
-  if constexpr (std::is_same_v<Number, Complex>) {
-    entries.emplace_back(i, j, -weight * std::conj(carry));
-  } else {
-    entries.emplace_back(i, j, -weight * carry);
-  }
-}
-
 template <class Number, class Vector>
-Vector diffused(Eigen::SparseMatrix<Number> matrix, const Functions& area, const Vector& x, double length) {
+Vector diffused(Eigen::SparseMatrix<Number> matrix, const Functions& area, const Vector& x, double length,
+                const CancelPoll& poll) {
   matrix *= length * length;
   for (Eigen::Index v = 0; v < area.size(); ++v) {
     Number& diagonal = matrix.coeffRef(v, v);
     // The row of an unused vertex holds nothing else, and the square of a short length may underflow.
     diagonal = area[v] > 0 ? diagonal + area[v] : Number(1);
   }
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>> solver(matrix);
-  if (solver.info() != Eigen::Success) {
+  const SparseFactors<Number> factors(matrix, poll);
+  if (!factors.exist()) {
     throw Failure(FailureKind::kInternal, "A field could not be smoothed; please report this mesh.");
   }
-  return solver.solve(area.cast<Number>().cwiseProduct(x));
+  return factors.solve(area.cast<Number>().cwiseProduct(x), poll);
 }
 
 }  // namespace
 
-VertexGeometry::VertexGeometry(const Surface& surface) : surface_(surface) {
+VertexGeometry::VertexGeometry(const Surface& surface, const CancelPoll& poll) : surface_(surface), poll_(poll) {
   const size_t n = surface.vertex_count();
   area_ = Functions::Zero(static_cast<Eigen::Index>(n));
   normal_.assign(n, Vec3::Zero());
+  total_angle_.assign(n, 0);
+  CancelPoll ask = poll_;
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    ask();
     for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t v = surface.face(f)[k];
       area_[index(v)] += surface.face_area(f) / 3;
-      normal_[v] += surface.corner_angle(f, k) * surface.face_normal(f);
+      const double angle = surface.corner_angle(f, k);
+      normal_[v] += angle * surface.face_normal(f);
+      total_angle_[v] += angle;
     }
   }
   find_angles();
@@ -70,16 +63,19 @@ void VertexGeometry::find_angles() {
   angle_.assign(3 * surface_.face_count(), 0);
   // The first half-edge around each vertex: at the boundary the one that has no face on its right.
   std::vector<HalfEdge> start(n, kNone);
+  CancelPoll ask = poll_;
   for (HalfEdge e = 0; e < 3 * surface_.face_count(); ++e) {
+    ask();
     HalfEdge& s = start[surface_.face(face_of(e))[corner_of(e)]];
     if (s == kNone || surface_.twin(e) == kNone) s = e;
   }
   for (uint32_t v = 0; v < n; ++v) {
     if (start[v] == kNone) continue;
-    if (!surface_.on_boundary(v)) scale_[v] = 2 * std::numbers::pi / surface_.total_angle(v);
+    if (!surface_.on_boundary(v)) scale_[v] = 2 * std::numbers::pi / total_angle_[v];
     double angle = 0;
     HalfEdge e = start[v];
     do {
+      ask();
       angle_[e] = angle;
       angle += scale_[v] * surface_.corner_angle(face_of(e), corner_of(e));
       e = surface_.twin(3 * face_of(e) + prev_corner(corner_of(e)));
@@ -103,7 +99,10 @@ void VertexGeometry::find_edges() {
     const Vec2 u = surface_.corner(f, corner_of(e)) - p, w = surface_.corner(f, next_corner(corner_of(e))) - p;
     return dot(u, w) / cross(u, w);
   };
+  CancelPoll ask = poll_;
+  edges_.reserve((3 * surface_.face_count() + surface_.boundary().size()) / 2);
   for (HalfEdge e = 0; e < 3 * surface_.face_count(); ++e) {
+    ask();
     const HalfEdge other = surface_.twin(e);
     if (other != kNone && other < e) continue;
     const uint32_t f = face_of(e), k = corner_of(e), l = next_corner(k);
@@ -136,7 +135,9 @@ Complex VertexGeometry::line_along(uint32_t v, const Vec3& direction) const {
 
 VertexData<Vec3> VertexGeometry::to_space(const Lines& lines, double least) const {
   VertexData<Vec3> out(surface_.vertex_count(), Vec3::Zero());
+  CancelPoll ask = poll_;
   for (uint32_t v = 0; v < out.size(); ++v) {
+    ask();
     const Complex line = lines[index(v)];
     if (used(v) && size_of(line) > least) out[v] = to_space(v, 0.5 * angle_of(line));
   }
@@ -144,34 +145,49 @@ VertexData<Vec3> VertexGeometry::to_space(const Lines& lines, double least) cons
 }
 
 Functions VertexGeometry::smoothed(const Functions& x, double length) const {
-  return length > 0 ? diffused(laplacian(), area_, x, length) : x;
+  return length > 0 ? diffused(laplacian(), area_, x, length, poll_) : x;
 }
 
 Lines VertexGeometry::smoothed(const Lines& x, double length) const {
-  return length > 0 ? diffused(line_laplacian(), area_, x, length) : x;
+  return length > 0 ? diffused(line_laplacian(), area_, x, length, poll_) : x;
 }
 
 Eigen::SparseMatrix<double> VertexGeometry::laplacian() const {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(4 * edges_.size());
-  for (const Edge& e : edges_) add_edge<double>(entries, e.from, e.to, e.weight, 1);
-  for (Eigen::Index v = 0; v < area_.size(); ++v) {
-    if (!(area_[v] > 0)) entries.emplace_back(static_cast<int>(v), static_cast<int>(v), 1);
-  }
-  Eigen::SparseMatrix<double> matrix(area_.size(), area_.size());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  return laplacian_of<double>([](const Edge&) { return 1.0; });
 }
 
 Eigen::SparseMatrix<Complex> VertexGeometry::line_laplacian() const {
-  std::vector<Eigen::Triplet<Complex>> entries;
-  entries.reserve(4 * edges_.size());
-  for (const Edge& e : edges_) add_edge<Complex>(entries, e.from, e.to, e.weight, e.carry);
-  for (Eigen::Index v = 0; v < area_.size(); ++v) {
-    if (!(area_[v] > 0)) entries.emplace_back(static_cast<int>(v), static_cast<int>(v), 1);
+  return laplacian_of<Complex>([](const Edge& e) { return e.carry; });
+}
+
+/// Not from a list of triplets, which would be larger than the matrix and is sorted in one call that nothing ends.
+template <class Number, class Carry>
+Eigen::SparseMatrix<Number> VertexGeometry::laplacian_of(const Carry& carry) const {
+  CancelPoll ask = poll_;
+  Eigen::VectorXi counts = Eigen::VectorXi::Ones(area_.size());
+  for (const Edge& e : edges_) {
+    ask();
+    ++counts[index(e.from)];
+    ++counts[index(e.to)];
   }
-  Eigen::SparseMatrix<Complex> matrix(area_.size(), area_.size());
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::SparseMatrix<Number> matrix(area_.size(), area_.size());
+  matrix.reserve(counts);
+  for (const Edge& e : edges_) {
+    ask(4);
+    const Eigen::Index i = index(e.from), j = index(e.to);
+    matrix.coeffRef(i, i) += e.weight;
+    matrix.coeffRef(j, j) += e.weight;
+    // No two edges join the same vertices.
+    const Number number = -e.weight * carry(e);
+    matrix.insert(j, i) = number;
+    matrix.insert(i, j) = Eigen::numext::conj(number);
+  }
+  for (Eigen::Index v = 0; v < area_.size(); ++v) {
+    ask();
+    if (!(area_[v] > 0)) matrix.coeffRef(v, v) += 1;
+  }
+  matrix.makeCompressed();
+  poll_.now();
   return matrix;
 }
 

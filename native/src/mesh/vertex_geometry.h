@@ -9,6 +9,7 @@
 
 #include <Eigen/SparseCore>
 
+#include "base/cancel_poll.h"
 #include "base/elementary.h"
 #include "mesh/surface.h"
 #include "mesh/vertex_data.h"
@@ -32,12 +33,18 @@ using Lines = Eigen::VectorXcd;      ///< one squared vector a vertex, in the ve
 /// area, and everything is zero there.
 class VertexGeometry {
  public:
-  explicit VertexGeometry(const Surface& surface);
+  /// Everything here that goes over the whole surface calls `poll`, or a copy, for what it does with a face, an edge or
+  /// a vertex, which takes some nanoseconds, and for less where systems are solved.
+  explicit VertexGeometry(const Surface& surface, const CancelPoll& poll = {});
 
   const Surface& surface() const { return surface_; }
+  /// The constructor's, for what else is done with it.
+  const CancelPoll& poll() const { return poll_; }
   /// A third of the area of the faces around each vertex.
   const Functions& area() const { return area_; }
   bool used(uint32_t v) const { return area_[v] > 0; }
+  /// Sum of the angles of the faces around each vertex.
+  double total_angle(uint32_t v) const { return total_angle_[v]; }
   const Vec3& normal(uint32_t v) const { return normal_[v]; }
 
   /// Angle of a vector of the plane of face f in the plane of its corner k.
@@ -68,11 +75,15 @@ class VertexGeometry {
   };
   void find_angles();
   void find_edges();
+  template <class Number, class Carry>
+  Eigen::SparseMatrix<Number> laplacian_of(const Carry& carry) const;
 
   const Surface& surface_;
+  CancelPoll poll_;
   Functions area_;
   std::vector<Vec3> normal_, axis_;
   std::vector<double> angle_;  // of each half-edge in the plane of its first vertex
+  std::vector<double> total_angle_;
   std::vector<double> scale_;  // of angles at each vertex
   std::vector<Edge> edges_;
 };
