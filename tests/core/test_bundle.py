@@ -38,7 +38,9 @@ def whole_problem() -> Problem:
     prepared.face_mask = np.arange(len(faces)) > 3
     return Problem(
         vertices, faces, options, seed,
-        density=lambda surface: 1.0 + np.abs(surface.curvature("mean")) + vertices[:, 0],
+        density=lambda surface, _context: (
+            1.0 + np.abs(surface.curvature("mean")) + vertices[:, 0]
+        ),
         surface_options=prepared,
         directions=np.tile([1.0, 0.3, 0.0], (len(vertices), 1)),
         alignment="across",

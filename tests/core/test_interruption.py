@@ -44,6 +44,13 @@ def test_what_makes_a_flow_heeds_a_cancelled_context():
         with core.Surface(problem.vertices, problem.faces) as surface:
             _refused_as_cancelled(lambda: surface.outlines(0.05, 0.1, context))
             _refused_as_cancelled(lambda: core.Flow(surface, problem.options, context=context))
+            _refused_as_cancelled(lambda: surface.curvature("mean", 0.1, context))
+            _refused_as_cancelled(lambda: surface.directions("smooth", context=context))
+            stroke = [[0.1, 0.1, 0.0], [0.9, 0.2, 0.0]]
+            _refused_as_cancelled(lambda: surface.extended_directions(stroke, [0, 2], context))
+            with core.Flow(surface, problem.options) as flow:
+                _refused_as_cancelled(lambda: core.cut_surface(flow, context=context))
+                assert len(core.cut_surface(flow).faces) > 0
             # Nothing of it stays: the same surface goes on to work.
             assert len(surface.outlines(0.05, 0.1)[0].closed) == 1
         _refused_as_cancelled(lambda: open_flow(problem, context))
@@ -57,6 +64,27 @@ def test_outlines_that_take_long_end_when_they_are_cancelled():
         timer.start()
         _refused_as_cancelled(lambda: surface.outlines(5e-6, 1e-5, context))
         timer.join()
+
+
+def test_a_field_that_takes_long_ends_when_it_is_cancelled():
+    # Directions of curvature of 40,000 vertices take seconds, and so does their density.
+    mesh = geometry.grid(200)
+    options = core.default_options("even")
+    options.radius = 0.05
+    for field in ("density", "directions"):
+        computed = []
+
+        def on(surface: core.Surface, context: core.Context | None, name=field, done=computed):
+            timer = threading.Timer(0.05, context.cancel)
+            timer.start()
+            found = surface.directions("curvature_min", 0.2, context)
+            done.append(found)
+            return found[:, 0] + 2.0 if name == "density" else found
+
+        problem = Problem(mesh.vertices, mesh.faces, options, **{field: on})
+        with core.Context() as context:
+            _refused_as_cancelled(lambda p=problem, c=context: open_flow(p, c))
+        assert not computed
 
 
 def test_an_interruption_cancels_the_work_and_waits_for_its_end():

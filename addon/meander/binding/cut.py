@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .context import Context, pointer_of
 from .flow import Flow
 from .native_library import address_of, call, narrow_offsets, native
 
@@ -72,24 +73,30 @@ class CutSurface:
         return np.stack((self.line_vertices, self.line_vertices[follower]), axis=1)[joined]
 
 
-def cut_surface(flow: Flow, detail: float = 0.0, middle_lines: bool = False) -> CutSurface:
+def cut_surface(
+    flow: Flow,
+    detail: float = 0.0,
+    middle_lines: bool = False,
+    context: Context | None = None,
+) -> CutSurface:
     """Cuts the flow's surface along its present curve; see meander_flow_cut_surface.
 
     detail        about how long edges are at most, in the surface's units; 0: as the curve has it
     middle_lines  whether the lines halfway between neighbouring turns become edges too
 
-    Raises MeanderError for a detail out of range, and while the flow is running.
+    Raises MeanderError for a detail out of range, while the flow is running, and soon after
+    `context` has been cancelled.
     """
     library = native()
     cut = c_void_p()
-    with flow._use() as pointer:
+    with flow._use() as pointer, pointer_of(context) as cancelling:
         call(
             library.meander_flow_cut_surface,
             pointer,
             float(detail),
             int(middle_lines),
             byref(cut),
-            None,
+            cancelling,
         )
     try:
         return CutSurface(*_vertices(cut), *_faces(cut), *_line(cut))

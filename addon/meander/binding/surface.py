@@ -265,7 +265,9 @@ class Surface(Handle):
         )
         return seed, skipped.value
 
-    def curvature(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
+    def curvature(
+        self, kind: str, smoothing: float = 0.0, context: Context | None = None
+    ) -> NDArray[np.float64]:
         """Curvature at every vertex, (vertex count,) float64.
 
         See meander_surface_compute_curvature.
@@ -273,51 +275,60 @@ class Surface(Handle):
         kind       one of CURVATURES
         smoothing  radius over which values are averaged, in the surface's units; 0: none
 
-        Raises MeanderError for an unknown kind and a radius larger than the mesh.
+        Raises MeanderError for an unknown kind and a radius larger than the mesh, and soon after
+        `context` has been cancelled.
         """
         values = np.empty(self.vertex_count)
         number = chosen("kind of curvature", kind, CURVATURES)
-        call(
-            native().meander_surface_compute_curvature,
-            self._alive(),
-            number,
-            float(smoothing),
-            address_of(values),
-            len(values),
-            None,
-        )
+        with pointer_of(context) as cancelling:
+            call(
+                native().meander_surface_compute_curvature,
+                self._alive(),
+                number,
+                float(smoothing),
+                address_of(values),
+                len(values),
+                cancelling,
+            )
         return values
 
-    def directions(self, kind: str, smoothing: float = 0.0) -> NDArray[np.float64]:
+    def directions(
+        self, kind: str, smoothing: float = 0.0, context: Context | None = None
+    ) -> NDArray[np.float64]:
         """A field of lines for `Flow.set_directions`, (vertex count, 3) float64: unit tangent
         vectors, signs arbitrary, zero where there is none; see meander_surface_compute_directions.
 
         kind       one of DIRECTIONS
         smoothing  as in `curvature`; without meaning for 'smooth'
 
-        Raises MeanderError for an unknown kind and a radius larger than the mesh.
+        Raises MeanderError for an unknown kind and a radius larger than the mesh, and soon after
+        `context` has been cancelled.
         """
         directions = np.empty((self.vertex_count, 3))
         number = chosen("kind of directions", kind, DIRECTIONS)
-        call(
-            native().meander_surface_compute_directions,
-            self._alive(),
-            number,
-            float(smoothing),
-            address_of(directions),
-            len(directions),
-            None,
-        )
+        with pointer_of(context) as cancelling:
+            call(
+                native().meander_surface_compute_directions,
+                self._alive(),
+                number,
+                float(smoothing),
+                address_of(directions),
+                len(directions),
+                cancelling,
+            )
         return directions
 
-    def extended_directions(self, points: ArrayLike, offsets: ArrayLike) -> NDArray[np.float64]:
+    def extended_directions(
+        self, points: ArrayLike, offsets: ArrayLike, context: Context | None = None
+    ) -> NDArray[np.float64]:
         """The smoothest field of lines that is parallel to strokes drawn on the surface.
 
         points   (n, 3) float64, stroke after stroke, in the surface's units
         offsets  (s + 1,) uint32: stroke k has the points offsets[k] .. offsets[k + 1] - 1
 
         Returns directions as `directions` does; zero on components without a stroke. Raises
-        MeanderError for offsets that do not fit and points that are not finite.
+        MeanderError for offsets that do not fit and points that are not finite, and soon after
+        `context` has been cancelled.
         """
         point_array = checked_array("the strokes' points", points, np.float64, 3)
         offset_array = checked_array("the strokes' offsets", offsets, np.uint32, None)
@@ -327,15 +338,16 @@ class Surface(Handle):
             )
         ends = offset_array.astype(np.uint64)
         directions = np.empty((self.vertex_count, 3))
-        call(
-            native().meander_surface_compute_stroke_directions,
-            self._alive(),
-            address_of(point_array),
-            len(point_array),
-            address_of(ends),
-            len(ends) - 1,
-            address_of(directions),
-            len(directions),
-            None,
-        )
+        with pointer_of(context) as cancelling:
+            call(
+                native().meander_surface_compute_stroke_directions,
+                self._alive(),
+                address_of(point_array),
+                len(point_array),
+                address_of(ends),
+                len(ends) - 1,
+                address_of(directions),
+                len(directions),
+                cancelling,
+            )
         return directions

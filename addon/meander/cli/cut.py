@@ -12,6 +12,7 @@ from ..model import cut_files
 from .input import Input
 from .place import Place
 from .values import positive
+from .watching import interruptible
 
 _SUFFIXES = (*cut_files.SUFFIXES, ".blend")
 
@@ -61,7 +62,8 @@ def cut_of(flow: core.Flow, arguments: argparse.Namespace) -> core.CutSurface | 
     """The cut of a run that has ended; None where none is wanted. Raises core.MeanderError."""
     if arguments.cut is None:
         return None
-    return core.cut_surface(flow, arguments.cut_detail or 0.0, arguments.cut_middle_lines)
+    detail, middle_lines = arguments.cut_detail or 0.0, arguments.cut_middle_lines
+    return interruptible(lambda context: core.cut_surface(flow, detail, middle_lines, context))
 
 
 def write(

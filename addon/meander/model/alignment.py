@@ -6,16 +6,16 @@ Directions are lines: their signs and lengths do not matter.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
+from .field import FieldOn
 
 # Per vertex (n, 3), or what computes them from the surface once that exists.
-Directions = NDArray[np.float64] | Callable[[core.Surface], NDArray[np.float64]]
+Directions = NDArray[np.float64] | FieldOn
 
 
 @dataclass(frozen=True)
@@ -44,9 +44,10 @@ def axis_directions(frame: NDArray[np.float64], axis: str, count: int) -> NDArra
 def computed(kind: str, smoothing: float = 0.0) -> Directions:
     """Directions that the library computes: one of core.DIRECTIONS."""
 
-    def on(surface: core.Surface) -> NDArray[np.float64]:
+    def on(surface: core.Surface, context: core.Context | None = None) -> NDArray[np.float64]:
         # Averaging over more than the mesh is no mistake worth stopping for.
-        return surface.directions(kind, min(smoothing, surface.statistics()["diagonal"]))
+        smoothing_here = min(smoothing, surface.statistics()["diagonal"])
+        return surface.directions(kind, smoothing_here, context)
 
     return on
 

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
+from .field import FieldOn
 
 Values = NDArray[np.float64]
 
@@ -108,17 +109,17 @@ class Choice:
         return Ramp(low, high, *self.factors, self.interpolation, self.stops)
 
 
-def curvature_density(choice: Choice, radius: float) -> Callable[[core.Surface], Values]:
+def curvature_density(choice: Choice, radius: float) -> FieldOn:
     """What computes the density from the absolute curvature of a surface.
 
     Curvature is averaged over choice.smoothing times the radius, and values of less than a
     millionth of what the size of the surface gives are those of a flat one.
     """
 
-    def on(surface: core.Surface) -> Values:
+    def on(surface: core.Surface, context: core.Context | None = None) -> Values:
         diagonal = surface.statistics()["diagonal"]
         smoothing = min(choice.smoothing * radius, diagonal)
-        values = surface.curvature(f"absolute_{choice.name}", smoothing)
+        values = surface.curvature(f"absolute_{choice.name}", smoothing, context)
         noise = 1e-6 / diagonal ** (2 if choice.name == "gaussian" else 1)
         values[values < noise] = 0.0
         return choice.ramp(values).density(values)

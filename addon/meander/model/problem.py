@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import core
+from .field import FieldOn, evaluated
 from .preparation import outlined
 
 
@@ -25,9 +26,9 @@ class Problem:
     faces: np.ndarray
     options: core.FlowOptions
     seed: core.Seed | None = None
-    density: np.ndarray | Callable[[core.Surface], np.ndarray] | None = None
+    density: np.ndarray | FieldOn | None = None
     surface_options: core.SurfaceOptions | None = None
-    directions: np.ndarray | Callable[[core.Surface], np.ndarray] | None = None
+    directions: np.ndarray | FieldOn | None = None
     alignment: str = "along"
     outline: float = 0.0  # distance of outlines from the border; 0: none
 
@@ -69,7 +70,7 @@ def open_flow(
         problem.vertices, problem.faces, problem.surface_options, options.threads, context
     ) as surface:
         figures = surface.statistics()
-        density = _evaluated(problem.density, surface)
+        density = evaluated(problem.density, surface, context)
         if accept is not None:
             cost = core.estimate_cost(surface.extent(density), options)
             accept(cost)
@@ -80,7 +81,7 @@ def open_flow(
             figures["skipped_outlines"] = skipped
         flow = core.Flow(surface, options, seed, density, context)
         try:
-            directions = _evaluated(problem.directions, surface)
+            directions = evaluated(problem.directions, surface, context)
             if directions is not None:
                 flow.set_directions(directions, problem.alignment)
         except BaseException:
@@ -88,8 +89,3 @@ def open_flow(
             raise
     found = replace(problem, density=density, directions=directions)
     return Opened(flow, density, figures, found, cost)
-
-
-def _evaluated(field: Any, surface: core.Surface) -> Any:
-    """A field on the surface: itself, or what it computes."""
-    return field(surface) if callable(field) else field

@@ -16,6 +16,7 @@ from bpy.app.handlers import persistent
 
 from .. import core
 from ..model.estimate import Estimate, Speeds, estimated, extent_of
+from ..model.field import evaluated
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
@@ -124,7 +125,7 @@ def _extent(vertices, faces, density, prepared, options) -> core.Extent:
     if callable(density) or prepared.face_mask is not None or prepared.vertex_mask is not None:
         with core.Surface(vertices, faces, prepared, options.threads) as surface:
             share = surface.statistics()["area"] / area_of(vertices, faces)
-            density = density(surface) if callable(density) else density
+            density = evaluated(density, surface)
     return extent_of(vertices, faces, density, share)
 
 

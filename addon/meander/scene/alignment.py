@@ -115,7 +115,7 @@ def _continued_strokes(alignment: Alignment, depsgraph: bpy.types.Depsgraph) -> 
         pieces.append(np.vstack([points, points[:1]]) if closed else points)
     offsets = np.cumsum([0] + [len(piece) for piece in pieces]).astype(np.uint32)
     points = np.vstack(pieces)
-    return lambda surface: surface.extended_directions(points, offsets)
+    return lambda surface, context=None: surface.extended_directions(points, offsets, context)
 
 
 def _vectors(

@@ -7,13 +7,11 @@ it into the density.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import bpy
 import numpy as np
 
-from .. import core
 from ..model.density import (
     FREE,
     Choice,
@@ -24,6 +22,7 @@ from ..model.density import (
     mean_at_vertices,
     sample_repeated,
 )
+from ..model.field import FieldOn
 from . import ramp
 from .attributes import (
     is_color,
@@ -147,7 +146,7 @@ def density_of(
     surface: bpy.types.Object,
     depsgraph: bpy.types.Depsgraph,
     radius: float = 0.0,
-) -> Values | Callable[[core.Surface], Values] | None:
+) -> Values | FieldOn | None:
     """The density per vertex of meshes.triangles_of(), or what computes it; None for 1
     everywhere.
 
