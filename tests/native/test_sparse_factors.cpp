@@ -81,7 +81,7 @@ TYPED_TEST(SparseFactorsOf, SolveAsEigenDoes) {
 
 TYPED_TEST(SparseFactorsOf, DoNotExistWithoutADiagonal) {
   typename SparseFactors<TypeParam>::Matrix matrix(3, 3);
-  matrix.insert(0, 0) = matrix.insert(2, 2) = TypeParam(1);
+  for (const int k : {0, 2}) matrix.insert(k, k) = TypeParam(1);
   EXPECT_FALSE(SparseFactors<TypeParam>(matrix, {}).exist());
 }
 
