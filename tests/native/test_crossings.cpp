@@ -3,6 +3,7 @@
 // The crossing test against a comparison of all pairs in exact integers.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <ctime>
 
 #include "curve/crossings.h"
@@ -106,6 +107,34 @@ TEST(Crossings, OfPiecesFromSideToSideOfAFaceAreFoundInTime) {
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 3.0);  // measured: .03; 30 with cells
 }
 
+/// As round the tip of a spike: pieces side by side, each across one of the three corners, some of which lean over and
+/// touch or cross the next.
+TEST(Crossings, EqualBruteForceAcrossEachCornerOfAFace) {
+  const Surface s = make_surface(octahedron());
+  Rng rng(26);
+  for (const uint32_t lines : {20u, 100u, 300u}) {
+    for (size_t corner = 0; corner < 3; ++corner) {
+      for (const uint32_t lean : {0u, 1u, 3u}) {
+        std::vector<Vec2> points;
+        const auto add = [&](uint32_t line, bool other_side) {
+          const double away = (8 + line + rng.below(lean + 1)) / 512.0, aside = 1.0 / 512;
+          std::array<double, 3> w{};
+          w[corner] = 1 - away;
+          w[(corner + 1) % 3] = other_side ? away - aside : aside;
+          w[(corner + 2) % 3] = other_side ? aside : away - aside;
+          points.push_back(make_point(0, w[0], w[1], w[2]).b);
+        };
+        for (uint32_t k = 0; k < lines; ++k) {
+          add(k, k % 2 != 0);
+          add(k, k % 2 == 0);
+        }
+        expect_equal(s, strand_in_face(s, points, false), rng);
+        EXPECT_EQ(brute_force(s, strand_in_face(s, points, false)).empty(), lean == 0);
+      }
+    }
+  }
+}
+
 TEST(Crossings, EqualBruteForceAcrossManyFaces) {
   Rng rng(23);
   for (const Mesh& mesh :
@@ -177,7 +206,7 @@ TEST(Crossings, TouchEqualsTheExactTestOnALattice) {
 /// Segments that run over many faces and come back, so that a segment crosses the next one far from their node.
 TEST(Crossings, EqualBruteForceWhereLongSegmentsComeBack) {
   Rng rng(25);
-  uint32_t neighbours = 0;
+  uint32_t neighbours = 0, ends = 0;
   for (const Mesh& mesh : {cube(), octahedron(), sphere(1), torus(9, 6)}) {
     const Surface s = make_surface(mesh);
     for (int round = 0; round < 60; ++round) {
@@ -188,13 +217,26 @@ TEST(Crossings, EqualBruteForceWhereLongSegmentsComeBack) {
         const Trace trace = trace_geodesic(s, at, rng.in(0.3, 2) * rng.direction(), c.paths.back());
         add_node(c, at = trace.end);
       }
-      c.strands.push_back({0, c.size(), false});
+      // Every other one is closed by the way back, made short.
+      const bool closed = round % 2 == 1;
+      if (closed) {
+        Path& back = c.paths.back();
+        for (uint32_t i = c.size() - 1; i-- > 0;) {
+          for (size_t k = c.paths[i].size(); k-- > 0;) back.push_back(reversed(c.paths[i][k]));
+        }
+        c.shapes.back() = PathShortener(s).shorten(c.nodes.back(), c.nodes.front(), back);
+      }
+      c.strands.push_back({0, c.size(), closed});
       c.link();
       expect_equal(s, c, rng);
-      for (const auto& [a, b] : exact_crossings(s, c)) neighbours += b == a + 1;
+      for (const auto& [a, b] : exact_crossings(s, c)) {
+        neighbours += b == a + 1;
+        ends += closed && a == 0 && b == 3;
+      }
     }
   }
   EXPECT_GT(neighbours, 100u);
+  EXPECT_GT(ends, 5u);
 }
 
 TEST(Crossings, TouchingCounts) {
@@ -206,6 +248,21 @@ TEST(Crossings, TouchingCounts) {
     const Vec2 last{0.25, 0.125 + (apart ? kGrain : 0)};
     const Curve c = strand_in_face(s, {{0.125, 0.125}, {0.5, 0.125}, {0.5, 0.375}, last}, false);
     EXPECT_EQ(test.find(s, c, pool), apart ? Pairs{} : (Pairs{{0, 2}}));
+  }
+}
+
+TEST(Crossings, OnlyGuidesMayCrossGuides) {
+  const Surface s = make_surface(octahedron());
+  CrossingTest test;
+  ThreadPool pool(1);
+  for (const bool first : {false, true}) {
+    for (const bool second : {false, true}) {
+      Curve c;
+      for (const Vec2 p : {Vec2{0.125, 0.25}, Vec2{0.5, 0.25}, Vec2{0.25, 0.125}, Vec2{0.25, 0.5}}) add_node(c, {0, p});
+      c.strands = {{0, 2, false, first}, {2, 2, false, second}};
+      join_in_face(s, c);
+      EXPECT_EQ(test.find(s, c, pool), first && second ? Pairs{} : (Pairs{{0, 2}}));
+    }
   }
 }
 

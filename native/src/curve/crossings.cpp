@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <utility>
+
+#include "curve/piece_grid.h"
 
 namespace meander {
 namespace {
@@ -62,12 +63,12 @@ class FaceTest {
   static constexpr size_t kFew = 24;
 
   void test(const Piece& p, const Piece& q) {
-    if (std::max(p.from.x, p.to.x) < std::min(q.from.x, q.to.x) ||
-        std::max(q.from.x, q.to.x) < std::min(p.from.x, p.to.x) ||
-        std::max(p.from.y, p.to.y) < std::min(q.from.y, q.to.y) ||
-        std::max(q.from.y, q.to.y) < std::min(p.from.y, p.to.y)) {
-      return;
-    }
+    const auto apart = [](double a, double b, double c, double d) {
+      return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+    };
+    const auto a = weights_across(p.from), b = weights_across(p.to), c = weights_across(q.from),
+               d = weights_across(q.to);
+    if (apart(a[0], b[0], c[0], d[0]) || apart(a[1], b[1], c[1], d[1]) || apart(a[2], b[2], c[2], d[2])) return;
     if (changed_ && !(*changed_)[p.segment] && !(*changed_)[q.segment]) return;
     if (curve_.on_guide(p.segment) && curve_.on_guide(q.segment)) return;
     if (crossing(p, q)) found_.emplace_back(std::min(p.segment, q.segment), std::max(p.segment, q.segment));
@@ -90,47 +91,17 @@ class FaceTest {
   }
 
   /// Many pieces in one face: only those in the same cell of a grid are compared. False, with nothing done, where
-  /// they are so long that their cells would hold more pairs than there are.
+  /// that does not pay.
   bool by_cells(const Piece* pieces, size_t count) {
-    Vec2 low = pieces[0].from, high = low;
-    for (size_t i = 0; i < count; ++i) {
-      for (const Vec2 v : {pieces[i].from, pieces[i].to}) {
-        low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-        high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-      }
-    }
-    const double side = std::ceil(std::sqrt(static_cast<double>(count)));
-    const Vec2 cell{std::max((high.x - low.x) / side, 1e-300), std::max((high.y - low.y) / side, 1e-300)};
-    const auto column = [&](double x, double from, double step) {
-      return static_cast<uint32_t>(std::clamp((x - from) / step, 0.0, side - 1));
-    };
-    entries_.clear();
-    const uint32_t width = static_cast<uint32_t>(side);
-    for (uint32_t i = 0; i < count; ++i) {
-      const Piece& p = pieces[i];
-      const uint32_t x0 = column(std::min(p.from.x, p.to.x), low.x, cell.x);
-      const uint32_t x1 = column(std::max(p.from.x, p.to.x), low.x, cell.x);
-      const uint32_t y0 = column(std::min(p.from.y, p.to.y), low.y, cell.y);
-      const uint32_t y1 = column(std::max(p.from.y, p.to.y), low.y, cell.y);
-      // With c cells for each of n pieces, n cells hold n c^2 / 2 pairs.
-      if (entries_.size() + size_t{x1 - x0 + 1} * (y1 - y0 + 1) > count * width) return false;
-      for (uint32_t y = y0; y <= y1; ++y) {
-        for (uint32_t x = x0; x <= x1; ++x) entries_.push_back({uint64_t{y} * width + x, i});
-      }
-    }
-    std::sort(entries_.begin(), entries_.end());
-    for (size_t i = 0; i < entries_.size(); ++i) {
-      for (size_t j = i + 1; j < entries_.size() && entries_[j].first == entries_[i].first; ++j) {
-        test(pieces[entries_[i].second], pieces[entries_[j].second]);
-      }
-    }
+    if (!grid_.lay({pieces, count})) return false;
+    grid_.for_pairs([&](uint32_t i, uint32_t j) { test(pieces[i], pieces[j]); });
     return true;
   }
 
   const Curve& curve_;
   const std::vector<uint8_t>* changed_;
   Pairs& found_;
-  std::vector<std::pair<uint64_t, uint32_t>> entries_;
+  PieceGrid grid_;
 };
 
 }  // namespace
