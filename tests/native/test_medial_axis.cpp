@@ -93,6 +93,29 @@ TEST(MedialAxis, EqualsBruteForceFromAnyStart) {
   }
 }
 
+/// Where nothing is left of a ball, as of one that would begin beyond the boundary, it is a point.
+TEST(MedialAxis, ABallWithoutReachIsAPoint) {
+  Scene scene(sphere(2));
+  Rng rng(33);
+  add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.1, 30, 0.2, rng);
+  NodeData<Radii> all, radii;
+  scene.compute(BoundaryRule::kCentre, 0.15, all);
+  ThreadPool pool(1);
+  CurveBvh tree;
+  NodeData<Reach> reach;
+  compute_reach(scene.surface, scene.curve, scene.frames, scene.boundary, BoundaryRule::kCentre, nullptr, scene.metric,
+                pool, reach);
+  for (uint32_t i = 0; i < scene.curve.size(); i += 3) reach[i][i % 2].radius = i % 4 < 2 ? 0 : -0.01;
+  for (int pass = 0; pass < 2; ++pass) {  // from nothing, and from what the last one found
+    compute_medial_axis(scene.frames, scene.boundary, BoundaryRule::kCentre, reach, pool, tree, radii);
+    for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+      for (uint32_t side = 0; side < 2; ++side) {
+        EXPECT_EQ(radii[i][side], i % 3 == 0 && side == i % 2 ? 0 : all[i][side]) << "node " << i;
+      }
+    }
+  }
+}
+
 TEST(MedialAxis, FramesAreOrthogonalAndBisect) {
   constexpr double kRounding = 1e-12;
   Scene scene(with_noise(sphere(3), 0.3, 9));

@@ -430,6 +430,20 @@ void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::arr
   }
 }
 
+/// The same among all runs. What is seen is asked once for each run: where this is needed a ball holds very many
+/// points, and hardly any of them may be seen.
+double CurveBvh::largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x,
+                                      const Eigen::Vector3d& b, double most, uint32_t& touched) const {
+  touched = UINT32_MAX;
+  double radius = most;
+  visit_runs(x, b, radius, [&](uint32_t run) {
+    uint32_t lanes = lanes_inside(run, x, b, radius);
+    if (lanes != 0) lanes &= sight.seen(kind, run);
+    return lanes != 0 && shrinks_to_lanes(run, lanes, x, b, radius, touched);
+  });
+  return radius;
+}
+
 void CurveBvh::largest_balls_seen(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
                                   const Sight& sight, std::span<std::array<double, 2>> radii,
                                   std::span<std::array<uint32_t, 2>> touched) const {
@@ -448,7 +462,7 @@ void CurveBvh::largest_balls_seen(size_t first, size_t last, std::span<const std
           if (!(r > 0)) continue;
           uint32_t& limit = touched[i - first][side];
           r = few ? largest_ball_seen_among(near, seen, point(i), b[i][side], r, limiting, limit)
-                  : largest_ball_seen(point(i), b[i][side], r, counts_for(sight, kind), limit);
+                  : largest_ball_of_kind(sight, kind, point(i), b[i][side], r, limit);
         }
       }
     }

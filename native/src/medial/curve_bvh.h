@@ -157,10 +157,6 @@ class CurveBvh {
     }
     return smaller;
   }
-  static auto counts_for(const Sight& sight, uint32_t kind) {
-    return [&sight, kind](uint32_t j) { return (sight.seen(kind, j / kRun) >> (j % kRun) & 1) != 0; };
-  }
-
   /// What points of one kind see of the candidates, found out when it is first asked for.
   class Seen {
    public:
@@ -187,6 +183,8 @@ class CurveBvh {
   bool runs_near(const Box& box, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                             uint32_t& limiting, uint32_t& touched) const;
+  double largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
+                              double most, uint32_t& touched) const;
   double largest_ball_seen_among(const Candidates& near, Seen& seen, const Eigen::Vector3d& x,
                                  const Eigen::Vector3d& b, double most, uint32_t& limiting, uint32_t& touched) const;
   uint32_t add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool);
