@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <memory>
@@ -16,7 +17,9 @@
 #include "base/failure.h"
 #include "curve/cut_surface.h"
 #include "flow/flow.h"
+#include "mesh/closest_point.h"
 #include "mesh/fields.h"
+#include "mesh/normal_field.h"
 #include "test_seeds.h"
 #include "under_sanitizer.h"
 
@@ -25,7 +28,7 @@ namespace {
 
 /// Of the asks of a call the first ones, and of the rest so many, get yes for an answer.
 #ifdef MEANDER_UNDER_ASAN
-constexpr int kFirst = 12, kSampled = 12;
+constexpr int kFirst = 8, kSampled = 6;
 #else
 constexpr int kFirst = 40, kSampled = 20;
 #endif
@@ -93,6 +96,29 @@ int asks_of(const Work& work) {
   };
   work(question);
   return asked;
+}
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Whether work() never goes on for longer than a share of its processor time without an ask. Tried a few times, since
+/// other programs take the caches away.
+template <class Work>
+bool asks_often(double share, const Work& work) {
+  bool often = false;
+  for (int k = 0; k < 5 && !often; ++k) {
+    const double begin = processor_seconds();
+    double last = begin, longest = 0;
+    const std::function<bool()> question = [&] {
+      const double now = processor_seconds();
+      longest = std::max(longest, now - last);
+      last = now;
+      return false;
+    };
+    work(question);
+    question();
+    often = longest < share * (last - begin);
+  }
+  return often;
 }
 
 struct Task {
@@ -193,6 +219,30 @@ TEST(CancelAtAnyAsk, EndsTheMakingOfAFlow) {
   for (int n = 0; n < asks; ++n) EXPECT_TRUE(is_cancelled(n, make));
 }
 
+/// Points take longer to be laid on a surface than all the rest does.
+TEST(CancelAtAnyAsk, EndsTheLayingOfASeed) {
+  static const auto surface = std::make_shared<const Surface>(make_surface(sphere(4)));
+  Line line;
+  line.closed = true;
+  line.guide = false;
+  constexpr int kPoints = 1500;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2 * kPi * i / kPoints;
+    line.points.emplace_back(std::cos(angle), std::sin(angle), 0.1 * std::sin(5 * angle));
+  }
+  const SeedStrands seed = seed_of({line}, false);
+  const FlowSettings settings = checked_settings(options_of(0.1), *surface);
+  const auto make = [&](const std::function<bool()>& question) {
+    const Flow flow(surface, &seed, VertexData<double>{}, settings, question);
+  };
+  const int asks = asks_of(make);
+  // Each point is looked for among 16 between two asks, and then joined to the next.
+  EXPECT_GE(asks, 2 * kPoints / 16);
+  for (int n = 0; n < asks; n += n < kFirst ? 1 : std::max(1, (asks - kFirst) / kSampled)) {
+    EXPECT_TRUE(is_cancelled(n, make)) << "ask " << n;
+  }
+}
+
 TEST(CancelAtAnyAsk, EndsTheMakingOfASurface) {
   const Mesh mesh = sphere(5);
   for (const unsigned threads : {1u, 3u}) {
@@ -203,6 +253,26 @@ TEST(CancelAtAnyAsk, EndsTheMakingOfASurface) {
     for (int n = 0; n < 4; ++n) EXPECT_TRUE(is_cancelled(n, make));
   }
 }
+
+#ifndef MEANDER_UNDER_ASAN
+/// What is done for every face takes longest on a large mesh: no part of it may be done in one go.
+TEST(CancelAtAnyAsk, IsNeverFarAwayOnALargeMesh) {
+  const Mesh mesh = sphere(7);
+  EXPECT_TRUE(asks_often(0.2, [&](const std::function<bool()>& question) {
+    const Surface surface(mesh.vertices, mesh.faces, 1, question);
+  }));
+  const auto surface = std::make_shared<const Surface>(make_surface(mesh));
+  Flow flow(surface, nullptr, VertexData<double>{}, checked_settings(options_of(0.1), *surface));
+  EXPECT_TRUE(asks_often(0.25, [&](const std::function<bool()>& question) {
+    const auto watch = flow.watch(question);
+    move(flow);
+  }));
+  EXPECT_TRUE(asks_often(0.1, [&](const std::function<bool()>& question) {
+    const auto watch = flow.watch(question);
+    flow.gaps(1.2);
+  }));
+}
+#endif
 
 // ------------------------------------------------------------------------------------------------
 // What is computed once, by the caller's thread alone
@@ -295,6 +365,22 @@ const Search kSearches[] = {
        const Stroke stroke(points);
        return bytes_of(extended_directions(ball(), {&stroke, 1}, asked));
      }, 20},
+    {"nearest_points", [](const auto& asked) {
+       const ClosestPoint closest(ball(), CancelPoll(asked, 512));
+       Bytes bytes;
+       for (int k = 0; k < 20; ++k) {
+         const double distance = closest(Vec3(0.1 * k, 1 - 0.1 * k, 0.3)).distance;
+         add(bytes, &distance, 1);
+       }
+       return bytes;
+     }, 40},
+    {"normals", [](const auto& asked) {
+       const NormalField field(ball(), 1);
+       field.prepare(CancelPoll(asked, 512));
+       Bytes bytes;
+       for (uint32_t f = 0; f < ball().face_count(); ++f) add(bytes, field.blended(f, 0.2, 0.3, 0.5).data(), 3);
+       return bytes;
+     }, 40},
     {"cut", [](const auto& asked) { return cut_of(0, false, asked); }, 20},
     {"cut_with_middle_lines", [](const auto& asked) { return cut_of(0.02, true, asked); }, 100},
 };
@@ -314,8 +400,6 @@ struct PublicCall {
 struct ContextDeleter {
   void operator()(meander_context* context) const { meander_context_destroy(context); }
 };
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// A cancel that comes while the call is at work ends it before it is done. When it comes is up to the system, so this
 /// is tried until it has come well after the beginning.

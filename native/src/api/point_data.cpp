@@ -8,6 +8,13 @@
 
 using namespace meander;
 
+namespace {
+
+/// Of the surface, between two asks.
+constexpr uint32_t kFaces = 4096;
+
+}  // namespace
+
 meander_status meander_flow_compute_point_data(meander_flow* flow, double* arc_lengths, double* normals,
                                                double* tangents, double* radii, uint32_t* faces, double* barycentrics,
                                                size_t capacity, size_t* count, meander_context* context,
@@ -22,6 +29,7 @@ meander_status meander_flow_compute_point_data(meander_flow* flow, double* arc_l
       const std::function<bool()> asked = question(context);
       const auto watch = f.watch(asked);
       if (radii) f.update_radii();
+      if (normals) f.normals().prepare(CancelPoll(asked, kFaces));
       check_cancelled(context);
       write_point_data(f, flow->map.get(), {arc_lengths, normals, tangents, radii, faces, barycentrics});
     }

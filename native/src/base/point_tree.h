@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -17,14 +18,18 @@
 #include <nanoflann.hpp>
 #pragma pop_macro("fprintf")
 
+#include "base/cancel_poll.h"
+
 namespace meander {
 
 /// Holds its own copy of the points. Queries may run on any number of threads.
 class PointTree {
  public:
-  explicit PointTree(std::vector<Eigen::Vector3d> points)
-      : cloud_{std::move(points)}, index_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(8)) {
+  /// `poll` counts every coordinate that is looked at while the tree is made, some nanoseconds each.
+  explicit PointTree(std::vector<Eigen::Vector3d> points, const CancelPoll& poll = {})
+      : cloud_{{std::move(points)}, poll}, index_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(8)) {
     if (!cloud_.points.empty()) index_.buildIndex();
+    cloud_.poll = {};
   }
   PointTree(const PointTree&) = delete;
   PointTree& operator=(const PointTree&) = delete;
@@ -73,7 +78,17 @@ class PointTree {
       return false;
     }
   };
-  using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, uint32_t>;
+  /// The same as the making of the tree sees it. Searches do not: they read points through the Cloud.
+  struct AskingCloud : Cloud {
+    AskingCloud(Cloud&& cloud, const CancelPoll& asked) : Cloud(std::move(cloud)), poll(asked) {}
+    mutable CancelPoll poll;
+    double kdtree_get_pt(size_t i, size_t k) const {
+      poll();
+      return Cloud::kdtree_get_pt(i, k);
+    }
+  };
+  using Index =
+      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, AskingCloud, 3, uint32_t>;
 
   // nanoflann's result-set interface. The bound prunes the search from its start.
   struct Best {
@@ -114,7 +129,7 @@ class PointTree {
     }
   };
 
-  Cloud cloud_;
+  AskingCloud cloud_;
   Index index_;
 };
 

@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/cancel_poll.h"
+
 namespace meander {
 
 /// What a thread takes at a time of loops that do little for each node, or for each face or vertex.
@@ -53,6 +55,10 @@ class ThreadPool {
     ThreadPool& pool_;
     const std::function<bool()>* outer_;
   };
+
+  /// Asks what the present watch asks, for work of the caller's thread that is no loop of the pool. It must not outlive
+  /// the watch.
+  CancelPoll poll(uint32_t pieces) const { return cancelled_ ? CancelPoll(*cancelled_, pieces) : CancelPoll(); }
 
   unsigned size() const { return static_cast<unsigned>(workers_.size()) + 1; }
 

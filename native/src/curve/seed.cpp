@@ -15,6 +15,13 @@
 namespace meander {
 namespace {
 
+/// What is done between two asks, in steps of some ten nanoseconds; what a point of the seed counts for when it is laid
+/// on the surface, and when it is joined to the next one.
+constexpr uint32_t kSeedPieces = 4096;
+constexpr size_t kLaid = 256, kJoined = 256;
+/// The same of a face that is looked at on the way.
+constexpr size_t kFace = 16;
+
 [[noreturn]] void refuse(const std::string& sentence, size_t point) {
   const uint32_t index = static_cast<uint32_t>(point);
   throw Failure(FailureKind::kInvalidSeed, sentence, ElementKind::kSeedPoint, index, index);
@@ -26,7 +33,7 @@ bool same(const SurfacePoint& a, const SurfacePoint& b) {
 
 /// Any sequence of edges from one face to another, by A* over face centres: near enough to a short
 /// path for PathShortener to make it one. Empty optional when they are on different components.
-bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to, Path& path) {
+bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to, Path& path, CancelPoll& poll) {
   path.clear();
   if (from == to.face) return true;
   if (surface.component(from) != surface.component(to.face)) return false;
@@ -38,6 +45,7 @@ bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to
   FrontSearch<ReachedNodes> search;
   search.offer(from, 0);
   while (const auto f = search.next()) {
+    poll(kFace);
     if (*f == to.face) break;
     const double cost = search.cost(*f);
     const Vec3 middle = centre(*f);
@@ -130,11 +138,13 @@ void lead_around_guides(const Surface& surface, const RadiusField& radius, Threa
   }
   led.link();
   PathShortener shortener(surface);
+  CancelPoll poll = pool.poll(kSeedPieces);
   for (uint32_t i = 0, s = 0; i < led.size(); ++i) {
     while (i >= led.strands[s].end()) ++s;
     const uint32_t j = led.next(i);
     if (j == kNone || led.strands[s].count == curve.strands[s].count) continue;
-    connect_faces(surface, led.nodes[i].face, led.nodes[j], led.paths[i] = {});
+    poll(kJoined);
+    connect_faces(surface, led.nodes[i].face, led.nodes[j], led.paths[i] = {}, poll);
     led.shapes[i] = shortener.shorten(led.nodes[i], led.nodes[j], led.paths[i]);
   }
   curve = std::move(led);
@@ -143,10 +153,12 @@ void lead_around_guides(const Surface& surface, const RadiusField& radius, Threa
 
 /// Appends what of one strand of the seed the surface has near to it.
 void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, const RadiusField& radius,
-                    const ClosestPoint& closest, Curve& curve, std::vector<size_t>& point_of_node, SeedFit& fit) {
+                    const ClosestPoint& closest, CancelPoll& poll, Curve& curve, std::vector<size_t>& point_of_node,
+                    SeedFit& fit) {
   const bool closed = seed.closed[s] != 0, guide = !seed.guides.empty() && seed.guides[s];
   Strand strand{curve.size(), 0, closed, guide};
   for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
+    poll(kLaid);
     const auto hit = closest(surface.to_inside(seed.points[i]));
     const double most = std::max(seed.reach, radius.at(surface, hit.point));
     if (!(hit.distance <= most)) {
@@ -201,13 +213,14 @@ void note_jump(const Surface& surface, const SeedStrands& seed, const RadiusFiel
 
 /// Joins the nodes of all strands by shortest paths.
 void join_nodes(const Surface& surface, const SeedStrands& seed, const RadiusField& radius,
-                const std::vector<size_t>& point_of_node, Curve& curve, SeedFit& fit) {
+                const std::vector<size_t>& point_of_node, CancelPoll& poll, Curve& curve, SeedFit& fit) {
   PathShortener shortener(surface);
   for (uint32_t i = 0, s = 0; i < curve.size(); ++i) {
     while (i >= curve.strands[s].end()) ++s;
     const uint32_t j = curve.next(i);
     if (j == kNone) continue;
-    if (!connect_faces(surface, curve.nodes[i].face, curve.nodes[j], curve.paths[i])) {
+    poll(kJoined);
+    if (!connect_faces(surface, curve.nodes[i].face, curve.nodes[j], curve.paths[i], poll)) {
       refuse("Seed points " + std::to_string(point_of_node[i]) + " and " + std::to_string(point_of_node[j]) +
                  " are neighbours on one strand but lie on different components of the surface, which "
                  "no strand can leave; draw one strand for each component.",
@@ -243,14 +256,15 @@ void refuse_crossings(const Surface& surface, const Curve& curve, const std::vec
 Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool,
                SeedFit* wanted_fit) {
   SeedFit fit;
-  const ClosestPoint closest(surface);
+  CancelPoll poll = pool.poll(kSeedPieces);
+  const ClosestPoint closest(surface, poll);
   Curve curve;
   std::vector<size_t> point_of_node;
   for (size_t s = 0; s + 1 < seed.offsets.size(); ++s) {
-    project_strand(surface, seed, s, radius, closest, curve, point_of_node, fit);
+    project_strand(surface, seed, s, radius, closest, poll, curve, point_of_node, fit);
   }
   curve.link();
-  join_nodes(surface, seed, radius, point_of_node, curve, fit);
+  join_nodes(surface, seed, radius, point_of_node, poll, curve, fit);
   lead_around_guides(surface, radius, pool, curve, point_of_node);
   refuse_crossings(surface, curve, point_of_node, pool);
   if (wanted_fit) *wanted_fit = fit;

@@ -36,13 +36,18 @@ class SurfacePatches::Cutter {
   std::vector<Vec3> creases;                    // points on them, kCreaseStep apart
 
   void cut(ThreadPool& pool) {
+    const CancelPoll poll = pool.poll(1);
     lay_out_cells(pool);
     DisjointSets sets(cells_.size());
     join_in_grids(sets);
     join_across_edges(sets, pool);
+    poll.now();
     join_slivers(sets);
+    poll.now();
     number(sets);
+    poll.now();
     add_up();
+    poll.now();
   }
 
  private:

@@ -29,6 +29,9 @@ constexpr int kDirections = 8;
 constexpr double kFinestStep = 0.005;
 constexpr int kMostSteps = 200;
 
+/// Places that are compared between two asks whether to go on.
+constexpr uint32_t kPieces = 4096;
+
 /// Less gain than this (relative) is rounding.
 constexpr double kGain = 1 + 1e-9;
 
@@ -72,16 +75,19 @@ Gap climb(const Emptiness& emptiness, Gap gap) {
 
 /// The largest first, without those whose centre is within `share` radii of a larger one, and
 /// with `along_surface` on a face that is turned to the same side.
-std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, double share, bool along_surface) {
+std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, double share, bool along_surface,
+                       CancelPoll poll) {
   const auto face_each_other = [&](const Gap& a, const Gap& b) {
     return surface.face_normal(a.centre.face).dot(surface.face_normal(b.centre.face)) < 0;
   };
   std::vector<Vec3> centres;
   for (const Gap& gap : gaps) centres.push_back(position(surface, gap.centre));
-  const PointTree tree(std::move(centres));
+  poll.now();
+  const PointTree tree(std::move(centres), poll);
   std::vector<uint32_t> order(gaps.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+    poll();
     return gaps[a].size != gaps[b].size ? gaps[a].size > gaps[b].size : a < b;
   });
   std::vector<uint8_t> taken(gaps.size(), 0);
@@ -92,6 +98,7 @@ std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, dou
     kept.push_back(gaps[i]);
     const double reach = share * gaps[i].radius;
     tree.within(tree.points()[i], reach * reach, near);
+    poll(1 + near.size());
     for (const uint32_t k : near) {
       if (!along_surface || k == i || !face_each_other(gaps[i], gaps[k])) taken[k] = 1;
     }
@@ -132,11 +139,11 @@ std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Fra
   std::vector<Gap> starts;
   for (const std::vector<Gap>& block : found) starts.insert(starts.end(), block.begin(), block.end());
 
-  std::vector<Gap> gaps = apart(surface, starts, kSameStart, along_surface);
-  pool.for_blocks(gaps.size(), 16, [&](size_t, size_t begin, size_t end) {
+  std::vector<Gap> gaps = apart(surface, starts, kSameStart, along_surface, pool.poll(kPieces));
+  pool.for_blocks(gaps.size(), 2, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) gaps[k] = climb(emptiness, gaps[k]);
   });
-  gaps = apart(surface, gaps, 1, along_surface);
+  gaps = apart(surface, gaps, 1, along_surface, pool.poll(kPieces));
   std::erase_if(gaps, [&](const Gap& gap) { return gap.size < least_size; });
   return gaps;
 }

@@ -46,12 +46,16 @@ std::array<double, 3> nearest_weights(const Vec3& a, const Vec3& b, const Vec3& 
 
 }  // namespace
 
-ClosestPoint::ClosestPoint(const Surface& surface) : ClosestPoint(surface, sample(surface)) {}
+ClosestPoint::ClosestPoint(const Surface& surface, const CancelPoll& poll)
+    : ClosestPoint(surface, sample(surface, poll), poll) {}
 
-ClosestPoint::ClosestPoint(const Surface& surface, Samples&& samples)
-    : surface_(surface), face_(std::move(samples.face)), reach_(samples.reach), tree_(std::move(samples.points)) {}
+ClosestPoint::ClosestPoint(const Surface& surface, Samples&& samples, const CancelPoll& poll)
+    : surface_(surface),
+      face_(std::move(samples.face)),
+      reach_(samples.reach),
+      tree_(std::move(samples.points), poll) {}
 
-ClosestPoint::Samples ClosestPoint::sample(const Surface& surface) {
+ClosestPoint::Samples ClosestPoint::sample(const Surface& surface, CancelPoll poll) {
   Samples s;
   const double step = surface.mean_edge_length();
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -65,6 +69,7 @@ ClosestPoint::Samples ClosestPoint::sample(const Surface& surface) {
         const double u = (i + 1.0 / 3) / k, v = (j + 1.0 / 3) / k;
         s.points.push_back((1 - u - v) * a + u * b + v * c);
         s.face.push_back(f);
+        poll();
       }
     }
   }

@@ -13,7 +13,8 @@ namespace meander {
 /// Exact nearest points. A tree of samples gives a bound and candidates, which are then measured.
 class ClosestPoint {
  public:
-  explicit ClosestPoint(const Surface& surface);
+  /// `poll` counts what is done while the samples and their tree are made, some nanoseconds each.
+  explicit ClosestPoint(const Surface& surface, const CancelPoll& poll = {});
 
   struct Result {
     SurfacePoint point;
@@ -27,8 +28,8 @@ class ClosestPoint {
     std::vector<uint32_t> face;
     double reach = 0;  // every point of a face is within this distance of one of its samples
   };
-  static Samples sample(const Surface& surface);
-  ClosestPoint(const Surface& surface, Samples&& samples);
+  static Samples sample(const Surface& surface, CancelPoll poll);
+  ClosestPoint(const Surface& surface, Samples&& samples, const CancelPoll& poll);
 
   const Surface& surface_;
   std::vector<uint32_t> face_;

@@ -185,7 +185,7 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
   constexpr size_t kSearch = 256;  // pieces of work that a search for the nearest point counts for
   const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
   const std::vector<uint32_t> component = components(surface);
-  const ClosestPoint closest(surface);
+  const ClosestPoint closest(surface, g.poll());
   const double pitch = 0.5 * surface.mean_edge_length();
   Lines wish = Lines::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
   Functions weight = Functions::Zero(wish.size());

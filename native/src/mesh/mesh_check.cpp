@@ -114,15 +114,20 @@ struct SidesOfVertices {
     // whatever the number of threads. With more than a few threads reading would dominate.
     constexpr unsigned kMostReaders = 4;
     const size_t share = vertex_count / std::min(pool.size(), kMostReaders) + 1;
-    const auto each = [&](const auto& put) {
+    const auto some = [&](size_t begin, size_t stop, const auto& put) {
       pool.for_blocks(vertex_count, share, [&](size_t, size_t first, size_t last) {
-        for (size_t f = 0; f < faces.size(); ++f) {
+        for (size_t f = begin; f < stop; ++f) {
           for (size_t k = 0; k < 3; ++k) {
             const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1], low = std::min(a, b);
             if (low >= first && low < last) put(low, Side{std::max(a, b), static_cast<uint32_t>(3 * f + k)});
           }
         }
       });
+    };
+    // The pool asks whether to go on once for each of its loops here.
+    constexpr size_t kAtOnce = size_t{1} << 18;
+    const auto each = [&](const auto& put) {
+      for (size_t f = 0; f < faces.size(); f += kAtOnce) some(f, std::min(faces.size(), f + kAtOnce), put);
     };
     each([&](uint32_t low, const Side&) { ++end[low + 1]; });
     for (size_t v = 0; v < vertex_count; ++v) end[v + 1] += end[v];

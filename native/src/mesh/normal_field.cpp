@@ -17,10 +17,11 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
 
 }  // namespace
 
-void NormalField::find() const {
+void NormalField::find(CancelPoll& poll) const {
   const Surface& surface = surface_;
   normals_.assign(surface.vertex_count(), Vec3::Zero());
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    poll();
     for (uint32_t k = 0; k < 3; ++k) {
       normals_[surface.face(f)[k]] += surface.corner_angle(f, k) * surface.face_normal(f);
     }
@@ -32,6 +33,7 @@ void NormalField::find() const {
   for (int pass = 0; pass < passes; ++pass) {
     std::vector<Vec3> sum(normals_);
     for (uint32_t f = 0; f < surface.face_count(); ++f) {
+      poll();
       const Triangle& t = surface.face(f);
       const Vec3 all = normals_[t[0]] + normals_[t[1]] + normals_[t[2]];
       // Each neighbour is in two of the faces, so it counts half each time.
@@ -41,8 +43,8 @@ void NormalField::find() const {
   }
 }
 
-void NormalField::prepare() const {
-  std::call_once(found_, [this] { find(); });
+void NormalField::prepare(CancelPoll poll) const {
+  std::call_once(found_, [&] { find(poll); });
 }
 
 Vec3 NormalField::blended(uint32_t f, double w0, double w1, double w2) const {

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "base/cancel_poll.h"
 #include "mesh/surface.h"
 
 namespace meander {
@@ -19,14 +20,14 @@ class NormalField {
   /// The normals are computed when they are first asked for, on any thread.
   NormalField(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
-  /// Computes them now, so that blended() cannot fail.
-  void prepare() const;
+  /// Computes them now, so that blended() cannot fail. `poll` counts faces, some ten nanoseconds each.
+  void prepare(CancelPoll poll = {}) const;
 
   /// The unit normal at the point of face f with these weights of its corners.
   Vec3 blended(uint32_t f, double w0, double w1, double w2) const;
 
  private:
-  void find() const;
+  void find(CancelPoll& poll) const;
 
   const Surface& surface_;
   double radius_;

@@ -19,6 +19,29 @@ namespace {
 /// rounding error away from it in another, from being rounded apart: ties become generic values.
 double to_grid(double x) { return std::floor(x * 0x1p30 + 0.38196601125) * 0x1p-30; }
 
+/// Elements that are made between two asks: to touch memory for the first time costs more than what is put there.
+constexpr size_t kMade = size_t{1} << 16;
+
+/// Gives a table a length.
+template <class Values>
+void make(Values& values, size_t count, const CancelPoll& poll) {
+  values.reserve(count);
+  while (values.size() < count) {
+    poll.now();
+    values.resize(std::min(count, values.size() + kMade));
+  }
+}
+
+template <class Values>
+void copy(const Values& from, Values& to, const CancelPoll& poll) {
+  to.reserve(from.size());
+  while (to.size() < from.size()) {
+    poll.now();
+    const auto begin = from.begin() + static_cast<std::ptrdiff_t>(to.size());
+    to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(std::min(kMade, from.size() - to.size())));
+  }
+}
+
 }  // namespace
 
 Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads,
@@ -40,11 +63,27 @@ Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> fac
 
 Surface Surface::deformed(std::span<const double> vertices, ThreadPool& pool, const MeshMap* map) const {
   const Placement placement = check_placement(vertices, faces_, pool, map);
-  Surface moved(*this);
+  Surface moved;
+  moved.keep_connections(*this, pool);
   moved.caller_.assign(vertices.begin(), vertices.end());
   moved.place(placement, pool);
   moved.lay_out(pool);
   return moved;
+}
+
+/// All that the places of the vertices have no say in.
+void Surface::keep_connections(const Surface& other, ThreadPool& pool) {
+  const CancelPoll poll = pool.poll(1);
+  copy(other.faces_, faces_, poll);
+  copy(other.flipped_, flipped_, poll);
+  copy(other.component_, component_, poll);
+  copy(other.boundary_, boundary_, poll);
+  copy(other.hinges_, hinges_, poll);  // what they know of corners is found again
+  copy(other.on_boundary_, on_boundary_, poll);
+  component_count_ = other.component_count_;
+  flipped_count_ = other.flipped_count_;
+  used_vertices_ = other.used_vertices_;
+  boundary_loop_count_ = other.boundary_loop_count_;
 }
 
 /// Converts the vertices to units of the bounding box's diagonal.
@@ -77,9 +116,10 @@ double Surface::corner_angle(uint32_t f, uint32_t k) const {
 
 void Surface::lay_out(ThreadPool& pool) {
   const size_t n = faces_.size();
-  flat_.resize(n);
-  x_axis_.resize(n);
-  face_normal_.resize(n);
+  const CancelPoll poll = pool.poll(1);
+  make(flat_, n, poll);
+  make(x_axis_, n, poll);
+  make(face_normal_, n, poll);
   const size_t without_area = pool.first(n, kMeshGrain, [&](size_t index) {
     const uint32_t f = static_cast<uint32_t>(index);
     return !lay_out_face(f);
@@ -130,7 +170,7 @@ bool Surface::lay_out_face(uint32_t f) {
 /// from half-edge to half-edge: the faces of a vertex are one fan, so at most one of its half-edges leaves it
 /// along the boundary.
 void Surface::connect(const Table<HalfEdge>& twins, ThreadPool& pool) {
-  hinges_.resize(faces_.size());
+  make(hinges_, faces_.size(), pool.poll(1));
   std::vector<std::vector<HalfEdge>> boundary(ThreadPool::block_count(faces_.size(), kMeshGrain));
   pool.for_blocks(faces_.size(), kMeshGrain, [&](size_t block, size_t begin, size_t end) {
     for (auto e = static_cast<HalfEdge>(3 * begin); e < 3 * end; ++e) {

@@ -135,6 +135,7 @@ class Surface {
   double mean_edge_length() const { return mean_edge_length_; }
 
  private:
+  Surface() = default;
   struct Flat {
     double x1, x2, y2;
   };
@@ -145,6 +146,7 @@ class Surface {
     Angles() = default;
     Angles(const Angles&) {}
   };
+  void keep_connections(const Surface& other, ThreadPool& pool);
   void place(const Placement& placement, ThreadPool& pool);
   void lay_out(ThreadPool& pool);
   bool lay_out_face(uint32_t f);
