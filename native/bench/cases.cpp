@@ -29,6 +29,7 @@ constexpr Model kModels[] = {
     {"fish_control_mesh", 0.08},
 };
 
+constexpr double kCancelledNodes = 6e4;
 constexpr double kScalingNodes[] = {5e3, 2e4, 8e4, 3e5, 1e6};
 
 Mesh subdivided(Mesh mesh, int times) {
@@ -95,6 +96,19 @@ class CaseList {
     }
   }
 
+  /// Cancelled instead of timed, see cancel.h.
+  void add_cancels() {
+    for (const char* preset : {"even", "finest", "paper"}) {
+      for (const uint32_t t : {1u, 2u}) {
+        const auto add = [&](const char* name, const std::function<Mesh()>& mesh) {
+          cases_.push_back({"cancel", name, preset, t, 0, kCancelledNodes, mesh, false});
+        };
+        add("bumpy_sphere_60k", [] { return bumpy_sphere(5); });
+        add("large_ball_60k", [] { return icosphere(8); });
+      }
+    }
+  }
+
   std::vector<Case> take() { return std::move(cases_); }
 
  private:
@@ -124,6 +138,7 @@ std::vector<Case> all_cases(const std::string& folder, uint32_t threads) {
   cases.add_meshes();
   cases.add_scaling();
   cases.add_threads();
+  cases.add_cancels();
   return cases.take();
 }
 

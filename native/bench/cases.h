@@ -12,7 +12,7 @@
 namespace meander::bench {
 
 struct Case {
-  std::string group;  ///< models, generated, mesh, scaling or threads
+  std::string group;  ///< models, generated, mesh, scaling, threads or cancel
   std::string name;   ///< of the surface, with what is special about it: "bunny", "bunny_x4"
   std::string preset;
   uint32_t threads = 1;

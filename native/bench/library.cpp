@@ -26,8 +26,14 @@ Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NO
   }
   find(version, "meander_version");
   find(error_init, "meander_error_init");
+  find(context_create, "meander_context_create");
+  find(context_destroy, "meander_context_destroy");
+  find(context_cancel, "meander_context_cancel");
+  find(context_reset, "meander_context_reset");
+  find(surface_options_init, "meander_surface_options_init");
   find(surface_create, "meander_surface_create");
   find(surface_destroy, "meander_surface_destroy");
+  find(seed_init, "meander_seed_init");
   find(flow_options_init, "meander_flow_options_init");
   find(flow_create, "meander_flow_create");
   find(flow_destroy, "meander_flow_destroy");
@@ -39,6 +45,10 @@ Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NO
   find(flow_get_polylines, "meander_flow_get_polylines");
   find(flow_get_nodes, "meander_flow_get_nodes");
   find(flow_set_vertices, "meander_flow_set_vertices");
+  find(flow_compute_point_data, "meander_flow_compute_point_data");
+  find(flow_find_gaps, "meander_flow_find_gaps");
+  find(flow_cut_surface, "meander_flow_cut_surface");
+  find(cut_destroy, "meander_cut_destroy");
 }
 
 std::string library_of_this_build() {

@@ -20,8 +20,14 @@ class Library {
   MEANDER_BENCH_CALL(version);
   MEANDER_BENCH_CALL(abi_version);
   MEANDER_BENCH_CALL(error_init);
+  MEANDER_BENCH_CALL(context_create);
+  MEANDER_BENCH_CALL(context_destroy);
+  MEANDER_BENCH_CALL(context_cancel);
+  MEANDER_BENCH_CALL(context_reset);
+  MEANDER_BENCH_CALL(surface_options_init);
   MEANDER_BENCH_CALL(surface_create);
   MEANDER_BENCH_CALL(surface_destroy);
+  MEANDER_BENCH_CALL(seed_init);
   MEANDER_BENCH_CALL(flow_options_init);
   MEANDER_BENCH_CALL(flow_create);
   MEANDER_BENCH_CALL(flow_destroy);
@@ -33,6 +39,10 @@ class Library {
   MEANDER_BENCH_CALL(flow_get_polylines);
   MEANDER_BENCH_CALL(flow_get_nodes);
   MEANDER_BENCH_CALL(flow_set_vertices);
+  MEANDER_BENCH_CALL(flow_compute_point_data);
+  MEANDER_BENCH_CALL(flow_find_gaps);
+  MEANDER_BENCH_CALL(flow_cut_surface);
+  MEANDER_BENCH_CALL(cut_destroy);
 #undef MEANDER_BENCH_CALL
 
  private:

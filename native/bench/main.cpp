@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "cancel.h"
 #include "library.h"
 #include "report.h"
 
@@ -18,14 +19,15 @@ namespace {
 constexpr const char* kUsage =
     "meander_bench [options]\n"
     "\n"
-    "  --group G       models, generated, mesh, scaling or threads; may be given again\n"
+    "  --group G       models, generated, mesh, scaling, threads or cancel; may be given again\n"
     "                  (default: models and generated)\n"
     "  --case NAME     only this surface; may be given again\n"
-    "  --preset P      only even or only paper\n"
-    "  --threads T     threads of the flow (default: the machine's); selects in the group threads\n"
+    "  --preset P      only even, only paper or, in the group cancel, only finest\n"
+    "  --threads T     threads of the flow (default: the machine's); selects in the groups threads and cancel\n"
     "  --models DIR    folder of OBJ models; without it generated surfaces alone\n"
     "  --repeat N      runs of every case, each in a process of its own (default: 1)\n"
     "  --iterations N  iteration limit instead of the preset's\n"
+    "  --cancels N     of every call in the group cancel (default: 200)\n"
     "  --most-nodes N  leave out cases of the group scaling with more nodes than this\n"
     "  --library PATH  the library to measure (default: the one of the same build)\n"
     "  --table         an aligned table instead of JSON lines; --both for JSON and a table on "
@@ -35,7 +37,7 @@ constexpr const char* kUsage =
 struct Arguments {
   std::vector<std::string> groups, names;
   std::string preset, models, library;
-  uint32_t threads = 0, repeat = 1, iterations = 0;
+  uint32_t threads = 0, repeat = 1, iterations = 0, cancels = 200;
   double most_nodes = 0;
   bool table = false, both = false, list = false;
 };
@@ -71,6 +73,8 @@ Arguments parse(int count, char** values) {
       given.repeat = positive(option, value());
     else if (option == "--iterations")
       given.iterations = positive(option, value());
+    else if (option == "--cancels")
+      given.cancels = positive(option, value());
     else if (option == "--most-nodes")
       given.most_nodes = positive(option, value());
     else if (option == "--library")
@@ -132,6 +136,10 @@ int run(int count, char** values) {
   std::vector<Row> rows;
   bool failed = false;
   for (const Case& c : cases) {
+    if (c.group == "cancel") {
+      print_cancels(library, c, given.cancels);
+      continue;
+    }
     Row row{c, {}};
     for (uint32_t k = 0; k < given.repeat; ++k) {
       row.repeats.push_back(measure_apart(library, c, given.iterations));
