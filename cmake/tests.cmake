@@ -45,6 +45,9 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT CMAKE_CROSSCOMPILING)
     target_compile_definitions(${test_name} PRIVATE MEANDER_WRAPPED_MALLOC)
     target_link_options(${test_name} PRIVATE LINKER:--wrap=malloc,--wrap=calloc,--wrap=realloc)
   endforeach()
+  # It looks whether there is a function that it does not try.
+  target_compile_definitions(test_failing_calls PRIVATE
+    "MEANDER_HEADER=\"${PROJECT_SOURCE_DIR}/native/include/meander/meander.h\"")
 endif()
 if(CMAKE_CROSSCOMPILING)
   return()

@@ -5,8 +5,8 @@
 
 #include <numeric>
 
+#include "blocked_changes.h"
 #include "curve/refinement.h"
-#include "test_curves.h"
 
 namespace meander::test {
 namespace {
@@ -280,6 +280,92 @@ TEST(Refine, KeepsTheLeastNumberOfNodes) {
     }
     EXPECT_EQ(r.curve.strands[0].count, 3u);
     EXPECT_EQ(r.curve.strands[1].count, 2u);
+  }
+}
+
+/// Nothing crosses before, and what has to come of it does.
+void expect_refined(const Surface& s, const Blocked& b) {
+  ASSERT_TRUE(whole(s, b.curve));
+  ASSERT_TRUE(exact_crossings(s, b.curve).empty());
+  ThreadPool pool(2);
+  Curve curve = b.curve;
+  NodeData<uint32_t> origin;
+  ASSERT_TRUE(Refinement().refine(s, curve, b.target, pool, origin));
+  ASSERT_TRUE(whole(s, curve));
+  EXPECT_TRUE(exact_crossings(s, curve).empty());
+  expect_origin(b.curve, {curve, origin, true});
+  ASSERT_EQ(origin.values(), b.origin);
+  for (uint32_t n = 0; n < curve.size(); ++n) {
+    EXPECT_TRUE(same_bytes(curve.nodes[n], b.new_nodes[n])) << "node " << n;
+    if (!curve.has_segment(n)) continue;
+    const PathShape shape = measure_path(s, curve.nodes[n], curve.nodes[curve.next(n)], curve.paths[n]);
+    EXPECT_NEAR(curve.shapes[n].length, shape.length, kMeasured) << "segment " << n;
+  }
+}
+
+/// A segment is left whole where one of its cuts would touch something; all others are split.
+TEST(Refine, ASplitThatTouchesIsTakenBack) {
+  const Surface s = make_surface(octahedron());
+  for (const uint32_t parts : {2u, 3u, 5u}) {
+    for (uint32_t k = 1; k < parts; ++k) {
+      SCOPED_TRACE(testing::Message() << "cut " << k << " of " << parts << " parts");
+      size_t count = 0;
+      for (uint32_t i = 0; i < 12; ++i) {
+        const Blocked b = blocked_splits(s, parts, k, [&](uint32_t j) { return j == i; });
+        count += b.count;
+        expect_refined(s, b);
+      }
+      EXPECT_GT(count, 5u);
+      const Blocked b = blocked_splits(s, parts, k, [](uint32_t j) { return j % 3 != 1; });
+      EXPECT_GT(b.count, 2u);
+      expect_refined(s, b);
+    }
+  }
+}
+
+/// A node stays where the shorter way would cross something, and what is beside it is left as it is; all others that
+/// may go do.
+TEST(Refine, ACollapseThatCrossesIsTakenBack) {
+  const Surface s = make_surface(octahedron());
+  for (const bool closed : {false, true}) {
+    for (const bool long_after : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "closed " << closed << " long_after " << long_after);
+      for (uint32_t i = 1; i < (closed ? 12u : 11u); i += 2) {
+        SCOPED_TRACE(i);
+        expect_refined(s, blocked_collapses(s, closed, long_after, [&](uint32_t j) { return j == i; }));
+      }
+      expect_refined(s, blocked_collapses(s, closed, long_after, [](uint32_t j) { return j == 3 || j == 7; }));
+    }
+  }
+}
+
+/// One change anywhere along a curve of several blocks, which threads lay out one by one.
+TEST(Refine, OneChangeIsMadeBesideAnyBlock) {
+  const Surface s = make_surface(flat_grid(8));
+  Rng rng(86);
+  Curve old;
+  constexpr uint32_t kBlock = kNodeGrain, kCount = 2 * kBlock + 100;
+  ASSERT_TRUE(add_ring(s, old, {static_cast<uint32_t>(s.face_count()) / 2 + 8, {0.3, 0.3}}, 0.2, kCount, 0, rng));
+  const double l = old.length() / kCount;
+  ThreadPool pool(2);
+  for (const uint32_t at : {0u, 1u, kBlock - 2, kBlock - 1, kBlock, 2 * kBlock - 1, kCount - 2}) {
+    for (const bool splits : {false, true}) {
+      SCOPED_TRACE(testing::Message() << (splits ? "split after " : "collapse after ") << at);
+      NodeData<double> target(kCount, 0.8 * l);
+      target[at] = splits ? l / 3 : 1.2 * l;
+      std::vector<uint32_t> expected(kCount);
+      std::iota(expected.begin(), expected.end(), 0u);
+      if (splits) {
+        expected.insert(expected.begin() + at, at);
+      } else {
+        expected.erase(expected.begin() + at + 1);
+      }
+      Curve curve = old;
+      NodeData<uint32_t> origin;
+      ASSERT_TRUE(Refinement().refine(s, curve, target, pool, origin));
+      ASSERT_TRUE(whole(s, curve));
+      EXPECT_EQ(origin.values(), expected);
+    }
   }
 }
 
