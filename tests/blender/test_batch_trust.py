@@ -160,22 +160,26 @@ while True:
 """
 
 
-def test_a_scene_survives_a_writer_that_is_killed(tmp_path: Path) -> None:
-    path, script = tmp_path / "out.blend", tmp_path / "saver.py"
-    script.write_text(SAVER.format(addon=str(ADDON), path=str(path)))
-    bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True)
+def begun(script: Path) -> subprocess.Popen:
+    """A Blender of its own that runs a script, once the script says that it is saving."""
     if bpy.app.binary_path:
         command = [bpy.app.binary_path, "--background", "--factory-startup", "--python"]
     else:
         command = [sys.executable]
+    process = subprocess.Popen([*command, str(script)], stdout=subprocess.PIPE, text=True)
+    for line in process.stdout:
+        if line.startswith("saving"):
+            return process
+    pytest.fail("the writer has not begun")
+
+
+def test_a_scene_survives_a_writer_that_is_killed(tmp_path: Path) -> None:
+    path, script = tmp_path / "out.blend", tmp_path / "saver.py"
+    script.write_text(SAVER.format(addon=str(ADDON), path=str(path)))
+    bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True)
     pause = random.Random(7)
     for _round in range(2):
-        with subprocess.Popen([*command, str(script)], stdout=subprocess.PIPE, text=True) as saver:
-            for line in saver.stdout:
-                if line.startswith("saving"):
-                    break
-            else:
-                pytest.fail("the writer has not begun")
+        with begun(script) as saver:
             time.sleep(pause.uniform(0.05, 0.2))
             saver.kill()
             assert saver.wait() == -signal.SIGKILL
@@ -183,3 +187,67 @@ def test_a_scene_survives_a_writer_that_is_killed(tmp_path: Path) -> None:
         assert [thing.type for thing in bpy.data.objects] == ["MESH"]  # a saver's, and whole
         left = [each.name for each in tmp_path.iterdir() if each not in (path, script)]
         assert all(name.startswith(".") and ".tmp.blend" in name for name in left), left
+
+
+# Runs the batch command over and over, until it fails.
+COMMANDER = """
+import os, sys
+sys.path.insert(0, {addon!r})
+from meander import batch
+print("saving", flush=True)
+os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # nobody reads what Blender says of each file
+while batch.main({given!r}) == 0:
+    pass
+sys.exit(3)
+"""
+
+
+def held(path: Path) -> tuple:
+    """What a scene of the batch command holds: every point of its curve, its spacing, its mesh."""
+    bpy.ops.wm.open_mainfile(filepath=str(path), load_ui=False)
+    (mesh,) = (thing for thing in bpy.data.objects if thing.type == "MESH")
+    (curve,) = (thing for thing in bpy.data.objects if thing.type == "CURVE")
+    points = tuple(tuple(p.co) for spline in curve.data.splines for p in spline.points)
+    assert len(points) > 10 and len(mesh.data.polygons) == 512
+    return points, curve.meander.spacing, tuple(tuple(v.co) for v in mesh.data.vertices)
+
+
+def test_two_commands_that_write_one_scene_leave_one_of_both(tmp_path: Path) -> None:
+    rows, vertices, faces = 16, [], []
+    for i in range(rows + 1):
+        vertices += [f"v {i} {j} 0" for j in range(rows + 1)]
+    for i in range(rows):
+        for a in (i * (rows + 1) + j + 1 for j in range(rows)):
+            b = a + rows + 1
+            faces += [f"f {a} {b} {b + 1}", f"f {a} {b + 1} {a + 1}"]
+    square, folder = tmp_path / "square.obj", tmp_path / "out"
+    square.write_text("\n".join(vertices + faces))
+    folder.mkdir()
+    target, commanders, versions = folder / "out.blend", [], set()
+    for spacing in (2.0, 4.0):
+        given = ["--input", str(square), "--spacing", str(spacing), "--iterations", "2"]
+        given += ["--quiet", "--output"]
+        assert batch.main([*given, str(target)]) == 0
+        versions.add(held(target))
+        script = tmp_path / f"commander_{spacing}.py"
+        script.write_text(COMMANDER.format(addon=str(ADDON), given=[*given, str(target)]))
+        commanders.append(script)
+    assert len(versions) == 2
+    processes, seen, looks = [], set(), 0
+    ending = time.monotonic() + 30.0
+    try:
+        processes += map(begun, commanders)
+        while looks < 20 or len(seen) < 2 and time.monotonic() < ending:
+            found = held(target)
+            assert found in versions
+            seen.add(found)
+            looks += 1
+            assert [each.poll() for each in processes] == [None, None], "a writer has failed"
+    finally:
+        for each in processes:
+            each.kill()
+            each.communicate()
+    assert len(seen) == 2, "only one of both was seen to write"
+    assert held(target) in versions
+    left = [each.name for each in folder.iterdir() if each != target]
+    assert all(name.startswith(".") and ".tmp.blend" in name for name in left), left

@@ -11,8 +11,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-constexpr int kBits = 60;
-constexpr int64_t kOne = int64_t{1} << kBits;
+constexpr int64_t kOne = int64_t{1} << 60;
 constexpr size_t kMostOfAKind = 10;
 constexpr uint32_t kNoVertex = UINT32_MAX;
 
@@ -50,6 +49,28 @@ bool fold_back(Flat a, Flat b, Flat c) {
   return Wide{b.x - a.x} * (c.x - a.x) + Wide{b.y - a.y} * (c.y - a.y) > 0;
 }
 
+/// A piece of the curve in a face.
+struct FlatPiece {
+  Flat from, to;
+  uint32_t from_point, to_point;
+  bool guide;
+
+  int64_t left() const { return std::min(from.x, to.x); }
+  int64_t right() const { return std::max(from.x, to.x); }
+  int64_t low() const { return std::min(from.y, to.y); }
+  int64_t high() const { return std::max(from.y, to.y); }
+};
+
+/// Do two pieces cross or touch, elsewhere than where one goes on as the other?
+bool bad(const FlatPiece& p, const FlatPiece& q) {
+  if (p.guide && q.guide) return false;  // guides may cross
+  if (p.to_point == q.from_point && p.from_point == q.to_point) return true;
+  if (p.to_point == q.from_point) return fold_back(p.to, p.from, q.to);
+  if (p.from_point == q.to_point) return fold_back(p.from, p.to, q.from);
+  if (p.high() < q.low() || q.high() < p.low()) return false;
+  return meet(p.from, p.to, q.from, q.to);
+}
+
 bool finite(const Values3& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
 double distance(const Values3& a, const Values3& b) {
@@ -59,7 +80,7 @@ double distance(const Values3& a, const Values3& b) {
 /// A weight as an integer; false where it is none, or not within [0, 1].
 bool exact(double weight, int64_t& value) {
   if (!(weight >= 0 && weight <= 1)) return false;
-  const double scaled = std::ldexp(weight, kBits);
+  const double scaled = weight * 0x1p60;
   value = static_cast<int64_t>(scaled);
   return static_cast<double>(value) == scaled;
 }
@@ -90,33 +111,68 @@ const char* name_of(Fault fault) {
 }
 
 CurveChecker::CurveChecker(Mesh mesh) : mesh_(std::move(mesh)) {
-  fans_.resize(mesh_.vertices.size());
+  find_edges();
+  find_components();
+  measure();
+}
+
+void CurveChecker::find_edges() {
+  struct Side {
+    std::pair<uint32_t, uint32_t> ends;
+    uint32_t half_edge;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  fans_.first.assign(mesh_.vertices.size() + 1, 0);
   for (uint32_t f = 0; f < mesh_.faces.size(); ++f) {
-    for (size_t k = 0; k < 3; ++k) {
+    for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t a = mesh_.faces[f][k], b = mesh_.faces[f][(k + 1) % 3];
-      edges_[std::minmax(a, b)].push_back(f);
-      fans_[a].push_back(f);
+      sides.push_back({std::minmax(a, b), 3 * f + k});
+      ++fans_.first[a + 1];
     }
   }
+  std::sort(sides.begin(), sides.end());
+  edge_.resize(sides.size());
+  for (size_t i = 0; i < sides.size(); ++i) {
+    if (i == 0 || sides[i].ends != sides[i - 1].ends) beside_.first.push_back(static_cast<uint32_t>(i));
+    edge_[sides[i].half_edge] = static_cast<uint32_t>(beside_.first.size() - 1);
+    beside_.faces.push_back(sides[i].half_edge / 3);
+  }
+  beside_.first.push_back(static_cast<uint32_t>(sides.size()));
+  std::partial_sum(fans_.first.begin(), fans_.first.end(), fans_.first.begin());
+  fans_.faces.resize(sides.size());
+  std::vector<uint32_t> at = fans_.first;
+  for (uint32_t f = 0; f < mesh_.faces.size(); ++f) {
+    for (const uint32_t v : mesh_.faces[f]) fans_.faces[at[v]++] = f;
+  }
+}
+
+void CurveChecker::find_components() {
   std::vector<uint32_t> parents(mesh_.faces.size());
   std::iota(parents.begin(), parents.end(), 0u);
-  for (const auto& [edge, faces] : edges_) {
-    for (const uint32_t f : faces) parents[root(parents, f)] = root(parents, faces[0]);
+  for (uint32_t e = 0; e + 1 < beside_.first.size(); ++e) {
+    for (const uint32_t f : beside_[e]) parents[root(parents, f)] = root(parents, beside_[e][0]);
   }
   component_.resize(parents.size());
   for (uint32_t f = 0; f < parents.size(); ++f) component_[f] = root(parents, f);
+}
+
+void CurveChecker::measure() {
   Values3 low, high;
   low.fill(DBL_MAX);
   high.fill(-DBL_MAX);
   for (const Triangle& t : mesh_.faces) {
-    for (const uint32_t v : t) {
+    double edges = 0;
+    for (size_t k = 0; k < 3; ++k) {
+      const Values3& v = mesh_.vertices[t[k]];
+      edges += distance(v, mesh_.vertices[t[(k + 1) % 3]]);
       for (size_t c = 0; c < 3; ++c) {
-        const double x = mesh_.vertices[v][c];
-        low[c] = std::min(low[c], x);
-        high[c] = std::max(high[c], x);
-        largest_ = std::max(largest_, std::abs(x));
+        low[c] = std::min(low[c], v[c]);
+        high[c] = std::max(high[c], v[c]);
+        largest_ = std::max(largest_, std::abs(v[c]));
       }
     }
+    perimeter_.push_back(edges);
   }
   diagonal_ = distance(low, high);
 }
@@ -133,10 +189,10 @@ bool CurveChecker::find_places(const Points& points, const char* what, std::vect
   const size_t before = findings_.size();
   places.assign(points.size(), Place{{kNoVertex, kNoVertex, kNoVertex}, {0, 0, 0}, 0});
   for (size_t i = 0; i < points.size(); ++i) {
-    const std::string name = std::string(what) + " " + number(i);
+    const auto name = [&] { return std::string(what) + " " + number(i); };
     const uint32_t f = points.faces[i];
     if (!finite(points.weights[i])) {
-      report(Fault::kNotFinite, "a weight of " + name);
+      report(Fault::kNotFinite, "a weight of " + name());
       continue;
     }
     Weights w{};
@@ -144,12 +200,14 @@ bool CurveChecker::find_places(const Points& points, const char* what, std::vect
     for (size_t k = 0; k < 3; ++k) good = good && exact(points.weights[i][k], w[k]);
     // Of three weights up to 1 the sum has two bits more.
     if (!good || w[0] + w[1] + w[2] != kOne) {
-      report(Fault::kNotInFace, name + " in face " + number(f));
+      report(Fault::kNotInFace, name() + " in face " + number(f));
       continue;
     }
     std::array<std::pair<uint32_t, int64_t>, 3> corners;
     for (size_t k = 0; k < 3; ++k) corners[k] = {w[k] ? mesh_.faces[f][k] : kNoVertex, w[k]};
-    std::sort(corners.begin(), corners.end());
+    if (corners[1] < corners[0]) std::swap(corners[0], corners[1]);
+    if (corners[2] < corners[1]) std::swap(corners[1], corners[2]);
+    if (corners[1] < corners[0]) std::swap(corners[0], corners[1]);
     for (size_t k = 0; k < 3; ++k) {
       places[i].vertices[k] = corners[k].first;
       places[i].weights[k] = corners[k].second;
@@ -170,8 +228,12 @@ bool CurveChecker::has_corners(uint32_t face, const Place& p) const {
 /// The faces that a point lies in, with their edges and corners; `face` is one of them.
 std::span<const uint32_t> CurveChecker::faces_with(const Place& p, const uint32_t& face) const {
   if (p.count == 1) return fans_[p.vertices[0]];
-  if (p.count == 2) return edges_.at({p.vertices[0], p.vertices[1]});
-  return {&face, 1};
+  if (p.count == 3) return {&face, 1};
+  const Triangle& t = mesh_.faces[face];
+  const auto on_edge = [&](uint32_t v) { return v == p.vertices[0] || v == p.vertices[1]; };
+  uint32_t k = 0;
+  while (!on_edge(t[k]) || !on_edge(t[(k + 1) % 3])) ++k;
+  return beside_[edge_[3 * face + k]];
 }
 
 void CurveChecker::begin(const CurveState& state) {
@@ -219,7 +281,7 @@ std::vector<Finding> CurveChecker::check(const CurveState& state) {
 
 void CurveChecker::check_positions(const CurveState& state) {
   // A sum of three products, of vertices that may have been scaled there and back.
-  const double slack = 64 * DBL_EPSILON * largest_;
+  const double slack = 32 * DBL_EPSILON * largest_;
   for (size_t i = 0; i < state.positions.size(); ++i) {
     if (!finite(state.positions[i])) {
       report(Fault::kNotFinite, "the position of point " + number(i));
@@ -230,7 +292,9 @@ void CurveChecker::check_positions(const CurveState& state) {
       const Values3& v = mesh_.vertices[mesh_.faces[state.points.faces[i]][k]];
       for (size_t c = 0; c < 3; ++c) expected[c] += state.points.weights[i][k] * v[c];
     }
-    if (!(distance(expected, state.positions[i]) <= slack)) {
+    bool near = true;
+    for (size_t c = 0; c < 3; ++c) near = near && std::abs(expected[c] - state.positions[i][c]) <= slack;
+    if (!near) {
       report(Fault::kNotInSpace, "point " + number(i) + " is off its face");
     }
   }
@@ -285,12 +349,9 @@ void CurveChecker::check_length(const CurveState& state) {
   for (const Piece& p : pieces_) {  // a piece on an edge is there for both faces
     if (p.from != last) length += distance(state.positions[p.from], state.positions[p.to]);
     last = p.from;
-    const Triangle& t = mesh_.faces[p.face];
-    double edges = 0;
-    for (size_t k = 0; k < 3; ++k) edges += distance(mesh_.vertices[t[k]], mesh_.vertices[t[(k + 1) % 3]]);
     // Of lengths the library promises no more digits than this: inside of it vertices are rounded to 2^-30 of
     // the mesh, and points keep 2^-30 of an edge away from its ends. Positions are rounded here.
-    slack += 0x1p-29 * (edges + diagonal_) + 4 * DBL_EPSILON * largest_;
+    slack += 0x1p-29 * (perimeter_[p.face] + diagonal_) + 4 * DBL_EPSILON * largest_;
   }
   if (state.length && !(std::abs(length - *state.length) <= slack)) {
     report(Fault::kLength, "the length is not that of the curve");
@@ -317,16 +378,8 @@ void CurveChecker::collect_pieces(const CurveState& state) {
   }
 }
 
-struct CurveChecker::FlatPiece {
-  Flat from, to;
-  const Piece* piece;
-
-  int64_t left() const { return std::min(from.x, to.x); }
-  int64_t right() const { return std::max(from.x, to.x); }
-};
-
-void CurveChecker::check_face(const Piece* begin, const Piece* end) {
-  const Triangle& t = mesh_.faces[begin->face];
+void CurveChecker::check_face(std::span<const Keyed> pieces) {
+  const Triangle& t = mesh_.faces[pieces.front().key];
   const auto flat = [&](uint32_t point) {
     Flat at{0, 0};
     const Place& p = places_[point];
@@ -337,34 +390,45 @@ void CurveChecker::check_face(const Piece* begin, const Piece* end) {
     return at;
   };
   std::vector<FlatPiece> row;
-  for (const Piece* p = begin; p != end; ++p) row.push_back({flat(p->from), flat(p->to), p});
+  row.reserve(pieces.size());
+  for (const Keyed& keyed : pieces) {
+    const Piece& p = pieces_[keyed.index];
+    row.push_back({flat(p.from), flat(p.to), p.from, p.to, p.guide});
+  }
   std::sort(row.begin(), row.end(), [](const FlatPiece& a, const FlatPiece& b) {
-    return std::pair(a.left(), a.piece->from) < std::pair(b.left(), b.piece->from);
+    return std::pair(a.left(), a.from_point) < std::pair(b.left(), b.from_point);
   });
-  const auto bad = [](const FlatPiece& p, const FlatPiece& q) {
-    const Piece &a = *p.piece, &b = *q.piece;
-    if (a.guide && b.guide) return false;  // guides may cross
-    if (a.to == b.from && a.from == b.to) return true;
-    if (a.to == b.from) return fold_back(p.to, p.from, q.to);
-    if (a.from == b.to) return fold_back(p.from, p.to, q.from);
-    return meet(p.from, p.to, q.from, q.to);
-  };
   for (size_t i = 0; i < row.size(); ++i) {
-    for (size_t j = i + 1; j < row.size() && row[j].left() <= row[i].right(); ++j) {
+    const int64_t right = row[i].right();
+    for (size_t j = i + 1; j < row.size() && row[j].left() <= right; ++j) {
       if (!bad(row[i], row[j])) continue;
       ++crossings_;
-      report(Fault::kCrossing, "the pieces after points " + number(row[i].piece->from) + " and " +
-                                   number(row[j].piece->from) + " in face " + number(begin->face));
+      report(Fault::kCrossing, "the pieces after points " + number(row[i].from_point) + " and " +
+                                   number(row[j].from_point) + " in face " + number(pieces.front().key));
     }
   }
 }
 
+/// Sorts what is keyed by its keys, which are less than `keys`; those alike stay in their order.
+void CurveChecker::group(uint32_t keys) {
+  constexpr uint32_t kDigit = 11, kDigits = 1u << kDigit;
+  scratch_.resize(keyed_.size());
+  for (uint32_t shift = 0; shift < 32 && (keys - 1) >> shift != 0; shift += kDigit) {
+    std::array<size_t, kDigits + 1> first{};
+    for (const Keyed& k : keyed_) ++first[(k.key >> shift) % kDigits + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    for (const Keyed& k : keyed_) scratch_[first[(k.key >> shift) % kDigits]++] = k;
+    keyed_.swap(scratch_);
+  }
+}
+
 void CurveChecker::check_pieces() {
-  std::vector<Piece> sorted = pieces_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Piece& a, const Piece& b) { return a.face < b.face; });
-  for (size_t i = 0, j; i < sorted.size(); i = j) {
-    for (j = i; j < sorted.size() && sorted[j].face == sorted[i].face;) ++j;
-    check_face(sorted.data() + i, sorted.data() + j);
+  keyed_.clear();
+  for (uint32_t i = 0; i < pieces_.size(); ++i) keyed_.push_back({pieces_[i].face, i});
+  group(static_cast<uint32_t>(mesh_.faces.size()));
+  for (size_t i = 0, j; i < keyed_.size(); i = j) {
+    for (j = i; j < keyed_.size() && keyed_[j].key == keyed_[i].key;) ++j;
+    check_face(std::span(keyed_).subspan(i, j - i));
   }
 }
 
@@ -374,15 +438,31 @@ void CurveChecker::check_same_places(const CurveState& state) {
   for (size_t s = 0; s < state.guides.size(); ++s) {
     for (uint64_t i = state.offsets[s]; i < state.offsets[s + 1]; ++i) guide[i] = state.guides[s];
   }
-  std::vector<uint32_t> order(places_.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](uint32_t a, uint32_t b) { return std::pair(places_[a], a) < std::pair(places_[b], b); });
-  for (size_t i = 1; i < order.size(); ++i) {
-    const uint32_t a = order[i - 1], b = order[i];
-    if (places_[a] != places_[b] || (guide[a] && guide[b])) continue;
-    ++crossings_;
-    report(Fault::kCrossing, "points " + number(a) + " and " + number(b) + " are in the same place");
+  // Those in the same place have the same key, and few others have it.
+  constexpr uint32_t kKeys = 1u << 22;
+  keyed_.clear();
+  for (uint32_t i = 0; i < places_.size(); ++i) {
+    const Place& p = places_[i];
+    uint64_t mixed = 0;
+    for (size_t k = 0; k < 3; ++k) {
+      mixed = (mixed ^ p.vertices[k]) * 0x9e3779b97f4a7c15u;
+      mixed = (mixed ^ (mixed >> 32) ^ static_cast<uint64_t>(p.weights[k])) * 0x9e3779b97f4a7c15u;
+    }
+    keyed_.push_back({static_cast<uint32_t>(mixed >> 42), i});
+  }
+  group(kKeys);
+  for (size_t i = 0, j; i < keyed_.size(); i = j) {
+    for (j = i + 1; j < keyed_.size() && keyed_[j].key == keyed_[i].key;) ++j;
+    const std::span<Keyed> alike = std::span(keyed_).subspan(i, j - i);
+    std::sort(alike.begin(), alike.end(), [&](const Keyed& a, const Keyed& b) {
+      return std::pair(places_[a.index], a.index) < std::pair(places_[b.index], b.index);
+    });
+    for (size_t k = 1; k < alike.size(); ++k) {
+      const uint32_t a = alike[k - 1].index, b = alike[k].index;
+      if (places_[a] != places_[b] || (guide[a] && guide[b])) continue;
+      ++crossings_;
+      report(Fault::kCrossing, "points " + number(a) + " and " + number(b) + " are in the same place");
+    }
   }
 }
 

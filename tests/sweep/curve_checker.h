@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -103,8 +102,21 @@ class CurveChecker {
     uint32_t face = 0;
     bool guide = false;
   };
-  struct FlatPiece;
+  /// Something to be found beside others with the same key.
+  struct Keyed {
+    uint32_t key, index;
+  };
+  /// Lists of faces, one after the other.
+  struct FaceLists {
+    std::vector<uint32_t> first, faces;
+    std::span<const uint32_t> operator[](uint32_t i) const {
+      return std::span(faces).subspan(first[i], first[i + 1] - first[i]);
+    }
+  };
 
+  void find_edges();
+  void find_components();
+  void measure();
   bool find_places(const Points& points, const char* what, std::vector<Place>& places);
   void check_positions(const CurveState& state);
   void check_strands(const CurveState& state);
@@ -113,15 +125,18 @@ class CurveChecker {
   void collect_pieces(const CurveState& state);
   void check_pieces();
   void check_same_places(const CurveState& state);
-  void check_face(const Piece* begin, const Piece* end);
+  void check_face(std::span<const Keyed> pieces);
+  void group(uint32_t keys);
   std::span<const uint32_t> faces_with(const Place& p, const uint32_t& face) const;
   bool has_corners(uint32_t face, const Place& p) const;
   void report(Fault fault, std::string text);
 
   Mesh mesh_;
-  std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> edges_;  // faces of every edge
-  std::vector<std::vector<uint32_t>> fans_;                              // faces at every vertex
-  std::vector<uint32_t> component_;                                      // of every face
+  std::vector<uint32_t> edge_;       // of every half-edge: 3 f + k goes from corner k of face f to the next
+  FaceLists beside_;                 // faces of every edge
+  FaceLists fans_;                   // faces at every vertex
+  std::vector<uint32_t> component_;  // of every face
+  std::vector<double> perimeter_;    // of every face
   double largest_ = 0;                                                   // coordinate
   double diagonal_ = 0;
 
@@ -131,6 +146,7 @@ class CurveChecker {
 
   std::vector<Place> places_, node_places_;    // of the curve that is checked
   std::vector<Piece> pieces_;
+  std::vector<Keyed> keyed_, scratch_;
   std::vector<Finding> findings_;
   size_t crossings_ = 0;
 };

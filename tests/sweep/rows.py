@@ -6,7 +6,6 @@ from __future__ import annotations
 import hashlib
 import itertools
 import json
-import resource
 import signal
 import subprocess
 from collections.abc import Iterable, Iterator
@@ -39,10 +38,11 @@ class Run:
 @dataclass(frozen=True)
 class Limits:
     """What a run may take: processor seconds after which no iteration begins (0: any number), and
-    what ends it by force: seconds by the clock, and bytes of memory."""
+    what ends it by force: seconds of a processor and by the clock, and bytes of memory."""
 
     seconds: float = 0.0
-    clock: float = 3600.0
+    processor: int = 3600
+    clock: float = 36000.0
     memory: int = 6 << 30
 
 
@@ -71,20 +71,19 @@ def run_one(
     The run is a process of its own. One that crashes has the outcome "crash" and the name of the
     signal as its reason, one that takes too long "hang", one without an answer "no answer".
     """
-    command = [str(program), str(input_file), repr(radius), run.preset, run.measure]
+    # Of util-linux; a preexec_fn is not safe where several threads start runs.
+    command = ["prlimit", f"--as={limits.memory}", f"--cpu={limits.processor}:", "--core=0"]
+    command += [str(program), str(input_file), repr(radius), run.preset, run.measure]
     command += [str(run.most_iterations), str(run.threads), repr(limits.seconds)]
-
-    def limit() -> None:
-        resource.setrlimit(resource.RLIMIT_AS, (limits.memory, limits.memory))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
     row: dict[str, Any] = {**asdict(run), "radius": radius}
     try:
-        done = subprocess.run(
-            command, capture_output=True, text=True, timeout=limits.clock, preexec_fn=limit
-        )
+        done = subprocess.run(command, capture_output=True, text=True, timeout=limits.clock)
     except subprocess.TimeoutExpired:
         return {**row, "outcome": "hang", "reason": f"not done after {limits.clock:g} s"}
+    if done.returncode == -signal.SIGXCPU:
+        reason = f"not done after {limits.processor} s of a processor"
+        return {**row, "outcome": "hang", "reason": reason}
     if done.returncode < 0:
         return {**row, "outcome": "crash", "reason": signal.Signals(-done.returncode).name}
     try:

@@ -13,8 +13,10 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -24,7 +26,7 @@ from geometry import Mesh  # noqa: E402
 from inputs import seed_of, write_input  # noqa: E402
 from meander.model.surface_files import SUFFIXES, read_mesh  # noqa: E402
 from meshes_at_the_limit import FAULTY  # noqa: E402
-from rows import (  # noqa: E402  # noqa: E402
+from rows import (  # noqa: E402
     FACTORS,
     PROGRAM,
     Limits,
@@ -55,7 +57,8 @@ def models_in(folder: Path) -> Models:
 
 
 class Sweep:
-    """The models of a sweep, and the files that its runs read, which are made once each."""
+    """The models of a sweep, and the files that its runs read, which are made once each. Runs may
+    be asked for by several threads."""
 
     def __init__(
         self, models: Models, folder: Path, limits: Limits, program: Path = PROGRAM
@@ -65,10 +68,12 @@ class Sweep:
         self.limits = limits
         self.program = program
         self.inputs: dict[tuple[str, int], tuple[Path, float]] = {}
+        self.making = threading.Lock()
 
     def run(self, run: Run) -> dict:
         """The row of a run."""
-        path, radius = self._input(run.model, run.seed)
+        with self.making:
+            path, radius = self._input(run.model, run.seed)
         return run_one(run, path, run.factor * radius, self.limits, self.program)
 
     def _input(self, model: str, number: int) -> tuple[Path, float]:
@@ -81,6 +86,20 @@ class Sweep:
             radius = 0.1 if model in FAULTY else nominal_radius(mesh)
             self.inputs[model, number] = path, radius
         return self.inputs[model, number]
+
+
+def rows_of(sweep: Sweep, runs: Iterable[Run], jobs: int) -> Iterator[dict]:
+    """The rows of runs, `jobs` at a time, as they end. No run begins that is not asked for."""
+    left = iter(runs)
+    pending: set[Future[dict]] = set()
+    with ThreadPoolExecutor(jobs) as pool:
+        while True:
+            while len(pending) < jobs and (run := next(left, None)) is not None:
+                pending.add(pool.submit(sweep.run, run))
+            if not pending:
+                return
+            done, pending = wait(pending, return_when=FIRST_COMPLETED)
+            yield from (future.result() for future in done)
 
 
 def said(row: dict) -> str:
@@ -100,6 +119,7 @@ def main() -> int:
         "--seconds", type=float, default=20, help="of a processor, after which a run ends; 0: never"
     )
     parser.add_argument("--threads", type=int, default=1, help="of each run")
+    parser.add_argument("--jobs", type=int, default=1, help="runs at a time")
     parser.add_argument("--minutes", type=float, default=0.0, help="of all runs together; 0: any")
     parser.add_argument("--program", type=Path, default=PROGRAM, help="that makes one run")
     parser.add_argument("--short", action="store_true", help="a short run of every model")
@@ -113,19 +133,25 @@ def main() -> int:
     sound = [name for name in models if name not in FAULTY]
     runs = [Run(name, 1.0, "even", "geodesic", 1) for name in models if name in FAULTY]
     runs += short_runs(sound) if arguments.short else all_runs(sound, factors, arguments.threads)
-    limits = Limits(arguments.seconds, clock=20 * arguments.seconds + 120)
+    # By a processor, so that on a busy machine a run that waits is not taken for one that hangs.
+    most = int(20 * arguments.seconds * arguments.threads) + 120
+    limits = Limits(arguments.seconds, most, clock=20.0 * most)
     arguments.rows.parent.mkdir(parents=True, exist_ok=True)
     done = {run_of(row) for row in read_rows(arguments.rows)}
     begin, bad, count = time.monotonic(), 0, 0
-    with tempfile.TemporaryDirectory() as folder:
-        sweep = Sweep(models, Path(folder), limits, arguments.program)
+
+    def left() -> Iterator[Run]:
         for run in runs:
             if run in done:
                 continue
             if arguments.minutes and time.monotonic() - begin > 60 * arguments.minutes:
                 print("sweep.py: the minutes are over; the same command goes on from here")
-                break
-            row = sweep.run(run)
+                return
+            yield run
+
+    with tempfile.TemporaryDirectory() as folder:
+        sweep = Sweep(models, Path(folder), limits, arguments.program)
+        for row in rows_of(sweep, left(), arguments.jobs):
             append_row(arguments.rows, row)
             count += 1
             if failed(row):

@@ -10,6 +10,7 @@ import pytest
 import sweep
 from rows import Limits, Run, append_row, failed, read_rows, run_of, run_one
 
+TIMES = ("creating", "flowing", "checking")
 RUN = Run("cube", 1.0, "even", "geodesic", 1)
 
 
@@ -30,6 +31,13 @@ def test_a_crash_is_a_row(tmp_path: Path) -> None:
 def test_a_hang_is_a_row(tmp_path: Path) -> None:
     row = row_of(tmp_path, "time.sleep(60)", Limits(clock=0.5))
     assert row["outcome"] == "hang" and failed(row)
+    row = row_of(tmp_path, "while True: pass", Limits(processor=1, clock=60))
+    assert row["outcome"] == "hang" and failed(row) and "of a processor" in row["reason"]
+
+
+def test_a_run_that_waits_is_no_hang(tmp_path: Path) -> None:
+    script = 'time.sleep(1.5); print(\'{"outcome": "limit"}\')'
+    assert row_of(tmp_path, script, Limits(processor=1))["outcome"] == "limit"
 
 
 def test_no_answer_is_a_row(tmp_path: Path) -> None:
@@ -85,6 +93,18 @@ def test_a_sweep_goes_on_where_it_ended(swept) -> None:
     assert len(made) == 2
     assert len({run_of(row) for row in read_rows(file)}) == 2 * 18
     assert swept()[0] == []
+
+
+def test_two_runs_at_a_time_make_the_same_rows(swept) -> None:
+    def what(row: dict) -> dict:
+        return {key: value for key, value in row.items() if key not in TIMES}
+
+    _, file = swept()
+    one = {run_of(row): what(row) for row in read_rows(file)}
+    file.unlink()
+    made, _ = swept("--jobs", "3")
+    assert len(made) == 2 * 18
+    assert {run_of(row): what(row) for row in read_rows(file)} == one
 
 
 def test_rows_are_added_whole(tmp_path: Path) -> None:
