@@ -20,7 +20,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 from meander.model.remaining import PHASE_TEXTS  # noqa: E402
 from meander.run import gap_marks, session  # noqa: E402
 from stage import (  # noqa: E402
-    COARSE,
+    FINEST_THAT_ENDS,
     PICTURES,
     RESULT,
     assert_nothing_left_over,
@@ -40,8 +40,6 @@ from stage import (  # noqa: E402
     window_override,
 )
 
-# A run long enough to be looked at: of some seconds.
-SPACING = 0.9 * COARSE
 # The share of the time that the progress may be off, in the mean of a run. The library's is within
 # 0.08 of processor time; the rest is for a machine that does other things meanwhile.
 MOST_OFF = 0.25
@@ -84,15 +82,19 @@ def window_opens() -> Iterator[float]:
 def progress_of_a_run() -> Iterator[float]:
     step("the progress of a run is that of its time, and its texts say what it is about")
     bpy.context.active_object.meander.threads = 1
-    choose_spacing(SPACING)
+    # A run long enough to be looked at: of some seconds, and many copies of its curve.
+    choose_spacing(FINEST_THAT_ENDS)
     samples: list[tuple[float, float]] = []
     begin = time.monotonic()
     first_text = len(status_texts)
     press_run()
-    pictured = False
+    pictured, copy = False, None
     while not ended():
         running = session.current()
-        samples.append((time.monotonic() - begin, running.progress()))
+        # On a busy machine copies of the curve are rare; until the next one what is shown is old.
+        if running.latest is not copy:
+            copy = running.latest
+            samples.append((time.monotonic() - begin, running.progress()))
         if not pictured and running.left_text() and running.progress() > 0.3:
             redraw()
             yield 0.2
@@ -108,6 +110,7 @@ def progress_of_a_run() -> Iterator[float]:
     assert len(phases) > 1, phases  # the first may be over before the window has drawn it
     # What is left is known after half a second; on a quick machine that may be drawn no more.
     assert end < 3.0 or any(" s left" in text for text in texts), texts
+    assert len(samples) >= 3, samples
     times, shown = np.array(samples).T
     assert np.all(np.diff(shown) >= 0.0)
     off = float(np.abs(shown - times / end).mean())

@@ -37,10 +37,11 @@ TIME_LIMIT = 250.0
 # has not come by then does not come at all.
 PATIENCE = 60.0
 SURFACE = "Suzanne"
-# A run at the coarse spacing comes to its end within seconds. One that is finer goes on until it is
-# stopped, however fast the machine: see options_of(). One at the finest grows for so long that many
-# pictures of it are shown meanwhile.
+# A run at the coarse spacing comes to its end within seconds, and one at half of it within some
+# more. One that is finer goes on until it is stopped, however fast the machine: see options_of().
+# One at the finest grows for so long that many pictures of it are shown meanwhile.
 FINEST, FINE, COARSE = 0.015, 0.04, 0.12
+FINEST_THAT_ENDS = 0.5 * COARSE
 RESULT = "Suzanne Meander"
 
 status_texts: list[str | None] = []
@@ -55,13 +56,13 @@ FOR_EVER = 2**32 - 1
 
 
 def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOptions:
-    """The options of a flow; where the spacing is finer than COARSE it removes hairpins for ever.
+    """The options of a flow; where the spacing is fine it removes hairpins for ever.
 
     No setting keeps a curve from settling, and how long that takes is a matter of the machine. Such
     a run still makes its iterations and changes its curve, so to a window it is like any other.
     """
     options = options_of_settings(settings, spacing)
-    if spacing < 0.9 * COARSE:
+    if spacing < 0.99 * FINEST_THAT_ENDS:
         options.ripening_iterations = options.iteration_limit = FOR_EVER
         # Watched for as long as the story takes, it would count all processors of the machine.
         options.threads = 1
