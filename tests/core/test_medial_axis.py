@@ -312,3 +312,12 @@ def test_a_guide_keeps_off_strands_of_its_own_side_only() -> None:
     above, below = (np.abs(positions[beside & side, 1] - 8.0) for side in (~lower, lower))
     assert above.min() > 1.0
     assert below.min() < 0.5
+
+
+@pytest.mark.parametrize("first", [7, 13, 21])
+def test_a_rim_holds_no_growing_curve_up(first: int):
+    """While strands on both sides of it kept each other away, this took 342 to 435 iterations."""
+    plate = thin_shapes.plate(0.6, cells=20, size=40.0)
+    turned = geometry.Mesh(plate.vertices, np.roll(plate.faces, -first, axis=0))
+    with grown(turned) as flow:
+        assert flow.statistics()["iterations"] < 260

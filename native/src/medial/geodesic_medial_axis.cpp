@@ -113,6 +113,10 @@ struct Scene {
   const CurveBvh& tree;
 
   bool sees(size_t i, uint32_t j) const { return !patches.hidden(obstacles.patch(i), obstacles.patch(j)); }
+  /// Does a point face away from a patch?
+  bool opposite(uint32_t patch, uint32_t p) const {
+    return patches.normal(patch).dot(patches.normal(obstacles.patch(p))) < kOpposite;
+  }
   /// A bit for each point of a run of the tree that is not hidden from a patch.
   uint32_t seen_of(uint32_t patch, uint32_t run) const {
     const std::span<const uint32_t> there = obstacles.patches();
@@ -151,7 +155,7 @@ class GeodesicBall {
     straight_on_ = along >= kStraightOn;
     certain = certain && straight_on_ && (straight <= kWide * r || !patches.sharp(patch));
     if (certain && alike(touched) && (along >= kAhead || !holds_crease(straight))) return straight;
-    if (!certain || opposite(touched) || !measure(straight, touched, most)) search_below(likely);
+    if (!certain || scene_.opposite(patch, touched) || !measure(straight, touched, most)) search_below(likely);
     if (patches.sharp(patch)) look_from_centre();
     return least_;
   }
@@ -175,11 +179,6 @@ class GeodesicBall {
     const Vec3 d = scene_.obstacles.positions()[p] - scene_.obstacles.positions()[node_];
     const double rise = kRise * d.norm();
     return std::abs(d.dot(a)) <= rise && std::abs(d.dot(b)) <= rise;
-  }
-
-  bool opposite(uint32_t p) const {
-    return scene_.patches.normal(scene_.obstacles.patch(node_)).dot(scene_.patches.normal(scene_.obstacles.patch(p))) <
-           kOpposite;
   }
 
   /// Measures what limits the straight ball, and then what limits it next. False if that is not to be had, as where
@@ -379,7 +378,7 @@ class BallsOfRun {
     for (uint32_t i = begin; i < end; ++i) {
       const uint32_t patch = scene_.obstacles.patch(i);
       hides = hides || scene_.patches.hides(patch);
-      creased = creased || (measure_ && scene_.patches.creased(patch));
+      creased = creased || scene_.patches.creased(patch);
       for (size_t side = 0; side < 2; ++side) {
         const double most = std::max(0.0, reach_[i][side].radius), last = radii_[i][side];
         start_[i - begin][side] = radii_[i][side] = last > 0 ? std::min(most, kWarmth * last) : most;
@@ -402,7 +401,7 @@ class BallsOfRun {
  private:
   void finish(uint32_t i, size_t side, double start, uint32_t touched) {
     const uint32_t patch = scene_.obstacles.patch(i);
-    const bool creased = measure_ && scene_.patches.creased(patch);
+    const bool creased = scene_.patches.creased(patch);
     double& radius = radii_[i][side];
     const double most = reach_[i][side].radius;
     // An empty ball that no point limits is only a lower bound: start again from the clamp.
@@ -413,7 +412,24 @@ class BallsOfRun {
                                                    [&](uint32_t j) { return scene_.sees(i, j); }, touched)
                    : scene_.tree.largest_ball(x, outward, most, creased ? &touched : nullptr);
     }
-    if (creased) radius = ball_.largest(i, side, radius, touched, start, most, metric_.radius[i]);
+    if (!creased) return;
+    if (measure_) {
+      radius = ball_.largest(i, side, radius, touched, start, most, metric_.radius[i]);
+    } else if (touched != kNone && opposite(i, touched)) {
+      radius = largest_but_opposite(i, side, start);
+      if (!(radius < start) && radius < most) radius = largest_but_opposite(i, side, most);
+    }
+  }
+
+  bool opposite(uint32_t i, uint32_t p) const { return scene_.opposite(scene_.obstacles.patch(i), p); }
+
+  /// The straight ball that what faces the other way does not limit. That lies round an edge, as on the other side of a
+  /// plate, and is farther along the surface than through space; believed, it keeps strands on both sides away from
+  /// the edge that a growing curve has to get round.
+  double largest_but_opposite(uint32_t i, size_t side, double most) const {
+    uint32_t touched;
+    return scene_.tree.largest_ball_seen(scene_.frames.position[i], scene_.frames.outward[i][side], most,
+                                         [&](uint32_t j) { return scene_.sees(i, j) && !opposite(i, j); }, touched);
   }
 
   const Scene& scene_;
