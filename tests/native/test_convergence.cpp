@@ -56,6 +56,29 @@ class PhasesOf : public testing::TestWithParam<int> {
   int notes_ = 0;
 };
 
+/// A short removal of hairpins is rough, a long one gentle, and what is in between in between.
+TEST(Plan, RemovesHairpinsRoughlyWhereThereIsLittleTime) {
+  FlowSettings settings = with_polish();
+  double pull = tuning::kRoughPull, momentum = tuning::kRoughMomentum;
+  for (const uint32_t iterations : {1u, 60u, 100u, 150u, 200u, 299u, 300u, 500u, 100000u}) {
+    settings.hairpin_removal_iterations = iterations;
+    const Plan plan = plan_iteration(settings, Phase::kHairpinRemoval);
+    if (iterations <= 100) {
+      EXPECT_EQ(plan.hairpin_pull, tuning::kRoughPull);
+      EXPECT_EQ(plan.momentum, tuning::kRoughMomentum);
+    } else if (iterations >= 300) {
+      EXPECT_EQ(plan.hairpin_pull, tuning::kGentlePull);
+      EXPECT_EQ(plan.momentum, tuning::kGentleMomentum);
+    } else {
+      EXPECT_LT(plan.hairpin_pull, pull);
+      EXPECT_LT(plan.momentum, momentum);
+    }
+    pull = plan.hairpin_pull;
+    momentum = plan.momentum;
+    EXPECT_EQ(plan_iteration(settings, Phase::kPolishing).momentum, tuning::kPolishMomentum);
+  }
+}
+
 TEST_P(PhasesOf, FollowOneAnother) {
   EXPECT_FALSE(plan().polishing);
   EXPECT_EQ(plan().segment_length, 2);

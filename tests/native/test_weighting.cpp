@@ -307,9 +307,10 @@ TEST(Weighting, HairpinsAreRemovedFirstAndThenKeptRound) {
   const NodeData<uint8_t> marked = mark_short_runs(s.curve, metric, tuning::kHairpinRemovalShare, s.pool);
   const NodeData<double> curvature = smoothed_curvature(s.curve, metric, tuning::kCurvatureSmoothing, s.pool);
   const Weights removal = s.weights(Phase::kHairpinRemoval), polish = s.weights(Phase::kPolishing);
+  const double pull = plan_iteration(s.settings, Phase::kHairpinRemoval).hairpin_pull;
   uint32_t drawn_in = 0, straight = 0, between = 0;
   for (uint32_t i = 0; i < s.curve.size(); ++i) {
-    EXPECT_NEAR(removal.length[i], marked[i] ? tuning::kHairpinRemovalPull : 0.4, kRounding);
+    EXPECT_NEAR(removal.length[i], marked[i] ? pull : 0.4, kRounding);
     EXPECT_NEAR(polish.length[i], 0.4, kRounding);
     EXPECT_EQ(removal.bending[i], 1.2);
     // From .9 / r on up to 3.5 times as stiff, at 1.2 / r and beyond.

@@ -114,10 +114,17 @@ inline constexpr double kOverfull = 0.4, kHardlyOverfull = 0.7;
 
 // ---- Hairpin removal ------------------------------------------------------------------------------------------------
 
-/// This share of the runs between opposite hairpins is drawn in, the shortest, by this length weight. An eighth of the
-/// runs, or a weight of 2: within noise (docs/quality.md, "What was tried and did not help").
+/// This share of the runs between opposite hairpins is drawn in, the shortest. An eighth or three tenths of the runs:
+/// within noise (docs/quality.md, "What was tried and did not help").
 inline constexpr double kHairpinRemovalShare = 0.2;
-inline constexpr double kHairpinRemovalPull = 3;
+
+/// The length weight that draws them in, and the share of its last step with which a node goes on meanwhile: of a
+/// removal of no more iterations than the first of these, and of one of as many as the second, in between them. A
+/// short one has to be rough; roughness that lasts leaves a curve too dense. Measured: docs/quality.md, on rough
+/// hairpin removal.
+inline constexpr double kRoughRemoval = 100, kGentleRemoval = 300;
+inline constexpr double kRoughPull = 12, kGentlePull = 3;
+inline constexpr double kRoughMomentum = 0.76, kGentleMomentum = 0.7;
 
 /// A hairpin turns by more than this, in radians, within this many r; a run that is drawn in is marked with this many r
 /// beyond its hairpins. Not measured.
@@ -149,10 +156,9 @@ inline constexpr double kMostPowerAtStrips = 4;
 
 // ---- The step -------------------------------------------------------------------------------------------------------
 
-/// A node goes on by this share of its last step while hairpins are removed, and in the polish while segments are long.
-/// In growth it makes more hairpins; from 0.7 on in the polish a curve does not come to rest. Measured:
-/// docs/quality.md, on momentum.
-inline constexpr double kHairpinRemovalMomentum = 0.7, kPolishMomentum = 0.3;
+/// A node goes on by this share of its last step in the polish while segments are long. In growth momentum makes more
+/// hairpins; from 0.7 on in the polish a curve does not come to rest. Measured: docs/quality.md, on momentum.
+inline constexpr double kPolishMomentum = 0.3;
 
 /// A node moves no more than this share of its medial radius on the side to which it moves, so that it cannot leap over
 /// the strand beside it. Not measured: anything below 1 keeps that promise.

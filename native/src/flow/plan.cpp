@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/plan.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/tuning.h"
@@ -10,23 +12,31 @@ namespace {
 
 /// What moves slowly but for long, as fingers that are drawn in and others that follow, arrives sooner if it does not
 /// begin anew in every iteration (the heavy ball of Polyak).
-double momentum_in(Phase phase) {
+double momentum_in(Phase phase, double roughness) {
   switch (phase) {
-    case Phase::kHairpinRemoval: return tuning::kHairpinRemovalMomentum;
+    case Phase::kHairpinRemoval: return std::lerp(tuning::kGentleMomentum, tuning::kRoughMomentum, roughness);
     case Phase::kPolishing: return tuning::kPolishMomentum;
     default: return 0;
   }
 }
 
+/// How roughly hairpins are removed: 1 where there are few iterations for it, 0 where there are many.
+double roughness_of(const FlowSettings& settings) {
+  const double spare = tuning::kGentleRemoval - static_cast<double>(settings.hairpin_removal_iterations);
+  return std::clamp(spare / (tuning::kGentleRemoval - tuning::kRoughRemoval), 0.0, 1.0);
+}
+
 }  // namespace
 
 Plan plan_iteration(const FlowSettings& settings, Phase phase) {
+  const double roughness = roughness_of(settings);
   const bool coarse = settings.polish && phase <= Phase::kPolishing;
   Plan plan;
   plan.phase = phase;
   plan.polishing = settings.polish && phase != Phase::kGrowing;
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);
-  plan.momentum = settings.polish ? momentum_in(phase) : 0;
+  plan.momentum = settings.polish ? momentum_in(phase, roughness) : 0;
+  plan.hairpin_pull = std::lerp(tuning::kGentlePull, tuning::kRoughPull, roughness);
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
   plan.measure_balls = !settings.polish || phase >= Phase::kPolishing;

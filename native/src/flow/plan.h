@@ -23,6 +23,7 @@ struct Plan {
   double segment_length = 0;  ///< h where r is the nominal one, in the surface's own unit
   double momentum = 0;        ///< a node goes on by this share of its last step
   double longest_step = 0;    ///< in the local r; may be infinite
+  double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   /// Medial balls along the surface are measured there also where the surface is creased. Growth and hairpin removal
   /// only need to know what is hidden: measured from the polish on, curves are as even, for a fifth of the time less.
   bool measure_balls = true;

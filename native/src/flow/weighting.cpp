@@ -158,13 +158,13 @@ void set_growing(const Weighting& w) {
 
 /// As the polish, but for the fingers that lie on short runs, which are drawn in; longer ones grow into the room that
 /// they leave. So hairpins become fewer, which no force of the model does (see curve/hairpins.h).
-void set_hairpin_removal(const Weighting& w) {
+void set_hairpin_removal(const Weighting& w, double pull) {
   set_polish_terms(w);
   const NodeData<double> spacing = w.spacing();
   const NodeData<uint8_t> marked =
       mark_short_runs(w.state.curve, w.state.metric, tuning::kHairpinRemovalShare, w.pool);
   set_length_weights(w, polish_push(w), spacing, [&](size_t i) {
-    return marked[i] ? tuning::kHairpinRemovalPull : follow_spacing(w.settings(), spacing[i]);
+    return marked[i] ? pull : follow_spacing(w.settings(), spacing[i]);
   });
 }
 
@@ -186,7 +186,7 @@ void choose_weights(const Plan& plan, const FlowState& state, const MedialState&
   if (!plan.polishing) {
     set_growing(w);
   } else if (plan.phase == Phase::kHairpinRemoval) {
-    set_hairpin_removal(w);
+    set_hairpin_removal(w, plan.hairpin_pull);
   } else {
     set_polish(w);
   }
