@@ -267,7 +267,7 @@ std::vector<Filled> filled_surfaces() {
           {"prism_of_three_sides", scaled(cylinder(3, 12, 6), 4), 0.987},
           {"prism_of_six_sides", scaled(cylinder(6, 12, 8), 3), 0.985},
           {"tube_06", tube(0.6, 80, 80), 0.985},
-          {"tube_1", tube(1, 60, 60), 0.95}};
+          {"tube_1", tube(1, 60, 60), 0.94}};
 }
 
 class OnAFilledSurface : public testing::TestWithParam<Filled> {};

@@ -2,6 +2,7 @@
 #include "medial/gaps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -40,6 +41,14 @@ SurfacePoint trace_end(const Surface& surface, const SurfacePoint& start, Vec2 d
   while (walk.step()) {
   }
   return walk.end();
+}
+
+/// Next to where a half-edge begins.
+SurfacePoint beside_corner(HalfEdge e) {
+  constexpr double kAside = 0x1p-8;
+  std::array<double, 3> weights{kAside, kAside, kAside};
+  weights[corner_of(e)] = 1 - 2 * kAside;
+  return make_point(face_of(e), weights[0], weights[1], weights[2]);
 }
 
 /// Climbs to a local maximum of the size by a pattern search: the distance has creases where the
@@ -116,7 +125,7 @@ std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Fra
   const double promising = kPromising * least_size;
   const double surely_small = kSurely * promising * radius.least();
   const size_t balls = 2 * size_t{curve.size()};
-  const size_t count = balls + surface.face_count();
+  const size_t middles = balls + surface.face_count(), count = middles + surface.boundary().size();
   constexpr size_t kBlock = 512;
   std::vector<std::vector<Gap>> found(ThreadPool::block_count(count, kBlock));
   pool.for_blocks(count, kBlock, [&](size_t block, size_t begin, size_t end) {
@@ -128,8 +137,10 @@ std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Fra
         if (radii[i][side] < surely_small) continue;
         const double along = side == 0 ? radii[i][0] : -radii[i][1];
         start = trace_end(surface, curve.nodes[i], along * frames.bitangent2[i]);
-      } else {
+      } else if (k < middles) {
         start = make_point(static_cast<uint32_t>(k - balls), 1.0 / 3, 1.0 / 3, 1.0 / 3);
+      } else {
+        start = beside_corner(surface.boundary()[k - middles]);
       }
       if (emptiness.closer_than(start, promising)) continue;
       const Gap gap = emptiness.at(start);

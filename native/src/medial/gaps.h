@@ -21,8 +21,9 @@ inline constexpr double kGapSize = 1.2;
 ///
 /// A largest empty place touches the curve on several sides, so it is a medial ball of the nodes
 /// where it touches, and the search starts from the centres of all balls, carried onto the surface by
-/// geodesics. It also starts from the middle of every face that is far from the curve: there are the
-/// places that no ball reaches, such as a component without a strand. From each start the centre
+/// geodesics. It also starts from the middle of every face that is far from the curve, and beside every
+/// corner of the boundary: there are the places that no ball reaches, such as a component without a
+/// strand, and the far corner of a sheet. From each start the centre
 /// climbs to where the distance has a maximum, and what it finds is measured anew. That is a local
 /// search, so where balls end at the clamp in one large void the size is a lower bound.
 ///
