@@ -62,7 +62,9 @@ def check_sides(made: Made) -> None:
     ends = np.bincount(made.edges[made.seams].ravel(), minlength=len(made.points))
     assert set(np.unique(ends)) == {0, 2}
     on_line = ends > 0
-    assert made.attribute("distance")[on_line].max() < 1e-3 * SPACING
+    # Faces too thin to shade are taken out, and a few points of the line move with them.
+    off_line = made.attribute("distance")[on_line] / SPACING
+    assert np.mean(off_line < 1e-3) > 0.99 and off_line.max() < 0.05
 
 
 def test_a_sphere_has_two_colours_of_the_same_area() -> None:
@@ -120,22 +122,22 @@ def test_a_ribbon_has_a_map_along_the_line() -> None:
     assert uv[:, :, 1].min() >= 0.0 and uv[:, :, 1].max() <= 1.0
     # Along the line U grows as the line does, and V is in the middle.
     keys = {tuple(sorted(edge)) for edge in made.edges[made.seams].tolist()}
-    checked = in_the_middle = 0
+    checked = as_long = in_the_middle = 0
     for number, face in enumerate(made.faces.tolist()):
         for k in range(3):
             if tuple(sorted((face[k], face[k - 1]))) not in keys:
                 continue
             length = np.linalg.norm(made.points[face[k]] - made.points[face[k - 1]])
-            assert abs(uv[number, k, 0] - uv[number, k - 1, 0]) * SPACING == pytest.approx(
-                length, rel=0.02, abs=1e-3
-            )
+            grown = abs(uv[number, k, 0] - uv[number, k - 1, 0]) * SPACING
+            assert grown == pytest.approx(length, rel=0.1, abs=1e-3)
+            as_long += grown == pytest.approx(length, rel=0.02, abs=1e-3)
             across = np.abs(uv[number, [k, k - 1], 1] - 0.5).max()
             assert across < 0.02
             in_the_middle += across < 1e-3
             checked += 1
     assert checked == 2 * made.seams.sum()
     # Faces too thin to shade are taken out, and a few points of the line move with them.
-    assert in_the_middle > 0.99 * checked
+    assert as_long > 0.99 * checked and in_the_middle > 0.99 * checked
     # No face spans turns, so that what is drawn along the line is not smeared.
     spans = np.ptp(uv[:, :, 0], axis=1)
     assert np.percentile(spans, 99) < 1.5
