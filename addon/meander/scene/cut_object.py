@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import bmesh
 import bpy
 import numpy as np
+from mathutils.kdtree import KDTree
 
 from .. import core
 from ..model.cut import along_shares, ribbon_uv, smooth_normals
@@ -137,11 +138,26 @@ def _tidy(mesh: bpy.types.Mesh, distance: float) -> None:
     edit = bmesh.new()
     try:
         edit.from_mesh(mesh)
+        line = _points_on_line(edit)
+        places = KDTree(len(line))
+        for number, point in enumerate(line):
+            places.insert(point.co, number)
+        places.balance()
         bmesh.ops.dissolve_degenerate(edit, dist=distance, edges=edit.edges[:])
+        # Where an edge that ends on the line has become a point, that is in the middle of it.
+        away = edit.verts.layers.float["distance"]
+        for point in _points_on_line(edit):
+            if point[away] > 0.0:
+                point.co = places.find(point.co)[0]
+                point[away] = 0.0
         bmesh.ops.triangulate(edit, faces=[face for face in edit.faces if len(face.verts) > 3])
         edit.to_mesh(mesh)
     finally:
         edit.free()
+
+
+def _points_on_line(edit: bmesh.types.BMesh) -> list[bmesh.types.BMVert]:
+    return [point for point in edit.verts if any(edge.seam for edge in point.link_edges)]
 
 
 def _mark_seams(mesh: bpy.types.Mesh, cut: core.CutSurface) -> None:
