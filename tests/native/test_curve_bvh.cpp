@@ -140,13 +140,22 @@ CurveBvh::Sight sight_of(const std::vector<uint32_t>& kind, const Sees& sees) {
               if (j < kind.size() && sees(of, j)) lanes |= 1u << lane;
             }
             return lanes;
+          },
+          [&kind, sees](size_t first, size_t last, uint32_t run) {
+            const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, kind.size());
+            for (size_t i = first; i < last; ++i) {
+              for (size_t j = begin; j < end; ++j) {
+                if (sees(kind[i], static_cast<uint32_t>(j))) return true;
+              }
+            }
+            return false;
           }};
 }
 
 TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
   Rng rng(9);
   ThreadPool pool(2);
-  size_t limited = 0, clamped = 0, passed_over = 0;
+  size_t limited = 0, clamped = 0, passed_over = 0, unseen = 0;
   for (const size_t count : {1, 2, 7, 8, 9, 64, 500, 1501}) {
     const std::vector<Vec3> points = winding(count, 0.01, rng);
     const CurveBvh tree(points, pool);
@@ -177,6 +186,17 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
       }
       EXPECT_EQ(parts, together);
       EXPECT_EQ(touched_in_parts, touched);
+      // What says of no run that it is not seen only costs time.
+      CurveBvh::Sight hopeful = sight;
+      hopeful.may_see = [&](size_t of, size_t end, uint32_t run) {
+        unseen += !sight.may_see(of, end, run);
+        return true;
+      };
+      std::vector<Balls> again = start;
+      std::vector<std::array<uint32_t, 2>> touched_again(count, {UINT32_MAX, UINT32_MAX});
+      tree.largest_balls_seen(0, count, b, hopeful, again, touched_again);
+      EXPECT_EQ(again, together);
+      EXPECT_EQ(touched_again, touched);
       for (size_t i = 0; i < count; ++i) {
         for (size_t side = 0; side < 2; ++side) {
           if (start[i][side] == 0) {
@@ -201,6 +221,7 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
   EXPECT_GT(limited, 1000u);
   EXPECT_GT(clamped, 1000u);
   EXPECT_GT(passed_over, 1000u) << "the filter is meant to matter";
+  EXPECT_GT(unseen, 100u) << "whole runs are meant to be passed over";
 }
 
 /// Where all count, or none.

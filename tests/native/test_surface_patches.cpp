@@ -519,6 +519,14 @@ Said expect_as_defined(const Cut& c, const std::function<bool(const Part&)>& ask
       }
       return false;
     }());
+    EXPECT_EQ(c.patches.hides_same_side(p), [&] {
+      for (uint32_t q = 0; q < parts.size(); ++q) {
+        if (c.patches.hidden(p, q) && c.patches.normal(p).dot(c.patches.normal(q)) >= SurfacePatches::kOpposite) {
+          return true;
+        }
+      }
+      return false;
+    }());
     const int found = c.patches.sharp(p) ? 2 : c.patches.creased(p) ? 1 : 0;
     const bool right = found == creased && std::abs(c.patches.to_crease(p) - to_crease) <= kSingle * to_crease &&
                        std::abs(c.patches.to_bend(p) - to_bend) <= kSingle * to_bend;

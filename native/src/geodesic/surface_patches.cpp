@@ -184,6 +184,8 @@ class SurfacePatches::Comparison {
     const uint32_t size = std::bit_ceil(2 * static_cast<uint32_t>(hidden.size()));
     patches_.hidden_in_[p] = {first, size - 1};
     patches_.traits_[p].hides = true;
+    patches_.traits_[p].hides_same_side =
+        !std::ranges::all_of(hidden, [&](uint32_t q) { return patches_.opposite(p, q); });
     all.resize(all.size() + size, kNone);
     for (const uint32_t q : hidden) {
       uint32_t k = slot(q) & (size - 1);

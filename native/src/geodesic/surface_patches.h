@@ -41,6 +41,13 @@ class SurfacePatches {
   }
   /// Whether any patch is hidden from p.
   bool hides(uint32_t p) const { return traits_[p].hides; }
+  /// Whether any is that does not face away from p, as the layer after the next of a folded cloth.
+  bool hides_same_side(uint32_t p) const { return traits_[p].hides_same_side; }
+  /// Whether two patches face away from each other, as both sides of a sheet do.
+  bool opposite(uint32_t p, uint32_t q) const { return normal_[p].dot(normal_[q]) < kOpposite; }
+  /// Normals are opposite where their dot product is below this: no line that aims through space leads from one such
+  /// place to the other.
+  static constexpr double kOpposite = -0.3;
 
   /// Whether the surface bends so much within reach of a patch that straight distances from it may be wrong: at a
   /// crease, where faces meet at an angle, or on a narrow limb.
@@ -92,6 +99,7 @@ class SurfacePatches {
     Crease own = Crease::kFlat, creased = Crease::kFlat;  // in it, and within reach
     bool bent = false;
     bool hides = false;  // others: asked of every node, where the table of them is not
+    bool hides_same_side = false;
   };
   /// Those hidden from one patch, in a hash table with open addressing that is at most half full.
   struct HiddenIn {

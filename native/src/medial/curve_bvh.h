@@ -61,6 +61,9 @@ class CurveBvh {
     std::span<const uint32_t> kind;  ///< per point; for points of one kind the same count
     /// A bit for each point of a run: whether it counts for points of a kind.
     std::function<uint32_t(uint32_t kind, uint32_t run)> seen;
+    /// Whether any point of a run may count for any of the points first .. last - 1, kRun at most; false saves asking
+    /// for each of them.
+    std::function<bool(size_t first, size_t last, uint32_t run)> may_see;
   };
 
   /// The same, where some points are not to count. Of several points that limit a ball alike `touched`, which is not
@@ -121,8 +124,10 @@ class CurveBvh {
     uint32_t run[kMost];
     uint32_t count;
   };
+  /// The runs that the balls of some neighbours may meet and that `wanted`; false if there are too many.
+  template <class Wanted>
   bool gather(size_t begin, size_t end, std::span<const std::array<Eigen::Vector3d, 2>> b,
-              std::span<const std::array<double, 2>> radii, Candidates& near) const;
+              std::span<const std::array<double, 2>> radii, const Wanted& wanted, Candidates& near) const;
   /// The points of a run inside of a ball, or as good as on it: a bit each.
   uint32_t lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double radius) const;
   template <class Shrink>
@@ -163,7 +168,8 @@ class CurveBvh {
     Seen(const Candidates& near, const Sight& sight, uint32_t kind) : near_(near), sight_(sight), kind_(kind) {
       std::fill(lanes_.begin(), lanes_.begin() + near.count, kUnknown);
     }
-    uint32_t kind() const { return kind_; }
+    /// Whether it is known already that they see nothing of a candidate.
+    bool known_blind(uint32_t candidate) const { return lanes_[candidate] == 0; }
     uint32_t lanes(uint32_t candidate) {
       uint16_t& lanes = lanes_[candidate];
       if (lanes == kUnknown) lanes = static_cast<uint16_t>(sight_.seen(kind_, near_.run[candidate]));
@@ -180,7 +186,8 @@ class CurveBvh {
 
   bool shrinks_to(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
                   uint32_t* touched) const;
-  bool runs_near(const Box& box, Candidates& found) const;
+  template <class Wanted>
+  bool runs_near(const Box& box, const Wanted& wanted, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                             uint32_t& limiting, uint32_t& touched) const;
   double largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x, const Eigen::Vector3d& b,

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "medial/geodesic_scene.h"
+
+#include <algorithm>
+
+namespace meander {
+
+Obstacles::Obstacles(const Surface& surface, const SurfacePatches& patches, const Curve& curve, const Frames& frames,
+                     const BoundaryObstacle& boundary, BoundaryRule rule, ThreadPool& pool)
+    : curve_(curve) {
+  if (rule == BoundaryRule::kObstacle && !boundary.empty()) add_walls(surface, frames, boundary);
+  const std::vector<Vec3>& at = with_walls_.empty() ? frames.position.values() : with_walls_;
+  positions_ = at;
+  patch_.resize(at.size());
+  facing_.resize((at.size() + CurveBvh::kRun - 1) / CurveBvh::kRun);
+  pool.for_blocks(facing_.size(), 64, [&](size_t, size_t first, size_t last) {
+    for (size_t run = first; run < last; ++run) {
+      const size_t begin = run * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, at.size());
+      for (size_t i = begin; i < end; ++i) patch_[i] = patches.patch_of(surface, point(static_cast<uint32_t>(i)));
+      facing_[run] = Facing(patches, std::span(patch_).subspan(begin, end - begin));
+    }
+  });
+}
+
+void Obstacles::add_walls(const Surface& surface, const Frames& frames, const BoundaryObstacle& boundary) {
+  with_walls_ = frames.position.values();
+  with_walls_.insert(with_walls_.end(), boundary.samples().begin(), boundary.samples().end());
+  for (size_t k = 0; k < boundary.samples().size(); ++k) {
+    const uint32_t f = face_of(boundary.edges()[k]);
+    const Vec3 from_corner = boundary.samples()[k] - surface.position(surface.face(f)[0]);
+    walls_.push_back(point_at(surface, f, surface.to_plane(f, from_corner)));
+  }
+}
+
+Obstacles::Facing::Facing(const SurfacePatches& patches, std::span<const uint32_t> run) {
+  // Where all is plain nobody asks.
+  if (std::ranges::all_of(run, [&](uint32_t patch) { return patches.plain(patch); })) return;
+  for (const uint32_t patch : run) mean += patches.normal(patch);
+  mean /= static_cast<double>(run.size());
+  spread = 0;
+  for (const uint32_t patch : run) spread = std::max(spread, (patches.normal(patch) - mean).norm());
+}
+
+uint32_t GeodesicScene::lanes_seen(uint32_t patch, uint32_t run) const {
+  const std::span<const uint32_t> there = obstacles.patches();
+  const size_t first = size_t{run} * CurveBvh::kRun, end = std::min(first + CurveBvh::kRun, there.size());
+  if (!patches.hides_same_side(patch) && obstacles.same_side(run, patches.normal(patch))) {
+    return (1u << (end - first)) - 1;
+  }
+  uint32_t lanes = 0;
+  bool seen = false;
+  for (size_t j = first; j < end; ++j) {
+    if (j == first || there[j] != there[j - 1]) seen = patch_sees(patch, there[j]);
+    lanes |= (seen ? 1u : 0u) << (j - first);
+  }
+  return lanes;
+}
+
+bool GeodesicScene::any_seen(size_t first, size_t last, uint32_t run) const {
+  const std::span<const uint32_t> there = obstacles.patches();
+  const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, there.size());
+  const size_t own_run = first / CurveBvh::kRun, last_run = (last - 1) / CurveBvh::kRun;
+  const bool opposite = obstacles.opposite_runs(own_run, run) &&
+                        (last_run == own_run || obstacles.opposite_runs(last_run, run));
+  for (size_t i = first; i < last; ++i) {
+    const uint32_t own = there[i];
+    if (i > first && own == there[i - 1]) continue;
+    if (opposite && one_sided(own)) continue;
+    if (!patches.hides(own)) return true;
+    for (size_t j = begin; j < end; ++j) {
+      if ((j == begin || there[j] != there[j - 1]) && patch_sees(own, there[j])) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace meander
