@@ -161,8 +161,8 @@ meander_flow_options default_options(meander_preset preset) {
   o.hairpin_removal_iterations = finest ? 500 : 60;
   o.polish = 1;
   o.polish_bending_weight = 1.2;
-  o.polish_length_offset = finest ? -0.95 : -1.12;
-  o.polish_length_gain = 3;
+  o.polish_length_offset = finest ? -2.3 : -1.12;
+  o.polish_length_gain = finest ? 16 : 3;
   o.polish_medial_power = 8;
   o.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;
   o.iteration_limit = finest ? 2500 : 600;
