@@ -269,41 +269,59 @@ std::vector<Filled> filled_surfaces() {
           {"tube_1", tube(1, 60, 60), 0.985}};
 }
 
+/// A curve that has grown on a surface, and what its balls are found in.
+struct Filling {
+  std::shared_ptr<const Surface> shared;
+  const Surface& surface = *shared;
+  FlowSettings settings;
+  Flow flow;
+  const Curve& curve = flow.curve();
+  double r = settings.radius;
+  ThreadPool pool{1};
+  BoundaryObstacle boundary{surface, 0.5 * r};
+  SurfacePatches patches{surface, RadiusField(r), pool};
+  LocalMetric metric;
+  Frames frames;
+  NodeData<Reach> reach;
+
+  Filling(const Mesh& mesh, const meander_flow_options& options)
+      : shared(std::make_shared<const Surface>(make_surface(mesh))),
+        settings(checked_settings(options, surface)),
+        flow(shared, nullptr, {}, settings) {
+    flow.run([] { return false; }, [](double) {});
+    metric = even_metric(curve, r, settings.max_radius);
+    compute_frames(surface, curve, metric, RadiusField(r), pool, frames);
+    compute_reach(surface, curve, frames, boundary, BoundaryRule::kCentre, &patches, metric, pool, reach);
+  }
+  NodeData<Radii> radii(bool measure, unsigned threads) const {
+    ThreadPool several(threads);
+    CurveBvh tree;
+    NodeData<Radii> radii;
+    compute_geodesic_medial_axis(surface, patches, curve, frames, boundary, BoundaryRule::kCentre, measure, metric,
+                                 reach, several, tree, radii);
+    return radii;
+  }
+};
+
+meander_flow_options of_radius_one() {
+  meander_flow_options options = default_options(MEANDER_PRESET_EVEN);
+  options.radius = 1;
+  options.threads = 1;
+  return options;
+}
+
 class OnAFilledSurface : public testing::TestWithParam<Filled> {};
 
 TEST_P(OnAFilledSurface, TheFastWayFindsTheExactRadii) {
   constexpr double kWithin = 0.05, kLargest = 1.5;  // of a radius; in r
-  const auto surface = std::make_shared<const Surface>(make_surface(GetParam().mesh));
-  const Surface& s = *surface;
-  meander_flow_options options = default_options(MEANDER_PRESET_EVEN);
-  options.radius = 1;
-  options.threads = 1;
-  const FlowSettings settings = checked_settings(options, s);
-  Flow flow(surface, nullptr, {}, settings);
-  flow.run([] { return false; }, [](double) {});
-  const Curve& curve = flow.curve();
+  Filling f(GetParam().mesh, of_radius_one());
+  const Curve& curve = f.curve;
+  const double r = f.r;
   EXPECT_GT(curve.size(), 500u) << "the curve does not fill the surface";
-
-  const double r = settings.radius;
-  const LocalMetric metric = even_metric(curve, r, settings.max_radius);
-  const BoundaryObstacle boundary(s, 0.5 * r);
-  ThreadPool pool(1);
-  const SurfacePatches patches(s, RadiusField(r), pool);
-  Frames frames;
-  NodeData<Reach> reach;
-  compute_frames(s, curve, metric, RadiusField(r), pool, frames);
-  compute_reach(s, curve, frames, boundary, BoundaryRule::kCentre, &patches, metric, pool, reach);
   NodeData<Radii> exact;
-  compute_geodesic_reference(s, curve, frames, boundary, BoundaryRule::kCentre, metric, reach, pool, exact);
-  const auto fast = [&](unsigned threads) {
-    ThreadPool several(threads);
-    CurveBvh tree;
-    NodeData<Radii> radii;
-    compute_geodesic_medial_axis(s, patches, curve, frames, boundary, BoundaryRule::kCentre, true, metric, reach,
-                                 several, tree, radii);
-    return radii;
-  };
-  const NodeData<Radii> radii = fast(1);
+  compute_geodesic_reference(f.surface, curve, f.frames, f.boundary, BoundaryRule::kCentre, f.metric, f.reach, f.pool,
+                             exact);
+  const NodeData<Radii> radii = f.radii(true, 1);
   size_t all = 0, good = 0;
   for (uint32_t i = 0; i < curve.size(); ++i) {
     for (size_t side = 0; side < 2; ++side) {
@@ -317,50 +335,33 @@ TEST_P(OnAFilledSurface, TheFastWayFindsTheExactRadii) {
   const double share = static_cast<double>(good) / static_cast<double>(all);
   RecordProperty("share", std::to_string(share));
   EXPECT_GE(share, GetParam().share);
-  for (const unsigned threads : {2u, 3u}) EXPECT_EQ(fast(threads), radii);
+  for (const unsigned threads : {2u, 3u}) EXPECT_EQ(f.radii(true, threads), radii);
 }
 
 /// Growth passes over what is hidden, and what faces away from where another sheet or a crease is near.
 TEST_P(OnAFilledSurface, GrowthSeesWhatThereIsToSee) {
-  const auto surface = std::make_shared<const Surface>(make_surface(GetParam().mesh));
-  const Surface& s = *surface;
-  meander_flow_options options = default_options(MEANDER_PRESET_EVEN);
-  options.radius = 1;
-  options.threads = 1;
+  meander_flow_options options = of_radius_one();
   options.iteration_limit = 60;
-  const FlowSettings settings = checked_settings(options, s);
-  Flow flow(surface, nullptr, {}, settings);
-  flow.run([] { return false; }, [](double) {});
-  const Curve& curve = flow.curve();
-  const double r = settings.radius;
-  const LocalMetric metric = even_metric(curve, r, settings.max_radius);
-  const BoundaryObstacle boundary(s, 0.5 * r);
-  ThreadPool pool(2);
-  const SurfacePatches patches(s, RadiusField(r), pool);
-  Frames frames;
-  NodeData<Reach> reach;
-  compute_frames(s, curve, metric, RadiusField(r), pool, frames);
-  compute_reach(s, curve, frames, boundary, BoundaryRule::kCentre, &patches, metric, pool, reach);
-  CurveBvh tree;
-  NodeData<Radii> radii;
-  compute_geodesic_medial_axis(s, patches, curve, frames, boundary, BoundaryRule::kCentre, false, metric, reach, pool,
-                               tree, radii);
+  const Filling f(GetParam().mesh, options);
+  const Curve& curve = f.curve;
+  const SurfacePatches& patches = f.patches;
+  const NodeData<Radii> radii = f.radii(false, 2);
   std::vector<uint32_t> patch;
-  for (const SurfacePoint& p : curve.nodes) patch.push_back(patches.patch_of(s, p));
+  for (const SurfacePoint& p : curve.nodes) patch.push_back(patches.patch_of(f.surface, p));
   for (uint32_t i = 0; i < curve.size(); ++i) {
     const uint32_t p = patch[i];
     const bool one_sided = patches.hides(p) || patches.creased(p);
     for (size_t side = 0; side < 2; ++side) {
-      double least = std::max(0.0, reach[i][side].radius);
+      double least = std::max(0.0, f.reach[i][side].radius);
       for (uint32_t j = 0; j < curve.size(); ++j) {
-        const Vec3 d = frames.position[j] - frames.position[i];
-        const double ahead = d.dot(frames.outward[i][side]);
+        const Vec3 d = f.frames.position[j] - f.frames.position[i];
+        const double ahead = d.dot(f.frames.outward[i][side]);
         if (!(ahead > 0) || !(d.squaredNorm() < 2 * least * ahead)) continue;
         const bool away = patches.normal(p).dot(patches.normal(patch[j])) < SurfacePatches::kOpposite;
         if ((one_sided && away) || patches.hidden(p, patch[j])) continue;
         least = d.squaredNorm() / (2 * ahead);
       }
-      ASSERT_NEAR(radii[i][side], least, 1e-9 * r) << "node " << i << ", side " << side;
+      ASSERT_NEAR(radii[i][side], least, 1e-9 * f.r) << "node " << i << ", side " << side;
     }
   }
 }

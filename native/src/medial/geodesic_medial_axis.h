@@ -17,7 +17,9 @@ namespace meander {
 /// to it says (see Frames::outward): there, and `patches` know where, this is compute_medial_axis. Elsewhere what is
 /// hidden is passed over, and what limits the ball then is measured along the surface.
 ///
-/// `measure`  if false, what is hidden is passed over, near creases also what faces the other way, and all the rest is
+/// What faces away from where another sheet is near is passed over as well (GeodesicScene::one_sided).
+///
+/// `measure`  if false, nothing is measured: near creases, too, what faces away is passed over, and all the rest is
 ///            straight
 void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& patches, const Curve& curve,
                                   const Frames& frames, const BoundaryObstacle& boundary, BoundaryRule rule,
