@@ -11,11 +11,11 @@ namespace meander::test {
 namespace {
 
 struct Scene {
-  explicit Scene(const Mesh& mesh, int walks = 40, double step = 0.01)
+  explicit Scene(const Mesh& mesh, int walks = 40, double step = 0.01, int nodes = 10)
       : surface(make_surface(mesh)), boundary(surface, step) {
     Rng rng(71);
     for (int k = 0; k < walks; ++k) {
-      add_walk(surface, curve, random_point(surface, rng), 0.02, 10, 0.4, rng);
+      add_walk(surface, curve, random_point(surface, rng), 0.02, nodes, 0.4, rng);
     }
     ThreadPool pool(1);
     compute_frames(surface, curve, even_metric(curve, kRadius), RadiusField(kRadius), pool, frames);
@@ -85,6 +85,24 @@ TEST(Reach, IsTheDistanceToTheBoundary) {
       }
     }
   }
+}
+
+/// Long strands come near the boundary and leave it again: what their neighbours know is never believed wrongly.
+TEST(Reach, IsTheDistanceAllAlongAStrand) {
+  const Scene scene(grid_with_hole(9), 8, 0.01, 150);
+  constexpr double kNear = 0.04;
+  int far = 0, near = 0;
+  const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, kNear, 0, kNear / 2);
+  for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+    for (size_t side = 0; side < 2; ++side) {
+      const double straight = scene.distance(i, side, 1), corner = scene.distance_to_corners(i, side);
+      const double distance = corner < kNear / 2 ? std::min(straight, corner) : straight;
+      EXPECT_NEAR(reach[i][side].radius, std::min(kNear, distance), kRounding);
+      ++(distance < kNear ? near : far);
+    }
+  }
+  EXPECT_GT(near, 50);
+  EXPECT_GT(far, 500);
 }
 
 TEST(Reach, OfAnObstacleIsTheDistanceAlone) {

@@ -46,6 +46,10 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
   return samples;
 }
 
+/// The boundary is looked for so many times as far as it matters: farther costs more, but answers for more nodes.
+/// Where it may be near, a node no farther away than this, in what matters, is believed.
+constexpr double kFarther = 2, kBelieved = 0.5;
+
 /// The reach of some nodes after another, with the scratch memory of one thread.
 class ReachFinder {
  public:
@@ -62,8 +66,9 @@ class ReachFinder {
       // A geodesic that ends at the boundary is no shorter than the straight line to there, and leaves a sample
       // beside it.
       const double far = std::max(farthest(i), rest(i)) + boundary_.step();
-      if (boundary_.empty() || !boundary_.tree().any_within(frames_.position[i], far * far)) continue;
-      for (uint32_t side = 0; side < 2; ++side) sides_.push_back({i, side, frames_.to_boundary[i][side]});
+      if (boundary_.empty() || !may_be_within(i, far)) continue;
+      const bool corners = rest(i) > 0 && clearance(i) < rest(i);
+      for (uint32_t side = 0; side < 2; ++side) sides_.push_back({i, side, corners, frames_.to_boundary[i][side]});
     }
     walk_to_boundary();
     for (const Side& side : sides_) reach[side.node][side.side] = reach_of(side);
@@ -72,6 +77,7 @@ class ReachFinder {
  private:
   struct Side {
     uint32_t node, side;
+    bool corners;     // some sample of the boundary may be nearer than the rest of the node
     double distance;  // to the boundary; infinite where it is too far to matter, negative until it is known
   };
 
@@ -79,6 +85,22 @@ class ReachFinder {
   double rest(uint32_t i) const { return rule_ == BoundaryRule::kCentre ? metric_.least_rest[i] : 0; }
   /// The boundary matters up to this distance.
   double farthest(uint32_t i) const { return metric_.max_radius[i] + std::max(0.0, -beyond(i)); }
+
+  double apart(uint32_t i) const { return (frames_.position[i] - asked_at_).norm(); }
+  /// No sample of the boundary is nearer to a node than this.
+  double clearance(uint32_t i) const { return asked_nearest_ - apart(i); }
+
+  /// Whether any sample may be nearer to a node than `far`. Neighbours on the curve are near each other: what one of
+  /// them knows of its distance answers for the next few.
+  bool may_be_within(uint32_t i, double far) {
+    if (clearance(i) >= far) return false;
+    if (apart(i) < kBelieved * far) return true;
+    const double bound = kFarther * far;
+    const auto hit = boundary_.tree().nearest(frames_.position[i], bound * bound);
+    asked_at_ = frames_.position[i];
+    asked_nearest_ = hit ? std::sqrt(hit->squared_distance) : bound;
+    return asked_nearest_ < far;
+  }
 
   /// Leads the geodesics whose distances are not known yet, in turns.
   void walk_to_boundary() {
@@ -104,7 +126,7 @@ class ReachFinder {
     const uint32_t i = side.node;
     const double most = metric_.max_radius[i], least = rest(i);
     double distance = side.distance;
-    if (least > 0) {
+    if (side.corners) {
       const double corner = distance_to_corner(i, side.side, least);
       if (corner < least) distance = std::min(distance, corner);
     }
@@ -158,6 +180,9 @@ class ReachFinder {
   BoundaryRule rule_;
   const SurfacePatches* patches_;
   const LocalMetric& metric_;
+  // Where the nearest sample was asked for last, and how far it is at least.
+  Vec3 asked_at_ = Vec3::Constant(std::numeric_limits<double>::infinity());
+  double asked_nearest_ = 0;
   std::vector<Side> sides_;  // that the boundary may be near to
   uint32_t near_of_ = kNone;
   std::vector<uint32_t> near_;  // samples near the node near_of_
