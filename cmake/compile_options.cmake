@@ -39,11 +39,10 @@ if(MEANDER_SANITIZE)
     -fsanitize=${MEANDER_SANITIZE} -fno-omit-frame-pointer -g1)
   # Without recovery the first undefined behaviour fails the test instead of only printing a line.
   if(MEANDER_SANITIZE MATCHES "undefined")
-    # Of these the first three are found by AddressSanitizer as well, where they are used, and the last three hardly
-    # have a place in this code; without them Clang needs half the time.
-    target_compile_options(meander_compile_options INTERFACE -fno-sanitize-recover=undefined
-      -fno-sanitize=null,object-size,pointer-overflow,return,vptr
-      $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=function>)
+    target_compile_options(meander_compile_options INTERFACE -fno-sanitize-recover=undefined)
+  endif()
+  if(MEANDER_SANITIZE_EXCEPT)
+    target_compile_options(meander_compile_options INTERFACE -fno-sanitize=${MEANDER_SANITIZE_EXCEPT})
   endif()
   target_link_options(meander_compile_options INTERFACE -fsanitize=${MEANDER_SANITIZE})
 endif()

@@ -46,9 +46,35 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
   return samples;
 }
 
-/// The boundary is looked for so many times as far as it matters: farther costs more, but answers for more nodes.
-/// Where it may be near, a node no farther away than this, in what matters, is believed.
-constexpr double kFarther = 2, kBelieved = 0.5;
+/// How far the boundary is at least from one place after another: what is known of a place answers for others near it,
+/// as those of neighbours on the curve.
+class Clearance {
+ public:
+  explicit Clearance(const PointTree& boundary) : boundary_(boundary) {}
+
+  /// No point of the boundary is nearer than this.
+  double at(const Vec3& x) const { return nearest_ - (x - asked_at_).norm(); }
+
+  /// Whether one may be nearer than `far`; false only where none is.
+  bool may_be_within(const Vec3& x, double far) {
+    if (at(x) >= far) return false;
+    if ((x - asked_at_).norm() < kBelieved * far) return true;
+    const double bound = kFarther * far;
+    const auto hit = boundary_.nearest(x, bound * bound);
+    asked_at_ = x;
+    nearest_ = hit ? std::sqrt(hit->squared_distance) : bound;
+    return nearest_ < far;
+  }
+
+ private:
+  /// It is looked for so many times as far as asked: farther costs more, but answers for more places. Where it may be
+  /// near, places this near to where it was asked for, in `far`, are not asked for again.
+  static constexpr double kFarther = 2, kBelieved = 0.5;
+
+  const PointTree& boundary_;
+  Vec3 asked_at_ = Vec3::Constant(std::numeric_limits<double>::infinity());
+  double nearest_ = 0;  // to there, at least
+};
 
 /// The reach of some nodes after another, with the scratch memory of one thread.
 class ReachFinder {
@@ -56,7 +82,7 @@ class ReachFinder {
   ReachFinder(const Surface& surface, const Curve& curve, const Frames& frames, const BoundaryObstacle& boundary,
               BoundaryRule rule, const SurfacePatches* patches, const LocalMetric& metric)
       : surface_(surface), curve_(curve), frames_(frames), boundary_(boundary), rule_(rule), patches_(patches),
-        metric_(metric) {}
+        metric_(metric), clearance_(boundary.tree()) {}
 
   void find(uint32_t begin, uint32_t end, NodeData<Reach>& reach) {
     sides_.clear();
@@ -66,8 +92,8 @@ class ReachFinder {
       // A geodesic that ends at the boundary is no shorter than the straight line to there, and leaves a sample
       // beside it.
       const double far = std::max(farthest(i), rest(i)) + boundary_.step();
-      if (boundary_.empty() || !may_be_within(i, far)) continue;
-      const bool corners = rest(i) > 0 && clearance(i) < rest(i);
+      if (boundary_.empty() || !clearance_.may_be_within(frames_.position[i], far)) continue;
+      const bool corners = rest(i) > 0 && clearance_.at(frames_.position[i]) < rest(i);
       for (uint32_t side = 0; side < 2; ++side) sides_.push_back({i, side, corners, frames_.to_boundary[i][side]});
     }
     walk_to_boundary();
@@ -85,22 +111,6 @@ class ReachFinder {
   double rest(uint32_t i) const { return rule_ == BoundaryRule::kCentre ? metric_.least_rest[i] : 0; }
   /// The boundary matters up to this distance.
   double farthest(uint32_t i) const { return metric_.max_radius[i] + std::max(0.0, -beyond(i)); }
-
-  double apart(uint32_t i) const { return (frames_.position[i] - asked_at_).norm(); }
-  /// No sample of the boundary is nearer to a node than this.
-  double clearance(uint32_t i) const { return asked_nearest_ - apart(i); }
-
-  /// Whether any sample may be nearer to a node than `far`. Neighbours on the curve are near each other: what one of
-  /// them knows of its distance answers for the next few.
-  bool may_be_within(uint32_t i, double far) {
-    if (clearance(i) >= far) return false;
-    if (apart(i) < kBelieved * far) return true;
-    const double bound = kFarther * far;
-    const auto hit = boundary_.tree().nearest(frames_.position[i], bound * bound);
-    asked_at_ = frames_.position[i];
-    asked_nearest_ = hit ? std::sqrt(hit->squared_distance) : bound;
-    return asked_nearest_ < far;
-  }
 
   /// Leads the geodesics whose distances are not known yet, in turns.
   void walk_to_boundary() {
@@ -180,9 +190,7 @@ class ReachFinder {
   BoundaryRule rule_;
   const SurfacePatches* patches_;
   const LocalMetric& metric_;
-  // Where the nearest sample was asked for last, and how far it is at least.
-  Vec3 asked_at_ = Vec3::Constant(std::numeric_limits<double>::infinity());
-  double asked_nearest_ = 0;
+  Clearance clearance_;
   std::vector<Side> sides_;  // that the boundary may be near to
   uint32_t near_of_ = kNone;
   std::vector<uint32_t> near_;  // samples near the node near_of_
