@@ -23,11 +23,13 @@ CODE = re.compile(r"`([^`\n]+)`")
 SOURCE = re.compile(rf"(?:{'|'.join(ROOMS)})/\w+(?:\.h|\.cpp)?")
 TEST = re.compile(r"(?:tests/\w+/)?test_\w+(?:\.py|\.cpp)?")
 API = re.compile(r"\b(?:meander|MEANDER)_\w+\b")
-# Not of the header: the benchmark, a job type, and the options of the build.
-OTHERS = re.compile(
-    r"meander_(?:bench|core|fill|installed)|"
-    r"MEANDER_(?:BUILD_\w+|WERROR|SANITIZE|STAGE|HEADERS|UNITY|ZIG|LIBRARY|PYTHON313)"
-)
+# Not of the header: the benchmark, a job type, what is installed, and variables of the environment.
+OTHERS = re.compile(r"meander_(?:bench|core|fill|installed)|MEANDER_(?:LIBRARY|PYTHON313)")
+CMAKE_FILES = [ROOT / "CMakeLists.txt", *sorted((ROOT / "cmake").rglob("*.cmake"))]
+CMAKE_OPTION = re.compile(r"^\s*(?:option|set)\((MEANDER_\w+) ", re.MULTILINE)
+OPTIONS = {
+    name for path in CMAKE_FILES for name in CMAKE_OPTION.findall(path.read_text(encoding="utf-8"))
+}
 
 
 def is_source(name: str) -> bool:
@@ -58,7 +60,7 @@ def wrong_names(text: str, folder: Path, header: str) -> list[str]:
         else:
             wrong += [
                 name for name in API.findall(code)
-                if not OTHERS.fullmatch(name) and not is_declared(name, header)
+                if not (name in OPTIONS or OTHERS.fullmatch(name) or is_declared(name, header))
             ]
     return wrong
 
@@ -83,6 +85,7 @@ def test_a_document_names_only_what_exists(document, header):
         ("`curve/curve.cpp` `curve/frames.cpp`", "curve/frames.cpp"),
         ("`test_flow` `tests/core/test_documents.py` `test_flows`", "test_flows"),
         ("`meander_flow_step(flow)` `meander_flow_stop(flow)`", "meander_flow_stop"),
+        ("`MEANDER_WERROR` `-DMEANDER_UNITY=ON` `MEANDER_UNIT`", "MEANDER_UNIT"),
         ("`MEANDER_PRESET_` `MEANDER_PRESET_EVEN` `MEANDER_PRESET_ODD`", "MEANDER_PRESET_ODD"),
     ],
 )
