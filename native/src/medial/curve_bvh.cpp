@@ -14,6 +14,7 @@ namespace {
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = int32_t __attribute__((vector_size(16)));
 using Double2 = double __attribute__((vector_size(16)));
+using Long2 = int64_t __attribute__((vector_size(16)));
 
 template <class Lanes, class Number>
 Lanes load(const Number* p) {
@@ -399,18 +400,18 @@ bool CurveBvh::gather(size_t begin, size_t end, std::span<const std::array<Eigen
 
 uint32_t CurveBvh::lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
                                 double radius) const {
+  // p is in the ball if (p - x) . (p - end) < 0, where `end` is the point of the ball opposite to x.
   const Points& p = lanes_[run];
   const double twice = 2 * radius * (1 + 1e-14);
-  uint32_t lanes = 0;
-  for (size_t k = 0; k < kRun; k += 2) {
-    const Double2 ux = load<Double2>(p.x + k) - both(x.x()), uy = load<Double2>(p.y + k) - both(x.y()),
-                  uz = load<Double2>(p.z + k) - both(x.z());
-    const Double2 squared = ux * ux + uy * uy + uz * uz;
-    const Double2 ahead = ux * both(b.x()) + uy * both(b.y()) + uz * both(b.z());
-    const auto inside = (squared <= both(twice) * ahead) & (ahead > both(0));
-    lanes |= static_cast<uint32_t>((inside[0] & 1) | (inside[1] & 2)) << k;
+  const Double2 x0 = both(x.x()), x1 = both(x.y()), x2 = both(x.z());
+  const Double2 b0 = both(twice * b.x()), b1 = both(twice * b.y()), b2 = both(twice * b.z());
+  Long2 lanes{0, 0}, bits{1, 2};
+#pragma GCC unroll 4
+  for (size_t k = 0; k < kRun; k += 2, bits <<= 2) {
+    const Double2 ux = load<Double2>(p.x + k) - x0, uy = load<Double2>(p.y + k) - x1, uz = load<Double2>(p.z + k) - x2;
+    lanes |= (ux * (ux - b0) + uy * (uy - b1) + uz * (uz - b2) < both(0)) & bits;
   }
-  return lanes;
+  return static_cast<uint32_t>(lanes[0] | lanes[1]);
 }
 
 void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
