@@ -277,6 +277,46 @@ TEST(CurveBvh, TheFirstOfEqualsIsTouched) {
   }
 }
 
+/// The same where the ball is far larger than the distance to what limits it, so that little is left of its square and
+/// of its share ahead once they are subtracted.
+TEST(CurveBvh, TheFirstOfEqualsCloseByIsTouched) {
+  ThreadPool pool(1);
+  Rng rng(13);
+  constexpr double kRadius = 0.5;
+  size_t limited = 0;
+  for (int repeat = 0; repeat < 200; ++repeat) {
+    const Vec3 x(rng.in(-0.5, 0.5), rng.in(-0.5, 0.5), rng.in(-0.5, 0.5)), b = random_direction(rng);
+    const Vec3 along = b.unitOrthogonal(), across = b.cross(along);
+    // On balls of half the radius to all of it, each point twice, and x itself.
+    std::vector<Vec3> points{x};
+    for (int k = 0; k < 32; ++k) {
+      const double turned = rng.in(0, 2 * kPi), distance = rng.in(0.002, 0.02);
+      const double ahead = distance * distance / (2 * kRadius * rng.in(0.5, 1));
+      const double beside = std::sqrt(distance * distance - ahead * ahead);
+      points.push_back(x + ahead * b + beside * (std::cos(turned) * along + std::sin(turned) * across));
+      points.push_back(points.back());
+    }
+    for (size_t k = points.size() - 1; k > 1; --k) std::swap(points[k], points[1 + rng.below(k)]);
+    const CurveBvh tree(points, pool);
+    const auto all = [](size_t, uint32_t) { return true; };
+    const std::vector<uint32_t> kind(points.size(), 0);
+    const std::vector<Sides> sides(points.size(), Sides{b, -b});
+    std::vector<Balls> radii(points.size(), Balls{kRadius, kRadius});
+    std::vector<std::array<uint32_t, 2>> touched(points.size());
+    tree.largest_balls_seen(0, points.size(), sides, sight_of(kind, all), radii, touched);
+    for (uint32_t i = 0; i < points.size(); ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        const Limit expected =
+            brute_force_seen(points, points[i], sides[i][side], kRadius, [](uint32_t) { return true; });
+        EXPECT_EQ(radii[i][side], expected.radius) << "from point " << i;
+        EXPECT_EQ(touched[i][side], expected.touched) << "from point " << i;
+        limited += expected.touched != UINT32_MAX;
+      }
+    }
+  }
+  EXPECT_GT(limited, 1000u);
+}
+
 TEST(CurveBvh, InsideEqualsBruteForce) {
   Rng rng(8);
   ThreadPool pool(1);

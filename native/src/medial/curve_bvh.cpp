@@ -400,16 +400,18 @@ bool CurveBvh::gather(size_t begin, size_t end, std::span<const std::array<Eigen
 
 uint32_t CurveBvh::lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
                                 double radius) const {
-  // p is in the ball if (p - x) . (p - end) < 0, where `end` is the point of the ball opposite to x.
+  // Rounded as in shrinks_to_counted, or it would miss points that limit a ball alike. What is not ahead fails as well:
+  // its product is not above a square.
   const Points& p = lanes_[run];
-  const double twice = 2 * radius * (1 + 1e-14);
-  const Double2 x0 = both(x.x()), x1 = both(x.y()), x2 = both(x.z());
-  const Double2 b0 = both(twice * b.x()), b1 = both(twice * b.y()), b2 = both(twice * b.z());
+  const Double2 twice = both(2 * radius * (1 + 1e-14));
   Long2 lanes{0, 0}, bits{1, 2};
 #pragma GCC unroll 4
   for (size_t k = 0; k < kRun; k += 2, bits <<= 2) {
-    const Double2 ux = load<Double2>(p.x + k) - x0, uy = load<Double2>(p.y + k) - x1, uz = load<Double2>(p.z + k) - x2;
-    lanes |= (ux * (ux - b0) + uy * (uy - b1) + uz * (uz - b2) < both(0)) & bits;
+    const Double2 ux = load<Double2>(p.x + k) - both(x.x()), uy = load<Double2>(p.y + k) - both(x.y()),
+                  uz = load<Double2>(p.z + k) - both(x.z());
+    const Double2 squared = ux * ux + uy * uy + uz * uz;
+    const Double2 ahead = ux * both(b.x()) + uy * both(b.y()) + uz * both(b.z());
+    lanes |= (squared < twice * ahead) & bits;
   }
   return static_cast<uint32_t>(lanes[0] | lanes[1]);
 }
