@@ -118,7 +118,8 @@ def test_a_cube_falls_into_squares():
     strands = toolpath.strands_of(curve, data)
     flat = unrolling.unrolled(strands, mesh, uv)
     assert len(flat) > 10
-    assert length_of(flat) == pytest.approx(length_of(strands), rel=1e-6)
+    # Where a point lies beyond an edge by no more than a ten-thousandth of a triangle it counts as on it.
+    assert length_of(flat) == pytest.approx(length_of(strands), rel=1e-5)
     for strand in flat:
         # Squares of side 2, ten apart; each path stays in one, and ends where that ends.
         square = 10.0 * np.round(strand.points[0, 0] / 10.0)

@@ -79,6 +79,37 @@ TEST(Plan, RemovesHairpinsRoughlyWhereThereIsLittleTime) {
   }
 }
 
+/// The same with the polish: as patient as what comes before it.
+TEST(Plan, PolishesLongerAfterAGentleRemoval) {
+  uint32_t last = tuning::kPolishIterations;
+  for (const uint32_t iterations : {0u, 70u, 100u, 150u, 200u, 250u, 300u, 600u, UINT32_MAX}) {
+    const uint32_t polish = polish_iterations(iterations);
+    EXPECT_GE(polish, last);
+    EXPECT_EQ(polish == tuning::kPolishIterations, iterations <= 100);
+    EXPECT_EQ(polish == tuning::kLongPolishIterations, iterations >= 300);
+    last = polish;
+  }
+}
+
+/// Nothing is measured before the polish, nor in its first iterations; what was measured is kept by nodes at rest, but
+/// where the flow follows the paper.
+TEST(Plan, MeasuresBallsOnceTheCurveHasItsPlace) {
+  FlowSettings settings = with_polish();
+  for (const Phase phase : {Phase::kGrowing, Phase::kHairpinRemoval, Phase::kPolishing, Phase::kFinishing, Phase::kCooling}) {
+    for (const uint32_t iterations : {0u, tuning::kUnmeasuredPolish - 1, tuning::kUnmeasuredPolish, 1000u}) {
+      const bool late = phase > Phase::kPolishing ||
+                        (phase == Phase::kPolishing && iterations >= tuning::kUnmeasuredPolish);
+      EXPECT_EQ(plan_iteration(settings, phase, iterations).measure_balls, late);
+    }
+    FlowSettings unpolished = settings;
+    unpolished.polish = false;
+    EXPECT_TRUE(plan_iteration(unpolished, phase).measure_balls);
+  }
+  EXPECT_TRUE(plan_iteration(settings, Phase::kCooling).reuse_balls);
+  settings.stop_rule = StopRule::kPaper;
+  EXPECT_FALSE(plan_iteration(settings, Phase::kFinishing).reuse_balls);
+}
+
 TEST_P(PhasesOf, FollowOneAnother) {
   EXPECT_FALSE(plan().polishing);
   EXPECT_EQ(plan().segment_length, 2);

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "api/flow_options.h"
+#include "base/tuning.h"
 #include "flow/flow.h"
 #include "geodesic_distance.h"
 #include "geodesic_reference.h"
@@ -293,12 +294,12 @@ struct Filling {
     compute_frames(surface, curve, metric, RadiusField(r), pool, frames);
     compute_reach(surface, curve, frames, boundary, BoundaryRule::kCentre, &patches, metric, pool, reach);
   }
-  NodeData<Radii> radii(bool measure, unsigned threads) const {
+  NodeData<Radii> radii(bool measure, unsigned threads, KeptBalls kept = {}) const {
     ThreadPool several(threads);
     CurveBvh tree;
     NodeData<Radii> radii;
     compute_geodesic_medial_axis(surface, patches, curve, frames, boundary, BoundaryRule::kCentre, measure, metric,
-                                 reach, several, tree, radii);
+                                 reach, several, tree, radii, kept);
     return radii;
   }
 };
@@ -336,6 +337,80 @@ TEST_P(OnAFilledSurface, TheFastWayFindsTheExactRadii) {
   RecordProperty("share", std::to_string(share));
   EXPECT_GE(share, GetParam().share);
   for (const unsigned threads : {2u, 3u}) EXPECT_EQ(f.radii(true, threads), radii);
+}
+
+/// A node at rest keeps a ball that was measured: as it is where nothing has changed, in the same ratio to the straight
+/// ball where that has, and not for long. What has moved, or is another ball by now, is measured anew.
+TEST_P(OnAFilledSurface, NodesAtRestKeepTheirBalls) {
+  meander_flow_options options = of_radius_one();
+  options.iteration_limit = 90;
+  const Filling f(GetParam().mesh, options);
+  NodeData<MeasuredBalls> known, after;
+  const NodeData<Radii> measured = f.radii(true, 1, {nullptr, &known});
+  if (!f.patches.creased_anywhere()) {
+    EXPECT_TRUE(known.empty());
+    return;
+  }
+  ASSERT_EQ(known.size(), f.curve.size());
+  // What is kept can be told from what is measured anew by a radius that nobody would measure.
+  constexpr double kFactor = 0.5;
+  for (MeasuredBalls& balls : known) {
+    for (MeasuredBall& ball : balls) ball.measured *= static_cast<float>(kFactor);
+  }
+  const auto expect = [&](const NodeData<MeasuredBalls>& before, double factor, const char* what) {
+    const NodeData<Radii> radii = f.radii(true, 1, {&before, &after});
+    size_t balls = 0;
+    for (uint32_t i = 0; i < f.curve.size(); ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        if (!(known[i][side].straight > 0)) continue;
+        ++balls;
+        // From another beginning a search may end at a ball that is another by rounding.
+        ASSERT_NEAR(radii[i][side], factor * measured[i][side], 1e-6 * f.r) << what << ", node " << i;
+      }
+    }
+    EXPECT_GT(balls, 0u) << what;
+    EXPECT_EQ(f.radii(true, 3, {&before, &after}), radii) << what;
+  };
+  expect(known, kFactor, "at rest");
+  const auto changed = [&](const auto& change) {
+    NodeData<MeasuredBalls> before = known;
+    for (MeasuredBalls& balls : before) {
+      for (MeasuredBall& ball : balls) change(ball);
+    }
+    return before;
+  };
+  const auto moved = [&](double r) {
+    return changed([&](MeasuredBall& ball) { ball.from += static_cast<float>(r * f.r) * Eigen::Vector3f::UnitX(); });
+  };
+  expect(moved(0.9 * tuning::kBallRest), kFactor, "moved a little");
+  expect(changed([](MeasuredBall& ball) { ball.straight = ball.measured = 0; }), 1, "not known");
+  expect(changed([](MeasuredBall& ball) { ball.age = tuning::kBallIterations; }), 1, "long ago");
+  expect(moved(1.1 * tuning::kBallRest), 1, "moved");
+  const float much = static_cast<float>(1 + 1.2 * tuning::kBallChange), little = 1.05f;
+  expect(changed([&](MeasuredBall& ball) {
+           ball.searched = false;
+           ball.straight *= much;
+         }),
+         1, "another straight ball");
+  expect(changed([&](MeasuredBall& ball) {
+           ball.searched = false;
+           ball.straight *= little;
+           ball.measured *= little;
+         }),
+         kFactor, "nearly the same straight ball");
+  expect(changed([&](MeasuredBall& ball) {
+           ball.searched = true;
+           ball.straight *= much;
+         }),
+         kFactor, "searched for");
+  expect(changed([&](MeasuredBall& ball) {
+           ball.searched = true;
+           ball.age = tuning::kSearchedIterations;
+         }),
+         1, "searched for, some time ago");
+  // Growth measures nothing, and has nothing to keep.
+  EXPECT_EQ(f.radii(false, 1, {&known, &after}), f.radii(false, 1));
+  EXPECT_TRUE(after.empty());
 }
 
 /// Growth passes over what is hidden, and what faces away from where another sheet or a crease is near.

@@ -3,6 +3,7 @@
 // The weights of an iteration: what each setting, phase and place makes of them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 
 #include "base/tuning.h"
@@ -85,6 +86,8 @@ struct Scene {
     state.domain.directions = field;
     state.nodes.radii = seen.empty() ? NodeData<Radii>(curve.size(), Radii{kRadius, kRadius}) : seen;
     MedialState medial;
+    const ReachOfSide open{settings.max_radius, settings.max_radius, settings.max_radius};
+    medial.reach = reach.empty() ? NodeData<Reach>(curve.size(), Reach{open, open}) : reach;
     const Radii even{spacing * kRadius, spacing * kRadius};
     medial.felt_radii = felt.empty() ? NodeData<Radii>(curve.size(), even) : felt;
     StrandSolver strands;
@@ -103,6 +106,7 @@ struct Scene {
   double spacing = 1;
   NodeData<double> radius;     // where it varies
   NodeData<Radii> seen, felt;  // where they vary
+  NodeData<Reach> reach;       // where the boundary is near
 };
 
 void expect_all(const NodeData<double>& values, double expected) {
@@ -329,6 +333,44 @@ TEST(Weighting, HairpinsAreRemovedFirstAndThenKeptRound) {
   EXPECT_LT(drawn_in, s.curve.size());
   EXPECT_GT(straight, 0u);
   EXPECT_GT(between, 0u);
+}
+
+/// No strand comes from beyond the boundary to fill the void between two hairpins that end there, so they may be blunt.
+/// A clamp that is as small is no boundary.
+TEST(Weighting, HairpinsBesideTheBoundaryMayBeBlunt) {
+  for (const double clamp : {1.5, 3.0}) {
+    Scene s;
+    s.add_rows();
+    s.settings.polish = true;
+    s.settings.hairpin_removal_iterations = 300;
+    s.settings.max_radius = clamp * kRadius;
+    const Weights inside = s.weights(Phase::kPolishing);
+    const auto reach_of = [&](double radii) {
+      const double left = std::min(radii, clamp) * kRadius;
+      return ReachOfSide{left, left, left};
+    };
+    // One side or the other, nearer and farther.
+    const std::array<double, 4> left{0.9, 1.45, 2.1, 3};
+    s.reach = NodeData<Reach>(s.curve.size());
+    for (uint32_t i = 0; i < s.curve.size(); ++i) {
+      s.reach[i] = {reach_of(3), reach_of(3)};
+      s.reach[i][i % 2] = reach_of(left[i / 2 % left.size()]);
+    }
+    const Weights beside = s.weights(Phase::kPolishing);
+    uint32_t stiff = 0;
+    for (uint32_t i = 0; i < s.curve.size(); ++i) {
+      stiff += inside.bending[i] > 1.2;
+      const double near = left[i / 2 % left.size()];
+      EXPECT_DOUBLE_EQ(beside.bending[i], near < std::min(2.0, clamp) ? 1.2 * 0.3 : inside.bending[i]);
+      EXPECT_EQ(beside.length[i], inside.length[i]);
+    }
+    EXPECT_GT(stiff, 0u);
+    EXPECT_EQ(s.weights(Phase::kHairpinRemoval).bending[0], 1.2);
+    // A short run, which has removed hairpins roughly, leaves tips too near the boundary with less of it.
+    s.settings.hairpin_removal_iterations = 66;
+    const Weights rough = s.weights(Phase::kPolishing);
+    for (uint32_t i = 0; i < s.curve.size(); ++i) EXPECT_EQ(rough.bending[i], inside.bending[i]);
+  }
 }
 
 }  // namespace

@@ -592,8 +592,9 @@ typedef struct meander_flow_options {
   double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A
                                polish takes the larger of this and polish_medial_power */
   double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
-  double growth_coarsening; /* before a polish, and in its first 22 iterations, segments are longer than
-                               h by this factor; in [1, 4] */
+  double growth_coarsening; /* before a polish, and in its first 22 iterations (60 where hairpins are
+                               removed for 300 or more), segments are longer than h by this factor; in
+                               [1, 4] */
   double start_spacing_factor;  /* the curve first fills the surface at this many times the spacing,
                                    which then shrinks to the one asked for (Fig. 25): fewer corners,
                                    more iterations; in [1, 16]; 1: off */
@@ -601,7 +602,8 @@ typedef struct meander_flow_options {
                                    as far as its neighbour, at 0 it may run along the boundary; in
                                    [0, 2]. Values other than 0.5 need MEANDER_BOUNDARY_RULE_CENTRE */
   double polish_bending_weight; /* b in the polish; where a strand turns more sharply than 1 / r, up to
-                                   3.5 times as much, so that hairpins stay round */
+                                   3.5 times as much, so that hairpins stay round; beside a boundary
+                                   .3 times where hairpins are removed for 300 iterations or more */
   double polish_length_offset;  /* t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the medial */
   double polish_length_gain;    /* radius in units of r, smoothed along the curve over 2 r; in [-10, 10]
                                    and [0, 100] */

@@ -156,12 +156,12 @@ meander_flow_options default_options(meander_preset preset) {
   o.max_radius_factor = 3;
   o.bending_weight = 1;
   o.step = 1.5;
-  o.growth_coarsening = 2;
+  o.growth_coarsening = 2.5;
   o.grow_into_empty = o.widen_loops = o.hold_ends = 1;
-  o.hairpin_removal_iterations = finest ? 500 : 60;
+  o.hairpin_removal_iterations = finest ? 600 : 70;
   o.polish = 1;
   o.polish_bending_weight = 1.2;
-  o.polish_length_offset = finest ? -2.3 : -1.12;
+  o.polish_length_offset = finest ? -2.4 : -1.16;
   o.polish_length_gain = finest ? 16 : 3;
   o.polish_medial_power = 8;
   o.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;

@@ -58,6 +58,15 @@ inline constexpr double kChord = 0.75;
 /// turned by less than this since, as a sine. Measured: docs/performance.md, "What stands still".
 inline constexpr double kRest = 0.05, kTurn = 0.1;
 
+/// A node keeps a ball that was measured along the surface while it is no farther than the first of these from where that
+/// was, in r, and the straight ball differs from what it was by less than the second, as a share; for so many
+/// iterations, and what had to be searched for, for the last. Measured: docs/medial_axis.md, "What it costs".
+inline constexpr double kBallRest = 0.1, kBallChange = 0.1;
+inline constexpr uint32_t kBallIterations = 6, kSearchedIterations = 4;
+
+/// In so many iterations of the polish balls are not measured yet. Measured: the same place.
+inline constexpr uint32_t kUnmeasuredPolish = 10;
+
 /// What a ball falls short of at the boundary counts twice; below this share of the distance wanted, so many times
 /// again. "flow: Let the boundary push twice as hard ..." and "boundary_reach: Keep strands from corners ...".
 inline constexpr double kVeryNear = 0.7, kVeryNearPush = 6;
@@ -147,6 +156,11 @@ inline constexpr double kLeastPolishLength = -1, kMostPolishLength = 3;
 inline constexpr double kCurvatureSmoothing = 1.2, kRoundHairpin = 0.9, kTightHairpin = 1.2;
 inline constexpr double kHairpinStiffening = 2.5;
 
+/// After a gentle removal of hairpins, bending weighs so many times as much beside the boundary, where a ball is left
+/// less than the first of these in r. After a rough one some tips would come too near to the boundary with less of it.
+/// Measured: docs/quality.md, on voids at the boundary.
+inline constexpr double kBesideBoundary = 2, kBoundaryBending = 0.3;
+
 /// Length weight in a strip along the boundary that is to stay empty, and the highest power q of the polish where such
 /// a strip is wider than a spacing: higher ones hardly feel balls smaller than r, which are what pushes strands out of
 /// it. "flow: Keep strips along the boundary empty also with the polish's higher power": distances from round holes of
@@ -186,9 +200,11 @@ inline constexpr size_t kGrowthWindow = 10;
 inline constexpr double kGrownLength = 0.02, kGrownClamped = 0.01;
 inline constexpr double kGrownForSure = 0.005;
 
-/// Iterations of the polish with long segments. With five iterations for growth 30 leave .004 more near_target and a
-/// hairpin less, for 8 % more work (the same place).
-inline constexpr uint32_t kPolishIterations = 22;
+/// Iterations of the polish with long segments, after a rough removal of hairpins and after a gentle one. With five
+/// iterations for growth 30 instead of 22 leave .004 more near_target and a hairpin less, for 8 % more work (the same
+/// place); 60 instead of 22 make `finest` .005 more even, and packing .02 less different from one surface to another
+/// (docs/quality.md, on `finest`).
+inline constexpr uint32_t kPolishIterations = 22, kLongPolishIterations = 60;
 
 /// So many of them fit a finished curve to another spacing, and more of them hardly make it more even: near_target of
 /// bunny after 10, 15, 20 and 30 is .932, .937, .939 and .943 for a spacing a tenth wider, .950, .953, .952 and .956 for

@@ -63,7 +63,7 @@ Convergence Convergence::revised(const FlowSettings& settings, double change, bo
   next.removed_for_ = removed_for_;
   const bool removing = phase_ == Phase::kHairpinRemoval && removed_for_ < next.hairpin_removal_iterations_;
   next.phase_ = removing ? phase_ : Phase::kPolishing;
-  next.polished_ = std::min(polished_, tuning::kPolishIterations - tuning::kFittingIterations);
+  next.polished_ = std::min(polished_, polish_iterations(settings.hairpin_removal_iterations) - tuning::kFittingIterations);
   return next;
 }
 
@@ -149,7 +149,9 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
       if (++removed_for_ >= hairpin_removal_iterations_) begin(Phase::kPolishing);
       break;
     case Phase::kPolishing:
-      if (++polished_ >= tuning::kPolishIterations) begin(fitting_ ? Phase::kCooling : Phase::kFinishing);
+      if (++polished_ >= polish_iterations(hairpin_removal_iterations_)) {
+        begin(fitting_ ? Phase::kCooling : Phase::kFinishing);
+      }
       break;
     case Phase::kFinishing:
       if (settled) begin(Phase::kCooling);

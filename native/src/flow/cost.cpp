@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "base/elementary.h"
+#include "base/tuning.h"
+#include "flow/plan.h"
 
 namespace meander {
 namespace {
@@ -37,8 +39,9 @@ constexpr double kBytesPerNode = 1370, kPolishPerNode = 490, kGeodesicPerNode = 
 
 double iterations_of(double nodes, const FlowSettings& s) {
   const double growth = elementary::pow(std::max(1.0, nodes / kFewNodes), kIterationGrowth);
-  const double removal = s.polish ? s.hairpin_removal_iterations : 0;
-  const double all = removal + growth * (s.polish ? kIterations : kUnpolishedIterations);
+  const double removal = s.hairpin_removal_iterations;
+  const double longer = polish_iterations(s.hairpin_removal_iterations) - tuning::kPolishIterations;
+  const double all = (s.polish ? removal + longer : 0) + growth * (s.polish ? kIterations : kUnpolishedIterations);
   return std::min(all, static_cast<double>(s.iteration_limit));
 }
 

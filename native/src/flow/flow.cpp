@@ -103,20 +103,21 @@ void Flow::iterate() {
 }
 
 /// The medial axis of a curve, as it is.
-void Flow::find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached, bool measure) {
+void Flow::find_medial_axis(FlowState& state, const AtRest& known, bool measure) {
   update_metric(state, pool_);
   const Domain& domain = state.domain;
   const MedialRules rules{state.settings.boundary_rule, measure};
   const MedialScene scene{*domain.surface, domain.patches.get(), *domain.boundary, domain.radius,
                           state.curve,     state.metric,         rules};
-  find_medial_state(scene, cached, pool_, medial_, state.nodes.radii);
+  find_medial_state(scene, known, pool_, medial_, state.nodes.radii);
 }
 
 /// The same as the forces of an iteration are to see it.
 void Flow::find_medial_axis(const Plan& plan) {
-  NodeData<CachedDirections>& directions = state_.nodes.directions;
-  if (!plan.reuse_directions) directions.clear();
-  find_medial_axis(state_, directions.empty() ? nullptr : &directions, plan.measure_balls);
+  NodeHistory& nodes = state_.nodes;
+  if (!plan.reuse_directions) nodes.directions.clear();
+  if (!plan.reuse_balls) nodes.balls.clear();
+  find_medial_axis(state_, {&nodes.directions, &nodes.balls}, plan.measure_balls);
   if (state_.settings.grow_into_empty) {
     perturb_empty_stretches(state_.curve, state_.nodes.radii, state_.metric, pool_, medial_.felt_radii);
   }
@@ -149,6 +150,7 @@ void Flow::remember(const Plan& plan, const NodeData<Vec2>& displacement) {
   nodes_after_.radii = state_.nodes.radii;
   nodes_after_.directions = state_.nodes.directions;
   if (plan.reuse_directions) remember_directions(medial_.frames, state_.metric, pool_, nodes_after_.directions);
+  std::swap(nodes_after_.balls, medial_.measured);
   remember_steps(plan, displacement, medial_.frames, pool_, nodes_after_.steps);
 }
 

@@ -87,15 +87,15 @@ class Flow {
   /// radii() up to date and changes nothing else.
   std::vector<Gap> gaps(double least_size);
   /// Brings radii() up to date and changes nothing else.
-  void update_radii() { find_medial_axis(state_, nullptr); }
+  void update_radii() { find_medial_axis(state_, {}); }
 
  private:
   /// Of the tests: it spoils a curve that has moved, to see that this is found.
   friend struct FlowFault;
 
-  Plan plan() const { return plan_iteration(state_.settings, convergence_.phase()); }
+  Plan plan() const { return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase()); }
   void iterate();
-  void find_medial_axis(FlowState& state, const NodeData<CachedDirections>* cached, bool measure = true);
+  void find_medial_axis(FlowState& state, const AtRest& known, bool measure = true);
   void find_medial_axis(const Plan& plan);
   IterationFigures figures_of(const NodeData<Vec2>& displacement);
   IterationRecord record_of(const NodeData<Vec2>& displacement);

@@ -5,25 +5,27 @@ namespace meander {
 namespace {
 
 template <class Value>
-void carry_over(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeData<Value>& values, NodeData<Value>& old) {
+void carry_over(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeData<Value>& values, NodeData<Value>& spare) {
   if (values.empty()) return;
-  old.resize(origin.size());
+  spare.resize(origin.size());
   pool.for_blocks(origin.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) old[i] = values[origin[i]];
+    for (size_t i = begin; i < end; ++i) spare[i] = values[origin[i]];
   });
-  values.swap(old);
+  values.swap(spare);
 }
 
 }  // namespace
 
-void NodeHistory::follow(const NodeData<uint32_t>& origin, ThreadPool& pool) {
+void NodeHistory::follow(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeHistory& spare) {
   try {
-    carry_over(origin, pool, radii, old_radii_);
-    carry_over(origin, pool, directions, old_directions_);
-    carry_over(origin, pool, steps, old_steps_);
+    carry_over(origin, pool, radii, spare.radii);
+    carry_over(origin, pool, directions, spare.directions);
+    carry_over(origin, pool, balls, spare.balls);
+    carry_over(origin, pool, steps, spare.steps);
   } catch (...) {
     radii.clear();
     directions.clear();
+    balls.clear();
     steps.clear();
     throw;
   }

@@ -6,6 +6,7 @@
 #include "base/thread_pool.h"
 #include "curve/node_data.h"
 #include "medial/frames.h"
+#include "medial/geodesic_medial_axis.h"
 #include "medial/medial_axis.h"
 
 namespace meander {
@@ -14,17 +15,14 @@ namespace meander {
 struct NodeHistory {
   NodeData<Radii> radii;                  ///< of the last medial axis, in the surface's own unit
   NodeData<CachedDirections> directions;  ///< of medial balls, for nodes at rest
+  NodeData<MeasuredBalls> balls;          ///< along the surface, likewise
   NodeData<Vec2> steps;                   ///< the last displacements, along tangent and bitangent
 
   /// Gives the nodes after a refinement what those had that they come from; `origin` as Refinement::refine says.
   /// Where memory runs out all of it is forgotten: it must not be that of other nodes.
-  void follow(const NodeData<uint32_t>& origin, ThreadPool& pool);
-
- private:
-  // Kept for their memory.
-  NodeData<Radii> old_radii_;
-  NodeData<CachedDirections> old_directions_;
-  NodeData<Vec2> old_steps_;
+  ///
+  /// `spare`  any other history, for its memory; what it says is lost
+  void follow(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeHistory& spare);
 };
 
 }  // namespace meander

@@ -21,15 +21,22 @@ double momentum_in(Phase phase, double roughness) {
 }
 
 /// How roughly hairpins are removed: 1 where there are few iterations for it, 0 where there are many.
-double roughness_of(const FlowSettings& settings) {
-  const double spare = tuning::kGentleRemoval - static_cast<double>(settings.hairpin_removal_iterations);
+double roughness_of(uint32_t hairpin_removal_iterations) {
+  const double spare = tuning::kGentleRemoval - static_cast<double>(hairpin_removal_iterations);
   return std::clamp(spare / (tuning::kGentleRemoval - tuning::kRoughRemoval), 0.0, 1.0);
 }
 
 }  // namespace
 
-Plan plan_iteration(const FlowSettings& settings, Phase phase) {
-  const double roughness = roughness_of(settings);
+uint32_t polish_iterations(uint32_t hairpin_removal_iterations) {
+  const double iterations = std::lerp(static_cast<double>(tuning::kLongPolishIterations),
+                                      static_cast<double>(tuning::kPolishIterations),
+                                      roughness_of(hairpin_removal_iterations));
+  return static_cast<uint32_t>(std::lround(iterations));
+}
+
+Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase) {
+  const double roughness = roughness_of(settings.hairpin_removal_iterations);
   const bool coarse = settings.polish && phase <= Phase::kPolishing;
   Plan plan;
   plan.phase = phase;
@@ -37,12 +44,15 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase) {
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);
   plan.momentum = settings.polish ? momentum_in(phase, roughness) : 0;
   plan.hairpin_pull = std::lerp(tuning::kGentlePull, tuning::kRoughPull, roughness);
+  plan.boundary_ease = 1 - roughness;
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
-  plan.measure_balls = !settings.polish || phase >= Phase::kPolishing;
+  plan.measure_balls = !settings.polish || phase > Phase::kPolishing ||
+                       (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
   plan.reuse_directions = settings.stop_rule == StopRule::kSettled &&
                           settings.boundary_distance <= 0.5 &&
                           phase != Phase::kCooling;
+  plan.reuse_balls = settings.stop_rule == StopRule::kSettled;
   return plan;
 }
 

@@ -24,16 +24,24 @@ struct Plan {
   double momentum = 0;        ///< a node goes on by this share of its last step
   double longest_step = 0;    ///< in the local r; may be infinite
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
+  double boundary_ease = 0;     ///< how far a polish lets strands bend freely beside the boundary: 0 as anywhere, 1
   /// Medial balls along the surface are measured there also where the surface is creased. Growth and hairpin removal
-  /// only need to know what is hidden: measured from the polish on, curves are as even, for a fifth of the time less.
+  /// only need to know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of
+  /// the time less.
   bool measure_balls = true;
   /// Nodes at rest keep the directions of their medial balls. The last iterations are exact, and so is every one
   /// where the flow follows the paper, and where a strip along the boundary is to stay empty: there it hardly comes
   /// to rest as it is.
   bool reuse_directions = false;
+  /// And those balls along the surface that were measured; also in the last iterations, in which no node moves far. Not
+  /// where the flow follows the paper.
+  bool reuse_balls = false;
 };
 
-/// The plan of an iteration in this phase: a function of the two alone.
-Plan plan_iteration(const FlowSettings& settings, Phase phase);
+/// How long the phase kPolishing is: as patient as the removal of hairpins before it.
+uint32_t polish_iterations(uint32_t hairpin_removal_iterations);
+
+/// The plan of an iteration in this phase, before which there have been so many in it: a function of the three alone.
+Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase = 0);
 
 }  // namespace meander

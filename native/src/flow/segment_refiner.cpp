@@ -37,7 +37,7 @@ void SegmentRefiner::apply(FlowState& state, double segment_length, double guide
     }
   });
   if (refinement_.refine(*state.domain.surface, state.curve, targets_, pool, origin_)) {
-    state.nodes.follow(origin_, pool);
+    state.nodes.follow(origin_, pool, spare_);
   }
 }
 

@@ -25,6 +25,7 @@ class SegmentRefiner {
   Refinement refinement_;
   NodeData<double> targets_;
   NodeData<uint32_t> origin_;
+  NodeHistory spare_;  // for its memory
 };
 
 }  // namespace meander

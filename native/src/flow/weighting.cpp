@@ -2,6 +2,7 @@
 #include "flow/weighting.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/tuning.h"
@@ -15,6 +16,7 @@ namespace {
 
 /// What the weights are a function of, and the weights.
 struct Weighting {
+  const Plan& plan;
   const FlowState& state;
   const MedialState& medial;
   StrandSolver& strands;
@@ -124,16 +126,26 @@ void set_polish_terms(const Weighting& w) {
   w.weights.bending.assign(w.size(), s.polish_bending_weight);
 }
 
+/// Whether no strand has room between a node and the boundary.
+bool beside_boundary(const Weighting& w, size_t i) {
+  const Reach& reach = w.medial.reach[i];
+  const double left = std::min(reach[0].radius, reach[1].radius);
+  return left < w.state.metric.max_radius[i] && left < tuning::kBesideBoundary * w.state.metric.radius[i];
+}
+
 /// More bending where a strand turns too sharply. Nearly all radii that are too small lie inside hairpins, and as much
-/// bending elsewhere would hold strands back that should yield to them.
-void keep_hairpins_round(const Weighting& w) {
+/// bending elsewhere would hold strands back that should yield to them. Less beside the boundary, as far as the plan
+/// says: no strand comes from there to fill the void between two hairpins, so their tips have to be blunt.
+void bend_as_room_allows(const Weighting& w) {
   const NodeData<double> curvature =
       smoothed_curvature(w.state.curve, w.state.metric, tuning::kCurvatureSmoothing, w.pool);
   w.pool.for_blocks(curvature.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double tightness =
           (curvature[i] - tuning::kRoundHairpin) / (tuning::kTightHairpin - tuning::kRoundHairpin);
-      w.weights.bending[i] *= 1 + tuning::kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
+      double factor = 1 + tuning::kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
+      if (beside_boundary(w, i)) factor = std::lerp(factor, tuning::kBoundaryBending, w.plan.boundary_ease);
+      w.weights.bending[i] *= factor;
     }
   });
 }
@@ -170,7 +182,7 @@ void set_hairpin_removal(const Weighting& w, double pull) {
 
 void set_polish(const Weighting& w) {
   set_polish_terms(w);
-  keep_hairpins_round(w);
+  bend_as_room_allows(w);
   const NodeData<double> spacing = w.spacing();
   set_length_weights(w, polish_push(w), spacing, [&](size_t i) { return follow_spacing(w.settings(), spacing[i]); });
 }
@@ -179,7 +191,7 @@ void set_polish(const Weighting& w) {
 
 void choose_weights(const Plan& plan, const FlowState& state, const MedialState& medial, StrandSolver& strands,
                     ThreadPool& pool, Weights& weights) {
-  const Weighting w{state, medial, strands, pool, weights};
+  const Weighting w{plan, state, medial, strands, pool, weights};
   weights.medial_blocks = state.settings.medial_power != 2;
   weights.length_power = state.settings.length_power;
   align(w);

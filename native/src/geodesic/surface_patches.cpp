@@ -216,6 +216,7 @@ SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius
     beside_[at[b]++] = a;
   }
   Comparison(*this, cutter).compare(pool);
+  creased_anywhere_ = std::ranges::any_of(traits_, [](const Traits& t) { return t.creased != Crease::kFlat; });
   largest_radius_ = *std::ranges::max_element(cutter.r);
   if (!cutter.creases.empty()) creases_ = std::make_unique<const PointTree>(std::move(cutter.creases));
 }

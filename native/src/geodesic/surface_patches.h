@@ -54,6 +54,8 @@ class SurfacePatches {
   bool creased(uint32_t p) const { return traits_[p].creased != Crease::kFlat; }
   /// Whether that is a sharp edge, as that of a blade.
   bool sharp(uint32_t p) const { return traits_[p].creased == Crease::kSharp; }
+  /// Whether that holds for any patch.
+  bool creased_anywhere() const { return creased_anywhere_; }
   /// Where neither holds, straight distances are as good as those along the surface.
   bool plain(uint32_t p) const { return !creased(p) && !hides(p); }
   /// How far the nearest crease is at least from any point of a patch, in the surface's unit and through space; some
@@ -119,6 +121,7 @@ class SurfacePatches {
   std::vector<uint32_t> hidden_;
   std::unique_ptr<const PointTree> creases_;  // null: there are none
   double largest_radius_;                     // r, where it varies
+  bool creased_anywhere_ = false;
 };
 
 }  // namespace meander

@@ -67,6 +67,7 @@ double GeodesicBall::largest(uint32_t node, size_t side, double straight, uint32
   r_ = r;
   least_ = most;
   excluded_count_ = 0;
+  searched_ = false;
   const SurfacePatches& patches = scene_.patches;
   const uint32_t patch = scene_.obstacles.patch(node);
   bool certain = touched != kNone;  // that it is met through space as well
@@ -77,7 +78,8 @@ double GeodesicBall::largest(uint32_t node, size_t side, double straight, uint32
   const bool flat = patches.to_bend(patch) > 1.5 * straight && (along >= kAhead || !holds_crease(straight));
   if (certain && flat && alike(touched)) return straight;
   const bool opposite = certain && patches.opposite(patch, scene_.obstacles.patch(touched));
-  if (!certain || opposite || !measure(straight, touched, most)) search_below(likely);
+  searched_ = !certain || opposite || !measure(straight, touched, most);
+  if (searched_) search_below(likely);
   if (patches.sharp(patch)) look_from_centre();
   return least_;
 }

@@ -32,6 +32,8 @@ class GeodesicBall {
   /// `likely`               what it is probably less than, which only saves time; at most `most`
   /// `r`                    the local one
   double largest(uint32_t node, size_t side, double straight, uint32_t touched, double likely, double most, double r);
+  /// Whether the last one had to be searched for, as what limits the straight ball was no help.
+  bool searched() const { return searched_; }
 
  private:
   /// What the rays of a node have come across.
@@ -74,6 +76,7 @@ class GeodesicBall {
   Vec2 ahead_;  // its direction in the plane of the node's face
   double r_ = 0, least_ = 0;
   bool straight_on_ = true;  // whether that is also about its direction in space
+  bool searched_ = false;
   uint32_t excluded_count_ = 0;
   std::array<std::array<uint32_t, 2>, kMostStrands> excluded_;
   std::vector<uint32_t> near_centre_;

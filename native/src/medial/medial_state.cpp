@@ -6,29 +6,31 @@
 
 #include "base/elementary.h"
 #include "base/tuning.h"
-#include "medial/geodesic_medial_axis.h"
 
 namespace meander {
 namespace {
 
-void find_radii(const MedialScene& scene, ThreadPool& pool, MedialState& state, NodeData<Radii>& radii) {
+void find_radii(const MedialScene& scene, const NodeData<MeasuredBalls>* balls, ThreadPool& pool, MedialState& state,
+                NodeData<Radii>& radii) {
   if (!scene.patches) {
+    state.measured.clear();
     compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree, radii);
   } else {
     compute_geodesic_medial_axis(scene.surface, *scene.patches, scene.curve, state.frames, scene.boundary,
                                  scene.rules.boundary, scene.rules.measure, scene.metric, state.reach, pool,
-                                 state.tree, radii);
+                                 state.tree, radii, {balls, &state.measured});
   }
 }
 
 }  // namespace
 
-void find_medial_state(const MedialScene& scene, const NodeData<CachedDirections>* cached, ThreadPool& pool,
-                       MedialState& state, NodeData<Radii>& radii) {
-  compute_frames(scene.surface, scene.curve, scene.metric, scene.radius, pool, state.frames, cached);
+void find_medial_state(const MedialScene& scene, const AtRest& known, ThreadPool& pool, MedialState& state,
+                       NodeData<Radii>& radii) {
+  compute_frames(scene.surface, scene.curve, scene.metric, scene.radius, pool, state.frames,
+                 known.directions && !known.directions->empty() ? known.directions : nullptr);
   compute_reach(scene.surface, scene.curve, state.frames, scene.boundary, scene.rules.boundary, scene.patches,
                 scene.metric, pool, state.reach);
-  find_radii(scene, pool, state, radii);
+  find_radii(scene, known.balls, pool, state, radii);
   state.felt_radii.resize(radii.size());
   pool.for_blocks(radii.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

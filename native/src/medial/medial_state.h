@@ -8,6 +8,7 @@
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"
 #include "medial/frames.h"
+#include "medial/geodesic_medial_axis.h"
 #include "medial/medial_axis.h"
 
 namespace meander {
@@ -34,16 +35,22 @@ struct MedialState {
   Frames frames;
   NodeData<Reach> reach;
   NodeData<Radii> felt_radii;  ///< as the energy sees them: under a density, and near a boundary
+  NodeData<MeasuredBalls> measured;  ///< what nodes know of their balls for the next iteration; may be empty
   CurveBvh tree;               ///< kept for its memory; not to be asked
+};
+
+/// What nodes at rest still know of an earlier iteration. Each may be null, or empty: then all is found anew.
+struct AtRest {
+  const NodeData<CachedDirections>* directions = nullptr;  ///< see compute_frames
+  const NodeData<MeasuredBalls>* balls = nullptr;          ///< see compute_geodesic_medial_axis
 };
 
 /// Finds frames, reach and radii of the curve (section 3.2.2), in the memory that `state` has. Another measure of
 /// distance gets its place here.
 ///
-/// `cached`  directions of nodes at rest, see compute_frames; may be null
-/// `radii`   in: of an earlier state, which only save time, or empty; out: the medial radii, in the surface's unit
-void find_medial_state(const MedialScene& scene, const NodeData<CachedDirections>* cached, ThreadPool& pool,
-                       MedialState& state, NodeData<Radii>& radii);
+/// `radii`  in: of an earlier state, which only save time, or empty; out: the medial radii, in the surface's unit
+void find_medial_state(const MedialScene& scene, const AtRest& known, ThreadPool& pool, MedialState& state,
+                       NodeData<Radii>& radii);
 
 /// A radius on one side of a node in units of the r that it passes, times the node's own r.
 ///
