@@ -118,7 +118,9 @@ def test_a_cube_falls_into_squares():
     strands = toolpath.strands_of(curve, data)
     flat = unrolling.unrolled(strands, mesh, uv)
     assert len(flat) > 10
-    # Where a point lies beyond an edge by no more than a ten-thousandth of a triangle it counts as on it.
+    # A point beyond an edge by no more than a ten-thousandth of a triangle, whose longest side is 2.83
+    # here, counts as on it.
+    beyond = 2.9e-4
     assert length_of(flat) == pytest.approx(length_of(strands), rel=1e-5)
     for strand in flat:
         # Squares of side 2, ten apart; each path stays in one, and ends where that ends.
@@ -126,7 +128,7 @@ def test_a_cube_falls_into_squares():
         own = strand.points[:, :2] - [square, 0.0]
         assert np.abs(own).max() <= 1.0 + 1e-6
         if not strand.closed:
-            assert np.allclose(np.abs(own[[0, -1]]).max(axis=1), 1.0, atol=1e-6)
+            assert np.allclose(np.abs(own[[0, -1]]).max(axis=1), 1.0, atol=beyond)
 
 
 def test_a_map_without_area_gives_nothing():

@@ -538,7 +538,7 @@ typedef uint32_t meander_preset;
 enum {
   MEANDER_PRESET_EVEN = 0,  /* the default: evenly spaced, few hairpins, no gaps */
   MEANDER_PRESET_PAPER = 1, /* the authors' weights, step and stopping rule */
-  MEANDER_PRESET_FINEST = 2 /* as even, with a third fewer hairpins, in two to three times the time */
+  MEANDER_PRESET_FINEST = 2 /* as even, with a third fewer hairpins, in about four times the time */
 };
 
 /* How a medial ball ends at the boundary of an open surface. */

@@ -59,8 +59,9 @@ inline constexpr double kChord = 0.75;
 inline constexpr double kRest = 0.05, kTurn = 0.1;
 
 /// A node keeps a ball that was measured along the surface while it is no farther than the first of these from where that
-/// was, in r, and the straight ball differs from what it was by less than the second, as a share; for so many
-/// iterations, and what had to be searched for, for the last. Measured: docs/medial_axis.md, "What it costs".
+/// was, in r, and the straight ball differs from what it was by less than the second, as a share. It is measured again
+/// after so many iterations at the latest, what had to be searched for after the last. Measured: docs/medial_axis.md,
+/// "What it costs".
 inline constexpr double kBallRest = 0.1, kBallChange = 0.1;
 inline constexpr uint32_t kBallIterations = 6, kSearchedIterations = 4;
 
@@ -171,7 +172,8 @@ inline constexpr double kMostPowerAtStrips = 4;
 // ---- The step -------------------------------------------------------------------------------------------------------
 
 /// A node goes on by this share of its last step in the polish while segments are long. In growth momentum makes more
-/// hairpins; from 0.7 on in the polish a curve does not come to rest. Measured: docs/quality.md, on momentum.
+/// hairpins; from 0.7 on in the polish a curve does not come to rest. Measured: docs/quality.md, on momentum, and 0.4 on
+/// fewer segments: within noise.
 inline constexpr double kPolishMomentum = 0.3;
 
 /// A node moves no more than this share of its medial radius on the side to which it moves, so that it cannot leap over
@@ -222,7 +224,8 @@ inline constexpr double kMostFitted = 0.22;
 inline constexpr size_t kSettledWindow = 5;
 inline constexpr double kSettledLength = 0.0025, kSettledDistance = 0.05;
 
-/// Iterations with short steps at the end. Not measured.
+/// Iterations with short steps at the end. Four of them: within noise, for a hundredth of the work (docs/quality.md, on
+/// fewer segments).
 inline constexpr uint32_t kCoolingIterations = 6;
 
 /// Nodes that move less than this, in r, do not move; when none of those that are to move does in as many iterations

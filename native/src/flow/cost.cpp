@@ -19,7 +19,7 @@ namespace {
 /// The length of a finished curve over area by spacing; without a polish it stays shorter.
 constexpr double kLength = 1.047, kUnpolishedLength = 0.967;
 /// The mean distance of nodes, in h: they are kept between h and 2 h apart.
-constexpr double kMeanSegment = 1.378;
+constexpr double kMeanSegment = 1.39;
 /// How often a line of any direction crosses edges: for each unit of its length, and each unit of edge length on
 /// each unit of area (Crofton).
 constexpr double kCrossings = 2 / std::numbers::pi;
