@@ -41,7 +41,7 @@ def test_filling_again_updates_the_last_result_and_nothing_but_its_curve():
     assert run_again(surface, 0.25) == result
     assert counts() == before
     assert bpy.context.view_layer.objects.active == surface and surface.select_get()
-    assert length_of(result) > 1.5 * short
+    assert length_of(result) > 1.4 * short
     assert (result.name, result.data, data.name) == ("My Line", data, "My Data")
     assert result.meander.spacing == pytest.approx(0.25)
     assert data.materials[:] == [material] and other in result.users_collection

@@ -118,8 +118,8 @@ def test_a_cube_falls_into_squares():
     strands = toolpath.strands_of(curve, data)
     flat = unrolling.unrolled(strands, mesh, uv)
     assert len(flat) > 10
-    # A point beyond an edge by no more than a ten-thousandth of a triangle, whose longest side is 2.83
-    # here, counts as on it.
+    # A point beyond an edge by no more than a ten-thousandth of a triangle, whose longest side is
+    # 2.83 here, counts as on it.
     beyond = 2.9e-4
     assert length_of(flat) == pytest.approx(length_of(strands), rel=1e-5)
     for strand in flat:
