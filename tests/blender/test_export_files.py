@@ -163,7 +163,8 @@ def test_several_curves_are_one_drawing(tmp_path: Path) -> None:
     assert sum(len(points) for points, _c in paths) == sum(counts)
     assert 180.0 < paper.min() <= paper.max() < 201.0
     # The lower one is seen around the upper one, and not through it: that would be half as much
-    # again. Curves do not reach the rim alike on all sides, so the paper's middle is off by 2 to 5 mm.
+    # again. Curves do not reach the rim alike on all sides, so the paper's middle is off by up to
+    # 5 mm.
     _export(tmp_path / "seen.svg", selected=True, visible_only=True, scale=0.1)
     _export(tmp_path / "upper.svg", visible_only=True, scale=0.1)
     inside, outside = _lengths_around_the_middle(tmp_path / "seen.svg", 45.0)
