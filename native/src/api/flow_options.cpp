@@ -165,7 +165,7 @@ meander_flow_options default_options(meander_preset preset) {
   o.polish_length_gain = finest ? 16 : 3;
   o.polish_medial_power = 8;
   o.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;
-  o.iteration_limit = finest ? 2500 : 600;
+  o.iteration_limit = finest ? 2500 : 900;
   return o;
 }
 
