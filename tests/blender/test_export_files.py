@@ -106,10 +106,10 @@ def test_what_the_surface_hides_is_left_out(tmp_path: Path) -> None:
         [*(p.vertices for p in sheet.data.polygons), [81, 82, 83, 84]],
     )
     ring = scenes.poly_curve("Ring", [scenes.circle_points(0.3, 0.0)], True)
-    scenes.fill(with_roof, 0.2, seed=ring)
+    scenes.fill(with_roof, 0.15, seed=ring)
     _export(tmp_path / "roof.svg", visible_only=True, scale=0.1)
     paths, paper = _paths(tmp_path / "roof.svg")
-    assert len(paths) > 2 and not any(closed for _points, closed in paths)
+    assert len(paths) > 3 and not any(closed for _points, closed in paths)
     assert 88.0 < paper[0] <= 100.6 and paper[1] > 180.0
     # Every part ends under the edge of the roof, to a tenth of a millimetre.
     edge = min(points[:, 0].min() for points, _closed in paths)
@@ -149,11 +149,11 @@ def _lengths_around_the_middle(path: Path, radius: float) -> tuple[float, float]
 
 
 def test_several_curves_are_one_drawing(tmp_path: Path) -> None:
-    first = scenes.fill(scenes.sphere(), 0.5)
+    first = scenes.fill(scenes.sphere(), 0.3)
     ball = scenes.sphere()
     ball.location = (0.0, 0.0, 5.0)  # above the other, which it hides but for its rim
     ball.scale = (0.5, 0.5, 0.5)
-    second = scenes.fill(ball, 0.3)
+    second = scenes.fill(ball, 0.15)
     counts = [sum(len(s.points) for s in result.data.splines) for result in (first, second)]
     first.select_set(True)
     _export(tmp_path / "one.svg", scale=0.1)
@@ -163,13 +163,12 @@ def test_several_curves_are_one_drawing(tmp_path: Path) -> None:
     assert sum(len(points) for points, _c in paths) == sum(counts)
     assert 180.0 < paper.min() <= paper.max() < 201.0
     # The lower one is seen around the upper one, and not through it: that would be half as much
-    # again. Curves do not reach the rim alike on all sides, so the paper's middle is off by up to
-    # 5 mm.
+    # again. Curves do not reach the rim alike on all sides, so the paper's middle is a little off.
     _export(tmp_path / "seen.svg", selected=True, visible_only=True, scale=0.1)
     _export(tmp_path / "upper.svg", visible_only=True, scale=0.1)
     inside, outside = _lengths_around_the_middle(tmp_path / "seen.svg", 45.0)
     alone, _nothing = _lengths_around_the_middle(tmp_path / "upper.svg", 45.0)
-    assert inside == pytest.approx(alone, rel=0.2)
+    assert inside == pytest.approx(alone, rel=0.1)
     assert outside > 0.5 * inside
     assert "one surface" in _refused(tmp_path / "uv.svg", selected=True, layout_as="UV")
 

@@ -95,7 +95,8 @@ TEST(Plan, PolishesLongerAfterAGentleRemoval) {
 /// where the flow follows the paper.
 TEST(Plan, MeasuresBallsOnceTheCurveHasItsPlace) {
   FlowSettings settings = with_polish();
-  for (const Phase phase : {Phase::kGrowing, Phase::kHairpinRemoval, Phase::kPolishing, Phase::kFinishing, Phase::kCooling}) {
+  for (const Phase phase :
+       {Phase::kGrowing, Phase::kHairpinRemoval, Phase::kPolishing, Phase::kFinishing, Phase::kCooling}) {
     for (const uint32_t iterations : {0u, tuning::kUnmeasuredPolish - 1, tuning::kUnmeasuredPolish, 1000u}) {
       const bool late = phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations >= tuning::kUnmeasuredPolish);

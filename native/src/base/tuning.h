@@ -58,8 +58,8 @@ inline constexpr double kChord = 0.75;
 /// turned by less than this since, as a sine. Measured: docs/performance.md, "What stands still".
 inline constexpr double kRest = 0.05, kTurn = 0.1;
 
-/// A node keeps a ball that was measured along the surface while it is no farther than the first of these from where that
-/// was, in r, and the straight ball differs from what it was by less than the second, as a share. It is measured again
+/// A node keeps a ball that was measured along the surface while it is no farther than the first of these from where
+/// that was, in r, and the straight ball differs from what it was by less than the second, as a share. It is measured again
 /// after so many iterations at the latest, what had to be searched for after the last. Measured: docs/medial_axis.md,
 /// "What it costs".
 inline constexpr double kBallRest = 0.1, kBallChange = 0.1;
@@ -172,8 +172,8 @@ inline constexpr double kMostPowerAtStrips = 4;
 // ---- The step -------------------------------------------------------------------------------------------------------
 
 /// A node goes on by this share of its last step in the polish while segments are long. In growth momentum makes more
-/// hairpins; from 0.7 on in the polish a curve does not come to rest. Measured: docs/quality.md, on momentum, and 0.4 on
-/// fewer segments: within noise.
+/// hairpins; from 0.7 on in the polish a curve does not come to rest. Measured: docs/quality.md, on momentum; 0.4
+/// instead of 0.3 is within noise (the same page, on fewer segments).
 inline constexpr double kPolishMomentum = 0.3;
 
 /// A node moves no more than this share of its medial radius on the side to which it moves, so that it cannot leap over

@@ -63,7 +63,8 @@ Convergence Convergence::revised(const FlowSettings& settings, double change, bo
   next.removed_for_ = removed_for_;
   const bool removing = phase_ == Phase::kHairpinRemoval && removed_for_ < next.hairpin_removal_iterations_;
   next.phase_ = removing ? phase_ : Phase::kPolishing;
-  next.polished_ = std::min(polished_, polish_iterations(settings.hairpin_removal_iterations) - tuning::kFittingIterations);
+  const uint32_t polish = polish_iterations(settings.hairpin_removal_iterations);
+  next.polished_ = std::min(polished_, polish - tuning::kFittingIterations);
   return next;
 }
 

@@ -93,7 +93,9 @@ class Flow {
   /// Of the tests: it spoils a curve that has moved, to see that this is found.
   friend struct FlowFault;
 
-  Plan plan() const { return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase()); }
+  Plan plan() const {
+    return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase());
+  }
   void iterate();
   void find_medial_axis(FlowState& state, const AtRest& known, bool measure = true);
   void find_medial_axis(const Plan& plan);
