@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "geodesic/geodesic_trace.h"
 #include "geodesic_distance.h"
 #include "medial/curve_bvh.h"
 
@@ -66,7 +67,7 @@ class Balls {
     direction_ = direction;
     ray_.reset(surface_, obstacles_.points[node], direction);
     large_ = kLarge * usual * (1 + kEmpty);
-    const double most = std::min(reach.radius, reach.centre);
+    const double most = std::min(reach.radius, distance_to_boundary(reach.radius));
     const double radius = largest_on_surface(outward, most, usual, last);
     return radius < most || reach.radius <= most ? radius : largest_beyond(most, reach.radius);
   }
@@ -83,6 +84,13 @@ class Balls {
     double distance;
     Vec2 direction;
   };
+
+  /// Along the ray, at most `most`: a centre may come no farther on the surface.
+  double distance_to_boundary(double most) const {
+    Path path;
+    const FlatPoint& from = obstacles_.points[node_];
+    return trace_geodesic(surface_, point_at(surface_, from.face, from.place), most * direction_, path).length;
+  }
 
   Centre centre(double radius) {
     const Landing landing = ray_.at(radius);

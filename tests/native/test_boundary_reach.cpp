@@ -24,9 +24,13 @@ struct Scene {
   NodeData<Reach> reach(BoundaryRule rule, double most, double overhang, double rest, unsigned threads = 1) const {
     ThreadPool pool(threads);
     NodeData<Reach> result;
-    compute_reach(surface, curve, frames, boundary, rule, nullptr, even_metric(curve, kRadius, most, overhang, rest), pool,
-                  result);
+    const LocalMetric metric = even_metric(curve, kRadius, most, overhang, rest);
+    compute_reach(in(metric, rule), {}, 0, pool, result);
     return result;
+  }
+
+  ReachScene in(const LocalMetric& metric, BoundaryRule rule = BoundaryRule::kCentre) const {
+    return {surface, curve, frames, boundary, rule, nullptr, metric};
   }
 
   /// The distance along the surface, infinite where the boundary is farther than `most`.
@@ -64,7 +68,7 @@ TEST(Reach, IsTheClampWhereThereIsNoBoundary) {
   for (const Reach& reach : scene.reach(BoundaryRule::kCentre, kMost, 0, Scene::kRadius)) {
     for (const ReachOfSide& side : reach) {
       EXPECT_EQ(side.radius, kMost);
-      EXPECT_EQ(side.centre, kMost);
+      EXPECT_EQ(side.sought, kMost);
     }
   }
 }
@@ -80,7 +84,7 @@ TEST(Reach, IsTheDistanceToTheBoundary) {
         for (size_t side = 0; side < 2; ++side) {
           const double distance = scene.distance(i, side, 1);
           EXPECT_NEAR(reach[i][side].radius, std::clamp(distance + overhang, 0.0, kMost), kRounding);
-          EXPECT_NEAR(reach[i][side].centre, std::min(kMost, distance), kRounding);
+          EXPECT_EQ(reach[i][side].sought, kMost);
         }
       }
     }
@@ -103,6 +107,57 @@ TEST(Reach, IsTheDistanceAllAlongAStrand) {
   }
   EXPECT_GT(near, 50);
   EXPECT_GT(far, 500);
+}
+
+/// Looked for as far as balls probably reach, and then as far as they do, the boundary leaves of them what it leaves if
+/// it is looked for everywhere, to the last bit: what the last iteration knew must not show in what this one finds.
+TEST(Reach, IsTheSameHoweverFarItWasSought) {
+  const Scene scene(grid_with_hole(9), 8, 0.01, 150);
+  Rng rng(72);
+  ThreadPool pool(2);
+  for (const double overhang : {-0.05, 0.0, 0.05}) {
+    for (const double rest : {0.0, 0.1}) {
+      const LocalMetric metric = even_metric(scene.curve, Scene::kRadius, kMost, overhang, rest);
+      const NodeData<Reach> whole = scene.reach(BoundaryRule::kCentre, kMost, overhang, rest);
+      for (const double least : {0.0, 2.0}) {
+        NodeData<Radii> likely(scene.curve.size()), radii(scene.curve.size());
+        for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+          for (size_t side = 0; side < 2; ++side) {
+            likely[i][side] = rng.in(0, 1) < 0.1 ? 0 : rng.in(0.1, 0.7) * kMost;
+            radii[i][side] = rng.in(0, 1) * kMost;
+          }
+        }
+        NodeData<Reach> reach;
+        compute_reach(scene.in(metric), likely, least, pool, reach);
+        size_t cut_short = 0, completed = 0, limited = 0;
+        for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+          for (size_t side = 0; side < 2; ++side) {
+            const double sought = reach[i][side].sought, should = whole[i][side].radius;
+            EXPECT_GE(sought, std::min({kMost, std::max({rest, least * Scene::kRadius, kWarmth * likely[i][side]})}));
+            EXPECT_EQ(std::min(sought, reach[i][side].radius), std::min(sought, should));
+            EXPECT_EQ(std::min(sought, reach[i][side].driving), std::min(sought, whole[i][side].driving));
+            cut_short += sought < kMost;
+            completed += radii[i][side] > sought;
+            limited += should < reach[i][side].radius && should < radii[i][side];
+            radii[i][side] = std::min(radii[i][side], reach[i][side].radius);  // as the medial axis does
+          }
+        }
+        NodeData<Radii> found = radii;
+        complete_reach(scene.in(metric), pool, reach, found);
+        for (uint32_t i = 0; i < scene.curve.size(); ++i) {
+          for (size_t side = 0; side < 2; ++side) {
+            EXPECT_EQ(found[i][side], std::min(radii[i][side], whole[i][side].radius));
+            EXPECT_GE(reach[i][side].sought, found[i][side]);
+          }
+        }
+        EXPECT_GT(cut_short, 300u);
+        EXPECT_GT(completed, 20u);
+        if (least == 0 && rest == 0) {
+          EXPECT_GT(limited, 5u) << "nothing was found late";
+        }
+      }
+    }
+  }
 }
 
 TEST(Reach, OfAnObstacleIsTheDistanceAlone) {

@@ -111,6 +111,29 @@ TEST(CurveBvh, BallsOfAGridEqualBruteForce) {
   }
 }
 
+TEST(CurveBvh, DistanceEqualsBruteForce) {
+  Rng rng(9);
+  ThreadPool pool(2);
+  size_t near = 0, far = 0;
+  for (const size_t count : {0, 1, 7, 9, 64, 3001}) {
+    const std::vector<Vec3> points = winding(count, 0.01, rng);
+    const CurveBvh tree(points, pool);
+    for (int k = 0; k < 500; ++k) {
+      const Vec3 from(rng.in(-1, 1), rng.in(-1, 1), rng.in(-1, 1));
+      const double most = rng.in(0, 1) < 0.2 ? 4 : rng.in(0, 0.5);
+      double expected = most;
+      for (const Vec3& p : points) expected = std::min(expected, (p - from).norm());
+      EXPECT_NEAR(tree.distance(from, most), expected, 10 * kRounding);
+      ++(expected < most ? near : far);
+    }
+    if (count > 0) {
+      EXPECT_EQ(tree.distance(points[count / 2], 1), 0);
+    }
+  }
+  EXPECT_GT(near, 500u);
+  EXPECT_GT(far, 500u);
+}
+
 /// What the ball of one point among those that count is limited by: the radius, and the first point that does so.
 struct Limit {
   double radius;

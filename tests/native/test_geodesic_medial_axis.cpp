@@ -37,7 +37,7 @@ Result compute(const Surface& s, const Curve& curve, const Setting& setting) {
   const BoundaryObstacle boundary(s, 0.01);
   compute_frames(s, curve, metric, RadiusField(setting.local), pool, result.frames);
   NodeData<Reach> reach;
-  compute_reach(s, curve, result.frames, boundary, setting.rule, nullptr, metric, pool, reach);
+  compute_reach({s, curve, result.frames, boundary, setting.rule, nullptr, metric}, {}, 0, pool, reach);
   compute_geodesic_reference(s, curve, result.frames, boundary, setting.rule, metric, reach, pool, result.geodesic);
   CurveBvh tree;
   compute_medial_axis(result.frames, boundary, setting.rule, reach, pool, tree, result.euclidean);
@@ -292,7 +292,7 @@ struct Filling {
     flow.run([] { return false; }, [](double) {});
     metric = even_metric(curve, r, settings.max_radius);
     compute_frames(surface, curve, metric, RadiusField(r), pool, frames);
-    compute_reach(surface, curve, frames, boundary, BoundaryRule::kCentre, &patches, metric, pool, reach);
+    compute_reach({surface, curve, frames, boundary, BoundaryRule::kCentre, &patches, metric}, {}, 0, pool, reach);
   }
   NodeData<Radii> radii(bool measure, unsigned threads, KeptBalls kept = {}) const {
     ThreadPool several(threads);

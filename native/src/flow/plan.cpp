@@ -47,8 +47,9 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iteratio
   plan.boundary_ease = 1 - roughness;
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
-  plan.measure_balls = !settings.polish || phase > Phase::kPolishing ||
-                       (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
+  plan.effort.measure = !settings.polish || phase > Phase::kPolishing ||
+                        (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
+  plan.effort.boundary_within = plan.boundary_ease > 0 ? tuning::kBesideBoundary : 0;
   plan.reuse_directions = settings.stop_rule == StopRule::kSettled &&
                           settings.boundary_distance <= 0.5 &&
                           phase != Phase::kCooling;

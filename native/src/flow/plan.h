@@ -4,6 +4,7 @@
 #pragma once
 
 #include "flow/settings.h"
+#include "medial/medial_state.h"
 
 namespace meander {
 
@@ -25,10 +26,9 @@ struct Plan {
   double longest_step = 0;    ///< in the local r; may be infinite
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   double boundary_ease = 0;     ///< how far a polish lets strands bend freely beside the boundary: 0 as anywhere, 1
-  /// Medial balls along the surface are measured there also where the surface is creased. Growth and hairpin removal
-  /// only need to know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of
-  /// the time less.
-  bool measure_balls = true;
+  /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
+  /// know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of the time less.
+  MedialEffort effort;
   /// Nodes at rest keep the directions of their medial balls. The last iterations are exact, and so is every one
   /// where the flow follows the paper, and where a strip along the boundary is to stay empty: there it hardly comes
   /// to rest as it is.

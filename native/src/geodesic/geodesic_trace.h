@@ -3,6 +3,7 @@
 // The straightest geodesic from a point along a tangent vector (retraction, section 3.3).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -34,6 +35,10 @@ class GeodesicWalk {
   /// The walk from the same start in the opposite direction, as far, for less than it costs anew; of a walk that has
   /// not taken a step.
   GeodesicWalk other_way() const;
+
+  /// Lets the walk end after this length, if that is less, and be the same up to there to the last bit; before its first
+  /// step.
+  void shorten(double length) { wanted_ = std::min(wanted_, length); }
 
   /// Crosses into the next face; false where the walk ends in this one, and from then on.
   bool step();

@@ -177,20 +177,26 @@ class SurfacePatches::Comparison {
     }
   }
 
-  void add_hidden(uint32_t p, const std::vector<uint32_t>& hidden) {
+  void add_hidden(uint32_t p, std::vector<uint32_t>& hidden) {
     if (hidden.empty()) return;
-    std::vector<uint32_t>& all = patches_.hidden_;
-    const uint32_t first = static_cast<uint32_t>(all.size());
-    const uint32_t size = std::bit_ceil(2 * static_cast<uint32_t>(hidden.size()));
-    patches_.hidden_in_[p] = {first, size - 1};
+    std::ranges::sort(hidden);
     patches_.traits_[p].hides = true;
     patches_.traits_[p].hides_same_side =
         !std::ranges::all_of(hidden, [&](uint32_t q) { return patches_.opposite(p, q); });
-    all.resize(all.size() + size, kNone);
+    std::vector<HiddenGroup> groups;
     for (const uint32_t q : hidden) {
-      uint32_t k = slot(q) & (size - 1);
-      while (all[first + k] != kNone) k = (k + 1) & (size - 1);
-      all[first + k] = q;
+      const uint32_t group = q / HiddenGroup::kSize;
+      if (groups.empty() || groups.back().group != group) groups.push_back({group, 0});
+      groups.back().members |= 1u << q % HiddenGroup::kSize;
+    }
+    const auto count = static_cast<uint32_t>(groups.size());
+    const uint32_t first = static_cast<uint32_t>(patches_.hidden_.size()), size = std::bit_ceil(count + count / 3 + 1);
+    patches_.hidden_in_[p] = {first, size - 1};
+    patches_.hidden_.resize(first + size);
+    for (const HiddenGroup& each : groups) {
+      uint32_t k = slot(each.group) & (size - 1);
+      while (patches_.hidden_[first + k].group != kNone) k = (k + 1) & (size - 1);
+      patches_.hidden_[first + k] = each;
     }
   }
 

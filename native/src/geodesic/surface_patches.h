@@ -34,9 +34,11 @@ class SurfacePatches {
   bool hidden(uint32_t p, uint32_t q) const {
     const auto [first, mask] = hidden_in_[p];
     if (mask == 0) return false;
-    for (uint32_t k = slot(q) & mask;; k = (k + 1) & mask) {
-      const uint32_t there = hidden_[first + k];
-      if (there == q || there == kNone) return there == q;
+    const uint32_t group = q / HiddenGroup::kSize;
+    for (uint32_t k = slot(group) & mask;; k = (k + 1) & mask) {
+      const HiddenGroup& there = hidden_[first + k];
+      if (there.group == group) return (there.members >> q % HiddenGroup::kSize & 1u) != 0;
+      if (there.group == kNone) return false;
     }
   }
   /// Whether any patch is hidden from p.
@@ -103,11 +105,17 @@ class SurfacePatches {
     bool hides = false;  // others: asked of every node, where the table of them is not
     bool hides_same_side = false;
   };
-  /// Those hidden from one patch, in a hash table with open addressing that is at most half full.
+  /// Patches whose numbers follow one another, most of them neighbours, and which of these are hidden: tables of
+  /// single ones are four times as large, and waiting for them is a twentieth of the time on a folded cloth.
+  struct HiddenGroup {
+    static constexpr uint32_t kSize = 32;
+    uint32_t group = kNone, members = 0;
+  };
+  /// Those hidden from one patch, in a hash table with open addressing that is at most three quarters full.
   struct HiddenIn {
     uint32_t first = 0, mask = 0;  // mask: size - 1, the size a power of two; 0: none
   };
-  static uint32_t slot(uint32_t patch) { return (patch * 2654435769u) >> 16; }
+  static uint32_t slot(uint32_t group) { return (group * 2654435769u) >> 16; }
   class Cutter;
   class Comparison;
 
@@ -118,7 +126,7 @@ class SurfacePatches {
   std::vector<Traits> traits_;
   std::vector<uint32_t> first_beside_, beside_;
   std::vector<HiddenIn> hidden_in_;
-  std::vector<uint32_t> hidden_;
+  std::vector<HiddenGroup> hidden_;
   std::unique_ptr<const PointTree> creases_;  // null: there are none
   double largest_radius_;                     // r, where it varies
   bool creased_anywhere_ = false;

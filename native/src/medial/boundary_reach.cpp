@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -13,6 +14,22 @@
 
 namespace meander {
 namespace {
+
+/// The boundary edges, those of a loop one after the other.
+std::vector<HalfEdge> along_loops(const Surface& surface) {
+  const std::vector<HalfEdge>& boundary = surface.boundary();
+  if (boundary.empty()) return {};
+  std::vector<HalfEdge> leaving(surface.vertex_count(), kNone), ordered;  // one at most leaves a vertex
+  const auto start = [&](HalfEdge e) { return surface.face(face_of(e))[corner_of(e)]; };
+  const auto end = [&](HalfEdge e) { return surface.face(face_of(e))[next_corner(corner_of(e))]; };
+  for (const HalfEdge e : boundary) leaving[start(e)] = e;
+  ordered.reserve(boundary.size());
+  for (const HalfEdge first : boundary) {
+    uint32_t v = start(first);
+    for (HalfEdge e; (e = std::exchange(leaving[v], kNone)) != kNone; v = end(e)) ordered.push_back(e);
+  }
+  return ordered;
+}
 
 std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vector<HalfEdge>& edges,
                                   std::vector<Vec3>& inward) {
@@ -33,7 +50,7 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
     at_vertex[side.to] += side.inward;
   }
   std::vector<Vec3> samples;
-  for (const HalfEdge e : surface.boundary()) {
+  for (const HalfEdge e : along_loops(surface)) {
     const Side side = side_of(e);
     const Vec3 &a = surface.position(side.from), &b = surface.position(side.to);
     const int pieces = std::max(1, static_cast<int>(std::min(1e6, std::ceil((b - a).norm() / step))));
@@ -50,7 +67,7 @@ std::vector<Vec3> sample_boundary(const Surface& surface, double step, std::vect
 /// as those of neighbours on the curve.
 class Clearance {
  public:
-  explicit Clearance(const PointTree& boundary) : boundary_(boundary) {}
+  explicit Clearance(const CurveBvh& boundary) : boundary_(boundary) {}
 
   /// No point of the boundary is nearer than this.
   double at(const Vec3& x) const { return nearest_ - (x - asked_at_).norm(); }
@@ -59,10 +76,8 @@ class Clearance {
   bool may_be_within(const Vec3& x, double far) {
     if (at(x) >= far) return false;
     if ((x - asked_at_).norm() < kBelieved * far) return true;
-    const double bound = kFarther * far;
-    const auto hit = boundary_.nearest(x, bound * bound);
     asked_at_ = x;
-    nearest_ = hit ? std::sqrt(hit->squared_distance) : bound;
+    nearest_ = boundary_.distance(x, std::min(kFarther * far, CurveBvh::kMostRadius));
     return nearest_ < far;
   }
 
@@ -71,46 +86,100 @@ class Clearance {
   /// near, places this near to where it was asked for, in `far`, are not asked for again.
   static constexpr double kFarther = 2, kBelieved = 0.5;
 
-  const PointTree& boundary_;
+  const CurveBvh& boundary_;
   Vec3 asked_at_ = Vec3::Constant(std::numeric_limits<double>::infinity());
   double nearest_ = 0;  // to there, at least
 };
 
+/// Nodes whose reach is found together.
+constexpr size_t kBlock = 512;
+
 /// The reach of some nodes after another, with the scratch memory of one thread.
 class ReachFinder {
  public:
-  ReachFinder(const Surface& surface, const Curve& curve, const Frames& frames, const BoundaryObstacle& boundary,
-              BoundaryRule rule, const SurfacePatches* patches, const LocalMetric& metric)
-      : surface_(surface), curve_(curve), frames_(frames), boundary_(boundary), rule_(rule), patches_(patches),
-        metric_(metric), clearance_(boundary.tree()) {}
+  explicit ReachFinder(const ReachScene& scene) : scene_(scene), clearance_(scene.boundary.bvh()) {}
 
-  void find(uint32_t begin, uint32_t end, NodeData<Reach>& reach) {
+  /// See compute_reach.
+  void find(uint32_t begin, uint32_t end, const NodeData<Radii>& likely, double least, NodeData<Reach>& reach) {
     sides_.clear();
-    for (uint32_t i = begin; i < end; ++i) {
-      const double most = metric_.max_radius[i];
-      reach[i].fill({most, most, most});
-      // A geodesic that ends at the boundary is no shorter than the straight line to there, and leaves a sample
-      // beside it.
-      const double far = std::max(farthest(i), rest(i)) + boundary_.step();
-      if (boundary_.empty() || !clearance_.may_be_within(frames_.position[i], far)) continue;
-      const bool corners = rest(i) > 0 && clearance_.at(frames_.position[i]) < rest(i);
-      for (uint32_t side = 0; side < 2; ++side) sides_.push_back({i, side, corners, frames_.to_boundary[i][side]});
-    }
+    for (uint32_t i = begin; i < end; ++i) add(i, wanted(i, likely, least), reach[i]);
     walk_to_boundary();
     for (const Side& side : sides_) reach[side.node][side.side] = reach_of(side);
+  }
+
+  /// See complete_reach. Corners need no second look: they count where the boundary was sought in any case.
+  void complete(uint32_t begin, uint32_t end, NodeData<Reach>& reach, NodeData<Radii>& radii) {
+    sides_.clear();
+    for (uint32_t i = begin; i < end; ++i) {
+      for (uint32_t side = 0; side < 2; ++side) {
+        if (!(radii[i][side] > reach[i][side].sought)) continue;
+        const double most = reach[i][side].sought = scene_.metric.max_radius[i];
+        if (may_be_within(i, most)) sides_.push_back({i, side, false, most, kUnknown});
+      }
+    }
+    walk_to_boundary();
+    for (const Side& side : sides_) {
+      ReachOfSide& known = reach[side.node][side.side];
+      double& radius = radii[side.node][side.side];
+      known.radius = std::min(known.radius, reach_of(side).radius);
+      known.driving = std::min(known.driving, known.radius);
+      radius = std::min(radius, known.radius);
+    }
   }
 
  private:
   struct Side {
     uint32_t node, side;
     bool corners;     // some sample of the boundary may be nearer than the rest of the node
+    double sought;    // radii for which the boundary matters
     double distance;  // to the boundary; infinite where it is too far to matter, negative until it is known
   };
+  static constexpr double kUnknown = -1;
 
-  double beyond(uint32_t i) const { return rule_ == BoundaryRule::kCentre ? metric_.overhang[i] : 0; }
-  double rest(uint32_t i) const { return rule_ == BoundaryRule::kCentre ? metric_.least_rest[i] : 0; }
-  /// The boundary matters up to this distance.
-  double farthest(uint32_t i) const { return metric_.max_radius[i] + std::max(0.0, -beyond(i)); }
+  double beyond(uint32_t i) const { return scene_.rule == BoundaryRule::kCentre ? scene_.metric.overhang[i] : 0; }
+  double rest(uint32_t i) const { return scene_.rule == BoundaryRule::kCentre ? scene_.metric.least_rest[i] : 0; }
+  /// The boundary matters to a ball of this radius up to this distance.
+  double farthest(uint32_t i, double radius) const { return radius + std::max(0.0, -beyond(i)); }
+  /// Whether the boundary may limit balls of a node that are no larger than this; false only if it does not. A geodesic
+  /// that ends at the boundary is no shorter than the straight line to there, and leaves a sample beside it.
+  bool may_be_within(uint32_t i, double radius) {
+    return clearance_.may_be_within(scene_.frames.position[i], farthest(i, radius) + scene_.boundary.step());
+  }
+
+  /// For what radii the boundary is looked for.
+  Radii wanted(uint32_t i, const NodeData<Radii>& likely, double least) const {
+    const double most = scene_.metric.max_radius[i];
+    Radii radii{most, most};
+    if (likely.empty() || scene_.boundary.empty() || is_measured(i)) return radii;
+    for (size_t side = 0; side < 2; ++side) {
+      const double last = likely[i][side];
+      if (last > 0) radii[side] = std::max({kWarmth * last, least * scene_.metric.radius[i], rest(i)});
+      radii[side] = std::min(most, radii[side]);
+    }
+    return radii;
+  }
+  /// Whether balls of a node are measured along the surface: what limits them is looked for in all that the boundary
+  /// leaves of them.
+  bool is_measured(uint32_t i) const {
+    const SurfacePatches* const patches = scene_.measure ? scene_.patches : nullptr;
+    return patches && patches->creased(patches->patch_of(scene_.surface, scene_.curve.nodes[i]));
+  }
+
+  /// Takes note of the sides of a node that the boundary may be near to, and says of others that it is not.
+  void add(uint32_t i, const Radii& sought, Reach& reach) {
+    const double most = scene_.metric.max_radius[i];
+    reach.fill({most, most, most});
+    if (scene_.boundary.empty()) return;
+    const bool near = may_be_within(i, std::max(sought[0], sought[1]));
+    const double clear = clearance_.at(scene_.frames.position[i]);
+    for (uint32_t side = 0; side < 2; ++side) {
+      if (near) {
+        sides_.push_back({i, side, clear < rest(i), sought[side], scene_.frames.to_boundary[i][side]});
+      } else {
+        reach[side].sought = std::min(most, clear - farthest(i, 0) - scene_.boundary.step());
+      }
+    }
+  }
 
   /// Leads the geodesics whose distances are not known yet, in turns.
   void walk_to_boundary() {
@@ -121,9 +190,12 @@ class ReachFinder {
       walks.clear();
       for (; side != sides_.end() && walks.size() < kTogether; ++side) {
         if (side->distance >= 0) continue;
-        const Vec2 direction = (side->side == 0 ? 1.0 : -1.0) * frames_.bitangent2[side->node];
+        const uint32_t i = side->node;
+        const Vec2 direction = (side->side == 0 ? 1.0 : -1.0) * scene_.frames.bitangent2[i];
         walking[walks.size()] = &*side;
-        walks.emplace_back(surface_, curve_.nodes[side->node], farthest(side->node) * direction);
+        // What is found must not depend on how far it was sought, not even in its rounding.
+        walks.emplace_back(scene_.surface, scene_.curve.nodes[i], farthest(i, scene_.metric.max_radius[i]) * direction);
+        walks.back().shorten(farthest(i, side->sought));
       }
       lead_together(walks, [](size_t) {});
       for (size_t k = 0; k < walks.size(); ++k) {
@@ -134,7 +206,7 @@ class ReachFinder {
 
   ReachOfSide reach_of(const Side& side) {
     const uint32_t i = side.node;
-    const double most = metric_.max_radius[i], least = rest(i);
+    const double most = scene_.metric.max_radius[i], least = rest(i);
     double distance = side.distance;
     if (side.corners) {
       const double corner = distance_to_corner(i, side.side, least);
@@ -142,7 +214,7 @@ class ReachFinder {
     }
     ReachOfSide r;
     r.radius = std::clamp(distance + beyond(i), 0.0, most);
-    r.centre = std::min(most, distance);
+    r.sought = std::isfinite(side.distance) ? most : side.sought;
     r.driving = r.radius;
     // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
     // boundaries would else settle at half of their distance from each other. And harder yet where
@@ -159,56 +231,49 @@ class ReachFinder {
   /// where that is less than `most`. Straight ahead it is the distance; a corner that juts out beside the
   /// path to the boundary is nearer than its end.
   double distance_to_corner(uint32_t i, uint32_t side, double most) {
-    const Vec3 &x = frames_.position[i], &outward = frames_.outward[i][side];
-    double distance = most;
-    if (near_of_ != i) {  // the same for both sides
-      boundary_.tree().within(x, most * most, near_);
-      near_of_ = i;
-    }
-    for (const uint32_t k : near_) {
-      const Vec3 d = boundary_.samples()[k] - x;
-      const double ahead = d.dot(outward);
-      const bool faces = -boundary_.inward()[k].dot(outward) >= tuning::kFacing;
-      if (!(ahead > 0 && faces && d.squaredNorm() < distance * ahead) || hidden(i, k)) continue;
-      distance = d.squaredNorm() / ahead;
-    }
-    return distance;
+    const Vec3& outward = scene_.frames.outward[i][side];
+    uint32_t touched;
+    const auto counts = [&](uint32_t k) {
+      return -scene_.boundary.inward()[k].dot(outward) >= tuning::kFacing && !hidden(i, k);
+    };
+    return 2 * scene_.boundary.bvh().largest_ball_seen(scene_.frames.position[i], outward, most / 2, counts, touched);
   }
 
   bool hidden(uint32_t i, uint32_t sample) const {
-    if (!patches_) return false;
-    const uint32_t f = face_of(boundary_.edges()[sample]);
-    const Vec3 from_corner = boundary_.samples()[sample] - surface_.position(surface_.face(f)[0]);
-    return patches_->hidden(patches_->patch_of(surface_, curve_.nodes[i]),
-                            patches_->patch_of(surface_, point_at(surface_, f, surface_.to_plane(f, from_corner))));
+    if (!scene_.patches) return false;
+    const Surface& surface = scene_.surface;
+    const uint32_t f = face_of(scene_.boundary.edges()[sample]);
+    const Vec3 from_corner = scene_.boundary.samples()[sample] - surface.position(surface.face(f)[0]);
+    const SurfacePoint there = point_at(surface, f, surface.to_plane(f, from_corner));
+    return scene_.patches->hidden(scene_.patches->patch_of(surface, scene_.curve.nodes[i]),
+                                  scene_.patches->patch_of(surface, there));
   }
 
-  const Surface& surface_;
-  const Curve& curve_;
-  const Frames& frames_;
-  const BoundaryObstacle& boundary_;
-  BoundaryRule rule_;
-  const SurfacePatches* patches_;
-  const LocalMetric& metric_;
+  const ReachScene& scene_;
   Clearance clearance_;
   std::vector<Side> sides_;  // that the boundary may be near to
-  uint32_t near_of_ = kNone;
-  std::vector<uint32_t> near_;  // samples near the node near_of_
 };
 
 }  // namespace
 
 BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
-    : step_(step), tree_(sample_boundary(surface, step, edges_, inward_)) {}
+    : step_(step), tree_(sample_boundary(surface, step, edges_, inward_)) {
+  ThreadPool alone(1);
+  bvh_.build(tree_.points(), alone);
+}
 
-void compute_reach(const Surface& surface, const Curve& curve, const Frames& frames,
-                   const BoundaryObstacle& boundary, BoundaryRule rule, const SurfacePatches* patches,
-                   const LocalMetric& metric, ThreadPool& pool, NodeData<Reach>& reach) {
-  reach.resize(curve.size());
-  constexpr size_t kBlock = 512;
-  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
-    ReachFinder(surface, curve, frames, boundary, rule, patches, metric)
-        .find(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), reach);
+void compute_reach(const ReachScene& scene, const NodeData<Radii>& likely, double least, ThreadPool& pool,
+                   NodeData<Reach>& reach) {
+  reach.resize(scene.curve.size());
+  pool.for_blocks(scene.curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    ReachFinder(scene).find(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), likely, least, reach);
+  });
+}
+
+void complete_reach(const ReachScene& scene, ThreadPool& pool, NodeData<Reach>& reach, NodeData<Radii>& radii) {
+  if (scene.boundary.empty()) return;
+  pool.for_blocks(radii.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+    ReachFinder(scene).complete(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), reach, radii);
   });
 }
 

@@ -477,6 +477,22 @@ void CurveBvh::largest_balls_seen(size_t first, size_t last, std::span<const std
   }
 }
 
+double CurveBvh::distance(const Eigen::Vector3d& from, double most) const {
+  // A ball that grows to no side is one around the place.
+  double nearest = most * most, radius = most;
+  visit_runs(from, Eigen::Vector3d::Zero(), radius, [&](uint32_t run) {
+    const Points& p = lanes_[run];
+    const double before = nearest;
+    for (size_t k = 0; k < kRun; ++k) {
+      const double x = p.x[k] - from.x(), y = p.y[k] - from.y(), z = p.z[k] - from.z();
+      nearest = std::min(nearest, x * x + y * y + z * z);
+    }
+    if (nearest < before) radius = std::sqrt(nearest);
+    return nearest < before;
+  });
+  return radius;
+}
+
 void CurveBvh::runs_inside(const Eigen::Vector3d& centre, double radius,
                            const std::function<void(uint32_t run)>& visit) const {
   if (nodes_.empty()) return;

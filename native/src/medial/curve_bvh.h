@@ -84,6 +84,9 @@ class CurveBvh {
     return radius;
   }
 
+  /// The distance of a place from the nearest point, at most `most`.
+  double distance(const Eigen::Vector3d& from, double most) const;
+
   /// Calls visit(i) for the indices of all points nearer to `centre` than `radius`, in the order of the tree.
   template <class Visit>
   void visit_inside(const Eigen::Vector3d& centre, double radius, const Visit& visit) const {

@@ -67,6 +67,9 @@ bool GeodesicScene::any_seen(size_t first, size_t last, uint32_t run) const {
     if (i > first && own == there[i - 1]) continue;
     if (opposite && one_sided(own)) continue;
     if (!patches.hides(own)) return true;
+    const Vec3& normal = patches.normal(own);
+    if (!patches.hides_same_side(own) && obstacles.same_side(run, normal)) return true;
+    if (one_sided(own) && obstacles.faces_away(run, normal)) continue;
     for (size_t j = begin; j < end; ++j) {
       if ((j == begin || there[j] != there[j - 1]) && patch_sees(own, there[j])) return true;
     }

@@ -31,6 +31,8 @@ class Obstacles {
 
   /// Whether all that lies in a run of the tree faces away from all that lies in another. May be false where it does.
   bool opposite_runs(size_t a, size_t b) const { return facing_[a].opposite(facing_[b]); }
+  /// Whether all that lies in a run faces away from a normal. May be false where it does.
+  bool faces_away(size_t run, const Vec3& normal) const { return facing_[run].faces_away(normal); }
   /// Whether nothing that lies in a run faces away from a normal. May be false where nothing does.
   bool same_side(size_t run, const Vec3& normal) const { return facing_[run].same_side(normal); }
 
@@ -48,6 +50,7 @@ class Obstacles {
       const double more = spread + other.spread + spread * other.spread;
       return mean.dot(other.mean) + more < SurfacePatches::kOpposite;
     }
+    bool faces_away(const Vec3& normal) const { return mean.dot(normal) + spread < SurfacePatches::kOpposite; }
     bool same_side(const Vec3& normal) const { return mean.dot(normal) - spread >= SurfacePatches::kOpposite; }
   };
   void add_walls(const Surface& surface, const Frames& frames, const BoundaryObstacle& boundary);

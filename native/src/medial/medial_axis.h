@@ -4,19 +4,12 @@
 // there and holds no other node (section 3.2.2, eq. 6).
 #pragma once
 
-#include <array>
-
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"
 #include "medial/frames.h"
+#include "medial/radii.h"
 
 namespace meander {
-
-/// A ball may start this much larger than the node's last one before it is known to be large enough.
-inline constexpr double kWarmth = 1.2;
-
-/// r+ (on the side of the bitangent) and r- of a node.
-using Radii = std::array<double, 2>;
 
 /// Computes both radii of every node, exactly: tangent balls at a node are nested, so the largest one
 /// that is empty is the smallest of those through any other node (after Ma, Bae, Choi, "3D medial axis

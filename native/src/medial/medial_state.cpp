@@ -17,7 +17,7 @@ void find_radii(const MedialScene& scene, const NodeData<MeasuredBalls>* balls, 
     compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree, radii);
   } else {
     compute_geodesic_medial_axis(scene.surface, *scene.patches, scene.curve, state.frames, scene.boundary,
-                                 scene.rules.boundary, scene.rules.measure, scene.metric, state.reach, pool,
+                                 scene.rules.boundary, scene.rules.effort.measure, scene.metric, state.reach, pool,
                                  state.tree, radii, {balls, &state.measured});
   }
 }
@@ -28,9 +28,12 @@ void find_medial_state(const MedialScene& scene, const AtRest& known, ThreadPool
                        NodeData<Radii>& radii) {
   compute_frames(scene.surface, scene.curve, scene.metric, scene.radius, pool, state.frames,
                  known.directions && !known.directions->empty() ? known.directions : nullptr);
-  compute_reach(scene.surface, scene.curve, state.frames, scene.boundary, scene.rules.boundary, scene.patches,
-                scene.metric, pool, state.reach);
+  const MedialRules& rules = scene.rules;
+  const ReachScene reach{scene.surface,  scene.curve,   state.frames, scene.boundary,
+                         rules.boundary, scene.patches, scene.metric, rules.effort.measure};
+  compute_reach(reach, radii, rules.effort.boundary_within, pool, state.reach);
   find_radii(scene, known.balls, pool, state, radii);
+  complete_reach(reach, pool, state.reach, radii);
   state.felt_radii.resize(radii.size());
   pool.for_blocks(radii.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

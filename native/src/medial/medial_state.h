@@ -4,6 +4,8 @@
 // leaves of them, and what the energy makes of their radii.
 #pragma once
 
+#include <limits>
+
 #include "geodesic/surface_patches.h"
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"
@@ -13,10 +15,19 @@
 
 namespace meander {
 
-/// How balls end at the boundary, and how exactly they are found.
+/// How thoroughly balls are found.
+struct MedialEffort {
+  /// Balls along the surface are measured also where it is creased, see compute_geodesic_medial_axis.
+  bool measure = true;
+  /// In r: the boundary is looked for within this of every node, and farther only where balls reach farther. What the
+  /// state says of it beyond is only of these.
+  double boundary_within = std::numeric_limits<double>::infinity();
+};
+
+/// How balls end at the boundary, and how they are found.
 struct MedialRules {
   BoundaryRule boundary = BoundaryRule::kCentre;
-  bool measure = true;  ///< balls along the surface also where it is creased, see compute_geodesic_medial_axis
+  MedialEffort effort;
 };
 
 /// What the medial axis is a function of. Refers to what it is given.
