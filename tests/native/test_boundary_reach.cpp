@@ -214,12 +214,21 @@ TEST(Reach, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(with(1), with(3));
 }
 
+/// With how much ease the boundary pushes, and how much faster than the distance what drives falls at least.
+class PushOfTheBoundary : public testing::TestWithParam<std::pair<double, double>> {};
+
 /// Below the distance asked for, corners beside the straight line count, and the closer the boundary,
 /// the harder it pushes.
-TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
+TEST_P(PushOfTheBoundary, FeelsCornersAndFallsFasterThanTheDistance) {
   const Scene scene(grid_with_hole(9));
   const double rest = Scene::kRadius;
-  const NodeData<Reach> reach = scene.reach(BoundaryRule::kCentre, kMost, 0, rest);
+  const auto [ease, times] = GetParam();
+  const LocalMetric metric = even_metric(scene.curve, Scene::kRadius, kMost, 0, rest);
+  ReachScene eased = scene.in(metric);
+  eased.ease = ease;
+  ThreadPool pool(1);
+  NodeData<Reach> reach;
+  compute_reach(eased, {}, 0, pool, reach);
   int corners = 0;
   std::vector<std::array<double, 2>> felt;  // the distance, and what drives
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {
@@ -241,10 +250,13 @@ TEST(Reach, FeelsCornersAndFallsFasterThanTheDistance) {
   ASSERT_GT(felt.size(), 20u);
   std::sort(felt.begin(), felt.end());
   for (size_t k = 1; k < felt.size(); ++k) {
-    EXPECT_GE(felt[k][1] - felt[k - 1][1], 2 * (felt[k][0] - felt[k - 1][0]) - kRounding);
+    EXPECT_GE(felt[k][1] - felt[k - 1][1], times * (felt[k][0] - felt[k - 1][0]) - kRounding);
   }
   EXPECT_LT(felt.front()[1], 0) << "at the boundary it pushes harder than an empty ball";
 }
+
+INSTANTIATE_TEST_SUITE_P(Reach, PushOfTheBoundary,
+                         testing::Values(std::pair{0.0, 2.0}, std::pair{0.5, 1.6}, std::pair{1.0, 1.2}));
 
 }  // namespace
 }  // namespace meander::test

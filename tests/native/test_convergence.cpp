@@ -100,11 +100,11 @@ TEST(Plan, MeasuresBallsOnceTheCurveHasItsPlace) {
     for (const uint32_t iterations : {0u, tuning::kUnmeasuredPolish - 1, tuning::kUnmeasuredPolish, 1000u}) {
       const bool late = phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations >= tuning::kUnmeasuredPolish);
-      EXPECT_EQ(plan_iteration(settings, phase, iterations).effort.measure, late);
+      EXPECT_EQ(plan_iteration(settings, phase, iterations).medial.measure, late);
     }
     FlowSettings unpolished = settings;
     unpolished.polish = false;
-    EXPECT_TRUE(plan_iteration(unpolished, phase).effort.measure);
+    EXPECT_TRUE(plan_iteration(unpolished, phase).medial.measure);
   }
   EXPECT_TRUE(plan_iteration(settings, Phase::kCooling).reuse_balls);
   settings.stop_rule = StopRule::kPaper;

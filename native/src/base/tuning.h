@@ -68,9 +68,14 @@ inline constexpr uint32_t kBallIterations = 6, kSearchedIterations = 4;
 /// In so many iterations of the polish balls are not measured yet. Measured: the same place.
 inline constexpr uint32_t kUnmeasuredPolish = 10;
 
-/// What a ball falls short of at the boundary counts twice; below this share of the distance wanted, so many times
-/// again. "flow: Let the boundary push twice as hard ..." and "boundary_reach: Keep strands from corners ...".
-inline constexpr double kVeryNear = 0.7, kVeryNearPush = 6;
+/// What a ball falls short of at the boundary counts so many times, and with ease so many; below this share of the
+/// distance wanted, so many times again. "flow: Let the boundary push twice as hard ..." and "boundary_reach: Keep
+/// strands from corners ..."; docs/quality.md, on voids at the boundary.
+inline constexpr double kPush = 2, kEasedPush = 1.2;
+inline constexpr double kVeryNear = 0.8, kVeryNearPush = 6;
+
+/// The first of these where the flow follows the paper, whose curves stay what they were.
+inline constexpr double kVeryNearOfPaper = 0.7;
 
 /// What of the boundary is turned to a side of a node by less than this, as a cosine, does not limit its ball. Not
 /// measured.

@@ -103,10 +103,10 @@ void Flow::iterate() {
 }
 
 /// The medial axis of a curve, as it is.
-void Flow::find_medial_axis(FlowState& state, const AtRest& known, MedialEffort effort) {
+void Flow::find_medial_axis(FlowState& state, const AtRest& known, MedialPlan plan) {
   update_metric(state, pool_);
   const Domain& domain = state.domain;
-  const MedialRules rules{state.settings.boundary_rule, effort};
+  const MedialRules rules{state.settings.boundary_rule, plan};
   const MedialScene scene{*domain.surface, domain.patches.get(), *domain.boundary, domain.radius,
                           state.curve,     state.metric,         rules};
   find_medial_state(scene, known, pool_, medial_, state.nodes.radii);
@@ -117,7 +117,7 @@ void Flow::find_medial_axis(const Plan& plan) {
   NodeHistory& nodes = state_.nodes;
   if (!plan.reuse_directions) nodes.directions.clear();
   if (!plan.reuse_balls) nodes.balls.clear();
-  find_medial_axis(state_, {&nodes.directions, &nodes.balls}, plan.effort);
+  find_medial_axis(state_, {&nodes.directions, &nodes.balls}, plan.medial);
   if (state_.settings.grow_into_empty) {
     perturb_empty_stretches(state_.curve, state_.nodes.radii, state_.metric, pool_, medial_.felt_radii);
   }

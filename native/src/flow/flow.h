@@ -97,7 +97,7 @@ class Flow {
     return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase());
   }
   void iterate();
-  void find_medial_axis(FlowState& state, const AtRest& known, MedialEffort effort = {});
+  void find_medial_axis(FlowState& state, const AtRest& known, MedialPlan plan = {});
   void find_medial_axis(const Plan& plan);
   IterationFigures figures_of(const NodeData<Vec2>& displacement);
   IterationRecord record_of(const NodeData<Vec2>& displacement);

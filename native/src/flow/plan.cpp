@@ -44,12 +44,13 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iteratio
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);
   plan.momentum = settings.polish ? momentum_in(phase, roughness) : 0;
   plan.hairpin_pull = std::lerp(tuning::kGentlePull, tuning::kRoughPull, roughness);
-  plan.boundary_ease = 1 - roughness;
+  plan.medial.boundary_ease = 1 - roughness;
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
-  plan.effort.measure = !settings.polish || phase > Phase::kPolishing ||
+  plan.medial.measure = !settings.polish || phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
-  plan.effort.boundary_within = plan.boundary_ease > 0 ? tuning::kBesideBoundary : 0;
+  plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? tuning::kBesideBoundary : 0;
+  if (settings.stop_rule != StopRule::kSettled) plan.medial.very_near = tuning::kVeryNearOfPaper;
   plan.reuse_directions = settings.stop_rule == StopRule::kSettled &&
                           settings.boundary_distance <= 0.5 &&
                           phase != Phase::kCooling;

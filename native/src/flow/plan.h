@@ -25,10 +25,10 @@ struct Plan {
   double momentum = 0;        ///< a node goes on by this share of its last step
   double longest_step = 0;    ///< in the local r; may be infinite
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
-  double boundary_ease = 0;     ///< how far a polish lets strands bend freely beside the boundary: 0 as anywhere, 1
   /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
   /// know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of the time less.
-  MedialEffort effort;
+  /// After a gentle removal of hairpins the boundary pushes less, and strands may bend more freely beside it.
+  MedialPlan medial;
   /// Nodes at rest keep the directions of their medial balls. The last iterations are exact, and so is every one
   /// where the flow follows the paper, and where a strip along the boundary is to stay empty: there it hardly comes
   /// to rest as it is.

@@ -144,7 +144,7 @@ void bend_as_room_allows(const Weighting& w) {
       const double tightness =
           (curvature[i] - tuning::kRoundHairpin) / (tuning::kTightHairpin - tuning::kRoundHairpin);
       double factor = 1 + tuning::kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
-      if (beside_boundary(w, i)) factor = std::lerp(factor, tuning::kBoundaryBending, w.plan.boundary_ease);
+      if (beside_boundary(w, i)) factor = std::lerp(factor, tuning::kBoundaryBending, w.plan.medial.boundary_ease);
       w.weights.bending[i] *= factor;
     }
   });

@@ -216,13 +216,13 @@ class ReachFinder {
     r.radius = std::clamp(distance + beyond(i), 0.0, most);
     r.sought = std::isfinite(side.distance) ? most : side.sought;
     r.driving = r.radius;
-    // Nearer than is wanted the boundary pushes twice as hard: two strands that are squeezed between
+    // Nearer than is wanted the boundary pushes harder than strands do: two strands that are squeezed between
     // boundaries would else settle at half of their distance from each other. And harder yet where
     // they are very near, as at a corner, which pushes a few nodes only.
     const double lacking = least - (distance + beyond(i));
     if (least > 0 && lacking > 0) {
-      const double far_short = std::max(0.0, lacking - (1 - tuning::kVeryNear) * least);
-      r.driving = least - 2 * lacking - tuning::kVeryNearPush * far_short;
+      const double far_short = std::max(0.0, lacking - (1 - scene_.very_near) * least);
+      r.driving = least - std::lerp(tuning::kPush, tuning::kEasedPush, scene_.ease) * lacking - tuning::kVeryNearPush * far_short;
     }
     return r;
   }

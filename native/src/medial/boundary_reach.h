@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/point_tree.h"
+#include "base/tuning.h"
 #include "geodesic/surface_patches.h"
 #include "medial/curve_bvh.h"
 #include "medial/frames.h"
@@ -67,15 +68,17 @@ struct ReachScene {
   BoundaryRule rule;
   const SurfacePatches* patches;  ///< null where balls are straight; else what they hide from a node does not count
   const LocalMetric& metric;      ///< clamps of at most CurveBvh::kMostRadius
-  bool measure = false;           ///< balls along the surface also where it is creased, as MedialEffort says
+  bool measure = false;           ///< balls along the surface also where it is creased, as MedialPlan says
+  double ease = 0;                ///< of its push, likewise
+  double very_near = tuning::kVeryNear;
 };
 
 /// The reach of all nodes. The distance to the boundary is that along the surface in the direction of the
 /// bitangent; where the boundary is nearer than `least_rest`, corners of it that jut out beside that geodesic count as
 /// well.
 ///
-/// In `driving`, what a ball that ends at the boundary falls short of its least_rest counts twice, and more where it is
-/// far short. Under BoundaryRule::kObstacle overhang and least_rest are taken to be 0.
+/// In `driving`, what a ball that ends at the boundary falls short of its least_rest counts twice, less with `ease`, and
+/// more where it is far short. Under BoundaryRule::kObstacle overhang and least_rest are taken to be 0.
 ///
 /// Most of the cost is leading geodesics, and most balls are far smaller than they may be. So the boundary may be looked
 /// for no farther than balls will probably reach; where they turn out to be larger, complete_reach does the rest.

@@ -17,7 +17,7 @@ void find_radii(const MedialScene& scene, const NodeData<MeasuredBalls>* balls, 
     compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree, radii);
   } else {
     compute_geodesic_medial_axis(scene.surface, *scene.patches, scene.curve, state.frames, scene.boundary,
-                                 scene.rules.boundary, scene.rules.effort.measure, scene.metric, state.reach, pool,
+                                 scene.rules.boundary, scene.rules.plan.measure, scene.metric, state.reach, pool,
                                  state.tree, radii, {balls, &state.measured});
   }
 }
@@ -29,9 +29,10 @@ void find_medial_state(const MedialScene& scene, const AtRest& known, ThreadPool
   compute_frames(scene.surface, scene.curve, scene.metric, scene.radius, pool, state.frames,
                  known.directions && !known.directions->empty() ? known.directions : nullptr);
   const MedialRules& rules = scene.rules;
-  const ReachScene reach{scene.surface,  scene.curve,   state.frames, scene.boundary,
-                         rules.boundary, scene.patches, scene.metric, rules.effort.measure};
-  compute_reach(reach, radii, rules.effort.boundary_within, pool, state.reach);
+  const ReachScene reach{scene.surface, scene.curve,  state.frames,       scene.boundary,          rules.boundary,
+                         scene.patches, scene.metric, rules.plan.measure, rules.plan.boundary_ease,
+                         rules.plan.very_near};
+  compute_reach(reach, radii, rules.plan.boundary_within, pool, state.reach);
   find_radii(scene, known.balls, pool, state, radii);
   complete_reach(reach, pool, state.reach, radii);
   state.felt_radii.resize(radii.size());

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "base/tuning.h"
 #include "geodesic/surface_patches.h"
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"
@@ -15,19 +16,23 @@
 
 namespace meander {
 
-/// How thoroughly balls are found.
-struct MedialEffort {
+/// How balls are found in one iteration, and how hard the boundary pushes.
+struct MedialPlan {
   /// Balls along the surface are measured also where it is creased, see compute_geodesic_medial_axis.
   bool measure = true;
   /// In r: the boundary is looked for within this of every node, and farther only where balls reach farther. What the
   /// state says of it beyond is only of these.
   double boundary_within = std::numeric_limits<double>::infinity();
+  /// 0 where the boundary pushes twice as hard as strands do, 1 where it hardly pushes harder.
+  double boundary_ease = 0;
+  /// Where a node is nearer to the boundary than this share of the distance wanted, it pushes much harder.
+  double very_near = tuning::kVeryNear;
 };
 
 /// How balls end at the boundary, and how they are found.
 struct MedialRules {
   BoundaryRule boundary = BoundaryRule::kCentre;
-  MedialEffort effort;
+  MedialPlan plan;
 };
 
 /// What the medial axis is a function of. Refers to what it is given.
