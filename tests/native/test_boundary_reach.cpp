@@ -25,7 +25,7 @@ struct Scene {
     ThreadPool pool(threads);
     NodeData<Reach> result;
     const LocalMetric metric = even_metric(curve, kRadius, most, overhang, rest);
-    compute_reach(in(metric, rule), {}, 0, pool, result);
+    compute_reach(in(metric, rule), {}, pool, result);
     return result;
   }
 
@@ -128,7 +128,9 @@ TEST(Reach, IsTheSameHoweverFarItWasSought) {
           }
         }
         NodeData<Reach> reach;
-        compute_reach(scene.in(metric), likely, least, pool, reach);
+        ReachScene in = scene.in(metric);
+        in.plan.boundary_within = least;
+        compute_reach(in, likely, pool, reach);
         size_t cut_short = 0, completed = 0, limited = 0;
         for (uint32_t i = 0; i < scene.curve.size(); ++i) {
           for (size_t side = 0; side < 2; ++side) {
@@ -143,7 +145,7 @@ TEST(Reach, IsTheSameHoweverFarItWasSought) {
           }
         }
         NodeData<Radii> found = radii;
-        complete_reach(scene.in(metric), pool, reach, found);
+        complete_reach(in, pool, reach, found);
         for (uint32_t i = 0; i < scene.curve.size(); ++i) {
           for (size_t side = 0; side < 2; ++side) {
             EXPECT_EQ(found[i][side], std::min(radii[i][side], whole[i][side].radius));
@@ -225,10 +227,10 @@ TEST_P(PushOfTheBoundary, FeelsCornersAndFallsFasterThanTheDistance) {
   const auto [ease, times] = GetParam();
   const LocalMetric metric = even_metric(scene.curve, Scene::kRadius, kMost, 0, rest);
   ReachScene eased = scene.in(metric);
-  eased.ease = ease;
+  eased.plan.boundary_ease = ease;
   ThreadPool pool(1);
   NodeData<Reach> reach;
-  compute_reach(eased, {}, 0, pool, reach);
+  compute_reach(eased, {}, pool, reach);
   int corners = 0;
   std::vector<std::array<double, 2>> felt;  // the distance, and what drives
   for (uint32_t i = 0; i < scene.curve.size(); ++i) {

@@ -40,7 +40,7 @@ struct Scene {
     metric = even_metric(curve, 0.05, most);
     compute_frames(surface, curve, metric, RadiusField(0.05), pool, frames);
     NodeData<Reach> reach;
-    compute_reach({surface, curve, frames, boundary, rule, nullptr, metric}, {}, 0, pool, reach);
+    compute_reach({surface, curve, frames, boundary, rule, nullptr, metric}, {}, pool, reach);
     CurveBvh tree;
     compute_medial_axis(frames, boundary, rule, reach, pool, tree, radii);
   }
@@ -104,7 +104,7 @@ TEST(MedialAxis, ABallWithoutReachIsAPoint) {
   CurveBvh tree;
   NodeData<Reach> reach;
   compute_reach({scene.surface, scene.curve, scene.frames, scene.boundary, BoundaryRule::kCentre, nullptr, scene.metric},
-                {}, 0, pool, reach);
+                {}, pool, reach);
   for (uint32_t i = 0; i < scene.curve.size(); i += 3) reach[i][i % 2].radius = i % 4 < 2 ? 0 : -0.01;
   for (int pass = 0; pass < 2; ++pass) {  // from nothing, and from what the last one found
     compute_medial_axis(scene.frames, scene.boundary, BoundaryRule::kCentre, reach, pool, tree, radii);

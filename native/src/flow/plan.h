@@ -4,7 +4,7 @@
 #pragma once
 
 #include "flow/settings.h"
-#include "medial/medial_state.h"
+#include "medial/medial_plan.h"
 
 namespace meander {
 

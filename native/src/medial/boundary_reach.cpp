@@ -100,9 +100,9 @@ class ReachFinder {
   explicit ReachFinder(const ReachScene& scene) : scene_(scene), clearance_(scene.boundary.bvh()) {}
 
   /// See compute_reach.
-  void find(uint32_t begin, uint32_t end, const NodeData<Radii>& likely, double least, NodeData<Reach>& reach) {
+  void find(uint32_t begin, uint32_t end, const NodeData<Radii>& likely, NodeData<Reach>& reach) {
     sides_.clear();
-    for (uint32_t i = begin; i < end; ++i) add(i, wanted(i, likely, least), reach[i]);
+    for (uint32_t i = begin; i < end; ++i) add(i, wanted(i, likely), reach[i]);
     walk_to_boundary();
     for (const Side& side : sides_) reach[side.node][side.side] = reach_of(side);
   }
@@ -147,13 +147,13 @@ class ReachFinder {
   }
 
   /// For what radii the boundary is looked for.
-  Radii wanted(uint32_t i, const NodeData<Radii>& likely, double least) const {
+  Radii wanted(uint32_t i, const NodeData<Radii>& likely) const {
     const double most = scene_.metric.max_radius[i];
     Radii radii{most, most};
     if (likely.empty() || scene_.boundary.empty() || is_measured(i)) return radii;
     for (size_t side = 0; side < 2; ++side) {
       const double last = likely[i][side];
-      if (last > 0) radii[side] = std::max({kWarmth * last, least * scene_.metric.radius[i], rest(i)});
+      if (last > 0) radii[side] = std::max({kWarmth * last, scene_.plan.boundary_within * scene_.metric.radius[i], rest(i)});
       radii[side] = std::min(most, radii[side]);
     }
     return radii;
@@ -161,7 +161,7 @@ class ReachFinder {
   /// Whether balls of a node are measured along the surface: what limits them is looked for in all that the boundary
   /// leaves of them.
   bool is_measured(uint32_t i) const {
-    const SurfacePatches* const patches = scene_.measure ? scene_.patches : nullptr;
+    const SurfacePatches* const patches = scene_.plan.measure ? scene_.patches : nullptr;
     return patches && patches->creased(patches->patch_of(scene_.surface, scene_.curve.nodes[i]));
   }
 
@@ -221,8 +221,8 @@ class ReachFinder {
     // they are very near, as at a corner, which pushes a few nodes only.
     const double lacking = least - (distance + beyond(i));
     if (least > 0 && lacking > 0) {
-      const double far_short = std::max(0.0, lacking - (1 - scene_.very_near) * least);
-      r.driving = least - std::lerp(tuning::kPush, tuning::kEasedPush, scene_.ease) * lacking - tuning::kVeryNearPush * far_short;
+      const double far_short = std::max(0.0, lacking - (1 - scene_.plan.very_near) * least);
+      r.driving = least - std::lerp(tuning::kPush, tuning::kEasedPush, scene_.plan.boundary_ease) * lacking - tuning::kVeryNearPush * far_short;
     }
     return r;
   }
@@ -262,11 +262,10 @@ BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
   bvh_.build(tree_.points(), alone);
 }
 
-void compute_reach(const ReachScene& scene, const NodeData<Radii>& likely, double least, ThreadPool& pool,
-                   NodeData<Reach>& reach) {
+void compute_reach(const ReachScene& scene, const NodeData<Radii>& likely, ThreadPool& pool, NodeData<Reach>& reach) {
   reach.resize(scene.curve.size());
   pool.for_blocks(scene.curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
-    ReachFinder(scene).find(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), likely, least, reach);
+    ReachFinder(scene).find(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), likely, reach);
   });
 }
 

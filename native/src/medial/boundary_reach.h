@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/point_tree.h"
-#include "base/tuning.h"
 #include "geodesic/surface_patches.h"
 #include "medial/curve_bvh.h"
 #include "medial/frames.h"
+#include "medial/medial_plan.h"
 #include "medial/radii.h"
 
 namespace meander {
@@ -68,26 +68,23 @@ struct ReachScene {
   BoundaryRule rule;
   const SurfacePatches* patches;  ///< null where balls are straight; else what they hide from a node does not count
   const LocalMetric& metric;      ///< clamps of at most CurveBvh::kMostRadius
-  bool measure = false;           ///< balls along the surface also where it is creased, as MedialPlan says
-  double ease = 0;                ///< of its push, likewise
-  double very_near = tuning::kVeryNear;
+  MedialPlan plan = {};
 };
 
 /// The reach of all nodes. The distance to the boundary is that along the surface in the direction of the
 /// bitangent; where the boundary is nearer than `least_rest`, corners of it that jut out beside that geodesic count as
 /// well.
 ///
-/// In `driving`, what a ball that ends at the boundary falls short of its least_rest counts twice, less with `ease`, and
-/// more where it is far short. Under BoundaryRule::kObstacle overhang and least_rest are taken to be 0.
+/// In `driving`, what a ball that ends at the boundary falls short of its least_rest counts twice, less with
+/// boundary_ease, and more where it is far short. Under BoundaryRule::kObstacle overhang and least_rest are taken to be
+/// 0.
 ///
 /// Most of the cost is leading geodesics, and most balls are far smaller than they may be. So the boundary may be looked
 /// for no farther than balls will probably reach; where they turn out to be larger, complete_reach does the rest.
 ///
 /// `likely`  empty, or the radii that balls had, 0 where nothing is known: the boundary is looked for within kWarmth
-///           times those, within least_rest and within `least`, and wherever balls are measured as far as may be
-/// `least`   in the local r
-void compute_reach(const ReachScene& scene, const NodeData<Radii>& likely, double least, ThreadPool& pool,
-                   NodeData<Reach>& reach);
+///           times those, within least_rest and boundary_within, and where balls are measured as far as may be
+void compute_reach(const ReachScene& scene, const NodeData<Radii>& likely, ThreadPool& pool, NodeData<Reach>& reach);
 
 /// Looks on for the boundary where radii are larger than what it was sought for, and makes them no larger than it
 /// allows: `reach` and `radii` are then as if it had been sought as far as balls may reach.

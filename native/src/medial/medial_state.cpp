@@ -29,10 +29,9 @@ void find_medial_state(const MedialScene& scene, const AtRest& known, ThreadPool
   compute_frames(scene.surface, scene.curve, scene.metric, scene.radius, pool, state.frames,
                  known.directions && !known.directions->empty() ? known.directions : nullptr);
   const MedialRules& rules = scene.rules;
-  const ReachScene reach{scene.surface, scene.curve,  state.frames,       scene.boundary,          rules.boundary,
-                         scene.patches, scene.metric, rules.plan.measure, rules.plan.boundary_ease,
-                         rules.plan.very_near};
-  compute_reach(reach, radii, rules.plan.boundary_within, pool, state.reach);
+  const ReachScene reach{scene.surface,  scene.curve,   state.frames, scene.boundary,
+                         rules.boundary, scene.patches, scene.metric, rules.plan};
+  compute_reach(reach, radii, pool, state.reach);
   find_radii(scene, known.balls, pool, state, radii);
   complete_reach(reach, pool, state.reach, radii);
   state.felt_radii.resize(radii.size());

@@ -4,30 +4,15 @@
 // leaves of them, and what the energy makes of their radii.
 #pragma once
 
-#include <limits>
-
-#include "base/tuning.h"
 #include "geodesic/surface_patches.h"
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"
 #include "medial/frames.h"
 #include "medial/geodesic_medial_axis.h"
 #include "medial/medial_axis.h"
+#include "medial/medial_plan.h"
 
 namespace meander {
-
-/// How balls are found in one iteration, and how hard the boundary pushes.
-struct MedialPlan {
-  /// Balls along the surface are measured also where it is creased, see compute_geodesic_medial_axis.
-  bool measure = true;
-  /// In r: the boundary is looked for within this of every node, and farther only where balls reach farther. What the
-  /// state says of it beyond is only of these.
-  double boundary_within = std::numeric_limits<double>::infinity();
-  /// 0 where the boundary pushes twice as hard as strands do, 1 where it hardly pushes harder.
-  double boundary_ease = 0;
-  /// Where a node is nearer to the boundary than this share of the distance wanted, it pushes much harder.
-  double very_near = tuning::kVeryNear;
-};
 
 /// How balls end at the boundary, and how they are found.
 struct MedialRules {
