@@ -431,7 +431,7 @@ TEST_P(OnAFilledSurface, GrowthSeesWhatThereIsToSee) {
   for (const SurfacePoint& p : curve.nodes) patch.push_back(patches.patch_of(f.surface, p));
   for (uint32_t i = 0; i < curve.size(); ++i) {
     const uint32_t p = patch[i];
-    const bool one_sided = patches.hides(p) || patches.creased(p);
+    const bool one_sided = patches.opposed(p) && (patches.hides(p) || patches.creased(p));
     for (size_t side = 0; side < 2; ++side) {
       double least = std::max(0.0, f.reach[i][side].radius);
       for (uint32_t j = 0; j < curve.size(); ++j) {

@@ -469,7 +469,7 @@ std::vector<double> over_middles(const Cut& c, const std::vector<Part>& parts, u
 /// What patches say, as it is defined: of every pair, and without anything that saves time. In r of the first patch of
 /// a pair: q is hidden from p if it is nearer than 2.8 through space, and farther than 4 over the middles of patches.
 /// Creases matter up to 2.2 from the rim of p, which is 1 across; so does what is reached and has turned by more than
-/// arccos .3, as a bend where no edge is within 3.8.
+/// arccos .3, as a bend where no edge is within 3.8. What faces away is looked for within 3.8.
 struct Said {
   size_t hidden = 0, creased = 0, bent = 0;
 };
@@ -516,6 +516,13 @@ Said expect_as_defined(const Cut& c, const std::function<bool(const Part&)>& ask
     EXPECT_EQ(c.patches.hides(p), [&] {
       for (uint32_t q = 0; q < parts.size(); ++q) {
         if (c.patches.hidden(p, q)) return true;
+      }
+      return false;
+    }());
+    EXPECT_EQ(c.patches.opposed(p), [&] {
+      for (uint32_t q = 0; q < parts.size(); ++q) {
+        const bool away = c.patches.normal(p).dot(c.patches.normal(q)) < SurfacePatches::kOpposite;
+        if (away && (parts[q].centre - parts[p].centre).norm() <= 3.8 * r) return true;
       }
       return false;
     }());
@@ -682,7 +689,7 @@ std::vector<double> answers(const SurfacePatches& patches, const Surface& s, dou
   const uint32_t n = patches.count();
   for (uint32_t p = 0; p < n; ++p) {
     for (const bool trait : {patches.hides(p), patches.creased(p), patches.sharp(p), patches.plain(p),
-                             patches.at_crease(p), patches.bent(p)}) {
+                             patches.at_crease(p), patches.bent(p), patches.opposed(p)}) {
       all.push_back(trait);
     }
     all.push_back(patches.creased(p) ? patches.to_crease(p) / unit : -1);

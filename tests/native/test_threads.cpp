@@ -87,7 +87,7 @@ std::vector<double> long_story(uint32_t threads) {
   std::vector<double> moved = mesh.vertices;
   for (double& x : moved) x *= 1.01;
   check(meander_flow_set_vertices(flow, moved.data(), mesh.vertex_count(), nullptr, nullptr));
-  check(meander_flow_set_radius(flow, 0.019, nullptr));
+  check(meander_flow_set_radius(flow, 0.014, nullptr));
   step(flow, 1);
   auto statistics = prepared<meander_flow_statistics>();
   check(meander_flow_compute_statistics(flow, &statistics, nullptr, nullptr));

@@ -156,7 +156,7 @@ meander_flow_options default_options(meander_preset preset) {
   o.max_radius_factor = 3;
   o.bending_weight = 1;
   o.step = 1.5;
-  o.growth_coarsening = 2.5;
+  o.growth_coarsening = finest ? 2.5 : 3;
   o.grow_into_empty = o.widen_loops = o.hold_ends = 1;
   o.hairpin_removal_iterations = finest ? 600 : 70;
   o.polish = 1;

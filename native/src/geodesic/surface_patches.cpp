@@ -133,14 +133,16 @@ class SurfacePatches::Comparison {
     if (!(cut_.area[p] > 0)) return;
     const double r = cut_.r[p], far = (kReach + Cutter::kSize) * r;
     double area = 0;
-    bool one_sheet = !known_[p].rough, edged = false;
+    bool one_sheet = !known_[p].rough, edged = false, opposed = false;
     grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
       const Known& other = known_[q];
       area += static_cast<double>(other.area);
       one_sheet = one_sheet && !other.at_boundary && !other.stacked && (q == p || alike(p, q, slack(p)));
+      opposed = opposed || patches_.opposite(p, q);
       edged = edged || (other.own != Crease::kFlat && !other.bend);
       if (other.own != Crease::kFlat) note_crease(p, std::sqrt(squared), other.own, other.bend);
     });
+    patches_.traits_[p].opposed = opposed;
     if (one_sheet && area <= kSheets * std::numbers::pi * far * far) return;
     measure_from(p, distances);
     grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {

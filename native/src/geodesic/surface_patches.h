@@ -45,6 +45,8 @@ class SurfacePatches {
   bool hides(uint32_t p) const { return traits_[p].hides; }
   /// Whether any is that does not face away from p, as the layer after the next of a folded cloth.
   bool hides_same_side(uint32_t p) const { return traits_[p].hides_same_side; }
+  /// Whether any patch within a few r of p through space faces away from it, hidden or round an edge.
+  bool opposed(uint32_t p) const { return traits_[p].opposed; }
   /// Whether two patches face away from each other, as both sides of a sheet do.
   bool opposite(uint32_t p, uint32_t q) const { return normal_[p].dot(normal_[q]) < kOpposite; }
   /// Normals are opposite where their dot product is below this: no line that aims through space leads from one such
@@ -104,6 +106,7 @@ class SurfacePatches {
     bool bent = false;
     bool hides = false;  // others: asked of every node, where the table of them is not
     bool hides_same_side = false;
+    bool opposed = false;
   };
   /// Patches whose numbers follow one another, most of them neighbours, and which of these are hidden: tables of
   /// single ones are four times as large, and waiting for them is a twentieth of the time on a folded cloth.

@@ -77,7 +77,9 @@ struct GeodesicScene {
   /// round an edge, and is farther along the surface than through space. Believed, it keeps strands on both sides of a
   /// plate away from the edge that a growing curve has to get round. Where balls are measured it may be what limits
   /// them.
-  bool one_sided(uint32_t patch) const { return patches.creased(patch) ? !measure : patches.hides(patch); }
+  bool one_sided(uint32_t patch) const {
+    return patches.opposed(patch) && (patches.creased(patch) ? !measure : patches.hides(patch));
+  }
   bool sees_all(uint32_t patch) const { return !patches.hides(patch) && !one_sided(patch); }
   bool patch_sees(uint32_t p, uint32_t q) const {
     return !(one_sided(p) && patches.opposite(p, q)) && !patches.hidden(p, q);
