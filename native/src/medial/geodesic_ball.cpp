@@ -291,6 +291,7 @@ void GeodesicBall::look_around(const Chart& chart, bool flat_known) {
     // No path is shorter than the straight line, and no ball that a path limits is smaller than half of it.
     constexpr double kFar = 2 * kAsLarge;
     if (index == node_ || (position - x).squaredNorm() >= kFar * kFar * least_ * least_) return;
+    if (known_already(index)) return;
     const uint32_t there = scene_.obstacles.patch(index);
     if (there == patch || std::ranges::find(beside, there) != beside.end()) look_at(chart, index, position);
   });
@@ -306,6 +307,12 @@ void GeodesicBall::look_at(const Chart& chart, uint32_t index, const Vec3& posit
   } else if (Chart there = chart; there.advance_to(s, p, position, r_)) {
     come_across(index, there.place);
   }
+}
+
+/// Whether an earlier look has come across a point: looks overlap, and see it in the same place.
+bool GeodesicBall::known_already(uint32_t index) const {
+  return std::ranges::find(sightings_[node_ % CurveBvh::kRun].points, index, &Sighting::Point::index) !=
+         sightings_[node_ % CurveBvh::kRun].points.end();
 }
 
 void GeodesicBall::come_across(uint32_t index, Vec2 place) {

@@ -67,6 +67,7 @@ class GeodesicBall {
   bool is_flat(double radius) const;
   void look_around(const Chart& chart, bool flat_known);
   void look_at(const Chart& chart, uint32_t index, const Vec3& position);
+  bool known_already(uint32_t index) const;
   void come_across(uint32_t index, Vec2 place);
 
   const GeodesicScene& scene_;

@@ -12,12 +12,12 @@ Obstacles::Obstacles(const Surface& surface, const SurfacePatches& patches, cons
   const std::vector<Vec3>& at = with_walls_.empty() ? frames.position.values() : with_walls_;
   positions_ = at;
   patch_.resize(at.size());
-  facing_.resize((at.size() + CurveBvh::kRun - 1) / CurveBvh::kRun);
-  pool.for_blocks(facing_.size(), 64, [&](size_t, size_t first, size_t last) {
+  runs_.resize((at.size() + CurveBvh::kRun - 1) / CurveBvh::kRun);
+  pool.for_blocks(runs_.size(), 64, [&](size_t, size_t first, size_t last) {
     for (size_t run = first; run < last; ++run) {
       const size_t begin = run * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, at.size());
       for (size_t i = begin; i < end; ++i) patch_[i] = patches.patch_of(surface, point(static_cast<uint32_t>(i)));
-      facing_[run] = Facing(patches, std::span(patch_).subspan(begin, end - begin));
+      runs_[run] = Run(patches, std::span(patch_).subspan(begin, end - begin));
     }
   });
 }
@@ -32,13 +32,19 @@ void Obstacles::add_walls(const Surface& surface, const Frames& frames, const Bo
   }
 }
 
-Obstacles::Facing::Facing(const SurfacePatches& patches, std::span<const uint32_t> run) {
+Obstacles::Run::Run(const SurfacePatches& patches, std::span<const uint32_t> run) {
   // Where all is plain nobody asks.
   if (std::ranges::all_of(run, [&](uint32_t patch) { return patches.plain(patch); })) return;
   for (const uint32_t patch : run) mean += patches.normal(patch);
   mean /= static_cast<double>(run.size());
   spread = 0;
-  for (const uint32_t patch : run) spread = std::max(spread, (patches.normal(patch) - mean).norm());
+  one_sided = one_sided_measuring = hides_other_side_only = true;
+  for (const uint32_t patch : run) {
+    spread = std::max(spread, (patches.normal(patch) - mean).norm());
+    one_sided = one_sided && passes_over_away(patches, patch, false);
+    one_sided_measuring = one_sided_measuring && passes_over_away(patches, patch, true);
+    hides_other_side_only = hides_other_side_only && !patches.hides_same_side(patch);
+  }
 }
 
 uint32_t GeodesicScene::lanes_seen(uint32_t patch, uint32_t run) const {
@@ -59,13 +65,15 @@ uint32_t GeodesicScene::lanes_seen(uint32_t patch, uint32_t run) const {
 bool GeodesicScene::any_seen(size_t first, size_t last, uint32_t run) const {
   const std::span<const uint32_t> there = obstacles.patches();
   const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, there.size());
-  const size_t own_run = first / CurveBvh::kRun, last_run = (last - 1) / CurveBvh::kRun;
-  const bool opposite = obstacles.opposite_runs(own_run, run) &&
-                        (last_run == own_run || obstacles.opposite_runs(last_run, run));
+  const size_t own_run = first / CurveBvh::kRun;
+  if ((last - 1) / CurveBvh::kRun == own_run) {
+    const Obstacles::Facing facing = obstacles.facing(own_run, run);
+    if (facing == Obstacles::Facing::kAway && obstacles.all_one_sided(own_run, measure)) return false;
+    if (facing == Obstacles::Facing::kAlike && obstacles.hides_other_side_only(own_run)) return true;
+  }
   for (size_t i = first; i < last; ++i) {
     const uint32_t own = there[i];
     if (i > first && own == there[i - 1]) continue;
-    if (opposite && one_sided(own)) continue;
     if (!patches.hides(own)) return true;
     const Vec3& normal = patches.normal(own);
     if (!patches.hides_same_side(own) && obstacles.same_side(run, normal)) return true;

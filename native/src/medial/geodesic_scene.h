@@ -12,6 +12,14 @@
 
 namespace meander {
 
+/// Whether what faces away from a patch is passed over, however near it is: it lies on the other side of a sheet, or
+/// round an edge, and is farther along the surface than through space. Believed, it keeps strands on both sides of a
+/// plate away from the edge that a growing curve has to get round. Where balls are measured it may be what limits
+/// them.
+inline bool passes_over_away(const SurfacePatches& patches, uint32_t patch, bool measure) {
+  return patches.opposed(patch) && (patches.creased(patch) ? !measure : patches.hides(patch));
+}
+
 /// Everything that balls may touch, the nodes of the curve and maybe samples of the boundary, and the patches that it
 /// lies in.
 class Obstacles {
@@ -29,26 +37,36 @@ class Obstacles {
   uint32_t patch(size_t i) const { return patch_[i]; }
   std::span<const uint32_t> patches() const { return patch_; }
 
-  /// Whether all that lies in a run of the tree faces away from all that lies in another. May be false where it does.
-  bool opposite_runs(size_t a, size_t b) const { return facing_[a].opposite(facing_[b]); }
+  /// How a run of the tree and another one face each other, as far as is known of both as wholes.
+  enum class Facing { kUnknown, kAway, kAlike };  // all of one from all of the other; nothing of one from any of it
+  Facing facing(size_t a, size_t b) const { return runs_[a].facing(runs_[b]); }
+  /// Whether all that lies in a run passes over what faces away, where balls are measured or not.
+  bool all_one_sided(size_t run, bool measure) const {
+    return measure ? runs_[run].one_sided_measuring : runs_[run].one_sided;
+  }
+  /// Whether nothing is hidden from any of it but what faces away.
+  bool hides_other_side_only(size_t run) const { return runs_[run].hides_other_side_only; }
   /// Whether all that lies in a run faces away from a normal. May be false where it does.
-  bool faces_away(size_t run, const Vec3& normal) const { return facing_[run].faces_away(normal); }
+  bool faces_away(size_t run, const Vec3& normal) const { return runs_[run].faces_away(normal); }
   /// Whether nothing that lies in a run faces away from a normal. May be false where nothing does.
-  bool same_side(size_t run, const Vec3& normal) const { return facing_[run].same_side(normal); }
+  bool same_side(size_t run, const Vec3& normal) const { return runs_[run].same_side(normal); }
 
  private:
-  /// In what direction the patches of a run face: a mean, and how far the normal of any of them is from it at most.
-  struct Facing {
+  /// What is known of a run. In what direction its patches face: a mean, and how far the normal of any of them is from
+  /// it at most.
+  struct Run {
     static constexpr double kAnywhere = 2;
     Vec3 mean = Vec3::Zero();
     double spread = kAnywhere;
+    bool one_sided = false, one_sided_measuring = false, hides_other_side_only = false;
 
-    Facing() = default;
-    Facing(const SurfacePatches& patches, std::span<const uint32_t> run);
-    bool opposite(const Facing& other) const {
+    Run() = default;
+    Run(const SurfacePatches& patches, std::span<const uint32_t> run);
+    Facing facing(const Run& other) const {
       // (m + u) . (n + v) - m . n is at most this where |m| and |n| are at most 1, |u| and |v| the spreads.
-      const double more = spread + other.spread + spread * other.spread;
-      return mean.dot(other.mean) + more < SurfacePatches::kOpposite;
+      const double more = spread + other.spread + spread * other.spread, both = mean.dot(other.mean);
+      if (both + more < SurfacePatches::kOpposite) return Facing::kAway;
+      return both - more >= SurfacePatches::kOpposite ? Facing::kAlike : Facing::kUnknown;
     }
     bool faces_away(const Vec3& normal) const { return mean.dot(normal) + spread < SurfacePatches::kOpposite; }
     bool same_side(const Vec3& normal) const { return mean.dot(normal) - spread >= SurfacePatches::kOpposite; }
@@ -60,7 +78,7 @@ class Obstacles {
   std::vector<SurfacePoint> walls_;
   std::span<const Vec3> positions_;
   std::vector<uint32_t> patch_;
-  std::vector<Facing> facing_;  // of the runs
+  std::vector<Run> runs_;
 };
 
 /// What balls are measured in, and what nodes see of it. Refers to what it is given; any thread may ask.
@@ -73,13 +91,7 @@ struct GeodesicScene {
   const CurveBvh& tree;  ///< of the obstacles
   bool measure;          ///< balls near creases, see compute_geodesic_medial_axis
 
-  /// Whether what faces away from a patch is passed over, however near it is: it lies on the other side of a sheet, or
-  /// round an edge, and is farther along the surface than through space. Believed, it keeps strands on both sides of a
-  /// plate away from the edge that a growing curve has to get round. Where balls are measured it may be what limits
-  /// them.
-  bool one_sided(uint32_t patch) const {
-    return patches.opposed(patch) && (patches.creased(patch) ? !measure : patches.hides(patch));
-  }
+  bool one_sided(uint32_t patch) const { return passes_over_away(patches, patch, measure); }
   bool sees_all(uint32_t patch) const { return !patches.hides(patch) && !one_sided(patch); }
   bool patch_sees(uint32_t p, uint32_t q) const {
     return !(one_sided(p) && patches.opposite(p, q)) && !patches.hidden(p, q);
