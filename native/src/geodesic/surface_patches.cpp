@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -50,7 +51,29 @@ struct Distances {
   bool reached(uint32_t p) const { return known[p].cost < std::numeric_limits<double>::infinity(); }
 };
 
-/// The same, as FrontSearch asks for it.
+/// Hands memory for a search from one block of a loop on to the next, as it is as large as the surface and a search is
+/// small: as many are made as threads take part. Any thread.
+class SpareDistances {
+ public:
+  Distances take() {
+    const std::lock_guard lock(mutex_);
+    if (spare_.empty()) return {};
+    Distances last = std::move(spare_.back());
+    spare_.pop_back();
+    return last;
+  }
+  /// It must have been cleared.
+  void give_back(Distances distances) {
+    const std::lock_guard lock(mutex_);
+    spare_.push_back(std::move(distances));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Distances> spare_;
+};
+
+/// What a search knows, as FrontSearch asks for it.
 class KeptNodes {
  public:
   explicit KeptNodes(Distances& kept) : kept_(&kept) {}
@@ -88,9 +111,11 @@ class SurfacePatches::Comparison {
     });
     for (uint32_t p = 0; p < n; ++p) known_[p].stacked = stacked[p] != 0;
     std::vector<std::vector<uint32_t>> hidden(n);
+    SpareDistances spare;
     pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-      Distances distances;
+      Distances distances = spare.take();
       for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, distances, hidden[p]);
+      spare.give_back(std::move(distances));
     });
     patches_.hidden_in_.resize(n);
     for (uint32_t p = 0; p < n; ++p) add_hidden(p, hidden[p]);
