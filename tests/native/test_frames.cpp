@@ -93,7 +93,7 @@ TEST(CachedDirections, EndWhereNodesMoveOrTurn) {
       scene.find(&cached, frames);
       for (uint32_t i = 0; i < scene.curve.size(); ++i) {
         const Vec3 t = tangent_of(scene, frames, i);
-        bool rests = (frames.position[i] - cached[i].from).norm() <= tuning::kRest * kRadius;
+        bool rests = (frames.position[i] - cached[i].from.cast<double>()).norm() <= tuning::kRest * kRadius;
         for (int side = 0; side < 2; ++side) {
           rests = rests && std::abs(cached[i].outward[side].cast<double>().dot(t)) <= tuning::kTurn;
         }

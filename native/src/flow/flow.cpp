@@ -117,6 +117,7 @@ void Flow::find_medial_axis(const Plan& plan) {
   NodeHistory& nodes = state_.nodes;
   if (!plan.reuse_directions) nodes.directions.clear();
   if (!plan.reuse_balls) nodes.balls.clear();
+  medial_.measured.swap(nodes_after_.balls);  // for its memory
   find_medial_axis(state_, {&nodes.directions, &nodes.balls}, plan.medial);
   if (state_.settings.grow_into_empty) {
     perturb_empty_stretches(state_.curve, state_.nodes.radii, state_.metric, pool_, medial_.felt_radii);

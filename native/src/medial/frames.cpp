@@ -65,7 +65,8 @@ class Tangents {
 /// Turns cached directions with the strand; false if the node has moved, or the strand has turned, too far.
 bool reuse_directions(const CachedDirections& cached, uint32_t i, const Vec3& tangent, double r, Frames& frames) {
   if (!(std::abs(static_cast<double>(cached.radius) - r) <= tuning::kRest * r)) return false;
-  if (!((frames.position[i] - cached.from).squaredNorm() <= tuning::kRest * r * tuning::kRest * r)) return false;
+  const double rest = tuning::kRest * r;
+  if (!((frames.position[i] - cached.from.cast<double>()).squaredNorm() <= rest * rest)) return false;
   for (uint32_t side = 0; side < 2; ++side) {
     const Vec3 outward = cached.outward[side].cast<double>();
     const double turned = outward.dot(tangent);
@@ -188,7 +189,7 @@ void remember_directions(const Frames& frames, const LocalMetric& metric, Thread
     for (size_t i = begin; i < end; ++i) {
       if (!frames.walked[i]) continue;
       CachedDirections& known = cached[i];
-      known.from = frames.position[i];
+      known.from = frames.position[i].cast<float>();
       known.radius = static_cast<float>(metric.radius[i]);
       for (size_t side = 0; side < 2; ++side) {
         known.outward[side] = frames.outward[i][side].cast<float>();

@@ -37,8 +37,8 @@ struct Frames {
 
 /// The directions that geodesics gave a node, to be used again while it hardly moves: see compute_frames.
 struct CachedDirections {
-  Vec3 from = Vec3::Zero();  ///< where the node was
-  float radius = 0;          ///< the local r there; 0: nothing is known
+  Eigen::Vector3f from{0, 0, 0};  ///< where the node was
+  float radius = 0;               ///< the local r there; 0: nothing is known
   std::array<float, 2> radius_slope{};
   std::array<Eigen::Vector3f, 2> outward;
 };

@@ -12,13 +12,13 @@ namespace {
 
 void find_radii(const MedialScene& scene, const NodeData<MeasuredBalls>* balls, ThreadPool& pool, MedialState& state,
                 NodeData<Radii>& radii) {
+  state.measured.clear();
   if (!scene.patches) {
-    state.measured.clear();
     compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree, radii);
   } else {
     compute_geodesic_medial_axis(scene.surface, *scene.patches, scene.curve, state.frames, scene.boundary,
                                  scene.rules.boundary, scene.rules.plan.measure, scene.metric, state.reach, pool,
-                                 state.tree, radii, {balls, &state.measured});
+                                 state.tree, radii, {balls, balls ? &state.measured : nullptr});
   }
 }
 

@@ -36,14 +36,14 @@ struct MedialState {
   Frames frames;
   NodeData<Reach> reach;
   NodeData<Radii> felt_radii;  ///< as the energy sees them: under a density, and near a boundary
-  NodeData<MeasuredBalls> measured;  ///< what nodes know of their balls for the next iteration; may be empty
+  NodeData<MeasuredBalls> measured;  ///< what nodes know of their balls for the next iteration; empty if nobody asks
   CurveBvh tree;               ///< kept for its memory; not to be asked
 };
 
 /// What nodes at rest still know of an earlier iteration. Each may be null, or empty: then all is found anew.
 struct AtRest {
   const NodeData<CachedDirections>* directions = nullptr;  ///< see compute_frames
-  const NodeData<MeasuredBalls>* balls = nullptr;          ///< see compute_geodesic_medial_axis
+  const NodeData<MeasuredBalls>* balls = nullptr;          ///< see compute_geodesic_medial_axis; null: nobody will ask
 };
 
 /// Finds frames, reach and radii of the curve (section 3.2.2), in the memory that `state` has. Another measure of
