@@ -14,9 +14,14 @@ from meander import core
 from numpy.typing import NDArray
 from thin_shapes import SHAPES
 
-# Nothing may be farther from the curve than this, along the surface and in r. Two hairpins before a
-# straight strand leave 1.5 at most, and corners of a boundary, of which two shapes have some, 1.58.
-FARTHEST = 1.6
+# Nothing may be farther from the curve than this, along the surface and in r: two hairpins before a
+# straight strand leave 1.5 at most.
+FARTHEST = 1.5
+# Two turns side by side before a boundary that is r away leave sqrt(8) - 1 = 1.83 on it. That they
+# come to lie there is rare: of the largest distances on nine curves from different first faces on
+# the folded cloth one was over 1.6, and on two revisions before two and none.
+FARTHEST_AT_BOUNDARY, FARTHEST_MOSTLY = 1.83, 1.6
+OPEN = ("folded cloth", "crossing sheets")
 # Length times spacing over area; 1 for parallel strands. From nine first faces each it was 1.01 to
 # 1.054, and up to 1.069 on the plate of .6 r.
 PACKING = {name: (0.96, 1.06) for name in SHAPES} | {"plate of 0.6 r": (0.96, 1.08)}
@@ -102,15 +107,28 @@ def test_the_distances_of_these_tests_go_round_the_rim(y: float) -> None:
     assert distances_along(mesh, above, below, 0.25)[0] == pytest.approx(shortest, rel=0.005)
 
 
-@pytest.mark.parametrize("name", SHAPES)
-def test_every_sheet_is_filled(name: str) -> None:
+def farthest_from_strands(name: str, first_face: int = 0) -> float:
+    """The largest distance from the curve on a shape that was filled from a face on."""
     mesh = SHAPES[name]
+    mesh = geometry.Mesh(mesh.vertices, np.roll(mesh.faces, -first_face, axis=0))
     flow = grown(mesh)
     assert flow.statistics()["crossings"] == 0
     assert brute_crossings(flow, mesh) == []
     least, most = PACKING[name]
     assert least < packing(flow, mesh) < most
-    assert distances_to(flow, mesh, places_on(mesh)).max() < FARTHEST
+    return distances_to(flow, mesh, places_on(mesh)).max()
+
+
+@pytest.mark.parametrize("name", [name for name in SHAPES if name not in OPEN])
+def test_every_sheet_is_filled(name: str) -> None:
+    assert farthest_from_strands(name) < FARTHEST
+
+
+@pytest.mark.parametrize("name", OPEN)
+def test_open_sheets_are_filled(name: str) -> None:
+    faces = len(SHAPES[name].faces)
+    farthest = [farthest_from_strands(name, share * faces // 3) for share in range(3)]
+    assert np.median(farthest) < FARTHEST_MOSTLY and max(farthest) < FARTHEST_AT_BOUNDARY
 
 
 @pytest.mark.parametrize("name", ["plate of 0.02 r", "plate of large faces", "folded cloth"])
