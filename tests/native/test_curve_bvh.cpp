@@ -166,19 +166,19 @@ CurveBvh::Sight sight_of(const std::vector<uint32_t>& kind, const Sees& sees) {
           },
           [&kind, sees](size_t first, size_t last, uint32_t run) {
             const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, kind.size());
+            size_t seen = 0;
             for (size_t i = first; i < last; ++i) {
-              for (size_t j = begin; j < end; ++j) {
-                if (sees(kind[i], static_cast<uint32_t>(j))) return true;
-              }
+              for (size_t j = begin; j < end; ++j) seen += sees(kind[i], static_cast<uint32_t>(j));
             }
-            return false;
+            const size_t all = (last - first) * (end - begin);
+            return seen == 0 ? CurveBvh::Share::kNothing : seen == all ? CurveBvh::Share::kAll : CurveBvh::Share::kMaybe;
           }};
 }
 
 TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
   Rng rng(9);
   ThreadPool pool(2);
-  size_t limited = 0, clamped = 0, passed_over = 0, unseen = 0;
+  size_t limited = 0, clamped = 0, passed_over = 0, unseen = 0, all_seen = 0;
   for (const size_t count : {1, 2, 7, 8, 9, 64, 500, 1501}) {
     const std::vector<Vec3> points = winding(count, 0.01, rng);
     const CurveBvh tree(points, pool);
@@ -209,11 +209,12 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
       }
       EXPECT_EQ(parts, together);
       EXPECT_EQ(touched_in_parts, touched);
-      // What says of no run that it is not seen only costs time.
+      // What knows of no run as a whole only costs time.
       CurveBvh::Sight hopeful = sight;
-      hopeful.may_see = [&](size_t of, size_t end, uint32_t run) {
-        unseen += !sight.may_see(of, end, run);
-        return true;
+      hopeful.share = [&](size_t of, size_t end, uint32_t run) {
+        unseen += sight.share(of, end, run) == CurveBvh::Share::kNothing;
+        all_seen += sight.share(of, end, run) == CurveBvh::Share::kAll;
+        return CurveBvh::Share::kMaybe;
       };
       std::vector<Balls> again = start;
       std::vector<std::array<uint32_t, 2>> touched_again(count, {UINT32_MAX, UINT32_MAX});
@@ -245,6 +246,7 @@ TEST(CurveBvh, BallsAmongWhatIsSeenEqualBruteForce) {
   EXPECT_GT(clamped, 1000u);
   EXPECT_GT(passed_over, 1000u) << "the filter is meant to matter";
   EXPECT_GT(unseen, 100u) << "whole runs are meant to be passed over";
+  EXPECT_GT(all_seen, 100u) << "whole runs are meant to be seen without being asked for";
 }
 
 /// Where all count, or none.

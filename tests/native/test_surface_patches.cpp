@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 #include <queue>
+#include <ranges>
 #include <set>
 
 #include "geodesic/surface_patches.h"
@@ -580,6 +582,44 @@ TEST(SurfacePatches, SayWhatIsDefined) {
   EXPECT_GT(all.hidden, 1000u);
   EXPECT_GT(all.creased, 1000u);
   EXPECT_GT(all.bent, 100u);
+}
+
+/// Sheets are connected, and none of their patches is hidden from another. Those of a cloth and of two sheets through
+/// each other are few and large.
+TEST(SurfacePatches, LieOnSheets) {
+  for (const Shape& shape : shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Cut c(shape.mesh);
+    const SurfacePatches& patches = c.patches;
+    const auto all = std::views::iota(0u, patches.count());
+    if (std::ranges::none_of(all, [&](uint32_t p) { return patches.hides_same_side(p); })) {
+      EXPECT_TRUE(std::ranges::all_of(all, [&](uint32_t p) { return patches.sheet_of(p) == kNone; }));
+      continue;
+    }
+    std::map<uint32_t, std::vector<uint32_t>> sheets;
+    for (const uint32_t p : all) sheets[patches.sheet_of(p)].push_back(p);
+    EXPECT_FALSE(sheets.contains(kNone));
+    for (const auto& [number, members] : sheets) {
+      for (const uint32_t p : members) {
+        for (const uint32_t q : members) EXPECT_FALSE(patches.hidden(p, q)) << p << " " << q;
+      }
+      std::set<uint32_t> reached{members[0]};
+      for (std::vector<uint32_t> front{members[0]}; !front.empty();) {
+        const uint32_t p = front.back();
+        front.pop_back();
+        for (const uint32_t q : patches.beside(p)) {
+          if (patches.sheet_of(q) == number && reached.insert(q).second) front.push_back(q);
+        }
+      }
+      EXPECT_EQ(reached.size(), members.size());
+    }
+    size_t on_large = 0;
+    for (const auto& [number, members] : sheets) on_large += members.size() > patches.count() / 8 ? members.size() : 0;
+    const bool layered = shape.name == std::string("folded cloth") || shape.name == std::string("two sheets through each other");
+    if (layered) {
+      EXPECT_GT(on_large, patches.count() * 3 / 4) << sheets.size() << " sheets of " << patches.count();
+    }
+  }
 }
 
 /// Whether all that is near lies on one sheet is found by several conditions, which only save time. Where another sheet

@@ -14,6 +14,7 @@
 #include "base/front_search.h"
 #include "base/point_grid.h"
 #include "geodesic/patch_cutter.h"
+#include "geodesic/patch_sheets.h"
 
 namespace meander {
 namespace {
@@ -119,6 +120,12 @@ class SurfacePatches::Comparison {
     });
     patches_.hidden_in_.resize(n);
     for (uint32_t p = 0; p < n; ++p) add_hidden(p, hidden[p]);
+    const bool layered = std::ranges::any_of(patches_.traits_, [](const Traits& t) { return t.hides_same_side; });
+    if (layered) {
+      patches_.sheet_ = find_sheets(patches_, hidden, pool.poll(kBlock));
+    } else {
+      patches_.sheet_.assign(n, kNone);
+    }
   }
 
  private:

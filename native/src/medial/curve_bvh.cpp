@@ -266,9 +266,9 @@ void CurveBvh::visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double&
   visit_runs(x, b, radius, shrink);
 }
 
-/// All runs that are `wanted` and whose boxes meet this one; false if there are too many.
-template <class Wanted>
-bool CurveBvh::runs_near(const Box& box, const Wanted& wanted, Candidates& found) const {
+/// All runs whose boxes meet this one and of which share(run) is not nothing; false if there are too many.
+template <class ShareOf>
+bool CurveBvh::runs_near(const Box& box, const ShareOf& share, Candidates& found) const {
   found.count = 0;
   constexpr int kMostPlaces = 64;
   uint32_t stack[kMostPlaces];
@@ -287,10 +287,12 @@ bool CurveBvh::runs_near(const Box& box, const Wanted& wanted, Candidates& found
         continue;
       }
       const uint32_t run = n.child[k] & ~kLeaf;
-      if (!wanted(run)) continue;
+      const Share of_run = share(run);
+      if (of_run == Share::kNothing) continue;
       if (found.count == Candidates::kMost) return false;
       const uint32_t at = found.count++;
       found.run[at] = run;
+      found.share[at] = of_run;
       for (size_t axis = 0; axis < 3; ++axis) {
         found.low[axis][at] = n.low[axis][k];
         found.high[axis][at] = n.high[axis][k];
@@ -377,9 +379,9 @@ double CurveBvh::largest_ball_seen_among(const Candidates& near, Seen& seen, con
   return radius;
 }
 
-template <class Wanted>
+template <class ShareOf>
 bool CurveBvh::gather(size_t begin, size_t end, std::span<const std::array<Eigen::Vector3d, 2>> b,
-                      std::span<const std::array<double, 2>> radii, const Wanted& wanted, Candidates& near) const {
+                      std::span<const std::array<double, 2>> radii, const ShareOf& share, Candidates& near) const {
   Eigen::Vector3d low = point(begin), high = low;
   for (size_t i = begin; i < end; ++i) {
     for (size_t side = 0; side < 2; ++side) {
@@ -395,7 +397,7 @@ bool CurveBvh::gather(size_t begin, size_t end, std::span<const std::array<Eigen
     box.low[axis] = rounded_down(low[axis]);
     box.high[axis] = rounded_up(high[axis]);
   }
-  return runs_near(box, wanted, near);
+  return runs_near(box, share, near);
 }
 
 uint32_t CurveBvh::lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
@@ -422,7 +424,7 @@ void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::arr
   Candidates near;
   for (size_t begin = first; begin < last; begin += kRun) {
     const size_t end = std::min<size_t>(begin + kRun, last);
-    const bool few = gather(begin, end, b, radii, [](uint32_t) { return true; }, near);
+    const bool few = gather(begin, end, b, radii, [](uint32_t) { return Share::kAll; }, near);
     for (size_t side = 0; side < 2; ++side) {
       uint32_t limiting = UINT32_MAX;
       for (size_t i = begin; i < end; ++i) {
@@ -457,8 +459,7 @@ void CurveBvh::largest_balls_seen(size_t first, size_t last, std::span<const std
   Candidates near;
   for (size_t begin = first; begin < last; begin += kRun) {
     const size_t end = std::min<size_t>(begin + kRun, last);
-    const bool few =
-        gather(begin, end, b, radii, [&](uint32_t run) { return sight.may_see(begin, end, run); }, near);
+    const bool few = gather(begin, end, b, radii, [&](uint32_t run) { return sight.share(begin, end, run); }, near);
     for (size_t from = begin, to = begin; from < end; from = to) {
       const uint32_t kind = sight.kind[from];
       while (to < end && sight.kind[to] == kind) ++to;

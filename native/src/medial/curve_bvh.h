@@ -56,14 +56,17 @@ class CurveBvh {
   void largest_balls(size_t first, size_t last, std::span<const std::array<Eigen::Vector3d, 2>> b,
                      std::span<std::array<double, 2>> radii, std::span<std::array<uint32_t, 2>> touched = {}) const;
 
+  /// How many points of a run count for some others: none for any, maybe some, or all for each.
+  enum class Share : uint8_t { kNothing, kMaybe, kAll };
+
   /// Which points count for the balls of which.
   struct Sight {
     std::span<const uint32_t> kind;  ///< per point; for points of one kind the same count
     /// A bit for each point of a run: whether it counts for points of a kind.
     std::function<uint32_t(uint32_t kind, uint32_t run)> seen;
-    /// Whether any point of a run may count for any of the points first .. last - 1, kRun at most; false saves asking
-    /// for each of them.
-    std::function<bool(size_t first, size_t last, uint32_t run)> may_see;
+    /// How many points of a run count for the points first .. last - 1, kRun at most; what is known of all of them
+    /// saves asking for each.
+    std::function<Share(size_t first, size_t last, uint32_t run)> share;
   };
 
   /// The same, where some points are not to count. Of several points that limit a ball alike `touched`, which is not
@@ -125,12 +128,14 @@ class CurveBvh {
     static constexpr uint32_t kMost = 64;
     float low[3][kMost], high[3][kMost];
     uint32_t run[kMost];
+    Share share[kMost];  // how much of them counts
     uint32_t count;
   };
-  /// The runs that the balls of some neighbours may meet and that `wanted`; false if there are too many.
-  template <class Wanted>
+  /// The runs that the balls of some neighbours may meet, but those of which share(run) is nothing; false if there are too
+  /// many.
+  template <class ShareOf>
   bool gather(size_t begin, size_t end, std::span<const std::array<Eigen::Vector3d, 2>> b,
-              std::span<const std::array<double, 2>> radii, const Wanted& wanted, Candidates& near) const;
+              std::span<const std::array<double, 2>> radii, const ShareOf& share, Candidates& near) const;
   /// The points of a run inside of a ball, or as good as on it: a bit each.
   uint32_t lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double radius) const;
   template <class Shrink>
@@ -169,7 +174,7 @@ class CurveBvh {
   class Seen {
    public:
     Seen(const Candidates& near, const Sight& sight, uint32_t kind) : near_(near), sight_(sight), kind_(kind) {
-      std::fill(lanes_.begin(), lanes_.begin() + near.count, kUnknown);
+      for (uint32_t k = 0; k < near.count; ++k) lanes_[k] = near.share[k] == Share::kAll ? kAll : kUnknown;
     }
     /// Whether it is known already that they see nothing of a candidate.
     bool known_blind(uint32_t candidate) const { return lanes_[candidate] == 0; }
@@ -180,7 +185,7 @@ class CurveBvh {
     }
 
    private:
-    static constexpr uint16_t kUnknown = 1u << 15;
+    static constexpr uint16_t kUnknown = 1u << 15, kAll = (1u << kRun) - 1;
     const Candidates& near_;
     const Sight& sight_;
     uint32_t kind_;
@@ -189,8 +194,8 @@ class CurveBvh {
 
   bool shrinks_to(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
                   uint32_t* touched) const;
-  template <class Wanted>
-  bool runs_near(const Box& box, const Wanted& wanted, Candidates& found) const;
+  template <class ShareOf>
+  bool runs_near(const Box& box, const ShareOf& share, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                             uint32_t& limiting, uint32_t& touched) const;
   double largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x, const Eigen::Vector3d& b,

@@ -39,38 +39,54 @@ Obstacles::Run::Run(const SurfacePatches& patches, std::span<const uint32_t> run
   mean /= static_cast<double>(run.size());
   spread = 0;
   one_sided = one_sided_measuring = hides_other_side_only = true;
+  sheet = patches.sheet_of(run[0]);
   for (const uint32_t patch : run) {
     spread = std::max(spread, (patches.normal(patch) - mean).norm());
     one_sided = one_sided && passes_over_away(patches, patch, false);
     one_sided_measuring = one_sided_measuring && passes_over_away(patches, patch, true);
     hides_other_side_only = hides_other_side_only && !patches.hides_same_side(patch);
+    if (patches.sheet_of(patch) != sheet) sheet = kNone;
   }
 }
 
 uint32_t GeodesicScene::lanes_seen(uint32_t patch, uint32_t run) const {
   const std::span<const uint32_t> there = obstacles.patches();
   const size_t first = size_t{run} * CurveBvh::kRun, end = std::min(first + CurveBvh::kRun, there.size());
-  if (!patches.hides_same_side(patch) && obstacles.same_side(run, patches.normal(patch))) {
-    return (1u << (end - first)) - 1;
-  }
+  const Vec3& normal = patches.normal(patch);
+  const bool passes_over_away = one_sided(patch);
+  if (passes_over_away && obstacles.faces_away(run, normal)) return 0;
+  const bool hides_away_only =
+      !patches.hides_same_side(patch) || obstacles.on_one_sheet(run, patches.sheet_of(patch));
+  if (hides_away_only && obstacles.same_side(run, normal)) return (1u << (end - first)) - 1;
   uint32_t lanes = 0;
   bool seen = false;
   for (size_t j = first; j < end; ++j) {
-    if (j == first || there[j] != there[j - 1]) seen = patch_sees(patch, there[j]);
+    if (j == first || there[j] != there[j - 1]) {
+      const bool away = passes_over_away && patches.opposite(patch, there[j]);
+      seen = !away && !patches.hidden(patch, there[j]);
+    }
     lanes |= (seen ? 1u : 0u) << (j - first);
   }
   return lanes;
 }
 
-bool GeodesicScene::any_seen(size_t first, size_t last, uint32_t run) const {
-  const std::span<const uint32_t> there = obstacles.patches();
-  const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, there.size());
+CurveBvh::Share GeodesicScene::share_seen(size_t first, size_t last, uint32_t run) const {
+  using enum CurveBvh::Share;
   const size_t own_run = first / CurveBvh::kRun;
   if ((last - 1) / CurveBvh::kRun == own_run) {
     const Obstacles::Facing facing = obstacles.facing(own_run, run);
-    if (facing == Obstacles::Facing::kAway && obstacles.all_one_sided(own_run, measure)) return false;
-    if (facing == Obstacles::Facing::kAlike && obstacles.hides_other_side_only(own_run)) return true;
+    if (facing == Obstacles::Facing::kAway && obstacles.all_one_sided(own_run, measure)) return kNothing;
+    if (facing == Obstacles::Facing::kAlike && obstacles.hides_other_side_only(own_run, run)) return kAll;
   }
+  // What is on part of a sheet, or of two, is hardly ever hidden as a whole.
+  if (!obstacles.on_different_sheets(own_run, run)) return kMaybe;
+  return any_seen(first, last, run) ? kMaybe : kNothing;
+}
+
+/// Whether any of the nodes first .. last - 1 sees any point of a run.
+bool GeodesicScene::any_seen(size_t first, size_t last, uint32_t run) const {
+  const std::span<const uint32_t> there = obstacles.patches();
+  const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, there.size());
   for (size_t i = first; i < last; ++i) {
     const uint32_t own = there[i];
     if (i > first && own == there[i - 1]) continue;

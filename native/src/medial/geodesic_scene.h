@@ -44,8 +44,16 @@ class Obstacles {
   bool all_one_sided(size_t run, bool measure) const {
     return measure ? runs_[run].one_sided_measuring : runs_[run].one_sided;
   }
-  /// Whether nothing is hidden from any of it but what faces away.
-  bool hides_other_side_only(size_t run) const { return runs_[run].hides_other_side_only; }
+  /// Whether nothing in run b is hidden from anything in run a but what faces away. May be false where that holds.
+  bool hides_other_side_only(size_t a, size_t b) const {
+    return runs_[a].hides_other_side_only || runs_[a].on_one_sheet_with(runs_[b].sheet);
+  }
+  /// Whether all that lies in a run is on one sheet with a patch, of which see SurfacePatches::sheet_of.
+  bool on_one_sheet(size_t run, uint32_t sheet) const { return runs_[run].on_one_sheet_with(sheet); }
+  /// Whether all of one run lies on one sheet, and all of the other on another one.
+  bool on_different_sheets(size_t a, size_t b) const {
+    return runs_[a].sheet != kNone && runs_[b].sheet != kNone && runs_[a].sheet != runs_[b].sheet;
+  }
   /// Whether all that lies in a run faces away from a normal. May be false where it does.
   bool faces_away(size_t run, const Vec3& normal) const { return runs_[run].faces_away(normal); }
   /// Whether nothing that lies in a run faces away from a normal. May be false where nothing does.
@@ -59,6 +67,7 @@ class Obstacles {
     Vec3 mean = Vec3::Zero();
     double spread = kAnywhere;
     bool one_sided = false, one_sided_measuring = false, hides_other_side_only = false;
+    uint32_t sheet = kNone;  // that all of it lies on; kNone where there are several, or it is not known
 
     Run() = default;
     Run(const SurfacePatches& patches, std::span<const uint32_t> run);
@@ -68,6 +77,7 @@ class Obstacles {
       if (both + more < SurfacePatches::kOpposite) return Facing::kAway;
       return both - more >= SurfacePatches::kOpposite ? Facing::kAlike : Facing::kUnknown;
     }
+    bool on_one_sheet_with(uint32_t other) const { return sheet == other && sheet != kNone; }
     bool faces_away(const Vec3& normal) const { return mean.dot(normal) + spread < SurfacePatches::kOpposite; }
     bool same_side(const Vec3& normal) const { return mean.dot(normal) - spread >= SurfacePatches::kOpposite; }
   };
@@ -100,7 +110,10 @@ struct GeodesicScene {
 
   /// A bit for each point of a run of the tree that a patch sees.
   uint32_t lanes_seen(uint32_t patch, uint32_t run) const;
-  /// Whether any of the nodes first .. last - 1 sees any point of a run.
+  /// How many points of a run the nodes first .. last - 1 see.
+  CurveBvh::Share share_seen(size_t first, size_t last, uint32_t run) const;
+
+ private:
   bool any_seen(size_t first, size_t last, uint32_t run) const;
 };
 
