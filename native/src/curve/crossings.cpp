@@ -12,8 +12,10 @@ namespace {
 
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
-/// Segments, and faces, that a thread takes at a time: few faces of a coarse mesh, which hold many pieces.
-constexpr size_t kSegmentsPerBlock = 1024;
+/// The path of the segment this many places on is fetched while the pieces of another one are put down.
+constexpr uint32_t kAhead = 8;
+
+/// Faces that a thread takes at a time: few of a coarse mesh, which hold many pieces.
 constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
 
 bool same(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
@@ -139,18 +141,18 @@ void CrossingTest::mark(const Surface& surface, const Curve& curve, ThreadPool& 
 }
 
 /// The pieces that may have to be tested: all, or those in marked faces.
-void CrossingTest::collect(const Curve& curve, ThreadPool& pool, bool only_marked) {
-  pieces_.resize(ThreadPool::block_count(curve.size(), kSegmentsPerBlock));
-  pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
-    std::vector<Piece>& pieces = pieces_[block];
-    pieces.clear();
-    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
-      if (!curve.has_segment(i)) continue;
-      curve.pieces_of(i, [&](const Piece& piece) {
-        if (!only_marked || marked_[piece.face]) pieces.push_back(piece);
-      });
-    }
-  });
+void CrossingTest::collect(const Curve& curve, size_t block, bool only_marked) {
+  std::vector<Piece>& pieces = pieces_[block];
+  pieces.clear();
+  const auto begin = static_cast<uint32_t>(block * kSegmentsPerBlock);
+  const auto end = static_cast<uint32_t>(std::min<size_t>(begin + kSegmentsPerBlock, curve.size()));
+  for (uint32_t i = begin; i < end; ++i) {
+    if (i + kAhead < end) fetch(curve.paths[i + kAhead]);
+    if (!curve.has_segment(i)) continue;
+    curve.pieces_of(i, [&](const Piece& piece) {
+      if (!only_marked || marked_[piece.face]) pieces.push_back(piece);
+    });
+  }
 }
 
 /// A counting sort by face that touches only the faces which the curve runs through: a fine mesh has many
@@ -186,7 +188,14 @@ void CrossingTest::sort(const Surface& surface) {
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool& pool,
                          const std::vector<uint8_t>* changed) {
   if (changed) mark(surface, curve, pool, *changed);
-  collect(curve, pool, changed != nullptr);
+  begin(curve);
+  pool.for_blocks(curve.size(), kSegmentsPerBlock,
+                  [&](size_t block, size_t, size_t) { collect(curve, block, changed != nullptr); });
+  return find_among_pieces(surface, curve, pool, changed);
+}
+
+Pairs CrossingTest::find_among_pieces(const Surface& surface, const Curve& curve, ThreadPool& pool,
+                                      const std::vector<uint8_t>* changed) {
   sort(surface);
   const size_t faces_per_block = std::clamp<size_t>(occupied_.size() / kMostBlocksOfFaces, 1, kMostFacesPerBlock);
   std::vector<Pairs> found(ThreadPool::block_count(occupied_.size(), faces_per_block));

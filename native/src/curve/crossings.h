@@ -24,9 +24,22 @@ class CrossingTest {
   std::vector<std::pair<uint32_t, uint32_t>> find(const Surface& surface, const Curve& curve, ThreadPool& pool,
                                                   const std::vector<uint8_t>* changed = nullptr);
 
+  /// find() in three steps, for whoever makes the segments in blocks: their pieces are taken while the paths are still
+  /// in the caches, which on a fine mesh costs less than fetching them once more. begin() comes first, then collect()
+  /// once for every block of kSegmentsPerBlock segments, by any threads, then find_collected().
+  void begin(const Curve& curve) { pieces_.resize(ThreadPool::block_count(curve.size(), kSegmentsPerBlock)); }
+  void collect(const Curve& curve, size_t block) { collect(curve, block, false); }
+  std::vector<std::pair<uint32_t, uint32_t>> find_collected(const Surface& surface, const Curve& curve,
+                                                            ThreadPool& pool) {
+    return find_among_pieces(surface, curve, pool, nullptr);
+  }
+  static constexpr size_t kSegmentsPerBlock = 256;
+
  private:
   void mark(const Surface& surface, const Curve& curve, ThreadPool& pool, const std::vector<uint8_t>& changed);
-  void collect(const Curve& curve, ThreadPool& pool, bool only_marked);
+  void collect(const Curve& curve, size_t block, bool only_marked);
+  std::vector<std::pair<uint32_t, uint32_t>> find_among_pieces(const Surface& surface, const Curve& curve,
+                                                               ThreadPool& pool, const std::vector<uint8_t>* changed);
   void sort(const Surface& surface);
 
   std::vector<std::vector<Piece>> pieces_;  // by blocks of segments, in order

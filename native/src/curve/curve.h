@@ -14,6 +14,10 @@ namespace meander {
 /// The edges that a segment crosses between its two nodes.
 using Path = std::vector<Crossing>;
 
+/// Begins to fetch the crossings of a path: each has memory of its own somewhere, so who goes through many of them asks
+/// for them some segments ahead.
+inline void fetch(const Path& path) { __builtin_prefetch(path.data()); }
+
 /// Nodes first .. first + count - 1, in order. A closed strand also joins the last to the first.
 /// All nodes of a guide are fixed, and those that are added to it are as well.
 struct Strand {

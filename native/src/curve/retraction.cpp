@@ -12,7 +12,8 @@
 namespace meander {
 namespace {
 
-constexpr size_t kBlock = 256;
+/// Segments that a thread joins at a time.
+constexpr size_t kBlock = CrossingTest::kSegmentsPerBlock;
 
 /// The faces of the segment this many places on are fetched while another one is joined: on a fine mesh
 /// that costs less than to wait for them.
@@ -65,7 +66,7 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const NodeData<Ve
   seconds.retract += watch.lap();
   reconnect(surface, curve, displacement, nullptr, pool);
   seconds.reconnect += watch.lap();
-  auto pairs = test_.find(surface, next_, pool);
+  auto pairs = test_.find_collected(surface, next_, pool);
   seconds.crossings += watch.lap();
   for (int attempt = 1; !pairs.empty(); ++attempt) {
     back_off(curve, pairs, attempt);
@@ -112,18 +113,24 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const NodeDat
   });
 }
 
-/// Joins the moved nodes again. Where they have walked over many faces the new segment is first guessed: a
+/// Joins the moved nodes again, and where all are joined collects the segments for the test. Where they have walked over many faces the new segment is first guessed: a
 /// straight walk costs the faces that it crosses, while a path that follows its ends is led over all the
 /// vertices that they have passed by. A guess might come to the same place by another path around a handle
 /// or a hole, so the surface must have none.
 void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
                            const std::vector<uint8_t>* only, ThreadPool& pool) {
   const bool may_guess = surface.simply_connected();
-  pool.for_blocks(old.size(), kBlock, [&](size_t, size_t first, size_t last) {
+  if (!only) test_.begin(next_);
+  pool.for_blocks(old.size(), kBlock, [&](size_t block, size_t first, size_t last) {
     const auto begin = static_cast<uint32_t>(first), end = static_cast<uint32_t>(last);
     PathShortener shortener(surface);
     std::vector<uint32_t> far;  // segments to be guessed; the others are joined at once
     for (uint32_t i = begin; i < end; ++i) {
+      if (i + 2 * kAhead < end) {
+        fetch(old.paths[i + 2 * kAhead]);
+        fetch(traces_[i + 2 * kAhead]);
+        fetch(next_.paths[i + 2 * kAhead]);
+      }
       if (i + kAhead < end) {
         for (const Crossing& c : old.paths[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
         for (const Crossing& c : traces_[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
@@ -143,6 +150,7 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeD
       }
     }
     guess(surface, old, displacement, far, shortener);
+    if (!only) test_.collect(next_, block);
   });
 }
 
@@ -213,24 +221,31 @@ Vec2 Retraction::chord(const Surface& surface, const Curve& old, const NodeData<
   return trace.carried(shape.length * shape.leaving + step_there - step_here);
 }
 
-/// Marks the nodes of a strand up to `reach` beyond a marked one, in both directions: twice around a closed
-/// strand in each, since what starts before the join goes on after it.
+/// Marks the nodes of a strand up to `reach` beyond a marked one, in both directions, and in a closed strand across the
+/// place where it is joined.
 void Retraction::spread(const Strand& strand, uint32_t reach) {
   if (reach == 0) return;
-  const uint32_t rounds = strand.closed ? 2 : 1;
-  marked_.assign(node_changed_.begin() + strand.first, node_changed_.begin() + strand.end());
-  for (const bool forward : {true, false}) {
-    uint32_t left = 0;  // how much farther the last marked node reaches
-    for (uint32_t k = 0; k < rounds * strand.count; ++k) {
-      const uint32_t i = forward ? k % strand.count : strand.count - 1 - k % strand.count;
-      if (marked_[i]) {
-        left = reach;
-      } else if (left > 0) {
-        node_changed_[strand.first + i] = 1;
-        --left;
-      }
+  marked_.clear();
+  for (uint32_t k = 0; k < strand.count; ++k) {
+    if (node_changed_[strand.first + k]) marked_.push_back(k);
+  }
+  // Between one marked node and the next, from both of them.
+  for (size_t m = 0; m < marked_.size(); ++m) {
+    const bool last = m + 1 == marked_.size();
+    if (last && !strand.closed) break;
+    const uint32_t from = marked_[m], to = last ? marked_[0] + strand.count : marked_[m + 1];
+    const auto mark = [&](uint32_t k) { node_changed_[strand.first + k % strand.count] = 1; };
+    const uint32_t steps = std::min(reach, to - from - 1);
+    for (uint32_t k = 1; k <= steps; ++k) {
+      mark(from + k);
+      mark(to - k);
     }
   }
+  if (marked_.empty() || strand.closed) return;
+  const uint32_t before = std::min(reach, marked_.front()), after = std::min(reach, strand.count - 1 - marked_.back());
+  const auto at = [&](uint32_t k) { return node_changed_.begin() + strand.first + k; };
+  std::fill(at(marked_.front() - before), at(marked_.front()), uint8_t{1});
+  std::fill(at(marked_.back()), at(marked_.back() + after + 1), uint8_t{1});
 }
 
 void Retraction::back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs,

@@ -68,7 +68,7 @@ class Retraction {
   std::vector<double> share_;           // of the displacement that a node takes
   NodeData<double> moved_;              // how far it has gone
   std::vector<uint8_t> node_changed_, segment_changed_;
-  std::vector<uint8_t> marked_;
+  std::vector<uint32_t> marked_;        // nodes of a strand, from its first on
 };
 
 }  // namespace meander
