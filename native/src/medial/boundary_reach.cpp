@@ -209,7 +209,8 @@ class ReachFinder {
     const double most = scene_.metric.max_radius[i], least = rest(i);
     double distance = side.distance;
     if (side.corners) {
-      const double corner = distance_to_corner(i, side.side, least);
+      // Only those matter that are nearer than what is straight ahead.
+      const double corner = distance_to_corner(i, side.side, std::min(least, distance));
       if (corner < least) distance = std::min(distance, corner);
     }
     ReachOfSide r;
