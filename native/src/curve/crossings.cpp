@@ -13,7 +13,7 @@ namespace {
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
 /// The path of the segment this many places on is fetched while the pieces of another one are put down.
-constexpr uint32_t kAhead = 8;
+constexpr uint32_t kPathsAhead = 8;
 
 /// Faces that a thread takes at a time: few of a coarse mesh, which hold many pieces.
 constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
@@ -147,7 +147,7 @@ void CrossingTest::collect(const Curve& curve, size_t block, bool only_marked) {
   const auto begin = static_cast<uint32_t>(block * kSegmentsPerBlock);
   const auto end = static_cast<uint32_t>(std::min<size_t>(begin + kSegmentsPerBlock, curve.size()));
   for (uint32_t i = begin; i < end; ++i) {
-    if (i + kAhead < end) fetch(curve.paths[i + kAhead]);
+    if (i + kPathsAhead < end) fetch(curve.paths[i + kPathsAhead]);
     if (!curve.has_segment(i)) continue;
     curve.pieces_of(i, [&](const Piece& piece) {
       if (!only_marked || marked_[piece.face]) pieces.push_back(piece);
