@@ -6,8 +6,8 @@
 
 #include <functional>
 #include <map>
+#include <numeric>
 #include <queue>
-#include <ranges>
 #include <set>
 
 #include "geodesic/surface_patches.h"
@@ -591,7 +591,8 @@ TEST(SurfacePatches, LieOnSheets) {
     SCOPED_TRACE(shape.name);
     const Cut c(shape.mesh);
     const SurfacePatches& patches = c.patches;
-    const auto all = std::views::iota(0u, patches.count());
+    std::vector<uint32_t> all(patches.count());
+    std::iota(all.begin(), all.end(), 0u);
     if (std::ranges::none_of(all, [&](uint32_t p) { return patches.hides_same_side(p); })) {
       EXPECT_TRUE(std::ranges::all_of(all, [&](uint32_t p) { return patches.sheet_of(p) == kNone; }));
       continue;

@@ -71,16 +71,16 @@ uint32_t GeodesicScene::lanes_seen(uint32_t patch, uint32_t run) const {
 }
 
 CurveBvh::Share GeodesicScene::share_seen(size_t first, size_t last, uint32_t run) const {
-  using enum CurveBvh::Share;
+  using Share = CurveBvh::Share;
   const size_t own_run = first / CurveBvh::kRun;
   if ((last - 1) / CurveBvh::kRun == own_run) {
     const Obstacles::Facing facing = obstacles.facing(own_run, run);
-    if (facing == Obstacles::Facing::kAway && obstacles.all_one_sided(own_run, measure)) return kNothing;
-    if (facing == Obstacles::Facing::kAlike && obstacles.hides_other_side_only(own_run, run)) return kAll;
+    if (facing == Obstacles::Facing::kAway && obstacles.all_one_sided(own_run, measure)) return Share::kNothing;
+    if (facing == Obstacles::Facing::kAlike && obstacles.hides_other_side_only(own_run, run)) return Share::kAll;
   }
   // What is on part of a sheet, or of two, is hardly ever hidden as a whole.
-  if (!obstacles.on_different_sheets(own_run, run)) return kMaybe;
-  return any_seen(first, last, run) ? kMaybe : kNothing;
+  if (!obstacles.on_different_sheets(own_run, run)) return Share::kMaybe;
+  return any_seen(first, last, run) ? Share::kMaybe : Share::kNothing;
 }
 
 /// Whether any of the nodes first .. last - 1 sees any point of a run.
