@@ -439,8 +439,6 @@ void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::arr
   }
 }
 
-/// The same among all runs. What is seen is asked once for each run: where this is needed a ball holds very many
-/// points, and hardly any of them may be seen.
 double CurveBvh::largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x,
                                       const Eigen::Vector3d& b, double most, uint32_t& touched) const {
   touched = UINT32_MAX;

@@ -75,6 +75,10 @@ class CurveBvh {
                           const Sight& sight, std::span<std::array<double, 2>> radii,
                           std::span<std::array<uint32_t, 2>> touched) const;
 
+  /// largest_ball among what counts for points of a kind; what counts is asked once for each run.
+  double largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
+                              double most, uint32_t& touched) const;
+
   /// largest_ball without the points j of which counts(j) is false.
   template <class Counts>
   double largest_ball_seen(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most, const Counts& counts,
@@ -198,8 +202,6 @@ class CurveBvh {
   bool runs_near(const Box& box, const ShareOf& share, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                             uint32_t& limiting, uint32_t& touched) const;
-  double largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
-                              double most, uint32_t& touched) const;
   double largest_ball_seen_among(const Candidates& near, Seen& seen, const Eigen::Vector3d& x,
                                  const Eigen::Vector3d& b, double most, uint32_t& limiting, uint32_t& touched) const;
   uint32_t add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool);

@@ -86,8 +86,7 @@ class BallsOfRun {
     if (!(radius < start) && radius < most) {
       const Vec3 &x = scene_.frames.position[i], &outward = scene_.frames.outward[i][side];
       radius = scene_.sees_all(patch) ? scene_.tree.largest_ball(x, outward, most, creased ? &touched : nullptr)
-                               : scene_.tree.largest_ball_seen(
-                                     x, outward, most, [&](uint32_t j) { return scene_.sees(i, j); }, touched);
+                                      : scene_.tree.largest_ball_of_kind(sight_, patch, x, outward, most, touched);
     }
     if (creased) radius = measure(i, side, start, touched);
   }
