@@ -171,7 +171,8 @@ CurveBvh::Sight sight_of(const std::vector<uint32_t>& kind, const Sees& sees) {
               for (size_t j = begin; j < end; ++j) seen += sees(kind[i], static_cast<uint32_t>(j));
             }
             const size_t all = (last - first) * (end - begin);
-            return seen == 0 ? CurveBvh::Share::kNothing : seen == all ? CurveBvh::Share::kAll : CurveBvh::Share::kMaybe;
+            if (seen == 0) return CurveBvh::Share::kNothing;
+            return seen == all ? CurveBvh::Share::kAll : CurveBvh::Share::kMaybe;
           }};
 }
 

@@ -113,10 +113,10 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const NodeDat
   });
 }
 
-/// Joins the moved nodes again, and where all are joined collects the segments for the test. Where they have walked over many faces the new segment is first guessed: a
-/// straight walk costs the faces that it crosses, while a path that follows its ends is led over all the
-/// vertices that they have passed by. A guess might come to the same place by another path around a handle
-/// or a hole, so the surface must have none.
+/// Joins the moved nodes again; where all are joined, the crossing test takes their segments. Where nodes have walked
+/// over many faces the new segment is first guessed: a straight walk costs the faces that it crosses, while a path that
+/// follows its ends is led over all the vertices that they have passed by. A guess might come to the same place by
+/// another path around a handle or a hole, so the surface must have none.
 void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
                            const std::vector<uint8_t>* only, ThreadPool& pool) {
   const bool may_guess = surface.simply_connected();
@@ -242,10 +242,10 @@ void Retraction::spread(const Strand& strand, uint32_t reach) {
     }
   }
   if (marked_.empty() || strand.closed) return;
-  const uint32_t before = std::min(reach, marked_.front()), after = std::min(reach, strand.count - 1 - marked_.back());
+  const uint32_t front = marked_.front(), back = marked_.back();
   const auto at = [&](uint32_t k) { return node_changed_.begin() + strand.first + k; };
-  std::fill(at(marked_.front() - before), at(marked_.front()), uint8_t{1});
-  std::fill(at(marked_.back()), at(marked_.back() + after + 1), uint8_t{1});
+  std::fill(at(front - std::min(reach, front)), at(front), uint8_t{1});
+  std::fill(at(back), at(back + std::min(reach, strand.count - 1 - back) + 1), uint8_t{1});
 }
 
 void Retraction::back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs,

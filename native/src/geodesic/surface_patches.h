@@ -45,8 +45,8 @@ class SurfacePatches {
   bool hides(uint32_t p) const { return traits_[p].hides; }
   /// Whether any is that does not face away from p, as the layer after the next of a folded cloth.
   bool hides_same_side(uint32_t p) const { return traits_[p].hides_same_side; }
-  /// Of two patches of the same sheet none is hidden from the other, as on one layer of a folded cloth. Not known, kNone
-  /// for all, where no patch hides what is on its side: then what is opposite is all that may be hidden.
+  /// Of two patches of the same sheet none is hidden from the other, as on one layer of a folded cloth. It is not
+  /// known, kNone for all, where no patch hides what is on its side: then only what is opposite may be hidden.
   uint32_t sheet_of(uint32_t p) const { return sheet_[p]; }
   /// Whether any patch within a few r of p through space faces away from it, hidden or round an edge.
   bool opposed(uint32_t p) const { return traits_[p].opposed; }

@@ -266,7 +266,7 @@ void CurveBvh::visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double&
   visit_runs(x, b, radius, shrink);
 }
 
-/// All runs whose boxes meet this one and of which share(run) is not nothing; false if there are too many.
+/// All runs whose boxes meet this one, but for those of which nothing counts; false if there are too many.
 template <class ShareOf>
 bool CurveBvh::runs_near(const Box& box, const ShareOf& share, Candidates& found) const {
   found.count = 0;

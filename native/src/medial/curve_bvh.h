@@ -75,7 +75,8 @@ class CurveBvh {
                           const Sight& sight, std::span<std::array<double, 2>> radii,
                           std::span<std::array<uint32_t, 2>> touched) const;
 
-  /// largest_ball among what counts for points of a kind; what counts is asked once for each run.
+  /// largest_ball among what counts for points of a kind; what counts is asked once for each run. `touched` receives
+  /// the first point that limits it, UINT32_MAX if none does.
   double largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
                               double most, uint32_t& touched) const;
 
@@ -135,8 +136,8 @@ class CurveBvh {
     Share share[kMost];  // how much of them counts
     uint32_t count;
   };
-  /// The runs that the balls of some neighbours may meet, but those of which share(run) is nothing; false if there are too
-  /// many.
+  /// The runs that the balls of some neighbours may meet, but for those of which nothing counts by share(run); false if
+  /// there are too many.
   template <class ShareOf>
   bool gather(size_t begin, size_t end, std::span<const std::array<Eigen::Vector3d, 2>> b,
               std::span<const std::array<double, 2>> radii, const ShareOf& share, Candidates& near) const;

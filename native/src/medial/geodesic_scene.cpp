@@ -53,18 +53,14 @@ uint32_t GeodesicScene::lanes_seen(uint32_t patch, uint32_t run) const {
   const std::span<const uint32_t> there = obstacles.patches();
   const size_t first = size_t{run} * CurveBvh::kRun, end = std::min(first + CurveBvh::kRun, there.size());
   const Vec3& normal = patches.normal(patch);
-  const bool passes_over_away = one_sided(patch);
-  if (passes_over_away && obstacles.faces_away(run, normal)) return 0;
+  if (one_sided(patch) && obstacles.faces_away(run, normal)) return 0;
   const bool hides_away_only =
       !patches.hides_same_side(patch) || obstacles.on_one_sheet(run, patches.sheet_of(patch));
   if (hides_away_only && obstacles.same_side(run, normal)) return (1u << (end - first)) - 1;
   uint32_t lanes = 0;
   bool seen = false;
   for (size_t j = first; j < end; ++j) {
-    if (j == first || there[j] != there[j - 1]) {
-      const bool away = passes_over_away && patches.opposite(patch, there[j]);
-      seen = !away && !patches.hidden(patch, there[j]);
-    }
+    if (j == first || there[j] != there[j - 1]) seen = patch_sees(patch, there[j]);
     lanes |= (seen ? 1u : 0u) << (j - first);
   }
   return lanes;
