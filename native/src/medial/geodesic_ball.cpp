@@ -15,6 +15,9 @@ constexpr double kAlike = 0.7, kRise = 0.36;
 /// behind the edge, it is another ball.
 constexpr double kAhead = 0.98;
 
+/// And if its radius differs by no more than this share in the plane of the node's face.
+constexpr double kAgrees = 0.04;
+
 /// Where the two directions differ more than this (a cosine), as round the edge of a blade, what limits the straight
 /// ball is no help in finding what limits the ball along the surface.
 constexpr double kStraightOn = 0.7;
@@ -55,7 +58,7 @@ constexpr double kStep = 0.6, kAround = 0.6;
 constexpr double kBeside = 0.6, kAsLarge = 1.1;
 
 /// A point is seen in the plane of another face if their normals differ by less than this cosine.
-constexpr double kNearlyFlat = 0.9;
+constexpr double kNearlyFlat = 0.95;
 
 }  // namespace
 
@@ -75,8 +78,11 @@ double GeodesicBall::largest(uint32_t node, size_t side, double straight, uint32
   straight_on_ = along >= kStraightOn;
   certain = certain && straight_on_ && (straight <= kWide * r || !patches.sharp(patch));
   // On a limb about r thick straight balls are off by up to an eighth, however alike the normals are.
-  const bool flat = patches.to_bend(patch) > 1.5 * straight && (along >= kAhead || !holds_crease(straight));
-  if (certain && flat && alike(touched)) return straight;
+  const bool flat =
+      certain && patches.to_bend(patch) > 1.5 * straight &&
+      ((along >= kAhead && agrees(straight, touched)) || !holds_crease(straight));
+  if (flat && alike(touched)) return straight;
+  note_own();
   const bool opposite = certain && patches.opposite(patch, scene_.obstacles.patch(touched));
   searched_ = !certain || opposite || !measure(straight, touched, most);
   if (searched_) search_below(likely);
@@ -99,6 +105,14 @@ bool GeodesicBall::alike(uint32_t p) const {
   const Vec3 d = scene_.obstacles.positions()[p] - scene_.obstacles.positions()[node_];
   const double rise = kRise * d.norm();
   return std::abs(d.dot(a)) <= rise && std::abs(d.dot(b)) <= rise;
+}
+
+/// Whether what limits the straight ball limits one of about that size in the plane of the node's face as well. Beside
+/// an edge the two directions differ a little, which makes another ball of a point that lies almost to the side.
+bool GeodesicBall::agrees(double straight, uint32_t p) const {
+  const Vec3 d = scene_.obstacles.positions()[p] - scene_.obstacles.positions()[node_];
+  const double ahead = d.dot(scene_.surface.to_space(face(), ahead_));
+  return std::abs(d.squaredNorm() - 2 * ahead * straight) <= kAgrees * d.squaredNorm();
 }
 
 /// Measures what limits the straight ball, and then what limits it next. False if that is not to be had, as where
@@ -130,6 +144,22 @@ bool GeodesicBall::counts(uint32_t j) const {
   return scene_.sees(node_, j);
 }
 
+/// Notes the neighbours of the node on its strand, each by a line of its own: they lie almost to the side, where a
+/// small error of a place, or of a direction, makes another ball of them.
+void GeodesicBall::note_own() {
+  const Curve& curve = scene_.curve;
+  own_ = {curve.previous(node_), curve.next(node_)};
+  for (uint32_t& q : own_) {
+    if (q == kNone) continue;
+    Chart chart = here();
+    if (chart.advance_to(scene_.surface, curve.nodes[q], scene_.frames.position[q], r_)) {
+      note(chart.place);
+    } else {
+      q = kNone;
+    }
+  }
+}
+
 void GeodesicBall::note(Vec2 place) {
   const double ahead = dot(place, ahead_);
   if (ahead > 0) least_ = std::min(least_, dot(place, place) / (2 * ahead));
@@ -146,6 +176,7 @@ void GeodesicBall::note_neighbours(uint32_t p, const Chart& seen) {
     for (uint32_t k = 0; k < kNeighbours; ++k) {
       q = forward ? curve.next(q) : curve.previous(q);
       if (q == kNone || q == node_) break;
+      if (is_own(q)) continue;
       const double before = least_;
       const SurfacePoint& at = curve.nodes[q];
       const Vec3& position = scene_.frames.position[q];
@@ -214,8 +245,8 @@ void GeodesicBall::search() {
   const bool flat_known = straight_on_ && !scene_.patches.bent(scene_.obstacles.patch(node_));
   if (flat_known) {
     uint32_t touched;
-    least_ = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, least_,
-                                           [&](uint32_t j) { return scene_.sees(node_, j) && alike(j); }, touched);
+    const auto counts = [&](uint32_t j) { return !is_own(j) && scene_.sees(node_, j) && alike(j); };
+    least_ = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, least_, counts, touched);
   }
   // Where no crease is within reach of the ball, or in it, that was all.
   const double to_crease = flat_known ? scene_.patches.to_crease(scene_.obstacles.patch(node_)) : 0;
@@ -242,7 +273,7 @@ bool GeodesicBall::seen_from_beside(bool flat_known) {
       if (!chart.advance_to(scene_.surface, curve.nodes[node_], scene_.frames.position[node_], r_)) continue;
       if (dot(chart.place, chart.place) > kBeside * kBeside * r_ * r_) continue;
       for (const auto& [index, place] : there.points) {
-        if (index != node_) note(conj(chart.turn) * (place - chart.place));
+        if (index != node_ && !is_own(index)) note(conj(chart.turn) * (place - chart.place));
       }
       known = std::max(known, there.least);
     }
@@ -316,7 +347,7 @@ bool GeodesicBall::known_already(uint32_t index) const {
 }
 
 void GeodesicBall::come_across(uint32_t index, Vec2 place) {
-  note(place);
+  if (!is_own(index)) note(place);
   sightings_[node_ % CurveBvh::kRun].points.push_back({index, place});
 }
 

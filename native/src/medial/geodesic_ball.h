@@ -3,6 +3,7 @@
 // A medial ball along the surface, measured where the surface is creased.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -54,8 +55,11 @@ class GeodesicBall {
   Chart here() const { return Chart::at(scene_.curve.nodes[node_], scene_.obstacles.positions()[node_]); }
   const Vec3& normal_at(uint32_t p, uint32_t patch) const;
   bool alike(uint32_t p) const;
+  bool agrees(double straight, uint32_t p) const;
   bool measure(double straight, uint32_t touched, double most);
   bool counts(uint32_t j) const;
+  bool is_own(uint32_t index) const { return std::ranges::find(own_, index) != own_.end(); }
+  void note_own();
   void note(Vec2 place);
   void note_neighbours(uint32_t p, const Chart& seen);
   bool holds_crease(double radius) const;
@@ -80,6 +84,7 @@ class GeodesicBall {
   bool searched_ = false;
   uint32_t excluded_count_ = 0;
   std::array<std::array<uint32_t, 2>, kMostStrands> excluded_;
+  std::array<uint32_t, 2> own_{};  // its neighbours on its strand; kNone where no line has led to one
   std::vector<uint32_t> near_centre_;
   std::array<Sighting, CurveBvh::kRun> sightings_;  // of the nodes of a run
 };
