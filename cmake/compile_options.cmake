@@ -36,7 +36,7 @@ endif()
 
 if(MEANDER_SANITIZE)
   target_compile_options(meander_compile_options INTERFACE
-    -fsanitize=${MEANDER_SANITIZE} -fno-omit-frame-pointer -g1)
+    -fsanitize=${MEANDER_SANITIZE} -fno-omit-frame-pointer)
   # Without recovery the first undefined behaviour fails the test instead of only printing a line.
   if(MEANDER_SANITIZE MATCHES "undefined")
     target_compile_options(meander_compile_options INTERFACE -fno-sanitize-recover=undefined)

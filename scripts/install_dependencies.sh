@@ -3,6 +3,7 @@
 #
 # install_dependencies.sh [--bpy VERSION]... [--site] [--farm] [--sanitizers]
 # install_dependencies.sh --package [--emulators]
+# install_dependencies.sh --build
 #
 # Installs what is missing for building, running and testing on Debian 12: Debian's packages with
 # apt-get (through sudo unless root), and for every --bpy a virtual environment
@@ -14,6 +15,8 @@
 # With --package it installs what scripts/package.sh needs and nothing else, no Blender: CMake, and in
 # build/package-tools Zig, which compiles for every platform, and the headers that it needs. With
 # --emulators also Wine, qemu and what else tests/platforms needs.
+#
+# With --build it installs what scripts/build.sh needs and nothing else.
 #
 # Running it again costs nothing: it fetches only what is missing.
 set -euo pipefail
@@ -41,6 +44,7 @@ farm=0
 sanitizers=0
 package_tools=0
 emulators=0
+build_only=0
 while [ $# -gt 0 ]; do
   case "$1" in
     --bpy) bpy_versions+=("${2:?--bpy needs a version, such as 4.5}"); shift 2 ;;
@@ -49,11 +53,14 @@ while [ $# -gt 0 ]; do
     --sanitizers) sanitizers=1; shift ;;
     --package) package_tools=1; shift ;;
     --emulators) emulators=1; shift ;;
-    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] | --package [--emulators]" >&2; exit 2 ;;
+    --build) build_only=1; shift ;;
+    *) echo "usage: $0 [--bpy VERSION]... [--site] [--farm] [--sanitizers] | --package [--emulators] | --build" >&2
+       exit 2 ;;
   esac
 done
 
 wanted=("${build_packages[@]}" "${blender_packages[@]}" "${job_packages[@]}")
+[ $build_only -eq 0 ] || wanted=("${build_packages[@]}")
 [ $package_tools -eq 0 ] || wanted=("${package_packages[@]}")
 [ $emulators -eq 0 ] || wanted+=("${emulator_packages[@]}")
 [ ${#bpy_versions[@]} -eq 0 ] || wanted+=("${bpy_packages[@]}")

@@ -17,16 +17,22 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 
-bash scripts/install_dependencies.sh --bpy 4.5 --site --sanitizers
-bash scripts/install_dependencies.sh --package --emulators
-# Without these two there is nothing to test; everything else is built below, as a test of its own.
-bash scripts/build.sh stage addon
-
-zip=$(ls -t build/meander-*.zip | head -n 1)
 bpy_python=build/bpy-4.5/bin/python
 logs=build/logs
 rm -rf "$logs" build/profiles
 mkdir -p "$logs" build/profiles
+
+bash scripts/install_dependencies.sh --build
+# The rest, Blender and much else, is fetched and unpacked while the first programs are built.
+{
+  bash scripts/install_dependencies.sh --bpy 4.5 --site --sanitizers
+  bash scripts/install_dependencies.sh --package --emulators
+} >"$logs/install.log" 2>&1 &
+installing=$!
+trap 'wait $installing' EXIT # a package manager is not left behind halfway
+# Without these two there is nothing to test; everything else is built below, as a test of its own.
+bash scripts/build.sh stage addon
+zip=$(ls -t build/meander-*.zip | head -n 1)
 
 # None of the user's Blender settings may be read or changed: every suite gets an empty home
 # and an empty profile, 3.4 by three variables, 4.2 and later by BLENDER_USER_RESOURCES.
@@ -121,6 +127,12 @@ window() {
 
 check build 1800 bash scripts/build.sh
 suite native 600 ctest --test-dir build --output-on-failure --no-tests=error -j 2
+
+if ! wait $installing; then
+  cat "$logs/install.log"
+  exit 1
+fi
+trap - EXIT
 
 # What compiles much, but often waits for the linker or for one test: Wine's, or the slowest sanitized
 # one. The library for Windows stands for all platforms that are not this one.
