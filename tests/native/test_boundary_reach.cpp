@@ -244,7 +244,11 @@ TEST_P(PushOfTheBoundary, FeelsCornersAndFallsFasterThanTheDistance) {
         continue;
       }
       corners += corner < straight - 0.1 * rest;
-      EXPECT_LT(driving, distance);
+      if (times > 1 || distance < eased.plan.very_near * rest) {
+        EXPECT_LT(driving, distance);
+      } else {
+        EXPECT_NEAR(driving, distance, kRounding);
+      }
       felt.push_back({distance, driving});
     }
   }
@@ -258,7 +262,7 @@ TEST_P(PushOfTheBoundary, FeelsCornersAndFallsFasterThanTheDistance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Reach, PushOfTheBoundary,
-                         testing::Values(std::pair{0.0, 2.0}, std::pair{0.5, 1.6}, std::pair{1.0, 1.2}));
+                         testing::Values(std::pair{0.0, 2.0}, std::pair{0.5, 1.5}, std::pair{1.0, 1.0}));
 
 }  // namespace
 }  // namespace meander::test

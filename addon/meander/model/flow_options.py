@@ -40,7 +40,7 @@ ROWS: tuple[Option, ...] = (
         default="even",
         choices=(
             ("even", "Even", "Evenly spaced, few hairpins, no gaps"),
-            ("finest", "Finest", "A third fewer hairpins than Even, in about four times the time"),
+            ("finest", "Finest", "A third fewer hairpins than Even, in about five times the time"),
             ("paper", "As Published", "Faster, more winding, less even: the method as published"),
         ),
         field="preset",

@@ -72,7 +72,7 @@ inline constexpr uint32_t kUnmeasuredPolish = 16;
 /// What a ball falls short of at the boundary counts so many times, and with ease so many; below this share of the
 /// distance wanted, so many times again. "flow: Let the boundary push twice as hard ..." and "boundary_reach: Keep
 /// strands from corners ..."; docs/quality.md, on voids at the boundary.
-inline constexpr double kPush = 2, kEasedPush = 1.2;
+inline constexpr double kPush = 2, kEasedPush = 1;
 inline constexpr double kVeryNear = 0.8, kVeryNearPush = 6;
 
 /// The first of these where the flow follows the paper, whose curves stay what they were.
@@ -210,9 +210,9 @@ inline constexpr double kGrownForSure = 0.005;
 
 /// Iterations of the polish with long segments, after a rough removal of hairpins and after a gentle one. With five
 /// iterations for growth 30 instead of 22 leave .004 more near_target and a hairpin less, for 8 % more work (the same
-/// place); 60 instead of 22 make `finest` .005 more even, and packing .02 less different from one surface to another
-/// (docs/quality.md, on `finest`).
-inline constexpr uint32_t kPolishIterations = 22, kLongPolishIterations = 60;
+/// place); 60 instead of 22 make `finest` .005 more even, and packing .02 less different from one surface to another;
+/// 140 let it cover what is left at the same packing (docs/quality.md, on a longer polish).
+inline constexpr uint32_t kPolishIterations = 22, kLongPolishIterations = 140;
 
 /// So many of them fit a finished curve to another spacing, and more of them hardly make it more even: near_target of
 /// bunny after 10, 15, 20 and 30 is .932, .937, .939 and .943 for a spacing a tenth wider, .950, .953, .952 and .956 for
