@@ -92,7 +92,7 @@ class Clearance {
 };
 
 /// Nodes whose reach is found together.
-constexpr size_t kBlock = 512;
+constexpr size_t kNodesPerBlock = 512;
 
 /// The reach of some nodes after another, with the scratch memory of one thread.
 class ReachFinder {
@@ -265,14 +265,14 @@ BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
 
 void compute_reach(const ReachScene& scene, const NodeData<Radii>& likely, ThreadPool& pool, NodeData<Reach>& reach) {
   reach.resize(scene.curve.size());
-  pool.for_blocks(scene.curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(scene.curve.size(), kNodesPerBlock, [&](size_t, size_t begin, size_t end) {
     ReachFinder(scene).find(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), likely, reach);
   });
 }
 
 void complete_reach(const ReachScene& scene, ThreadPool& pool, NodeData<Reach>& reach, NodeData<Radii>& radii) {
   if (scene.boundary.empty()) return;
-  pool.for_blocks(radii.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(radii.size(), kNodesPerBlock, [&](size_t, size_t begin, size_t end) {
     ReachFinder(scene).complete(static_cast<uint32_t>(begin), static_cast<uint32_t>(end), reach, radii);
   });
 }
