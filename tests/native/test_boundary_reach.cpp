@@ -221,7 +221,7 @@ class PushOfTheBoundary : public testing::TestWithParam<std::pair<double, double
 
 /// Below the distance asked for, corners beside the straight line count, and the closer the boundary,
 /// the harder it pushes.
-TEST_P(PushOfTheBoundary, FeelsCornersAndFallsFasterThanTheDistance) {
+TEST_P(PushOfTheBoundary, FeelsCornersAndFallsNoSlowerThanTheDistance) {
   const Scene scene(grid_with_hole(9));
   const double rest = Scene::kRadius;
   const auto [ease, times] = GetParam();
