@@ -33,8 +33,9 @@ constexpr int kMostSteps = 200;
 /// Places that are compared between two asks whether to go on.
 constexpr uint32_t kPieces = 4096;
 
-/// Less gain than this (relative) is rounding.
-constexpr double kGain = 1 + 1e-9;
+/// A step must gain at least this share of its length: one that the boundary ends at once also goes a little way along
+/// it, and a climb of such steps would never come to shorter ones.
+constexpr double kLeastSlope = 1e-3;
 
 SurfacePoint trace_end(const Surface& surface, const SurfacePoint& start, Vec2 displacement) {
   GeodesicWalk walk(surface, start, displacement);
@@ -64,12 +65,13 @@ Gap climb(const Emptiness& emptiness, Gap gap) {
   EmptinessNearby nearby(emptiness);
   for (int round = 0; round < kMostSteps && step > finest; ++round) {
     Gap best = gap;
+    const double gain = kLeastSlope * step / emptiness.local_radius(gap.centre);
     for (int k = 0; k < kDirections; ++k) {
       direction = direction * turn;
       if (nearby.surely_below(gap.centre, step * direction, best.size)) continue;
       const SurfacePoint end = trace_end(emptiness.surface(), gap.centre, step * direction);
       const std::optional<Gap> other = nearby.above(end, best.size);
-      if (other && other->size > kGain * best.size) best = *other;
+      if (other && other->size > std::max(best.size, gap.size + gain)) best = *other;
     }
     if (best.size > gap.size) {
       gap = best;
