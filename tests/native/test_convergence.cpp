@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/tuning.h"
+#include "curve/refinement.h"
 #include "flow/convergence.h"
 #include "test_curves.h"
 
@@ -77,6 +78,24 @@ TEST(Plan, RemovesHairpinsRoughlyWhereThereIsLittleTime) {
     momentum = plan.momentum;
     EXPECT_EQ(plan_iteration(settings, Phase::kPolishing).momentum, tuning::kPolishMomentum);
   }
+}
+
+/// Strands double back in the paper's flow only, and turn less after a gentle removal of hairpins.
+TEST(Plan, LetsStrandsTurnNoFarther) {
+  FlowSettings settings = with_polish();
+  for (const uint32_t iterations : {60u, 150u, 300u, 1000u}) {
+    settings.hairpin_removal_iterations = iterations;
+    EXPECT_EQ(plan_iteration(settings, Phase::kGrowing).most_turn, tuning::kMostTurn);
+    for (const Phase phase : {Phase::kHairpinRemoval, Phase::kPolishing, Phase::kFinishing, Phase::kCooling}) {
+      const double most = plan_iteration(settings, phase).most_turn;
+      EXPECT_GE(most, tuning::kMostGentleTurn);
+      EXPECT_LE(most, tuning::kMostTurn);
+      if (iterations <= 100) EXPECT_EQ(most, tuning::kMostTurn);
+      if (iterations >= 300) EXPECT_EQ(most, tuning::kMostGentleTurn);
+    }
+  }
+  settings.stop_rule = StopRule::kPaper;
+  EXPECT_EQ(plan_iteration(settings, Phase::kGrowing).most_turn, Refinement::kAnyTurn);
 }
 
 /// The same with the polish: as patient as what comes before it.

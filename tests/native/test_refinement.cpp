@@ -3,6 +3,8 @@
 // Splits and collapses keep segments near the target length, and the curve intact.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "blocked_changes.h"
@@ -20,11 +22,12 @@ struct Refined {
   bool changed = false;
 };
 
-Refined refine(const Surface& s, const Curve& curve, double h, unsigned threads = 2) {
+Refined refine(const Surface& s, const Curve& curve, double h, unsigned threads = 2,
+               double most_turn = Refinement::kAnyTurn) {
   Refined r{curve, {}};
   ThreadPool pool(threads);
   Refinement refinement;
-  r.changed = refinement.refine(s, r.curve, NodeData<double>(curve.size(), h), pool, r.origin);
+  r.changed = refinement.refine(s, r.curve, NodeData<double>(curve.size(), h), pool, r.origin, most_turn);
   if (!r.changed) {
     r.origin.resize(curve.size());
     std::iota(r.origin.begin(), r.origin.end(), 0u);
@@ -337,6 +340,113 @@ TEST(Refine, ACollapseThatCrossesIsTakenBack) {
       expect_refined(s, blocked_collapses(s, closed, long_after, [](uint32_t j) { return j == 3 || j == 7; }));
     }
   }
+}
+
+constexpr double kDoubledBack = 2 * std::numbers::pi / 3;
+
+/// A ring in face 0 of the octahedron with a spike: four segments out to its tip and four back, close beside each other.
+struct Spike {
+  Curve curve;
+  double target = 0;  // lets every segment be as long as it is
+  uint32_t tip = 0;
+  Vec2 short_of_tip, at_tip;  // inside of the spike: farther back than the nodes before and after its tip, and beyond
+
+  static constexpr Vec2 kCentre{0.4, 0.3};
+  static constexpr double kRadius = 0.16;
+
+  // The face is equilateral, and x and y are the weights of two of its corners.
+  static Vec2 in_plane(Vec2 b) { return {b.x + 0.5 * b.y, std::sqrt(0.75) * b.y}; }
+  static Vec2 in_face(double x, double y) {
+    const Vec2 p = kCentre + Vec2{x, y};
+    const double second = p.y / std::sqrt(0.75);
+    return {snap(p.x - 0.5 * second), snap(second)};
+  }
+};
+
+Spike ring_with_spike(const Surface& s, bool fixed_tip = false) {
+  constexpr int kCount = 20, kLeg = 3;
+  constexpr double kStep = 0.05, kSide = 0.0025;
+  Spike spike;
+  const auto add = [&](double x, double y, bool fixed = false) {
+    add_node(spike.curve, {0, Spike::in_face(x, y)}, fixed);
+  };
+  for (int k = 0; k < kCount; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.5) / kCount + std::numbers::pi / 2;
+    add(Spike::kRadius * std::cos(angle), Spike::kRadius * std::sin(angle));
+    if (k + 1 != 3 * kCount / 4) continue;
+    for (int leg = 1; leg <= kLeg; ++leg) add(Spike::kRadius + leg * kStep, -kSide);
+    spike.tip = spike.curve.size();
+    add(Spike::kRadius + (kLeg + 1) * kStep, 0, fixed_tip);
+    for (int leg = kLeg; leg > 0; --leg) add(Spike::kRadius + leg * kStep, kSide);
+  }
+  spike.short_of_tip = Spike::in_face(Spike::kRadius + (kLeg - 0.5) * kStep, 0);
+  spike.at_tip = Spike::in_face(Spike::kRadius + (kLeg + 0.5) * kStep, 0);
+  spike.curve.strands = {{0, spike.curve.size(), true}};
+  join_in_face(s, spike.curve);
+  spike.target = spike.curve.shapes[spike.tip].length / 1.5;
+  return spike;
+}
+
+/// The sharpest turn of a curve in one face, from its places.
+double sharpest_turn(const Curve& c) {
+  double most = 0;
+  for (uint32_t i = 0; i < c.size(); ++i) {
+    if (c.previous(i) == kNone || c.next(i) == kNone) continue;
+    const Vec2 before = Spike::in_plane(c.nodes[c.previous(i)].b), here = Spike::in_plane(c.nodes[i].b);
+    const Vec2 in = here - before, out = Spike::in_plane(c.nodes[c.next(i)].b) - here;
+    most = std::max(most, std::acos(std::clamp(dot(in, out) / (norm(in) * norm(out)), -1.0, 1.0)));
+  }
+  return most;
+}
+
+/// No other rule touches a spike: its segments are as long as they are to be.
+TEST(Refine, TakesOutWhereAStrandDoublesBack) {
+  const Surface s = make_surface(octahedron());
+  const Spike spike = ring_with_spike(s);
+  ASSERT_TRUE(whole(s, spike.curve));
+  ASSERT_TRUE(exact_crossings(s, spike.curve).empty());
+  ASSERT_GT(sharpest_turn(spike.curve), kDoubledBack);
+  EXPECT_FALSE(refine(s, spike.curve, spike.target).changed);
+
+  Refined r{spike.curve, {}};
+  for (int pass = 0; pass < 20; ++pass) {
+    const Refined next = refine(s, r.curve, spike.target, 2, kDoubledBack);
+    if (pass == 0) {
+      std::vector<uint32_t> expected(spike.curve.size());
+      std::iota(expected.begin(), expected.end(), 0u);
+      expected.erase(expected.begin() + spike.tip);
+      EXPECT_EQ(next.origin.values(), expected);
+    }
+    expect_origin(r.curve, next);
+    ASSERT_TRUE(whole(s, next.curve));
+    ASSERT_TRUE(exact_crossings(s, next.curve).empty());
+    ASSERT_LE(next.curve.size(), r.curve.size()) << "a node that goes does not come back";
+    r = next;
+    if (!next.changed) break;
+  }
+  EXPECT_FALSE(r.changed) << "comes to rest";
+  EXPECT_LE(sharpest_turn(r.curve), kDoubledBack);
+  EXPECT_GE(r.curve.size(), 18u);
+  for (const SurfacePoint& p : r.curve.nodes) {
+    EXPECT_NEAR(norm(Spike::in_plane(p.b) - Spike::kCentre), Spike::kRadius, 0.01) << "what is left is the ring";
+  }
+}
+
+/// A tip that is held stays, and so does one where the shorter way would cross something.
+TEST(Refine, LeavesATipThatIsHeld) {
+  const Surface s = make_surface(octahedron());
+  EXPECT_FALSE(refine(s, ring_with_spike(s, true).curve, ring_with_spike(s).target, 2, kDoubledBack).changed);
+
+  Blocked b;
+  const Spike spike = ring_with_spike(s);
+  b.curve = spike.curve;
+  b.target = NodeData<double>(b.curve.size(), spike.target);
+  add_needle(s, b, spike.short_of_tip, spike.at_tip);
+  ASSERT_TRUE(exact_crossings(s, b.curve).empty());
+  ThreadPool pool(2);
+  NodeData<uint32_t> origin;
+  EXPECT_FALSE(Refinement().refine(s, b.curve, b.target, pool, origin, kDoubledBack));
+  EXPECT_EQ(b.curve.size(), spike.curve.size() + 2);
 }
 
 /// One change anywhere along a curve of several blocks, which threads lay out one by one.

@@ -193,6 +193,12 @@ inline constexpr double kMostAtBoundary = 0.25;
 /// And no more than this many r while the flow cools. So much the last two curves differ by (docs/quality.md).
 inline constexpr double kMostWhileCooling = 0.04;
 
+/// A node where a strand doubles back by more than this, in radians, is taken out, except where the flow follows the
+/// paper: else a spike may stay for ever, since its tip has an empty ball ahead and none behind. Past its growth a curve
+/// with a gentle removal of hairpins may turn by no more than the second; with that one everywhere a region between
+/// guides stayed bare. Measured: docs/quality.md, on spikes.
+inline constexpr double kMostTurn = 2 * std::numbers::pi / 3, kMostGentleTurn = 5 * std::numbers::pi / 9;
+
 // ---- When a phase ends ----------------------------------------------------------------------------------------------
 
 /// The paper's rule: |d|_2 / n in r (Table 2), in as many iterations in a row. With few nodes one quiet step is no end:

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <new>
+#include <numbers>
+
+#include "base/elementary.h"
 
 namespace meander {
 namespace {
@@ -41,7 +44,8 @@ uint32_t cut(const Surface& surface, const SurfacePoint& start, const SurfacePoi
 }  // namespace
 
 bool Refinement::refine(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool,
-                        NodeData<uint32_t>& origin) {
+                        NodeData<uint32_t>& origin, double most_turn) {
+  least_cosine_ = most_turn < std::numbers::pi ? elementary::cos(most_turn) : -2;
   may_split_.assign(curve.size(), 1);
   may_remove_.assign(curve.size(), 1);
   try {
@@ -79,6 +83,7 @@ bool Refinement::refine(const Surface& surface, Curve& curve, const NodeData<dou
 bool Refinement::removes_next(const Curve& curve, const NodeData<double>& target, uint32_t i) const {
   const uint32_t j = curve.next(i);
   if (j <= i || !curve.has_segment(j) || curve.fixed[j] || !may_remove_[j]) return false;
+  if (dot(curve.shapes[i].arriving, curve.shapes[j].leaving) < least_cosine_) return true;
   const double h = target[i], l = curve.shapes[i].length, l2 = curve.shapes[j].length;
   return std::min(l, l2) < h && l + l2 <= 2 * h;
 }

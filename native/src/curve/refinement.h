@@ -3,6 +3,7 @@
 // Keeps segments between h and 2 h (section 3.3.2).
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "curve/crossings.h"
@@ -14,17 +15,24 @@ namespace meander {
 /// Keeps its memory from call to call. One call at a time.
 class Refinement {
  public:
+  /// A strand may turn as sharply as it likes.
+  static constexpr double kAnyTurn = std::numeric_limits<double>::infinity();
+
   /// Splits segments longer than 2 h into equal parts on their own path, and removes a node where a
   /// segment is shorter than h and the one that replaces it and its neighbour stays within 2 h, so
   /// that a split and a collapse never undo each other. Fixed nodes, the ends of open strands, and at
   /// least 3 nodes of a closed strand (2 of an open one) stay. A change that would make segments
   /// cross is not made. False if the curve stays as it is.
   ///
-  /// `target`  h at every node
-  /// `origin`  where something changed, receives for every node of the new curve the old node it was,
-  ///           or, if new, the old node before it
+  /// A node where a strand doubles back, by more than `most_turn`, goes as well, whatever its segments measure. What
+  /// replaces them runs straight past where it was, so a split of that does not bring it back.
+  ///
+  /// `target`     h at every node
+  /// `most_turn`  in radians, at least pi / 2
+  /// `origin`     where something changed, receives for every node of the new curve the old node it was, or, if new, the
+  ///              old node before it
   bool refine(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool,
-              NodeData<uint32_t>& origin);
+              NodeData<uint32_t>& origin, double most_turn = kAnyTurn);
 
  private:
   /// What replaces segment `from`; where the node after it goes, that one and the next.
@@ -49,6 +57,7 @@ class Refinement {
   bool propose(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool);
   void give_back(Curve& curve);
 
+  double least_cosine_ = -2;  // of the turn at a node that stays
   CrossingTest test_;
   Curve next_;
   bool lent_ = false;                      // next_ holds the paths of the curve's unchanged segments

@@ -79,9 +79,9 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
     clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool_);
   }
   Convergence convergence = convergence_.restarted(clamped);
-  const double segment_length = plan_iteration(next.settings, convergence.phase()).segment_length;
-  refiner_.cut_guides(next, segment_length, pool_);
-  refiner_.refine(next, segment_length, pool_);
+  const Plan plan = plan_iteration(next.settings, convergence.phase());
+  refiner_.cut_guides(next, plan, pool_);
+  refiner_.refine(next, plan, pool_);
   update_metric(next, pool_);
 
   static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);

@@ -37,9 +37,9 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
       convergence_(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   const ThreadPool::Watch watch(pool_, cancelled);
-  refiner_.cut_guides(state_, plan().segment_length, pool_);
+  refiner_.cut_guides(state_, plan(), pool_);
   state_.domain.radius.set_multiple(state_.domain.wanted_radius, approach_.factor());
-  refiner_.refine(state_, plan().segment_length, pool_);
+  refiner_.refine(state_, plan(), pool_);
 }
 
 StopReason Flow::stop_reason() const {
@@ -169,7 +169,7 @@ void Flow::move(const Plan& plan, const NodeData<Vec2>& displacement, IterationF
 
     // Segments are split and removed, and what nodes carry follows (3.3.2).
     Stopwatch watch;
-    refiner_.refine(state_, plan.segment_length, pool_);
+    refiner_.refine(state_, plan, pool_);
     record_.seconds.refine += watch.lap();
     if (fault_) fault_(state_.curve);
     keep_promises();

@@ -47,6 +47,9 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iteratio
   plan.medial.boundary_ease = 1 - roughness;
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
+  plan.most_turn = settings.stop_rule != StopRule::kSettled ? std::numeric_limits<double>::infinity()
+                   : plan.polishing ? std::lerp(tuning::kMostGentleTurn, tuning::kMostTurn, roughness)
+                                    : tuning::kMostTurn;
   plan.medial.measure = !settings.polish || phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
   plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? tuning::kBesideBoundary : 0;

@@ -45,9 +45,9 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density) {
   next.nodes.radii = state_.nodes.radii;
   Convergence convergence = convergence_.revised(settings, mean_change(state_, next, pool_),
                                                  grows_otherwise(state_.settings, settings));
-  const double segment_length = plan_iteration(settings, convergence.phase()).segment_length;
-  refiner_.cut_guides(next, segment_length, pool_);
-  refiner_.refine(next, segment_length, pool_);
+  const Plan plan = plan_iteration(settings, convergence.phase());
+  refiner_.cut_guides(next, plan, pool_);
+  refiner_.refine(next, plan, pool_);
   update_metric(next, pool_);
 
   static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);

@@ -14,29 +14,29 @@ constexpr int kMostCuts = 10;
 
 }  // namespace
 
-void SegmentRefiner::refine(FlowState& state, double segment_length, ThreadPool& pool) {
-  apply(state, segment_length, kNever, pool);
+void SegmentRefiner::refine(FlowState& state, const Plan& plan, ThreadPool& pool) {
+  apply(state, plan, kNever, pool);
 }
 
-void SegmentRefiner::cut_guides(FlowState& state, double segment_length, ThreadPool& pool) {
+void SegmentRefiner::cut_guides(FlowState& state, const Plan& plan, ThreadPool& pool) {
   const Curve& curve = state.curve;
   for (uint32_t k = 0, before = 0; k < kMostCuts && curve.has_guides() && curve.size() != before; ++k) {
     before = curve.size();
-    apply(state, segment_length, state.settings.segment_length, pool);
+    apply(state, plan, state.settings.segment_length, pool);
   }
 }
 
-void SegmentRefiner::apply(FlowState& state, double segment_length, double guide_length, ThreadPool& pool) {
+void SegmentRefiner::apply(FlowState& state, const Plan& plan, double guide_length, ThreadPool& pool) {
   update_metric(state, pool);
   const Curve& curve = state.curve;
   targets_.resize(curve.size());
   pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      const double h = curve.on_guide(i) ? guide_length : segment_length;
+      const double h = curve.on_guide(i) ? guide_length : plan.segment_length;
       targets_[i] = h * state.metric.radius[i] / state.settings.radius;
     }
   });
-  if (refinement_.refine(*state.domain.surface, state.curve, targets_, pool, origin_)) {
+  if (refinement_.refine(*state.domain.surface, state.curve, targets_, pool, origin_, plan.most_turn)) {
     state.nodes.follow(origin_, pool, spare_);
   }
 }

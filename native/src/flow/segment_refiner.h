@@ -5,22 +5,23 @@
 
 #include "curve/refinement.h"
 #include "flow/flow_state.h"
+#include "flow/plan.h"
 
 namespace meander {
 
 /// Keeps its memory from call to call. Where memory runs out the curve stays, and nothing wrong is left with it.
 class SegmentRefiner {
  public:
-  /// Splits and removes segments of what grows: h is `segment_length` where r is the nominal one, and else in
-  /// proportion. Guides stay as they are to the last bit. Finds the metric of the nodes as they were before.
-  void refine(FlowState& state, double segment_length, ThreadPool& pool);
+  /// Splits and removes segments of what grows, as the plan has it: h is its segment length where r is the nominal one,
+  /// and else in proportion. Guides stay as they are to the last bit. Finds the metric of the nodes as they were before.
+  void refine(FlowState& state, const Plan& plan, ThreadPool& pool);
 
-  /// Cuts guides, where there are any, as finely as everything will be in the end, and all else to `segment_length`:
-  /// at first, and when the surface has moved.
-  void cut_guides(FlowState& state, double segment_length, ThreadPool& pool);
+  /// Cuts guides, where there are any, as finely as everything will be in the end, and all else as the plan has
+  /// it: at first, and when the surface has moved.
+  void cut_guides(FlowState& state, const Plan& plan, ThreadPool& pool);
 
  private:
-  void apply(FlowState& state, double segment_length, double guide_length, ThreadPool& pool);
+  void apply(FlowState& state, const Plan& plan, double guide_length, ThreadPool& pool);
 
   Refinement refinement_;
   NodeData<double> targets_;
