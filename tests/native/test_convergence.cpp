@@ -80,13 +80,16 @@ TEST(Plan, RemovesHairpinsRoughlyWhereThereIsLittleTime) {
   }
 }
 
-/// Strands double back in the paper's flow only, and turn less after a gentle removal of hairpins.
-TEST(Plan, LetsStrandsTurnNoFarther) {
+/// Spikes are taken out while hairpins are removed and in the polish: growth needs them, and the last phases end when
+/// nothing changes.
+TEST(Plan, TakesOutSpikesInThePhasesOfGivenLength) {
   FlowSettings settings = with_polish();
   for (const uint32_t iterations : {60u, 150u, 300u, 1000u}) {
     settings.hairpin_removal_iterations = iterations;
-    EXPECT_EQ(plan_iteration(settings, Phase::kGrowing).most_turn, tuning::kMostTurn);
-    for (const Phase phase : {Phase::kHairpinRemoval, Phase::kPolishing, Phase::kFinishing, Phase::kCooling}) {
+    for (const Phase phase : {Phase::kGrowing, Phase::kFinishing, Phase::kCooling}) {
+      EXPECT_EQ(plan_iteration(settings, phase).most_turn, Refinement::kAnyTurn);
+    }
+    for (const Phase phase : {Phase::kHairpinRemoval, Phase::kPolishing}) {
       const double most = plan_iteration(settings, phase).most_turn;
       EXPECT_GE(most, tuning::kMostGentleTurn);
       EXPECT_LE(most, tuning::kMostTurn);
@@ -94,8 +97,8 @@ TEST(Plan, LetsStrandsTurnNoFarther) {
       if (iterations >= 300) EXPECT_EQ(most, tuning::kMostGentleTurn);
     }
   }
-  settings.stop_rule = StopRule::kPaper;
-  EXPECT_EQ(plan_iteration(settings, Phase::kGrowing).most_turn, Refinement::kAnyTurn);
+  settings.boundary_distance = 0.75;  // a strip that is to stay empty
+  EXPECT_EQ(plan_iteration(settings, Phase::kPolishing).most_turn, Refinement::kAnyTurn);
 }
 
 /// The same with the polish: as patient as what comes before it.

@@ -26,6 +26,17 @@ double roughness_of(uint32_t hairpin_removal_iterations) {
   return std::clamp(spare / (tuning::kGentleRemoval - tuning::kRoughRemoval), 0.0, 1.0);
 }
 
+/// Growth goes through gaps, and into corners, that are hardly wider than a spike, and what would be taken out there again
+/// and again would never come to rest. So it is done only in phases of a given length, and not where a strip along the
+/// boundary is to stay empty, which strands must find out of.
+double most_turn_in(const FlowSettings& settings, Phase phase, double roughness) {
+  const bool of_given_length = phase == Phase::kHairpinRemoval || phase == Phase::kPolishing;
+  if (!settings.polish || !of_given_length || settings.boundary_distance > 0.5) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return std::lerp(tuning::kMostGentleTurn, tuning::kMostTurn, roughness);
+}
+
 }  // namespace
 
 uint32_t polish_iterations(uint32_t hairpin_removal_iterations) {
@@ -47,9 +58,7 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iteratio
   plan.medial.boundary_ease = 1 - roughness;
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
-  plan.most_turn = settings.stop_rule != StopRule::kSettled ? std::numeric_limits<double>::infinity()
-                   : plan.polishing ? std::lerp(tuning::kMostGentleTurn, tuning::kMostTurn, roughness)
-                                    : tuning::kMostTurn;
+  plan.most_turn = most_turn_in(settings, phase, roughness);
   plan.medial.measure = !settings.polish || phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
   plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? tuning::kBesideBoundary : 0;

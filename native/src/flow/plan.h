@@ -24,7 +24,8 @@ struct Plan {
   double segment_length = 0;  ///< h where r is the nominal one, in the surface's own unit
   double momentum = 0;        ///< a node goes on by this share of its last step
   double longest_step = 0;    ///< in the local r; may be infinite
-  double most_turn = 0;       ///< in radians: nodes where a strand turns by more are taken out; may be infinite
+  double most_turn = 0;       ///< in radians: nodes where a strand turns by more are taken out; infinite in
+                              ///< growth and at the end, and where a strip along the boundary is to stay empty
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
   /// know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of the time less.
