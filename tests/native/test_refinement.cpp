@@ -344,7 +344,8 @@ TEST(Refine, ACollapseThatCrossesIsTakenBack) {
 
 constexpr double kDoubledBack = 2 * std::numbers::pi / 3;
 
-/// A ring in face 0 of the octahedron with a spike: four segments out to its tip and four back, close beside each other.
+/// A ring in face 0 of the octahedron with a spike: four segments out to its tip and four back, close beside each
+/// other.
 struct Spike {
   Curve curve;
   double target = 0;  // lets every segment be as long as it is

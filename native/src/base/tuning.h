@@ -193,9 +193,9 @@ inline constexpr double kMostAtBoundary = 0.25;
 /// And no more than this many r while the flow cools. So much the last two curves differ by (docs/quality.md).
 inline constexpr double kMostWhileCooling = 0.04;
 
-/// While hairpins are removed, and in the polish with long segments, a node where a strand doubles back by more than this,
-/// in radians, is taken out: else a spike may stay for ever, since its tip has an empty ball ahead and none behind. With
-/// a gentle removal of hairpins it is the second. Measured: docs/quality.md, on spikes.
+/// While hairpins are removed, and in the polish with long segments, a node where a strand doubles back by more than
+/// this, in radians, is taken out: else a spike may stay for ever, since its tip has an empty ball ahead and none
+/// behind. With a gentle removal of hairpins it is the second. Measured: docs/quality.md, on spikes.
 inline constexpr double kMostTurn = 2 * std::numbers::pi / 3, kMostGentleTurn = 5 * std::numbers::pi / 9;
 
 // ---- When a phase ends ----------------------------------------------------------------------------------------------

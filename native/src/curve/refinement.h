@@ -24,13 +24,13 @@ class Refinement {
   /// least 3 nodes of a closed strand (2 of an open one) stay. A change that would make segments
   /// cross is not made. False if the curve stays as it is.
   ///
-  /// A node where a strand doubles back, by more than `most_turn`, goes as well, whatever its segments measure. What
-  /// replaces them runs straight past where it was, so a split of that does not bring it back.
+  /// A node where a strand doubles back, by more than `most_turn`, goes as well, whatever its segments measure.
+  /// What replaces them runs straight past where it was, so a split of that does not bring it back.
   ///
   /// `target`     h at every node
   /// `most_turn`  in radians, at least pi / 2
-  /// `origin`     where something changed, receives for every node of the new curve the old node it was, or, if new, the
-  ///              old node before it
+  /// `origin`     where something changed, receives for every node of the new curve the old node it was, or, if new,
+  ///              the old node before it
   bool refine(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool,
               NodeData<uint32_t>& origin, double most_turn = kAnyTurn);
 

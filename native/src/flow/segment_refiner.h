@@ -12,8 +12,9 @@ namespace meander {
 /// Keeps its memory from call to call. Where memory runs out the curve stays, and nothing wrong is left with it.
 class SegmentRefiner {
  public:
-  /// Splits and removes segments of what grows, as the plan has it: h is its segment length where r is the nominal one,
-  /// and else in proportion. Guides stay as they are to the last bit. Finds the metric of the nodes as they were before.
+  /// Splits and removes segments of what grows, as the plan has it: h is its segment length where r is the nominal
+  /// one, and else in proportion. Guides stay as they are to the last bit. Finds the metric of the nodes as they were
+  /// before.
   void refine(FlowState& state, const Plan& plan, ThreadPool& pool);
 
   /// Cuts guides, where there are any, as finely as everything will be in the end, and all else as the plan has
