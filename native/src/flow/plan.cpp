@@ -27,8 +27,8 @@ double roughness_of(uint32_t hairpin_removal_iterations) {
 }
 
 /// Growth goes through gaps, and into corners, that are hardly wider than a spike, and what would be taken out there
-/// again and again would never come to rest. So it is done only in phases of a given length, and not where a strip along
-/// the boundary is to stay empty, which strands must find out of.
+/// again and again would never come to rest. So it is done only in phases of a given length, and not where a strip
+/// along the boundary is to stay empty, which strands must find out of.
 double most_turn_in(const FlowSettings& settings, Phase phase, double roughness) {
   const bool of_given_length = phase == Phase::kHairpinRemoval || phase == Phase::kPolishing;
   if (!settings.polish || !of_given_length || settings.boundary_distance > 0.5) {

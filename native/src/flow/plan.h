@@ -25,7 +25,8 @@ struct Plan {
   double momentum = 0;        ///< a node goes on by this share of its last step
   double longest_step = 0;    ///< in the local r; may be infinite
   double most_turn = 0;       ///< in radians: nodes where a strand turns by more are taken out; infinite in
-                              ///< growth and at the end, and where a strip along the boundary is to stay empty
+                              ///< growth, at the end, without a polish, and where a strip along the boundary is
+                              ///< to stay empty
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
   /// know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of the time less.
