@@ -125,6 +125,23 @@ def test_strands_keep_away_from_corners_that_jut_out() -> None:
     assert distances(points, curve).max() < 1.8 * SPACING / 2
 
 
+@pytest.mark.parametrize("rolled", [0.0, 0.25, 0.625])
+def test_strands_come_to_rest_between_two_corners(rolled: float) -> None:
+    # Sixteen square holes on their corners, 1.6 r apart: there is hardly room for two strands.
+    radius, half_diagonal, gap = 0.06, 4.0, 1.6
+    at = 0.55 + radius * (2 * half_diagonal + gap) * np.arange(4)
+    centres = np.stack(np.meshgrid(at, at), axis=-1).reshape(-1, 2)
+    vertices, faces = grid(120)
+    outside = np.abs(vertices[:, None, :2] - centres).sum(axis=2).min(axis=1) - half_diagonal * radius
+    faces = np.roll(faces, -int(rolled * len(faces)), axis=0)  # the curve begins elsewhere
+    surface = core.Surface(vertices, faces, core.SurfaceOptions(vertex_mask=outside))
+    curve = fill(surface, 0.5, 2 * radius).polylines()
+    corners = np.array([(1, 0), (0, 1), (-1, 0), (0, -1)]) * half_diagonal * radius
+    points = (centres[:, None] + corners).reshape(-1, 2)
+    points = np.column_stack([points, np.zeros(len(points))])
+    assert distances(points, curve).min() > 0.5 * radius
+
+
 def test_at_distance_0_strands_run_along_the_border() -> None:
     outline = distances(square_outline(), fill(with_holes(), 0.0).polylines()) / SPACING
     assert np.median(outline) < 0.03

@@ -157,6 +157,41 @@ TEST(Energy, OfPowersHasTheSystemsSlopeAndCurvature) {
   }
 }
 
+/// Three times the medial term's Hessian is what two more medial terms would add to it; the forces stay.
+TEST(Energy, StiffensTheMedialTermAlone) {
+  for (const bool blocks : {false, true}) {
+    Scene s(sphere(2), 57);
+    s.weights.medial_power = 8;
+    s.weights.medial_blocks = blocks;
+    const uint32_t n = s.curve.size();
+    const auto systems_of = [&](double medial, double stiffening) {
+      s.weights.medial = medial;
+      s.weights.medial_stiffening.assign(stiffening == 1 ? 0 : n, stiffening);
+      std::vector<StrandSystem> systems(s.curve.strands.size());
+      for (size_t k = 0; k < systems.size(); ++k) {
+        assemble(s.curve, s.curve.strands[k], s.frames, s.radii, s.metric, s.weights, s.pool, systems[k]);
+      }
+      return systems;
+    };
+    const auto once = systems_of(0.7, 1), stiff = systems_of(0.7, 3), thrice = systems_of(2.1, 1);
+    for (size_t k = 0; k < once.size(); ++k) {
+      for (uint32_t i = 0; i < s.curve.strands[k].count; ++i) {
+        EXPECT_EQ(stiff[k].right[i].x, once[k].right[i].x);
+        EXPECT_EQ(stiff[k].right[i].y, once[k].right[i].y);
+        const double diagonal = thrice[k].diagonal[i];
+        EXPECT_NEAR(stiff[k].diagonal[i], diagonal, kRounding * diagonal);
+        EXPECT_GT(diagonal, once[k].diagonal[i]);
+        if (!blocks) continue;
+        const Sym2 &a = stiff[k].diagonal_block[i], &b = thrice[k].diagonal_block[i];
+        const double size = kRounding * (b.xx + b.yy);
+        EXPECT_NEAR(a.xx, b.xx, size);
+        EXPECT_NEAR(a.xy, b.xy, size);
+        EXPECT_NEAR(a.yy, b.yy, size);
+      }
+    }
+  }
+}
+
 TEST(Energy, OfLengthAloneIsTheLength) {
   for (const Mesh& mesh : meshes()) {
     Scene s(mesh, 52);

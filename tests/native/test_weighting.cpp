@@ -182,6 +182,30 @@ TEST(Weighting, OfAPolishPushesOutOfWideStrips) {
 }
 
 /// Nodes that have no room at all on a side are drawn in, whatever else holds, but only where a strip is to be empty.
+TEST(Weighting, IsStifferWhereTheBoundaryPushesHard) {
+  for (const StopRule rule : {StopRule::kSettled, StopRule::kPaper}) {
+    for (const Phase phase : {Phase::kGrowing, Phase::kHairpinRemoval, Phase::kCooling}) {
+      Scene s;
+      s.add_circle(4);
+      s.settings.stop_rule = rule;
+      const double r = kRadius, far = s.settings.max_radius;
+      s.reach.assign(s.curve.size(), Reach{ReachOfSide{far, far, far}, ReachOfSide{far, far, far}});
+      s.reach[1][0] = {0.9 * r, far, 0.8 * r};   // pushed
+      s.reach[2][1] = {0.5 * r, far, -1.8 * r};  // harder than an empty ball does
+      s.reach[3][0] = {0.7 * r, far, -0.2 * r};
+      const Weights w = s.weights(phase);
+      if (rule == StopRule::kPaper) {
+        EXPECT_TRUE(w.medial_stiffening.empty());
+        continue;
+      }
+      ASSERT_EQ(w.medial_stiffening.size(), s.curve.size());
+      for (uint32_t i = 0; i < s.curve.size(); ++i) {
+        EXPECT_EQ(w.medial_stiffening[i], i == 2 || i == 3 ? tuning::kPushStiffness : 1) << i;
+      }
+    }
+  }
+}
+
 TEST(Weighting, InAStripIsDrawnOut) {
   for (const double distance : {0.5, 0.51, 2.0}) {
     for (const bool into_empty : {false, true}) {

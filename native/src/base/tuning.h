@@ -78,6 +78,11 @@ inline constexpr double kVeryNear = 0.8, kVeryNearPush = 6;
 /// The first of these where the flow follows the paper, whose curves stay what they were.
 inline constexpr double kVeryNearOfPaper = 0.7;
 
+/// The Hessian of the medial term counts so many times where the boundary pushes harder than an empty ball. As its push
+/// falls it would count eight times, with which voids at the boundary are filled too late. Measured: docs/quality.md, on
+/// necks.
+inline constexpr double kPushStiffness = 3;
+
 /// What of the boundary is turned to a side of a node by less than this, as a cosine, does not limit its ball. Not
 /// measured.
 inline constexpr double kFacing = 0.5;
@@ -189,6 +194,10 @@ inline constexpr double kMostOfRadius = 0.9;
 /// But this many r where it is the boundary that ends the ball: in a corner of the surface there may be none at all on
 /// either side, and no node could leave it. "boundary_reach: Keep strands from corners, and let them leave one".
 inline constexpr double kMostAtBoundary = 0.25;
+
+/// No step leads a node nearer to the boundary than the first of these, in r, but one of the length of the second, so
+/// that strands of a narrow strip can move. Measured: docs/quality.md, on necks.
+inline constexpr double kKeptFromBoundary = 0.6, kLeastTowardsBoundary = 0.04;
 
 /// And no more than this many r while the flow cools. So much the last two curves differ by (docs/quality.md).
 inline constexpr double kMostWhileCooling = 0.04;

@@ -63,6 +63,7 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iteratio
                         (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
   plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? tuning::kBesideBoundary : 0;
   if (settings.stop_rule != StopRule::kSettled) plan.medial.very_near = tuning::kVeryNearOfPaper;
+  plan.firm_boundary = settings.stop_rule == StopRule::kSettled;
   plan.reuse_directions = settings.stop_rule == StopRule::kSettled &&
                           settings.boundary_distance <= 0.5 &&
                           phase != Phase::kCooling;

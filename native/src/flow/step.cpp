@@ -19,18 +19,32 @@ double longest_step(const Plan& plan, const FlowState& state, const MedialState&
   return std::min(most, plan.longest_step * r);
 }
 
+/// Takes from a step what would lead node i too near to the boundary, which pushes only those that are near to it
+/// already: a node that leaps so far is thrown back the next time, and so on for ever.
+Vec2 keep_from_boundary(const FlowState& state, const MedialState& medial, size_t i, Vec2 step) {
+  const Vec2 towards = medial.frames.bitangent2[i];
+  const double way = dot(step, towards), r = state.metric.radius[i];
+  const size_t side = way > 0 ? 0 : 1;
+  const double left = medial.reach[i][side].radius;
+  if (left > state.nodes.radii[i][side]) return step;
+  const double most = std::max(left - tuning::kKeptFromBoundary * r, tuning::kLeastTowardsBoundary * r);
+  return step - (way - std::clamp(way, -most, most)) * towards;
+}
+
 /// Adds what is left of the last steps, and makes no step longer than it may be.
 void add_momentum_and_cap(const Plan& plan, const FlowState& state, const MedialState& medial, ThreadPool& pool,
                           NodeData<Vec2>& displacement) {
   const NodeData<Vec2>& last = state.nodes.steps;
   const double momentum = last.empty() ? 0 : plan.momentum;
   const Frames& frames = medial.frames;
+  const bool kept = plan.firm_boundary && !state.domain.boundary->empty();
   pool.for_blocks(displacement.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       Vec2& d = displacement[i];
       if (momentum > 0) d = d + momentum * (last[i].x * frames.tangent[i] + last[i].y * frames.bitangent2[i]);
       const double length = norm(d), most = longest_step(plan, state, medial, i, d);
       if (length > most) d = (most / length) * d;
+      if (kept) d = keep_from_boundary(state, medial, i, d);
       if (!std::isfinite(d.x) || !std::isfinite(d.y)) d = {};
     }
   });

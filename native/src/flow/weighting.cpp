@@ -150,6 +150,22 @@ void bend_as_room_allows(const Weighting& w) {
   });
 }
 
+/// Where the boundary pushes harder than an empty ball does, its push falls faster than that of strands. A step that
+/// does not know it is too long, and carries a node back and forth between two boundaries for ever.
+void stiffen_at_boundary(const Weighting& w) {
+  NodeData<double>& stiffening = w.weights.medial_stiffening;
+  stiffening.clear();
+  if (!w.plan.firm_boundary || w.state.domain.boundary->empty()) return;
+  stiffening.resize(w.size());
+  w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Reach& reach = w.medial.reach[i];
+      const bool pushed = std::min(reach[0].driving, reach[1].driving) < 0;
+      stiffening[i] = pushed ? tuning::kPushStiffness : 1;
+    }
+  });
+}
+
 double polish_push(const Weighting& w) {
   if (!w.aligned()) return 0;
   return std::min(tuning::kAlignedPolish * w.settings().alignment_weight, tuning::kMostAlignedPolish);
@@ -195,6 +211,7 @@ void choose_weights(const Plan& plan, const FlowState& state, const MedialState&
   weights.medial_blocks = state.settings.medial_power != 2;
   weights.length_power = state.settings.length_power;
   align(w);
+  stiffen_at_boundary(w);
   if (!plan.polishing) {
     set_growing(w);
   } else if (plan.phase == Phase::kHairpinRemoval) {
