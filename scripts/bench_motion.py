@@ -39,9 +39,9 @@ def timed() -> tuple[list[float], list[float]]:
     return seconds, processors
 
 
-def _way(result: bpy.types.Object) -> tuple:
-    points = result.data.splines[0].points
-    return tuple(points[0].co) + tuple(points[len(points) // 2].co)
+def _way(result: bpy.types.Object) -> list[tuple]:
+    # Of all points: half of the tube does not move, so single ones may not.
+    return [tuple(point.co) for point in result.data.splines[0].points]
 
 
 def main(given: argparse.Namespace) -> None:
