@@ -132,9 +132,10 @@ def test_strands_come_to_rest_between_two_corners(rolled: float) -> None:
     at = 0.55 + radius * (2 * half_diagonal + gap) * np.arange(4)
     centres = np.stack(np.meshgrid(at, at), axis=-1).reshape(-1, 2)
     vertices, faces = grid(120)
-    outside = np.abs(vertices[:, None, :2] - centres).sum(axis=2).min(axis=1) - half_diagonal * radius
+    apart = np.abs(vertices[:, None, :2] - centres).sum(axis=2).min(axis=1)
     faces = np.roll(faces, -int(rolled * len(faces)), axis=0)  # the curve begins elsewhere
-    surface = core.Surface(vertices, faces, core.SurfaceOptions(vertex_mask=outside))
+    options = core.SurfaceOptions(vertex_mask=apart - half_diagonal * radius)
+    surface = core.Surface(vertices, faces, options)
     curve = fill(surface, 0.5, 2 * radius).polylines()
     corners = np.array([(1, 0), (0, 1), (-1, 0), (0, -1)]) * half_diagonal * radius
     points = (centres[:, None] + corners).reshape(-1, 2)

@@ -195,7 +195,7 @@ inline constexpr double kMostOfRadius = 0.9;
 /// either side, and no node could leave it. "boundary_reach: Keep strands from corners, and let them leave one".
 inline constexpr double kMostAtBoundary = 0.25;
 
-/// No step leads a node nearer to the boundary than the first of these, in r, but one of the length of the second, so
+/// No step leads a node nearer to the boundary than the first of these, in r, unless it is shorter than the second, so
 /// that strands of a narrow strip can move. Measured: docs/quality.md, on necks.
 inline constexpr double kKeptFromBoundary = 0.6, kLeastTowardsBoundary = 0.04;
 

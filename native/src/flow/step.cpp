@@ -22,13 +22,13 @@ double longest_step(const Plan& plan, const FlowState& state, const MedialState&
 /// Takes from a step what would lead node i too near to the boundary, which pushes only those that are near to it
 /// already: a node that leaps so far is thrown back the next time, and so on for ever.
 Vec2 keep_from_boundary(const FlowState& state, const MedialState& medial, size_t i, Vec2 step) {
-  const Vec2 towards = medial.frames.bitangent2[i];
-  const double way = dot(step, towards), r = state.metric.radius[i];
-  const size_t side = way > 0 ? 0 : 1;
+  const Vec2 across = medial.frames.bitangent2[i];
+  const double sideways = dot(step, across), r = state.metric.radius[i];
+  const size_t side = sideways > 0 ? 0 : 1;
   const double left = medial.reach[i][side].radius;
-  if (left > state.nodes.radii[i][side]) return step;
+  if (left > state.nodes.radii[i][side]) return step;  // another strand ends the ball
   const double most = std::max(left - tuning::kKeptFromBoundary * r, tuning::kLeastTowardsBoundary * r);
-  return step - (way - std::clamp(way, -most, most)) * towards;
+  return step - (sideways - std::clamp(sideways, -most, most)) * across;
 }
 
 /// Adds what is left of the last steps, and makes no step longer than it may be.

@@ -217,15 +217,15 @@ void Assembly::add_medial(uint32_t k) {
                           (before != kNone ? segment_length(curve, before, r) : 0));
   const double alpha = weights.medial * kAlphaRadiusSquared / (r * r);
   const Vec2 b = frames.bitangent2[i] * conj(system.frame[k]);
-  const double stiffening =
-      2 * alpha * w * (weights.medial_stiffening.empty() ? 1 : weights.medial_stiffening[i]);
+  const double stiffening = weights.medial_stiffening.empty() ? 1 : weights.medial_stiffening[i];
+  const double hessian_scale = 2 * alpha * w * stiffening;
   const MedialForce f = medial_force(radii[i], r, weights.medial_power);
   if (weights.medial_blocks) {
     const MedialStiffness m = medial_stiffness(radii[i], r, weights.medial_power);
-    system.diagonal[k] += stiffening * m.along;
-    system.diagonal_block[k].add(stiffening * m.more_across, b);
+    system.diagonal[k] += hessian_scale * m.along;
+    system.diagonal_block[k].add(hessian_scale * m.more_across, b);
   } else {
-    system.diagonal[k] += stiffening * f.stiffness;
+    system.diagonal[k] += hessian_scale * f.stiffness;
   }
   add_gradient(k, -2 * alpha * w * f.pull * b);
 }

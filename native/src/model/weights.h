@@ -23,7 +23,7 @@ struct Weights {
   /// The Hessian of the power q as it is, in 2 x 2 blocks; else the larger of its two eigenvalues
   /// serves both along and across the strand.
   bool medial_blocks = false;
-  NodeData<double> medial_stiffening;  ///< the Hessian of the medial term counts so many times; empty: once
+  NodeData<double> medial_stiffening;  ///< how many times the Hessian of the medial term counts; empty: once
   double length_power = 2;             ///< p
   NodeData<double> alignment;  ///< beta; empty: no field
   NodeData<Vec2> field;        ///< X in the plane of the node's face; at most of length 1
