@@ -134,12 +134,12 @@ TEST(Deformation, SurfaceIsThatOfTheMovedMesh) {
   }
 }
 
-// The main test: a bend of 90 degrees and a stretch of 2 in 16 frames with 3 steps each.
-/// Packing while a tube is bent and stretched, and while it goes back, where the curve has to become shorter.
 struct PackingThere {
   double least, most, least_back, most_back;
 };
 
+/// Packing while a tube is bent by 90 degrees and stretched to twice its length, in 16 frames with 3 steps each, and
+/// while it goes back, where the curve has to become shorter.
 PackingThere bend_and_stretch(const Mesh& mesh, double radius) {
   const FlowHandle flow = make_flow(mesh, radius);
   PackingThere p{2, 0, 2, 0};
@@ -173,6 +173,7 @@ PackingThere bend_and_stretch(const Mesh& mesh, double radius) {
   return p;
 }
 
+// The main test.
 TEST(Deformation, SpacingStaysEvenThroughBendAndStretch) {
   // One curve is a little off now and then, so the middle one of three counts.
   const Mesh mesh = tube();

@@ -181,7 +181,6 @@ TEST(Weighting, OfAPolishPushesOutOfWideStrips) {
   }
 }
 
-/// Nodes that have no room at all on a side are drawn in, whatever else holds, but only where a strip is to be empty.
 TEST(Weighting, IsStifferWhereTheBoundaryPushesHard) {
   for (const StopRule rule : {StopRule::kSettled, StopRule::kPaper}) {
     for (const Phase phase : {Phase::kGrowing, Phase::kHairpinRemoval, Phase::kCooling}) {
@@ -206,6 +205,7 @@ TEST(Weighting, IsStifferWhereTheBoundaryPushesHard) {
   }
 }
 
+/// Nodes that have no room at all on a side are drawn in, whatever else holds, but only where a strip is to be empty.
 TEST(Weighting, InAStripIsDrawnOut) {
   for (const double distance : {0.5, 0.51, 2.0}) {
     for (const bool into_empty : {false, true}) {

@@ -48,6 +48,7 @@ uint32_t polish_iterations(uint32_t hairpin_removal_iterations) {
 
 Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase) {
   const double roughness = roughness_of(settings.hairpin_removal_iterations);
+  const bool settles = settings.stop_rule == StopRule::kSettled;  // else the flow follows the paper
   const bool coarse = settings.polish && phase <= Phase::kPolishing;
   Plan plan;
   plan.phase = phase;
@@ -62,12 +63,10 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iteratio
   plan.medial.measure = !settings.polish || phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
   plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? tuning::kBesideBoundary : 0;
-  if (settings.stop_rule != StopRule::kSettled) plan.medial.very_near = tuning::kVeryNearOfPaper;
-  plan.firm_boundary = settings.stop_rule == StopRule::kSettled;
-  plan.reuse_directions = settings.stop_rule == StopRule::kSettled &&
-                          settings.boundary_distance <= 0.5 &&
-                          phase != Phase::kCooling;
-  plan.reuse_balls = settings.stop_rule == StopRule::kSettled;
+  if (!settles) plan.medial.very_near = tuning::kVeryNearOfPaper;
+  plan.firm_boundary = settles;
+  plan.reuse_directions = settles && settings.boundary_distance <= 0.5 && phase != Phase::kCooling;
+  plan.reuse_balls = settles;
   return plan;
 }
 
