@@ -162,6 +162,75 @@ TEST(Crossings, EqualBruteForceOnALongCurve) {
   }
 }
 
+/// Moves a share of the nodes a little, and joins them again. Returns the segments that end in one of them.
+std::vector<uint32_t> nudge(const Surface& s, Curve& c, double share, double step, Rng& rng) {
+  const Curve old = c;
+  std::vector<Path> traces(c.size());
+  std::vector<uint8_t> moved(c.size());
+  for (uint32_t i = 0; i < c.size(); ++i) {
+    moved[i] = rng.in(0, 1) < share;
+    if (moved[i]) c.nodes[i] = trace_geodesic(s, old.nodes[i], step * rng.direction(), traces[i]).end;
+  }
+  std::vector<uint32_t> changed;
+  PathShortener shortener(s);
+  for (uint32_t i = 0; i < c.size(); ++i) {
+    const uint32_t j = c.next(i);
+    if (!moved[i] && (j == kNone || !moved[j])) continue;
+    changed.push_back(i);  // also the last node of an open strand, as it has moved
+    if (j == kNone) continue;
+    c.shapes[i] = shortener.follow(c.nodes[i], c.nodes[j], old.paths[i], traces[i], traces[j], c.paths[i]);
+  }
+  return changed;
+}
+
+Pairs find_again(CrossingTest& test, const Surface& s, const Curve& c, const std::vector<uint32_t>& changed,
+                 ThreadPool& pool) {
+  constexpr size_t kBlock = 10;
+  test.begin_blocks(ThreadPool::block_count(changed.size(), kBlock));
+  pool.for_blocks(changed.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
+    test.collect_some(c, block, std::span(changed).subspan(begin, end - begin));
+  });
+  return test.find_again(s, c, pool, changed);
+}
+
+Pairs find_all(CrossingTest& test, const Surface& s, const Curve& c, ThreadPool& pool) {
+  test.begin(c);
+  for (size_t block = 0; block * CrossingTest::kSegmentsPerBlock < c.size(); ++block) test.collect(c, block);
+  return test.find_collected(s, c, pool);
+}
+
+/// Few segments that change, which are looked at by themselves, and many, after which all are sorted again; the
+/// same ones twice, others after them, and all over again on another curve.
+TEST(Crossings, EqualBruteForceWhereSomeHaveChanged) {
+  Rng rng(26);
+  CrossingTest kept;
+  ThreadPool one(1), three(3);
+  size_t found = 0, none = 0;
+  for (const Mesh& mesh : {octahedron(), sphere(2), flat_grid(3), cube()}) {
+    const Surface s = make_surface(mesh);
+    for (const double share : {0.003, 0.03, 0.3}) {
+      Curve c;
+      add_walk(s, c, random_point(s, rng), 0.02, 400, 0.3, rng);
+      add_ring(s, c, random_point(s, rng), 0.2, 100, 0.02, rng);
+      CrossingTest fresh;
+      EXPECT_EQ(find_all(kept, s, c, three), brute_force(s, c));
+      EXPECT_EQ(find_all(fresh, s, c, one), brute_force(s, c));
+      for (int round = 0; round < 12; ++round) {
+        const std::vector<uint32_t> changed = nudge(s, c, share, 0.03, rng);
+        ASSERT_TRUE(whole(s, c));
+        std::vector<uint8_t> marked(c.size());
+        for (const uint32_t i : changed) marked[i] = 1;
+        const Pairs expected = brute_force(s, c, &marked);
+        ++(expected.empty() ? none : found);
+        EXPECT_EQ(find_again(kept, s, c, changed, three), expected) << "share " << share << ", round " << round;
+        EXPECT_EQ(find_again(fresh, s, c, changed, one), expected) << "share " << share << ", round " << round;
+      }
+    }
+  }
+  EXPECT_GT(found, 60u);
+  EXPECT_GT(none, 5u);
+}
+
 TEST(Crossings, NeighboursMayMeetInTheirNodeOnly) {
   const Surface s = make_surface(octahedron());
   CrossingTest test;

@@ -71,6 +71,42 @@ TEST(OutOfMemory, CrossingsAreFoundAfterwards) {
   EXPECT_GT(failures, 20);
 }
 
+/// The same for the test of a few segments that have changed after one of all.
+TEST(OutOfMemory, CrossingsOfChangedSegmentsAreFoundAfterwards) {
+  const Surface s = make_surface(sphere(2));
+  Rng rng(92);
+  const Curve curve = tangle(s, rng);
+  std::vector<uint32_t> changed;
+  for (uint32_t i = 0; i < curve.size(); i += 9) changed.push_back(i);
+  ThreadPool pool(2);
+  const auto find_all = [&](CrossingTest& test) {
+    test.begin(curve);
+    test.collect(curve, 0);
+    return test.find_collected(s, curve, pool);
+  };
+  const auto find_some = [&](CrossingTest& test) {
+    test.begin_blocks(1);
+    test.collect_some(curve, 0, changed);
+    return test.find_again(s, curve, pool, changed);
+  };
+  ASSERT_LE(curve.size(), CrossingTest::kSegmentsPerBlock);
+  CrossingTest first;
+  const auto all = find_all(first), some = find_some(first);
+  ASSERT_FALSE(some.empty());
+  ASSERT_LT(some.size(), all.size());
+  long failures = 0;
+  for (long n = 0;; ++n) {
+    CrossingTest test;
+    find_all(test);
+    const Outcome outcome = run_out_of_memory(n, [&] { find_some(test); });
+    if (outcome == Outcome::kNotReached) break;
+    failures += outcome == Outcome::kThrown;
+    ASSERT_EQ(find_all(test), all) << "allocation " << n;
+    ASSERT_EQ(find_some(test), some) << "allocation " << n;
+  }
+  EXPECT_GT(failures, 5);
+}
+
 /// Whether two curves are the same, but for what their segments are like besides their lengths.
 bool same(const Curve& a, const Curve& b) {
   const auto same_crossing = [](const Crossing& p, const Crossing& q) {

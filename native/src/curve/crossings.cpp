@@ -18,6 +18,26 @@ constexpr uint32_t kPathsAhead = 8;
 /// Faces that a thread takes at a time: few of a coarse mesh, which hold many pieces.
 constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
 
+/// Where more pieces are new than one of so many, or so many times as many as there are have been renewed, it is as well
+/// to sort all again.
+constexpr size_t kMostNew = 3, kMostRenewed = 2;
+
+/// Faces that a thread takes at a time where few hold anything new.
+constexpr size_t kRenewedFacesPerBlock = 32;
+
+size_t faces_per_block(size_t faces) {
+  return std::clamp<size_t>(faces / kMostBlocksOfFaces, 1, kMostFacesPerBlock);
+}
+
+/// All of them, sorted, each once.
+Pairs together(const std::vector<Pairs>& found) {
+  Pairs all;
+  for (const Pairs& p : found) all.insert(all.end(), p.begin(), p.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 bool same(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
 
 /// Is c, known to lie on the line through a and b, within the closed segment?
@@ -39,17 +59,19 @@ class FaceTest {
   FaceTest(const Curve& curve, const std::vector<uint8_t>* changed, Pairs& found)
       : curve_(curve), changed_(changed), found_(found) {}
 
-  void operator()(const Piece* begin, const Piece* end) {
-    const size_t count = static_cast<size_t>(end - begin);
+  void operator()(std::span<const Piece> pieces) {
+    const size_t count = pieces.size();
+    if (count < 2) return;
+    const Piece *const begin = pieces.data(), *const end = begin + count;
     if (!changed_) {
-      if (count > kFew && by_cells(begin, count)) return;
+      if (count > kFew && by_cells(pieces)) return;
       for (const Piece* p = begin; p != end; ++p) {
         for (const Piece* q = p + 1; q != end; ++q) test(*p, *q);
       }
       return;
     }
     const auto has_changed = [&](const Piece& p) { return (*changed_)[p.segment] != 0; };
-    if (count > kFew && static_cast<size_t>(std::count_if(begin, end, has_changed)) > kFew && by_cells(begin, count)) {
+    if (count > kFew && static_cast<size_t>(std::count_if(begin, end, has_changed)) > kFew && by_cells(pieces)) {
       return;
     }
     for (const Piece* p = begin; p != end; ++p) {
@@ -94,8 +116,8 @@ class FaceTest {
 
   /// Many pieces in one face: only those in the same cell of a grid are compared. False, with nothing done, where
   /// that does not pay.
-  bool by_cells(const Piece* pieces, size_t count) {
-    if (!grid_.lay({pieces, count})) return false;
+  bool by_cells(std::span<const Piece> pieces) {
+    if (!grid_.lay(pieces)) return false;
     grid_.for_pairs([&](uint32_t i, uint32_t j) { test(pieces[i], pieces[j]); });
     return true;
   }
@@ -155,34 +177,19 @@ void CrossingTest::collect(const Curve& curve, size_t block, bool only_marked) {
   }
 }
 
-/// A counting sort by face that touches only the faces which the curve runs through: a fine mesh has many
-/// more.
-void CrossingTest::sort(const Surface& surface) {
+void CrossingTest::collect_some(const Curve& curve, size_t block, std::span<const uint32_t> segments) {
+  std::vector<Piece>& pieces = pieces_[block];
+  pieces.clear();
+  for (const uint32_t i : segments) {
+    if (!curve.has_segment(i)) continue;
+    curve.pieces_of(i, [&](const Piece& piece) { pieces.push_back(piece); });
+  }
+}
+
+size_t CrossingTest::collected() const {
   size_t total = 0;
   for (const std::vector<Piece>& block : pieces_) total += block.size();
-  // All memory first: counts must be 0 again in the end, whatever happens.
-  const size_t most_faces = std::min(total, surface.face_count());
-  count_.resize(surface.face_count(), 0);
-  sorted_.resize(total);
-  occupied_.clear();
-  occupied_.reserve(most_faces);
-  end_.clear();
-  end_.reserve(most_faces);
-  for (const std::vector<Piece>& block : pieces_) {
-    for (const Piece& p : block) {
-      if (count_[p.face]++ == 0) occupied_.push_back(p.face);
-    }
-  }
-  uint32_t place = 0;
-  for (const uint32_t f : occupied_) {
-    const uint32_t count = count_[f];
-    count_[f] = place;
-    place += count;
-  }
-  for (const std::vector<Piece>& block : pieces_) {
-    for (const Piece& p : block) sorted_[count_[p.face]++] = p;
-  }
-  for (const uint32_t f : occupied_) end_.push_back(std::exchange(count_[f], 0));
+  return total;
 }
 
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool& pool,
@@ -196,21 +203,37 @@ Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool&
 
 Pairs CrossingTest::find_among_pieces(const Surface& surface, const Curve& curve, ThreadPool& pool,
                                       const std::vector<uint8_t>* changed) {
-  sort(surface);
-  const size_t faces_per_block = std::clamp<size_t>(occupied_.size() / kMostBlocksOfFaces, 1, kMostFacesPerBlock);
-  std::vector<Pairs> found(ThreadPool::block_count(occupied_.size(), faces_per_block));
-  pool.for_blocks(occupied_.size(), faces_per_block, [&](size_t block, size_t begin, size_t end) {
+  by_face_.sort(pieces_, surface.face_count());
+  const size_t places = by_face_.places(), grain = faces_per_block(places);
+  std::vector<Pairs> found(ThreadPool::block_count(places, grain));
+  pool.for_blocks(places, grain, [&](size_t block, size_t begin, size_t end) {
     FaceTest test(curve, changed, found[block]);
+    for (size_t k = begin; k < end; ++k) test(by_face_.sorted_in(k));
+  });
+  return together(found);
+}
+
+Pairs CrossingTest::find_again(const Surface& surface, const Curve& curve, ThreadPool& pool,
+                               std::span<const uint32_t> changed) {
+  changed_.assign(curve.size(), 0);
+  for (const uint32_t i : changed) changed_[i] = 1;
+  if (collected() > by_face_.size() / kMostNew || by_face_.renewed() > kMostRenewed * by_face_.size()) {
+    begin(curve);
+    pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t, size_t) { collect(curve, block); });
+    return find_among_pieces(surface, curve, pool, &changed_);
+  }
+  by_face_.renew(pieces_, curve.size());
+  const std::span<const uint32_t> places = by_face_.renewed_places();
+  std::vector<Pairs> found(ThreadPool::block_count(places.size(), kRenewedFacesPerBlock));
+  pool.for_blocks(places.size(), kRenewedFacesPerBlock, [&](size_t block, size_t begin, size_t end) {
+    FaceTest test(curve, &changed_, found[block]);
+    std::vector<Piece> pieces;
     for (size_t k = begin; k < end; ++k) {
-      const size_t first = k == 0 ? 0 : end_[k - 1];
-      if (end_[k] - first > 1) test(sorted_.data() + first, sorted_.data() + end_[k]);
+      by_face_.gather(places[k], pieces);
+      test(pieces);
     }
   });
-  Pairs all;
-  for (const Pairs& p : found) all.insert(all.end(), p.begin(), p.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
+  return together(found);
 }
 
 }  // namespace meander

@@ -3,11 +3,13 @@
 // Do any two segments cross or touch? (section 3.3.1)
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/thread_pool.h"
 #include "curve/curve.h"
+#include "curve/face_pieces.h"
 
 namespace meander {
 
@@ -27,7 +29,7 @@ class CrossingTest {
   /// find() in three steps, for whoever makes the segments in blocks: their pieces are taken while the paths are still
   /// in the caches, which on a fine mesh costs less than fetching them once more. begin() comes first, then collect()
   /// once for every block of kSegmentsPerBlock segments, by any threads, then find_collected().
-  void begin(const Curve& curve) { pieces_.resize(ThreadPool::block_count(curve.size(), kSegmentsPerBlock)); }
+  void begin(const Curve& curve) { begin_blocks(ThreadPool::block_count(curve.size(), kSegmentsPerBlock)); }
   void collect(const Curve& curve, size_t block) { collect(curve, block, false); }
   std::vector<std::pair<uint32_t, uint32_t>> find_collected(const Surface& surface, const Curve& curve,
                                                             ThreadPool& pool) {
@@ -35,20 +37,27 @@ class CrossingTest {
   }
   static constexpr size_t kSegmentsPerBlock = 256;
 
+  /// The same for segments that have changed since, in blocks of any size: begin_blocks(), collect_some() once for
+  /// every block, find_again(), which finds the crossing pairs with a changed one. It comes after find_collected(), and
+  /// after any number of its own kind, of the same curve. It looks into the faces of the changed ones only: where few
+  /// segments cross, what it costs grows with those.
+  void begin_blocks(size_t count) { pieces_.resize(count); }
+  void collect_some(const Curve& curve, size_t block, std::span<const uint32_t> segments);
+  std::vector<std::pair<uint32_t, uint32_t>> find_again(const Surface& surface, const Curve& curve, ThreadPool& pool,
+                                                        std::span<const uint32_t> changed);
+
  private:
   void mark(const Surface& surface, const Curve& curve, ThreadPool& pool, const std::vector<uint8_t>& changed);
   void collect(const Curve& curve, size_t block, bool only_marked);
   std::vector<std::pair<uint32_t, uint32_t>> find_among_pieces(const Surface& surface, const Curve& curve,
                                                                ThreadPool& pool, const std::vector<uint8_t>* changed);
-  void sort(const Surface& surface);
+  size_t collected() const;
 
-  std::vector<std::vector<Piece>> pieces_;  // by blocks of segments, in order
-  std::vector<Piece> sorted_;               // by faces
+  std::vector<std::vector<Piece>> pieces_;  // by blocks of segments, in order; those of a segment are together
+  FacePieces by_face_;
   std::vector<uint8_t> marked_;             // per face: holds a changed piece
   std::vector<std::vector<uint32_t>> marked_faces_;  // those that are marked, by blocks of segments
-  std::vector<uint32_t> count_;             // of pieces in a face; all 0 between calls
-  std::vector<uint32_t> occupied_;          // faces that hold pieces, in the order in which the curve meets them
-  std::vector<uint32_t> end_;               // per occupied face: where its pieces end in sorted_
+  std::vector<uint8_t> changed_;            // per segment
 };
 
 }  // namespace meander

@@ -15,9 +15,19 @@ namespace {
 /// Segments that a thread joins at a time.
 constexpr size_t kBlock = CrossingTest::kSegmentsPerBlock;
 
+/// And of those that have to be joined again, which are few.
+constexpr size_t kFewBlock = 32;
+
 /// The faces of the segment this many places on are fetched while another one is joined: on a fine mesh
 /// that costs less than to wait for them.
 constexpr uint32_t kAhead = 4;
+
+/// All of them, as a list of so many.
+struct All {
+  size_t count;
+  size_t size() const { return count; }
+  uint32_t operator[](size_t k) const { return static_cast<uint32_t>(k); }
+};
 
 /// Faces that both ends together have walked over before it pays to guess where they are joined.
 constexpr size_t kFar = 4;
@@ -62,41 +72,55 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const NodeData<Ve
   next_.lay_out_as(curve);
   traces_.resize(n);
   moved_.resize(n);
-  trace(surface, curve, displacement, nullptr, pool);
+  trace(surface, curve, displacement, All{n}, kBlock, pool);
   seconds.retract += watch.lap();
-  reconnect(surface, curve, displacement, nullptr, pool);
+  test_.begin(next_);
+  const auto collect = [&](size_t block, size_t, size_t) { test_.collect(next_, block); };
+  reconnect(surface, curve, displacement, All{n}, kBlock, collect, pool);
   seconds.reconnect += watch.lap();
   auto pairs = test_.find_collected(surface, next_, pool);
   seconds.crossings += watch.lap();
   for (int attempt = 1; !pairs.empty(); ++attempt) {
     back_off(curve, pairs, attempt);
-    trace(surface, curve, displacement, &node_changed_, pool);
+    list_changed(curve);
+    trace(surface, curve, displacement, changed_nodes_, kFewBlock, pool);
     seconds.retract += watch.lap();
-    segment_changed_.assign(n, 0);
-    for (uint32_t i = 0; i < n; ++i) {
-      if (!node_changed_[i]) continue;
-      segment_changed_[i] = 1;
-      if (curve.previous(i) != kNone) segment_changed_[curve.previous(i)] = 1;
-    }
-    reconnect(surface, curve, displacement, &segment_changed_, pool);
+    test_.begin_blocks(ThreadPool::block_count(changed_segments_.size(), kFewBlock));
+    const auto collect_some = [&](size_t block, size_t begin, size_t end) {
+      test_.collect_some(next_, block, std::span(changed_segments_).subspan(begin, end - begin));
+    };
+    reconnect(surface, curve, displacement, changed_segments_, kFewBlock, collect_some, pool);
     seconds.reconnect += watch.lap();
-    pairs = test_.find(surface, next_, pool, &segment_changed_);
+    pairs = test_.find_again(surface, next_, pool, changed_segments_);
     seconds.crossings += watch.lap();
   }
   std::swap(curve, next_);
 }
 
+/// Lists the nodes that are marked, and the segments that end in one.
+void Retraction::list_changed(const Curve& curve) {
+  changed_nodes_.clear();
+  changed_segments_.clear();
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    const uint32_t j = curve.next(i);
+    if (node_changed_[i]) changed_nodes_.push_back(i);
+    if (node_changed_[i] || (j != kNone && node_changed_[j])) changed_segments_.push_back(i);
+  }
+}
+
+/// Leads some nodes.
+template <class Nodes>
 void Retraction::trace(const Surface& surface, const Curve& curve, const NodeData<Vec2>& displacement,
-                       const std::vector<uint8_t>* only, ThreadPool& pool) {
-  pool.for_blocks(curve.size(), kBlock, [&](size_t, size_t begin, size_t end) {
+                       const Nodes& nodes, size_t grain, ThreadPool& pool) {
+  pool.for_blocks(nodes.size(), grain, [&](size_t, size_t begin, size_t end) {
     std::vector<GeodesicWalk> walks;
     std::array<uint32_t, kTogether> node;  // of every walk
     walks.reserve(kTogether);
-    for (uint32_t i = static_cast<uint32_t>(begin); i < end;) {
+    for (size_t at = begin; at < end;) {
       walks.clear();
-      for (; i < end && walks.size() < kTogether; ++i) {
-        if (i + kTogether < end) surface.fetch_face(curve.nodes[i + kTogether].face);
-        if (only && !(*only)[i]) continue;
+      for (; at < end && walks.size() < kTogether; ++at) {
+        if (at + kTogether < end) surface.fetch_face(curve.nodes[nodes[at + kTogether]].face);
+        const uint32_t i = nodes[at];
         traces_[i].clear();
         next_.nodes[i] = curve.nodes[i];
         moved_[i] = 0;
@@ -113,30 +137,30 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const NodeDat
   });
 }
 
-/// Joins the moved nodes again; where all are joined, the crossing test takes their segments. Where nodes have walked
-/// over many faces the new segment is first guessed: a straight walk costs the faces that it crosses, while a path that
-/// follows its ends is led over all the vertices that they have passed by. A guess might come to the same place by
-/// another path around a handle or a hole, so the surface must have none.
+/// Joins moved nodes again by some segments, of which collect(block, begin, end) takes those of one block. Where nodes
+/// have walked over many faces the new segment is first guessed: a straight walk costs the faces that it crosses, while
+/// a path that follows its ends is led over all the vertices that they have passed by. A guess might come to the same
+/// place by another path around a handle or a hole, so the surface must have none.
+template <class Segments, class Collect>
 void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
-                           const std::vector<uint8_t>* only, ThreadPool& pool) {
+                           const Segments& segments, size_t grain, const Collect& collect, ThreadPool& pool) {
   const bool may_guess = surface.simply_connected();
-  if (!only) test_.begin(next_);
-  pool.for_blocks(old.size(), kBlock, [&](size_t block, size_t first, size_t last) {
-    const auto begin = static_cast<uint32_t>(first), end = static_cast<uint32_t>(last);
+  pool.for_blocks(segments.size(), grain, [&](size_t block, size_t begin, size_t end) {
     PathShortener shortener(surface);
     std::vector<uint32_t> far;  // segments to be guessed; the others are joined at once
-    for (uint32_t i = begin; i < end; ++i) {
-      if (i + 2 * kAhead < end) {
-        fetch(old.paths[i + 2 * kAhead]);
-        fetch(traces_[i + 2 * kAhead]);
-        fetch(next_.paths[i + 2 * kAhead]);
+    for (size_t at = begin; at < end; ++at) {
+      if (at + 2 * kAhead < end) {
+        const uint32_t ahead = segments[at + 2 * kAhead];
+        fetch(old.paths[ahead]);
+        fetch(traces_[ahead]);
+        fetch(next_.paths[ahead]);
       }
-      if (i + kAhead < end) {
-        for (const Crossing& c : old.paths[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
-        for (const Crossing& c : traces_[i + kAhead]) surface.fetch_hinges(face_of(c.twin));
+      if (at + kAhead < end) {
+        const uint32_t ahead = segments[at + kAhead];
+        for (const Crossing& c : old.paths[ahead]) surface.fetch_hinges(face_of(c.twin));
+        for (const Crossing& c : traces_[ahead]) surface.fetch_hinges(face_of(c.twin));
       }
-      if (only && !(*only)[i]) continue;
-      const uint32_t j = old.next(i);
+      const uint32_t i = segments[at], j = old.next(i);
       if (j != kNone && may_guess && traces_[i].size() + traces_[j].size() >= kFar) {
         far.push_back(i);
         continue;
@@ -150,7 +174,7 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeD
       }
     }
     guess(surface, old, displacement, far, shortener);
-    if (!only) test_.collect(next_, block);
+    collect(block, begin, end);
   });
 }
 

@@ -49,16 +49,19 @@ class Retraction {
  private:
   void resolve(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement, ThreadPool& pool,
                MoveSeconds& seconds);
-  void trace(const Surface& surface, const Curve& curve, const NodeData<Vec2>& displacement,
-             const std::vector<uint8_t>* only, ThreadPool& pool);
+  template <class Nodes>
+  void trace(const Surface& surface, const Curve& curve, const NodeData<Vec2>& displacement, const Nodes& nodes,
+             size_t grain, ThreadPool& pool);
+  template <class Segments, class Collect>
   void reconnect(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
-                 const std::vector<uint8_t>* only, ThreadPool& pool);
+                 const Segments& segments, size_t grain, const Collect& collect, ThreadPool& pool);
   void guess(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
              std::span<const uint32_t> segments, PathShortener& shortener);
   static std::optional<PathShape> aim(const Surface& surface, const SurfacePoint& start, const SurfacePoint& goal,
                                       Vec2 displacement, const GeodesicWalk& first, Path& path,
                                       PathShortener& shortener);
   Vec2 chord(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement, uint32_t i) const;
+  void list_changed(const Curve& curve);
   void spread(const Strand& strand, uint32_t reach);
   void back_off(const Curve& curve, const std::vector<std::pair<uint32_t, uint32_t>>& pairs, int attempt);
 
@@ -67,7 +70,8 @@ class Retraction {
   std::vector<Path> traces_;
   std::vector<double> share_;           // of the displacement that a node takes
   NodeData<double> moved_;              // how far it has gone
-  std::vector<uint8_t> node_changed_, segment_changed_;
+  std::vector<uint8_t> node_changed_;
+  std::vector<uint32_t> changed_nodes_, changed_segments_;
   std::vector<uint32_t> marked_;        // nodes of a strand, from its first on
 };
 
