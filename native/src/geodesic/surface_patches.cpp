@@ -11,7 +11,6 @@
 
 #include <Eigen/Geometry>
 
-#include "base/front_search.h"
 #include "base/point_grid.h"
 #include "geodesic/patch_cutter.h"
 #include "geodesic/patch_sheets.h"
@@ -40,52 +39,45 @@ constexpr double kSheets = 1.5;
 /// A crease matters to places within this many r; on a limb, what has turned by more than this (a cosine).
 constexpr double kCreaseReach = 2.2, kCurled = 0.3;
 
-/// What one search after another knows of the patches, in the same memory.
-struct Distances {
-  std::vector<Reached> known;
-  std::vector<uint32_t> touched;
+/// What one comparison after another needs, in the same memory: as large as the surface, while a comparison is small.
+struct Search {
+  static constexpr double kUnreached = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<uint32_t, double>> near;  // patches, and squared distances through space
+  std::vector<double> distance;                   // per patch, along the surface as far as is known
+  std::vector<uint32_t> front;                    // in the order in which they were reached, again where nearer
 
-  void clear() {
-    for (const uint32_t p : touched) known[p] = Reached();
-    touched.clear();
+  bool reached(uint32_t p) const { return distance[p] < kUnreached; }
+  void offer(uint32_t p, double at) {
+    if (!(at < distance[p])) return;
+    distance[p] = at;
+    front.push_back(p);
   }
-  bool reached(uint32_t p) const { return known[p].cost < std::numeric_limits<double>::infinity(); }
+  void forget() {
+    for (const uint32_t p : front) distance[p] = kUnreached;
+    front.clear();
+  }
 };
 
-/// Hands memory for a search from one block of a loop on to the next, as it is as large as the surface and a search is
-/// small: as many are made as threads take part. Any thread.
-class SpareDistances {
+/// Hands the memory of a search on from one block of a loop to the next: as many are made as threads take part. Any
+/// thread.
+class SpareSearches {
  public:
-  Distances take() {
+  Search take() {
     const std::lock_guard lock(mutex_);
     if (spare_.empty()) return {};
-    Distances last = std::move(spare_.back());
+    Search last = std::move(spare_.back());
     spare_.pop_back();
     return last;
   }
-  /// It must have been cleared.
-  void give_back(Distances distances) {
+  /// It must have forgotten what it knows.
+  void give_back(Search search) {
     const std::lock_guard lock(mutex_);
-    spare_.push_back(std::move(distances));
+    spare_.push_back(std::move(search));
   }
 
  private:
   std::mutex mutex_;
-  std::vector<Distances> spare_;
-};
-
-/// What a search knows, as FrontSearch asks for it.
-class KeptNodes {
- public:
-  explicit KeptNodes(Distances& kept) : kept_(&kept) {}
-  Reached& operator[](uint32_t node) {
-    if (!kept_->reached(node)) kept_->touched.push_back(node);
-    return kept_->known[node];
-  }
-  const Reached& at(uint32_t node) const { return kept_->known[node]; }
-
- private:
-  Distances* kept_;
+  std::vector<Search> spare_;
 };
 
 }  // namespace
@@ -112,11 +104,11 @@ class SurfacePatches::Comparison {
     });
     for (uint32_t p = 0; p < n; ++p) known_[p].stacked = stacked[p] != 0;
     std::vector<std::vector<uint32_t>> hidden(n);
-    SpareDistances spare;
+    SpareSearches spare;
     pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-      Distances distances = spare.take();
-      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, distances, hidden[p]);
-      spare.give_back(std::move(distances));
+      Search search = spare.take();
+      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, search, hidden[p]);
+      spare.give_back(std::move(search));
     });
     patches_.hidden_in_.resize(n);
     for (uint32_t p = 0; p < n; ++p) add_hidden(p, hidden[p]);
@@ -161,31 +153,33 @@ class SurfacePatches::Comparison {
     return stacked;
   }
 
-  void compare(uint32_t p, Distances& distances, std::vector<uint32_t>& hidden) {
+  void compare(uint32_t p, Search& search, std::vector<uint32_t>& hidden) {
     if (!(cut_.area[p] > 0)) return;
     const double r = cut_.r[p], far = (kReach + Cutter::kSize) * r;
     double area = 0;
     bool one_sheet = !known_[p].rough, edged = false, opposed = false;
-    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
+    search.near.clear();
+    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) { search.near.emplace_back(q, squared); });
+    for (const auto& [q, squared] : search.near) {
       const Known& other = known_[q];
       area += static_cast<double>(other.area);
       one_sheet = one_sheet && !other.at_boundary && !other.stacked && (q == p || alike(p, q, slack(p)));
       opposed = opposed || patches_.opposite(p, q);
       edged = edged || (other.own != Crease::kFlat && !other.bend);
       if (other.own != Crease::kFlat) note_crease(p, std::sqrt(squared), other.own, other.bend);
-    });
+    }
     patches_.traits_[p].opposed = opposed;
     if (one_sheet && area <= kSheets * std::numbers::pi * far * far) return;
-    measure_from(p, distances);
-    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
+    measure_from(p, search);
+    for (const auto& [q, squared] : search.near) {
       const double apart = std::sqrt(squared);
-      if (!distances.reached(q)) {
+      if (!search.reached(q)) {
         if (apart <= kReach * r) hidden.push_back(q);
       } else if (patches_.normal_[p].dot(patches_.normal_[q]) < kCurled) {
         note_crease(p, apart, Crease::kBlunt, !edged);
       }
-    });
-    distances.clear();
+    }
+    search.forget();
   }
 
   void note_crease(uint32_t p, double apart, Crease crease, bool bend) {
@@ -198,15 +192,18 @@ class SurfacePatches::Comparison {
     if (bend) traits.to_bend = std::min(traits.to_bend, static_cast<float>(distance));
   }
 
-  /// Finds all patches that are not too far from p to be seen from it.
-  void measure_from(uint32_t p, Distances& distances) const {
-    if (distances.known.empty()) distances.known.resize(patches_.count());
-    FrontSearch<KeptNodes> front{KeptNodes(distances)};
-    front.offer(p, 0);
-    while (const auto q = front.next()) {
-      for (const uint32_t next : patches_.beside(*q)) {
-        const double cost = front.cost(*q) + (cut_.centre[next] - cut_.centre[*q]).norm();
-        if (cost <= (kHidden + Cutter::kSize) * cut_.r[p]) front.offer(next, cost, *q);
+  /// Finds all patches that are not too far from p to be seen from it. A shorter way to a patch may be found after it
+  /// has handed a longer one on, which is rare where all steps are about as long; to keep the order costs more.
+  void measure_from(uint32_t p, Search& search) const {
+    if (search.distance.empty()) search.distance.resize(patches_.count(), Search::kUnreached);
+    const double most = (kHidden + Cutter::kSize) * cut_.r[p];
+    search.offer(p, 0);
+    for (size_t k = 0; k < search.front.size(); ++k) {
+      const uint32_t q = search.front[k];
+      const double distance = search.distance[q];
+      for (const uint32_t next : patches_.beside(q)) {
+        const double farther = distance + (cut_.centre[next] - cut_.centre[q]).norm();
+        if (farther <= most) search.offer(next, farther);
       }
     }
   }
