@@ -24,8 +24,9 @@ list(REMOVE_ITEM test_support ${test_sources})
 add_library(meander_test_support OBJECT ${test_support})
 target_include_directories(meander_test_support PUBLIC "${PROJECT_SOURCE_DIR}/tests/native")
 target_link_libraries(meander_test_support PUBLIC meander_core GTest::gtest GTest::gtest_main)
-# Reading these two takes longer than compiling many a test.
-target_precompile_headers(meander_test_support PRIVATE <gtest/gtest.h> <Eigen/Core>)
+# Reading these takes longer than compiling many a test.
+target_precompile_headers(meander_test_support PRIVATE
+  <gtest/gtest.h> <Eigen/Core> "${PROJECT_SOURCE_DIR}/tests/native/test_curves.h")
 
 foreach(test_source IN LISTS test_sources)
   get_filename_component(test_name "${test_source}" NAME_WE)

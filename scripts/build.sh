@@ -5,7 +5,8 @@
 #
 # Builds into build/ the given targets, or else everything: the library, the native tests, the
 # benchmark, and the add-on's zip build/meander-VERSION.zip. The packages of install_dependencies.sh
-# must be installed. Options of the build are remembered in build/: docs/building.md.
+# must be installed. Options of the build are remembered in build/: docs/building.md. Where MEANDER_UNITY is
+# set to ON or OFF, it is that option.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -14,7 +15,8 @@ targets=("$@")
 
 mkdir -p build
 # Debian's Python by its full path: another Python may come first on the PATH.
-if ! cmake -S . -B build -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 >build/configure.log 2>&1
+if ! cmake -S . -B build -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
+  ${MEANDER_UNITY:+"-DMEANDER_UNITY=$MEANDER_UNITY"} >build/configure.log 2>&1
 then
   cat build/configure.log >&2
   exit 1

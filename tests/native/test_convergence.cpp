@@ -93,8 +93,12 @@ TEST(Plan, TakesOutSpikesInThePhasesOfGivenLength) {
       const double most = plan_iteration(settings, phase).most_turn;
       EXPECT_GE(most, tuning::kMostGentleTurn);
       EXPECT_LE(most, tuning::kMostTurn);
-      if (iterations <= 100) EXPECT_EQ(most, tuning::kMostTurn);
-      if (iterations >= 300) EXPECT_EQ(most, tuning::kMostGentleTurn);
+      if (iterations <= 100) {
+        EXPECT_EQ(most, tuning::kMostTurn);
+      }
+      if (iterations >= 300) {
+        EXPECT_EQ(most, tuning::kMostGentleTurn);
+      }
     }
   }
   settings.boundary_distance = 0.75;  // a strip that is to stay empty

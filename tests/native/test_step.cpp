@@ -23,7 +23,7 @@ struct Scene {
     settings.segment_length = 0.5 * kRadius;
     settings.max_radius = 3 * kRadius;
     const Vec2 middle = flat(*surface, SurfacePoint{0, {1.0 / 3, 1.0 / 3}});
-    for (int k = 0; k < kNodes; ++k) add_node(curve, point_at(*surface, 0, middle + Vec2{0.5 * kRadius * k, 0}));
+    for (uint32_t k = 0; k < kNodes; ++k) add_node(curve, point_at(*surface, 0, middle + Vec2{0.5 * kRadius * k, 0}));
     curve.strands.push_back({0, kNodes, false});
     join_in_face(*surface, curve);
     const ReachOfSide open{settings.max_radius, settings.max_radius, settings.max_radius};

@@ -18,8 +18,8 @@ constexpr uint32_t kPathsAhead = 8;
 /// Faces that a thread takes at a time: few of a coarse mesh, which hold many pieces.
 constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
 
-/// Where more pieces are new than one of so many, or so many times as many as there are have been renewed, it is as well
-/// to sort all again.
+/// Where more pieces are new than one of so many, or so many times as many as there are have been renewed, all are
+/// sorted again.
 constexpr size_t kMostNew = 3, kMostRenewed = 2;
 
 /// Faces that a thread takes at a time where few hold anything new.
