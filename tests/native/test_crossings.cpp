@@ -186,7 +186,7 @@ std::vector<uint32_t> nudge(const Surface& s, Curve& c, double share, double ste
 Pairs find_again(CrossingTest& test, const Surface& s, const Curve& c, const std::vector<uint32_t>& changed,
                  ThreadPool& pool) {
   constexpr size_t kBlock = 10;
-  test.begin_blocks(ThreadPool::block_count(changed.size(), kBlock));
+  test.begin_some(ThreadPool::block_count(changed.size(), kBlock));
   pool.for_blocks(changed.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
     test.collect_some(c, block, std::span(changed).subspan(begin, end - begin));
   });

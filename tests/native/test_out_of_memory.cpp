@@ -85,7 +85,7 @@ TEST(OutOfMemory, CrossingsOfChangedSegmentsAreFoundAfterwards) {
     return test.find_collected(s, curve, pool);
   };
   const auto find_some = [&](CrossingTest& test) {
-    test.begin_blocks(1);
+    test.begin_some(1);
     test.collect_some(curve, 0, changed);
     return test.find_again(s, curve, pool, changed);
   };

@@ -177,19 +177,16 @@ void CrossingTest::collect(const Curve& curve, size_t block, bool only_marked) {
   }
 }
 
-void CrossingTest::collect_some(const Curve& curve, size_t block, std::span<const uint32_t> segments) {
-  std::vector<Piece>& pieces = pieces_[block];
-  pieces.clear();
-  for (const uint32_t i : segments) {
-    if (!curve.has_segment(i)) continue;
-    curve.pieces_of(i, [&](const Piece& piece) { pieces.push_back(piece); });
-  }
+void CrossingTest::begin_some(size_t blocks) {
+  if (some_pieces_.size() < blocks) some_pieces_.resize(blocks);
+  for (std::vector<Piece>& block : some_pieces_) block.clear();
 }
 
-size_t CrossingTest::collected() const {
-  size_t total = 0;
-  for (const std::vector<Piece>& block : pieces_) total += block.size();
-  return total;
+void CrossingTest::collect_some(const Curve& curve, size_t block, std::span<const uint32_t> segments) {
+  for (const uint32_t i : segments) {
+    if (!curve.has_segment(i)) continue;
+    curve.pieces_of(i, [&](const Piece& piece) { some_pieces_[block].push_back(piece); });
+  }
 }
 
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool& pool,
@@ -217,12 +214,14 @@ Pairs CrossingTest::find_again(const Surface& surface, const Curve& curve, Threa
                                std::span<const uint32_t> changed) {
   changed_.assign(curve.size(), 0);
   for (const uint32_t i : changed) changed_[i] = 1;
-  if (collected() > by_face_.size() / kMostNew || by_face_.renewed() > kMostRenewed * by_face_.size()) {
+  size_t renewed = 0;
+  for (const std::vector<Piece>& block : some_pieces_) renewed += block.size();
+  if (renewed > by_face_.size() / kMostNew || by_face_.renewed() > kMostRenewed * by_face_.size()) {
     begin(curve);
     pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t, size_t) { collect(curve, block); });
     return find_among_pieces(surface, curve, pool, &changed_);
   }
-  by_face_.renew(pieces_, curve.size());
+  by_face_.renew(some_pieces_, curve.size());
   const std::span<const uint32_t> places = by_face_.renewed_places();
   std::vector<Pairs> found(ThreadPool::block_count(places.size(), kRenewedFacesPerBlock));
   pool.for_blocks(places.size(), kRenewedFacesPerBlock, [&](size_t block, size_t begin, size_t end) {

@@ -29,7 +29,7 @@ class CrossingTest {
   /// find() in three steps, for whoever makes the segments in blocks: their pieces are taken while the paths are still
   /// in the caches, which on a fine mesh costs less than fetching them once more. begin() comes first, then collect()
   /// once for every block of kSegmentsPerBlock segments, by any threads, then find_collected().
-  void begin(const Curve& curve) { begin_blocks(ThreadPool::block_count(curve.size(), kSegmentsPerBlock)); }
+  void begin(const Curve& curve) { pieces_.resize(ThreadPool::block_count(curve.size(), kSegmentsPerBlock)); }
   void collect(const Curve& curve, size_t block) { collect(curve, block, false); }
   std::vector<std::pair<uint32_t, uint32_t>> find_collected(const Surface& surface, const Curve& curve,
                                                             ThreadPool& pool) {
@@ -37,11 +37,11 @@ class CrossingTest {
   }
   static constexpr size_t kSegmentsPerBlock = 256;
 
-  /// The same for segments that have changed since, in blocks of any size: begin_blocks(), collect_some() once for
+  /// The same for segments that have changed since, in any number of blocks: begin_some(), collect_some() once for
   /// every block, find_again(), which finds the crossing pairs with a changed one. It comes after find_collected(), and
   /// after any number of its own kind, of the same curve. It looks into the faces of the changed ones only: where few
   /// segments cross, what it costs grows with those.
-  void begin_blocks(size_t count) { pieces_.resize(count); }
+  void begin_some(size_t blocks);
   void collect_some(const Curve& curve, size_t block, std::span<const uint32_t> segments);
   std::vector<std::pair<uint32_t, uint32_t>> find_again(const Surface& surface, const Curve& curve, ThreadPool& pool,
                                                         std::span<const uint32_t> changed);
@@ -51,13 +51,13 @@ class CrossingTest {
   void collect(const Curve& curve, size_t block, bool only_marked);
   std::vector<std::pair<uint32_t, uint32_t>> find_among_pieces(const Surface& surface, const Curve& curve,
                                                                ThreadPool& pool, const std::vector<uint8_t>* changed);
-  size_t collected() const;
 
-  std::vector<std::vector<Piece>> pieces_;  // by blocks of segments, in order; those of a segment are together
+  std::vector<std::vector<Piece>> pieces_;       // by blocks of segments, in order
+  std::vector<std::vector<Piece>> some_pieces_;  // those of changed segments, likewise; empty after the last block
   FacePieces by_face_;
-  std::vector<uint8_t> marked_;             // per face: holds a changed piece
+  std::vector<uint8_t> marked_;                  // per face: holds a changed piece
   std::vector<std::vector<uint32_t>> marked_faces_;  // those that are marked, by blocks of segments
-  std::vector<uint8_t> changed_;            // per segment
+  std::vector<uint8_t> changed_;                 // per segment
 };
 
 }  // namespace meander

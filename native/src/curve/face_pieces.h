@@ -12,7 +12,7 @@
 namespace meander {
 
 /// Faces are known by their places among those that the curve runs through, as a fine mesh has many more. Keeps its
-/// memory. One thread changes it at a time, and any number look meanwhile at what is not changed.
+/// memory. Any number of threads may ask while none changes it.
 class FacePieces {
  public:
   /// Sorts pieces by face: those of blocks, one block after the other.
@@ -27,10 +27,10 @@ class FacePieces {
     return std::span(sorted_).subspan(first, end_[place] - first);
   }
 
-  /// Takes the pieces of segments that have changed since; those of a segment come together in one block. What is asked
-  /// of a place after it, gather() knows; the sorted ones of such a segment are out of date.
+  /// Takes the pieces of segments that have changed since; those of a segment come together in one block. From then on
+  /// gather() says what lies in a place; of what was sorted, the pieces of such segments are out of date.
   ///
-  /// `segments`  that the curve has, the same number from the sorting on
+  /// `segments`  how many the curve has, the same number from the sorting on
   void renew(const std::vector<std::vector<Piece>>& blocks, size_t segments);
 
   /// How many pieces have been renewed since all were sorted, also of segments that have been again.

@@ -85,7 +85,7 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const NodeData<Ve
     list_changed(curve);
     trace(surface, curve, displacement, changed_nodes_, kFewBlock, pool);
     seconds.retract += watch.lap();
-    test_.begin_blocks(ThreadPool::block_count(changed_segments_.size(), kFewBlock));
+    test_.begin_some(ThreadPool::block_count(changed_segments_.size(), kFewBlock));
     const auto collect_some = [&](size_t block, size_t begin, size_t end) {
       test_.collect_some(next_, block, std::span(changed_segments_).subspan(begin, end - begin));
     };
