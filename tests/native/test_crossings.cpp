@@ -190,7 +190,7 @@ Pairs find_again(CrossingTest& test, const Surface& s, const Curve& c, const std
   pool.for_blocks(changed.size(), kBlock, [&](size_t block, size_t begin, size_t end) {
     test.collect_some(c, block, std::span(changed).subspan(begin, end - begin));
   });
-  return test.find_again(s, c, pool, changed);
+  return test.find_again(s, c, pool);
 }
 
 Pairs find_all(CrossingTest& test, const Surface& s, const Curve& c, ThreadPool& pool) {
@@ -199,8 +199,9 @@ Pairs find_all(CrossingTest& test, const Surface& s, const Curve& c, ThreadPool&
   return test.find_collected(s, c, pool);
 }
 
-/// Few segments that change, which are looked at by themselves, and many, after which all are sorted again; the
-/// same ones twice, others after them, and all over again on another curve.
+/// Few segments that change, which are looked at by themselves; a fourth in every round, until more have been renewed
+/// than are kept; and so many that all are sorted again. The same ones twice, others after them, and all over again on
+/// another curve.
 TEST(Crossings, EqualBruteForceWhereSomeHaveChanged) {
   Rng rng(26);
   CrossingTest kept;
@@ -208,7 +209,7 @@ TEST(Crossings, EqualBruteForceWhereSomeHaveChanged) {
   size_t found = 0, none = 0;
   for (const Mesh& mesh : {octahedron(), sphere(2), flat_grid(3), cube()}) {
     const Surface s = make_surface(mesh);
-    for (const double share : {0.003, 0.03, 0.3}) {
+    for (const double share : {0.003, 0.03, 0.12, 0.3}) {
       Curve c;
       add_walk(s, c, random_point(s, rng), 0.02, 400, 0.3, rng);
       add_ring(s, c, random_point(s, rng), 0.2, 100, 0.02, rng);

@@ -87,7 +87,7 @@ TEST(OutOfMemory, CrossingsOfChangedSegmentsAreFoundAfterwards) {
   const auto find_some = [&](CrossingTest& test) {
     test.begin_some(1);
     test.collect_some(curve, 0, changed);
-    return test.find_again(s, curve, pool, changed);
+    return test.find_again(s, curve, pool);
   };
   ASSERT_LE(curve.size(), CrossingTest::kSegmentsPerBlock);
   CrossingTest first;

@@ -18,8 +18,8 @@ constexpr uint32_t kPathsAhead = 8;
 /// Faces that a thread takes at a time: few of a coarse mesh, which hold many pieces.
 constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
 
-/// Where more pieces are new than one of so many, or so many times as many as there are have been renewed, all are
-/// sorted again.
+/// All pieces are sorted again where more than one of so many is new, and where so many times as many as there are have
+/// been renewed.
 constexpr size_t kMostNew = 3, kMostRenewed = 2;
 
 /// Faces that a thread takes at a time where few hold anything new.
@@ -210,13 +210,14 @@ Pairs CrossingTest::find_among_pieces(const Surface& surface, const Curve& curve
   return together(found);
 }
 
-Pairs CrossingTest::find_again(const Surface& surface, const Curve& curve, ThreadPool& pool,
-                               std::span<const uint32_t> changed) {
+Pairs CrossingTest::find_again(const Surface& surface, const Curve& curve, ThreadPool& pool) {
   changed_.assign(curve.size(), 0);
-  for (const uint32_t i : changed) changed_[i] = 1;
-  size_t renewed = 0;
-  for (const std::vector<Piece>& block : some_pieces_) renewed += block.size();
-  if (renewed > by_face_.size() / kMostNew || by_face_.renewed() > kMostRenewed * by_face_.size()) {
+  size_t fresh = 0;
+  for (const std::vector<Piece>& block : some_pieces_) {
+    fresh += block.size();
+    for (const Piece& piece : block) changed_[piece.segment] = 1;
+  }
+  if (fresh > by_face_.size() / kMostNew || by_face_.renewed() > kMostRenewed * by_face_.size()) {
     begin(curve);
     pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t, size_t) { collect(curve, block); });
     return find_among_pieces(surface, curve, pool, &changed_);

@@ -38,13 +38,12 @@ class CrossingTest {
   static constexpr size_t kSegmentsPerBlock = 256;
 
   /// The same for segments that have changed since, in any number of blocks: begin_some(), collect_some() once for
-  /// every block, find_again(), which finds the crossing pairs with a changed one. It comes after find_collected(), and
-  /// after any number of its own kind, of the same curve. It looks into the faces of the changed ones only: where few
-  /// segments cross, what it costs grows with those.
+  /// every block, find_again(), which finds the crossing pairs with one that was collected. It comes after
+  /// find_collected(), and after any number of its own kind, of the same curve. It looks into the faces of the changed
+  /// ones only: where few segments cross, what it costs grows with those.
   void begin_some(size_t blocks);
   void collect_some(const Curve& curve, size_t block, std::span<const uint32_t> segments);
-  std::vector<std::pair<uint32_t, uint32_t>> find_again(const Surface& surface, const Curve& curve, ThreadPool& pool,
-                                                        std::span<const uint32_t> changed);
+  std::vector<std::pair<uint32_t, uint32_t>> find_again(const Surface& surface, const Curve& curve, ThreadPool& pool);
 
  private:
   void mark(const Surface& surface, const Curve& curve, ThreadPool& pool, const std::vector<uint8_t>& changed);

@@ -36,7 +36,7 @@ void FacePieces::sort(const std::vector<std::vector<Piece>>& blocks, size_t face
   for (const uint32_t f : faces_) end_.push_back(std::exchange(count_[f], 0));
 }
 
-/// Makes count_ lead from a face to its place. Not done before it is needed, as most curves are sorted and never renewed.
+/// Makes count_ lead from a face to its place. Not done before it is needed: most curves are sorted and never renewed.
 void FacePieces::index(size_t segments) {
   if (indexed_) return;
   renewed_from_.assign(segments, kNone);

@@ -91,7 +91,7 @@ void Retraction::resolve(const Surface& surface, Curve& curve, const NodeData<Ve
     };
     reconnect(surface, curve, displacement, changed_segments_, kFewBlock, collect_some, pool);
     seconds.reconnect += watch.lap();
-    pairs = test_.find_again(surface, next_, pool, changed_segments_);
+    pairs = test_.find_again(surface, next_, pool);
     seconds.crossings += watch.lap();
   }
   std::swap(curve, next_);

@@ -27,8 +27,8 @@ struct Plan {
   double most_turn = 0;       ///< in radians: nodes where a strand turns by more are taken out; infinite in
                               ///< growth, at the end, without a polish, and where a strip along the boundary is
                               ///< to stay empty
-  /// No step leads onto the boundary, and where it pushes hard the model knows how fast its push falls: what is squeezed
-  /// between two boundaries comes to rest. Not where the flow follows the paper.
+  /// No step leads onto the boundary, and where it pushes hard the model knows how fast its push falls: what is
+  /// squeezed between two boundaries comes to rest. Not where the flow follows the paper.
   bool firm_boundary = false;
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
