@@ -179,6 +179,66 @@ TEST(GeodesicMedialAxis, DoesNotSeeOtherSheets) {
   }
 }
 
+/// The layer after the next of a cloth faces the same way, and large balls reach past all that patches are compared
+/// with: one that saw the strands there would hold a growing curve back.
+TEST(GeodesicMedialAxis, LargeBallsDoNotSeeTheLayerAfterTheNext) {
+  constexpr double kGap = 0.1, kReach = 6, kWidth = 24;
+  const Surface s = make_surface(folded_cloth(kWidth, 30, kGap, 3, 30));
+  const double r = 1 / s.scale(), clamp = 3;
+  ThreadPool pool(1);
+  const SurfacePatches patches(s, RadiusField(r), clamp, pool);
+  const BoundaryObstacle boundary(s, 0.5 * r);
+  const auto caller = [&](const SurfacePoint& p) {
+    const Triangle& t = s.face(p.face);
+    return Vec3(p.weight(0) * s.caller_position(t[0]) + p.b.x * s.caller_position(t[1]) +
+                p.b.y * s.caller_position(t[2]));
+  };
+  const auto add_strands = [&](Curve& curve, uint64_t seed, int layer) {
+    Rng rng(seed);
+    for (int k = 0; k < 25; ++k) {
+      // Not beside the folds, which belong to no layer.
+      SurfacePoint p;
+      do p = random_point(s, rng);
+      while (std::abs(caller(p).z() - kGap * layer) > 0.1 * kGap || std::abs(caller(p).x() - kWidth / 2) > kWidth / 4);
+      add_walk(s, curve, p, 0.4 * r, 8, 0.2, rng);
+    }
+  };
+  Curve top, both;
+  add_strands(top, 71, 2);
+  add_strands(both, 71, 2);
+  add_strands(both, 72, 0);
+  const auto radii_of = [&](const Curve& curve, bool measure, NodeData<Radii>& euclidean) {
+    const LocalMetric metric = even_metric(curve, r, clamp * r);
+    Frames frames;
+    compute_frames(s, curve, metric, RadiusField(r), pool, frames);
+    NodeData<Reach> reach;
+    compute_reach({s, curve, frames, boundary, BoundaryRule::kCentre, &patches, metric}, {}, pool, reach);
+    CurveBvh tree;
+    NodeData<Radii> radii;
+    compute_geodesic_medial_axis(s, patches, curve, frames, boundary, BoundaryRule::kCentre, measure, metric, reach,
+                                 pool, tree, radii);
+    compute_medial_axis(frames, boundary, BoundaryRule::kCentre, reach, pool, tree, euclidean);
+    return radii;
+  };
+  for (const bool measure : {false, true}) {
+    NodeData<Radii> euclidean, straight;
+    const NodeData<Radii> alone = radii_of(top, measure, euclidean), together = radii_of(both, measure, straight);
+    size_t large = 0, disturbed = 0;
+    for (uint32_t i = 0; i < top.size(); ++i) {
+      const Vec3 x = caller(top.nodes[i]);
+      // Where the curve turns back to the layer below, and no ball reaches.
+      if (std::abs(x.z() - 2 * kGap) > 0.5 * kGap || x.x() < kReach) continue;
+      for (int side = 0; side < 2; ++side) {
+        EXPECT_EQ(together[i][side], alone[i][side]) << "node " << i << " side " << side;
+        large += alone[i][side] > 1.5 * r;
+        disturbed += straight[i][side] < euclidean[i][side];
+      }
+    }
+    EXPECT_GT(large, 50u);
+    EXPECT_GT(disturbed, 50u);
+  }
+}
+
 TEST(GeodesicMedialAxis, AnyNumberOfThreadsGivesTheSameBytes) {
   const Surface s = make_surface(with_noise(torus(30, 15), 0.2, 3));
   Curve curve;
@@ -280,7 +340,7 @@ struct Filling {
   double r = settings.radius;
   ThreadPool pool{1};
   BoundaryObstacle boundary{surface, 0.5 * r};
-  SurfacePatches patches{surface, RadiusField(r), pool};
+  SurfacePatches patches{surface, RadiusField(r), settings.max_radius / r, pool};
   LocalMetric metric;
   Frames frames;
   NodeData<Reach> reach;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <queue>
@@ -18,6 +19,9 @@ namespace {
 
 /// Some points of a patch stand for it.
 constexpr uint32_t kSamples = 20000;
+
+/// The largest balls, in r.
+constexpr double kClamp = 3;
 
 /// A surface with its patches. Lengths are in r of the mesh, unless a density makes it vary.
 struct Cut {
@@ -37,7 +41,7 @@ struct Cut {
 
   SurfacePatches cut(unsigned threads) const {
     ThreadPool pool(threads);
-    return SurfacePatches(surface, radius, pool);
+    return SurfacePatches(surface, radius, kClamp, pool);
   }
   uint32_t at(const SurfacePoint& p) const { return patches.patch_of(surface, p); }
   /// In the caller's coordinates.
@@ -451,14 +455,33 @@ std::vector<Part> parts_of(const Cut& c) {
   return parts;
 }
 
+/// The patches that may be stepped to from each: those that touch it, and past one of them those that touch that, where
+/// the straight way is shorter than .85 of both steps and no two of the three normals differ by more than 60 degrees.
+using Steps = std::vector<std::set<uint32_t>>;
+Steps steps_of(const Cut& c, const std::vector<Part>& parts) {
+  Steps steps(parts.size());
+  const auto length = [&](uint32_t p, uint32_t q) { return (parts[p].centre - parts[q].centre).norm(); };
+  const auto alike = [&](uint32_t p, uint32_t q) { return c.patches.normal(p).dot(c.patches.normal(q)) >= 0.5; };
+  for (uint32_t p = 0; p < parts.size(); ++p) {
+    for (const uint32_t q : c.patches.beside(p)) {
+      steps[p].insert(q);
+      for (const uint32_t o : c.patches.beside(q)) {
+        const bool off_to_the_side = length(p, o) < 0.85 * (length(p, q) + length(q, o));
+        if (o != p && off_to_the_side && alike(p, q) && alike(q, o) && alike(p, o)) steps[p].insert(o);
+      }
+    }
+  }
+  return steps;
+}
+
 /// Distances over the middles of patches, up to `most`.
-std::vector<double> over_middles(const Cut& c, const std::vector<Part>& parts, uint32_t from, double most) {
+std::vector<double> over_middles(const Steps& steps, const std::vector<Part>& parts, uint32_t from, double most) {
   std::vector<double> distance(parts.size(), std::numeric_limits<double>::infinity());
   std::set<std::pair<double, uint32_t>> open{{distance[from] = 0, from}};
   while (!open.empty()) {
     const auto [d, p] = *open.begin();
     open.erase(open.begin());
-    for (const uint32_t q : c.patches.beside(p)) {
+    for (const uint32_t q : steps[p]) {
       const double to = d + (parts[q].centre - parts[p].centre).norm();
       if (to >= distance[q] || to > most) continue;
       open.erase({distance[q], q});
@@ -471,24 +494,46 @@ std::vector<double> over_middles(const Cut& c, const std::vector<Part>& parts, u
 /// What patches say, as it is defined: of every pair, and without anything that saves time. In r of the first patch of
 /// a pair: q is hidden from p if it is nearer than 2.8 through space, and farther than 4 over the middles of patches.
 /// Creases matter up to 2.2 from the rim of p, which is 1 across; so does what is reached and has turned by more than
-/// arccos .3, as a bend where no edge is within 3.8. What faces away is looked for within 3.8.
+/// arccos .3, as a bend where no edge is within 3.8. What faces away is looked for within 3.8. Of a patch that hides
+/// anything which does not face away, sheets that are nowhere near along the surface are hidden as a whole.
 struct Said {
-  size_t hidden = 0, creased = 0, bent = 0;
+  size_t hidden = 0, creased = 0, bent = 0, remote = 0;
 };
+
+/// The sheets of which p hides something, and which along the surface are farther than balls reach: ways over the
+/// middles of patches are up to 1.2 times as long as the shortest, and patches 1 across. `along` is infinite for what
+/// is farther than that.
+std::set<uint32_t> remote_from(const Cut& c, const std::vector<Part>& parts, uint32_t p,
+                               const std::vector<double>& along) {
+  std::set<uint32_t> hidden, near;
+  bool same_side = false;
+  const double r = parts[p].r, most = 1.2 * 2 * kClamp + 1;
+  for (uint32_t q = 0; q < parts.size(); ++q) {
+    if (along[q] <= most * r) near.insert(c.patches.sheet_of(q));
+    if ((parts[q].centre - parts[p].centre).norm() > 2.8 * r || along[q] <= 4 * r) continue;
+    hidden.insert(c.patches.sheet_of(q));
+    same_side = same_side || c.patches.normal(p).dot(c.patches.normal(q)) >= SurfacePatches::kOpposite;
+  }
+  std::set<uint32_t> remote;
+  std::ranges::set_difference(hidden, near, std::inserter(remote, remote.end()));
+  return same_side ? remote : std::set<uint32_t>();
+}
+
 Said expect_as_defined(const Cut& c, const std::function<bool(const Part&)>& asked = [](const Part&) { return true; }) {
-  constexpr double kTie = 1e-9, kSingle = 1e-6;  // of r, and of what is kept in single precision
-  constexpr double kDetour = 4.5;  // paths over the middles may be a little longer than 4 on a sheet that is not flat
+  constexpr double kTie = 1e-9, kSingle = 1e-6;  // of r, and of what is kept in single precision, as steps are
   const std::vector<Part> parts = parts_of(c);
   Said said;
   if (!std::ranges::all_of(parts, [](const Part& part) { return part.area > 0; })) {
     ADD_FAILURE() << "some faces are larger than patches";
     return said;
   }
+  const Steps steps = steps_of(c, parts);
   size_t wrong = 0;
   for (uint32_t p = 0; p < parts.size() && wrong < 5; ++p) {
     if (!asked(parts[p])) continue;
     const double r = parts[p].r;
-    const std::vector<double> along = over_middles(c, parts, p, 5 * r);
+    const std::vector<double> along = over_middles(steps, parts, p, (1.2 * 2 * kClamp + 1) * r);
+    const std::set<uint32_t> remote = remote_from(c, parts, p, along);
     bool edged = false, tie = false;
     for (const Part& q : parts) edged |= q.edged && (q.centre - parts[p].centre).norm() < 3.8 * r;
     int creased = 0;
@@ -496,9 +541,13 @@ Said expect_as_defined(const Cut& c, const std::function<bool(const Part&)>& ask
     for (uint32_t q = 0; q < parts.size(); ++q) {
       const double apart = (parts[q].centre - parts[p].centre).norm() / r, path = along[q] / r;
       for (const double limit : {2.8, 3.2, 3.8}) tie |= std::abs(apart - limit) < kTie;
-      const bool hidden = apart <= 2.8 && path > 4;
-      const bool saved = !c.patches.hides(p) && path < kDetour;
-      if (std::abs(apart - 2.8) > kTie && std::abs(path - 4) > kTie && c.patches.hidden(p, q) != hidden && !saved) {
+      const bool elsewhere = remote.contains(c.patches.sheet_of(q)), hidden = elsewhere || (apart <= 2.8 && path > 4);
+      said.remote += elsewhere && apart > 2.8;
+      if (c.patches.remote(p, c.patches.sheet_of(q)) != elsewhere) {
+        ADD_FAILURE() << "the sheet of patch " << q << " is " << (elsewhere ? "" : "not ") << "remote from " << p;
+        ++wrong;
+      }
+      if (std::abs(apart - 2.8) > kTie && std::abs(path - 4) > kSingle && c.patches.hidden(p, q) != hidden) {
         ADD_FAILURE() << "patch " << q << " is " << (hidden ? "" : "not ") << "hidden from " << p << ": " << apart
                       << " r apart, " << path << " r along the surface; " << parts.size() << " patches";
         ++wrong;
@@ -507,7 +556,7 @@ Said expect_as_defined(const Cut& c, const std::function<bool(const Part&)>& ask
       const double rim = std::max(0.0, apart - 1);
       if (rim > 2.2) continue;
       const bool turned = path <= 4 && c.patches.normal(p).dot(c.patches.normal(q)) < 0.3;
-      tie |= std::abs(path - 4) < kTie;
+      tie |= std::abs(path - 4) < kSingle;
       creased = std::max({creased, parts[q].crease, turned ? 1 : 0});
       if (parts[q].crease > 0 || turned) to_crease = std::min(to_crease, rim * r);
       if ((parts[q].crease > 0 && !parts[q].edged) || (turned && !edged)) to_bend = std::min(to_bend, rim * r);
@@ -578,8 +627,10 @@ TEST(SurfacePatches, SayWhatIsDefined) {
     all.hidden += said.hidden;
     all.creased += said.creased;
     all.bent += said.bent;
+    all.remote += said.remote;
   }
   EXPECT_GT(all.hidden, 1000u);
+  EXPECT_GT(all.remote, 1000u);
   EXPECT_GT(all.creased, 1000u);
   EXPECT_GT(all.bent, 100u);
 }
@@ -620,6 +671,20 @@ TEST(SurfacePatches, LieOnSheets) {
     if (name == "folded cloth" || name == "two sheets through each other") {
       EXPECT_GT(on_large, patches.count() * 3 / 4) << sheets.size() << " sheets of " << patches.count();
     }
+  }
+}
+
+/// Layers are not broken into many sheets, however large their faces are beside patches: a way across a layer must not
+/// seem so long that what is on it is hidden.
+TEST(SurfacePatches, LieOnOneSheetALayer) {
+  for (const uint32_t cells : {5u, 10u, 15u, 20u, 30u, 45u, 60u}) {
+    SCOPED_TRACE(cells);
+    const Cut c(folded_cloth(20, 30, 0.1, 3, cells));
+    std::map<uint32_t, size_t> members;
+    for (uint32_t p = 0; p < c.patches.count(); ++p) ++members[c.patches.sheet_of(p)];
+    size_t on_large = 0;
+    for (const auto& [sheet, count] : members) on_large += count > c.patches.count() / 5 ? count : 0;
+    EXPECT_GT(on_large, c.patches.count() * 19 / 20) << members.size() << " sheets of " << c.patches.count();
   }
 }
 

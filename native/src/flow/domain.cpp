@@ -15,7 +15,7 @@ std::shared_ptr<const BoundaryObstacle> sampled_boundary(const Surface& surface,
 std::shared_ptr<const SurfacePatches> patches_for(const Surface& surface, const RadiusField& radius,
                                                   const FlowSettings& settings, ThreadPool& pool) {
   if (settings.medial_axis != MedialAxis::kGeodesic) return nullptr;
-  return std::make_shared<const SurfacePatches>(surface, radius, pool);
+  return std::make_shared<const SurfacePatches>(surface, radius, settings.max_radius / settings.radius, pool);
 }
 
 double filling_length(const Surface& surface, const RadiusField& radius) {
@@ -76,7 +76,8 @@ Domain Domain::revised(const FlowSettings& old, const FlowSettings& settings, co
   const bool same_radius = next.wanted_radius == wanted_radius;
   if (!same_radius) next.expected_length = filling_length(*surface, next.wanted_radius);
   if (settings.segment_length != old.segment_length) next.boundary = sampled_boundary(*surface, settings);
-  if (!same_radius || settings.medial_axis != old.medial_axis) {
+  const bool same_clamp = settings.max_radius / settings.radius == old.max_radius / old.radius;
+  if (!same_radius || !same_clamp || settings.medial_axis != old.medial_axis) {
     next.patches = patches_for(*surface, next.wanted_radius, settings, pool);
   }
   if (settings.radius != old.radius) next.normals = std::make_shared<const NormalField>(*surface, settings.radius);

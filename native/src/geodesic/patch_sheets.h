@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/cancel_poll.h"
-#include "geodesic/surface_patches.h"
+#include "geodesic/patch_search.h"
 
 namespace meander {
 
@@ -19,5 +19,19 @@ namespace meander {
 /// `poll`    counts patches
 std::vector<uint32_t> find_sheets(const SurfacePatches& patches, const std::vector<std::vector<uint32_t>>& hidden,
                                   CancelPoll poll);
+
+/// For each patch that hides something on its side the sheets that are remote from it, see SurfacePatches::remote, in
+/// rising order: those of which it hides anything, unless they come within `most` of it along the surface, in its own
+/// r.
+///
+/// One search from every sheet reaches each patch a few times; one from every patch would reach hundreds of others.
+///
+/// `patches`     their sheets are known
+/// `hidden`      for each patch those that are hidden from it
+/// `r`           of the patches
+std::vector<std::vector<uint32_t>> find_remote_sheets(const SurfacePatches& patches,
+                                                      const std::vector<std::vector<uint32_t>>& hidden,
+                                                      const PatchSteps& steps, const std::vector<double>& r,
+                                                      double most, ThreadPool& pool);
 
 }  // namespace meander

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -13,6 +12,7 @@
 
 #include "base/point_grid.h"
 #include "geodesic/patch_cutter.h"
+#include "geodesic/patch_search.h"
 #include "geodesic/patch_sheets.h"
 
 namespace meander {
@@ -21,9 +21,13 @@ namespace {
 /// Places farther apart than this through space, in r, are not compared: a ball of about the wanted size ends before.
 constexpr double kReach = 2.8;
 
-/// What is farther along the surface than this, in r, is hidden if it is near through space. Paths over the middles of
-/// patches, by which that is known, are longer than the shortest by up to a fifth.
-constexpr double kHidden = 3;
+/// What is farther along the surface than this, in r, is hidden if it is near through space. Ways over the middles of
+/// patches, by which that is known, are up to so many times as long as the shortest.
+constexpr double kHidden = 3, kLonger = 1.2;
+
+/// Balls reach twice as far as the clamp. Where that is wider than this, in r, it is taken for this: in balls as wide a
+/// sheet that is taken for remote and is not changes little, and searches stay small.
+constexpr double kMostClamp = 10;
 
 /// Two patches may lie on one sheet if their normals differ by less than this (a cosine), and the line between them
 /// leaves their planes by less than this share of its length, and of a patch.
@@ -39,45 +43,10 @@ constexpr double kSheets = 1.5;
 /// A crease matters to places within this many r; on a limb, what has turned by more than this (a cosine).
 constexpr double kCreaseReach = 2.2, kCurled = 0.3;
 
-/// What one comparison after another needs, in the same memory: as large as the surface, while a comparison is small.
-struct Search {
-  static constexpr double kUnreached = std::numeric_limits<double>::infinity();
+/// What one comparison after another needs.
+struct Scratch {
   std::vector<std::pair<uint32_t, double>> near;  // patches, and squared distances through space
-  std::vector<double> distance;                   // per patch, along the surface as far as is known
-  std::vector<uint32_t> front;                    // in the order in which they were reached, again where nearer
-
-  bool reached(uint32_t p) const { return distance[p] < kUnreached; }
-  void offer(uint32_t p, double at) {
-    if (!(at < distance[p])) return;
-    distance[p] = at;
-    front.push_back(p);
-  }
-  void forget() {
-    for (const uint32_t p : front) distance[p] = kUnreached;
-    front.clear();
-  }
-};
-
-/// Hands the memory of a search on from one block of a loop to the next: as many are made as threads take part. Any
-/// thread.
-class SpareSearches {
- public:
-  Search take() {
-    const std::lock_guard lock(mutex_);
-    if (spare_.empty()) return {};
-    Search last = std::move(spare_.back());
-    spare_.pop_back();
-    return last;
-  }
-  /// It must have forgotten what it knows.
-  void give_back(Search search) {
-    const std::lock_guard lock(mutex_);
-    spare_.push_back(std::move(search));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<Search> spare_;
+  PatchSearch search;
 };
 
 }  // namespace
@@ -85,8 +54,11 @@ class SpareSearches {
 /// Compares every patch with those that are near it.
 class SurfacePatches::Comparison {
  public:
-  Comparison(SurfacePatches& patches, const Cutter& cut)
-      : patches_(patches), cut_(cut), grid_(cut.centre, (kReach + Cutter::kSize) * mean(cut.r)) {
+  Comparison(SurfacePatches& patches, const Cutter& cut, ThreadPool& pool)
+      : patches_(patches),
+        cut_(cut),
+        grid_(cut.centre, (kReach + Cutter::kSize) * mean(cut.r)),
+        steps_(patches, cut.centre, pool) {
     for (uint32_t p = 0; p < patches.count(); ++p) {
       const Traits& traits = patches.traits_[p];
       known_.push_back({cut.centre[p].cast<float>(), patches.normal_[p].cast<float>(), static_cast<float>(cut.area[p]),
@@ -95,7 +67,7 @@ class SurfacePatches::Comparison {
     }
   }
 
-  void compare(ThreadPool& pool) {
+  void compare(double clamp, ThreadPool& pool) {
     const uint32_t n = patches_.count();
     constexpr size_t kBlock = 256;
     std::vector<uint8_t> stacked(n, 0);
@@ -104,20 +76,20 @@ class SurfacePatches::Comparison {
     });
     for (uint32_t p = 0; p < n; ++p) known_[p].stacked = stacked[p] != 0;
     std::vector<std::vector<uint32_t>> hidden(n);
-    SpareSearches spare;
+    SpareMemory<Scratch> spare;
     pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-      Search search = spare.take();
-      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, search, hidden[p]);
-      spare.give_back(std::move(search));
+      Scratch scratch = spare.take();
+      scratch.search.begin(n);
+      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) compare(p, scratch, hidden[p]);
+      spare.give_back(std::move(scratch));
     });
     patches_.hidden_in_.resize(n);
     for (uint32_t p = 0; p < n; ++p) add_hidden(p, hidden[p]);
     const bool layered = std::ranges::any_of(patches_.traits_, [](const Traits& t) { return t.hides_same_side; });
-    if (layered) {
-      patches_.sheet_ = find_sheets(patches_, hidden, pool.poll(kBlock));
-    } else {
-      patches_.sheet_.assign(n, kNone);
-    }
+    if (!layered) return patches_.sheet_.assign(n, kNone);
+    patches_.sheet_ = find_sheets(patches_, hidden, pool.poll(kBlock));
+    const double most = kLonger * 2 * std::min(clamp, kMostClamp) + Cutter::kSize;
+    add_remote(find_remote_sheets(patches_, hidden, steps_, cut_.r, most, pool));
   }
 
  private:
@@ -153,14 +125,15 @@ class SurfacePatches::Comparison {
     return stacked;
   }
 
-  void compare(uint32_t p, Search& search, std::vector<uint32_t>& hidden) {
+  void compare(uint32_t p, Scratch& scratch, std::vector<uint32_t>& hidden) {
     if (!(cut_.area[p] > 0)) return;
     const double r = cut_.r[p], far = (kReach + Cutter::kSize) * r;
     double area = 0;
     bool one_sheet = !known_[p].rough, edged = false, opposed = false;
-    search.near.clear();
-    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) { search.near.emplace_back(q, squared); });
-    for (const auto& [q, squared] : search.near) {
+    auto& [near, search] = scratch;
+    near.clear();
+    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) { near.emplace_back(q, squared); });
+    for (const auto& [q, squared] : near) {
       const Known& other = known_[q];
       area += static_cast<double>(other.area);
       one_sheet = one_sheet && !other.at_boundary && !other.stacked && (q == p || alike(p, q, slack(p)));
@@ -170,8 +143,11 @@ class SurfacePatches::Comparison {
     }
     patches_.traits_[p].opposed = opposed;
     if (one_sheet && area <= kSheets * std::numbers::pi * far * far) return;
-    measure_from(p, search);
-    for (const auto& [q, squared] : search.near) {
+    // All patches that are not too far from p to be seen from it.
+    const double most = (kHidden + Cutter::kSize) * r;
+    search.start_from(p);
+    search.spread(steps_, [&](uint32_t) { return most; });
+    for (const auto& [q, squared] : near) {
       const double apart = std::sqrt(squared);
       if (!search.reached(q)) {
         if (apart <= kReach * r) hidden.push_back(q);
@@ -192,22 +168,6 @@ class SurfacePatches::Comparison {
     if (bend) traits.to_bend = std::min(traits.to_bend, static_cast<float>(distance));
   }
 
-  /// Finds all patches that are not too far from p to be seen from it. A shorter way to a patch may be found after it
-  /// has handed a longer one on, which is rare where all steps are about as long; to keep the order costs more.
-  void measure_from(uint32_t p, Search& search) const {
-    if (search.distance.empty()) search.distance.resize(patches_.count(), Search::kUnreached);
-    const double most = (kHidden + Cutter::kSize) * cut_.r[p];
-    search.offer(p, 0);
-    for (size_t k = 0; k < search.front.size(); ++k) {
-      const uint32_t q = search.front[k];
-      const double distance = search.distance[q];
-      for (const uint32_t next : patches_.beside(q)) {
-        const double farther = distance + (cut_.centre[next] - cut_.centre[q]).norm();
-        if (farther <= most) search.offer(next, farther);
-      }
-    }
-  }
-
   void add_hidden(uint32_t p, std::vector<uint32_t>& hidden) {
     if (hidden.empty()) return;
     std::ranges::sort(hidden);
@@ -222,7 +182,7 @@ class SurfacePatches::Comparison {
     }
     const auto count = static_cast<uint32_t>(groups.size());
     const uint32_t first = static_cast<uint32_t>(patches_.hidden_.size()), size = std::bit_ceil(count + count / 3 + 1);
-    patches_.hidden_in_[p] = {first, size - 1};
+    patches_.hidden_in_[p] = {first, size - 1, 0, 0};
     patches_.hidden_.resize(first + size);
     for (const HiddenGroup& each : groups) {
       uint32_t k = slot(each.group) & (size - 1);
@@ -231,13 +191,23 @@ class SurfacePatches::Comparison {
     }
   }
 
+  void add_remote(const std::vector<std::vector<uint32_t>>& remote) {
+    for (uint32_t p = 0; p < patches_.count(); ++p) {
+      HiddenIn& in = patches_.hidden_in_[p];
+      in.first_remote = static_cast<uint32_t>(patches_.remote_.size());
+      patches_.remote_.insert(patches_.remote_.end(), remote[p].begin(), remote[p].end());
+      in.last_remote = static_cast<uint32_t>(patches_.remote_.size());
+    }
+  }
+
   SurfacePatches& patches_;
   const Cutter& cut_;
   PointGrid grid_;
+  PatchSteps steps_;
   std::vector<Known> known_;
 };
 
-SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius, ThreadPool& pool) {
+SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool) {
   Cutter cutter(*this, surface, radius);
   cutter.cut(pool);
   first_beside_.assign(count() + 1, 0);
@@ -252,7 +222,7 @@ SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius
     beside_[at[a]++] = b;
     beside_[at[b]++] = a;
   }
-  Comparison(*this, cutter).compare(pool);
+  Comparison(*this, cutter, pool).compare(clamp, pool);
   creased_anywhere_ = std::ranges::any_of(traits_, [](const Traits& t) { return t.creased != Crease::kFlat; });
   largest_radius_ = *std::ranges::max_element(cutter.r);
   if (!cutter.creases.empty()) creases_ = std::make_unique<const PointTree>(std::move(cutter.creases));

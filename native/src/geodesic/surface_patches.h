@@ -22,7 +22,8 @@ namespace meander {
 class SurfacePatches {
  public:
   /// `radius`  r, which may vary: patches are then smaller where it is
-  SurfacePatches(const Surface& surface, const RadiusField& radius, ThreadPool& pool);
+  /// `clamp`   the radius of the largest balls that will be asked for, in the local r
+  SurfacePatches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool);
 
   uint32_t count() const { return static_cast<uint32_t>(traits_.size()); }
   uint32_t patch_of(const Surface& surface, const SurfacePoint& p) const {
@@ -30,10 +31,12 @@ class SurfacePatches {
     return (known & kGridded) == 0 ? known : patch_of_cell_[grids_[known & ~kGridded].cell_at(flat(surface, p))];
   }
 
-  /// Whether patch q is within a few r of p through space, but not along the surface.
+  /// Whether patch q is within a few r of p through space, but not along the surface; or on a sheet that is remote from
+  /// it, however far it is.
   bool hidden(uint32_t p, uint32_t q) const {
-    const auto [first, mask] = hidden_in_[p];
+    const auto [first, mask, first_remote, last_remote] = hidden_in_[p];
     if (mask == 0) return false;
+    if (first_remote < last_remote && remote(p, sheet_[q])) return true;
     const uint32_t group = q / HiddenGroup::kSize;
     for (uint32_t k = slot(group) & mask;; k = (k + 1) & mask) {
       const HiddenGroup& there = hidden_[first + k];
@@ -48,6 +51,16 @@ class SurfacePatches {
   /// Of two patches of the same sheet none is hidden from the other, as on one layer of a folded cloth. It is not
   /// known, kNone for all, where no patch hides what is on its side: then only what is opposite may be hidden.
   uint32_t sheet_of(uint32_t p) const { return sheet_[p]; }
+  /// Whether a sheet lies beside p through space, and is farther along the surface than balls reach: nothing of it is
+  /// seen from there. Only patches that hide something on their side know of such sheets.
+  bool remote(uint32_t p, uint32_t sheet) const {
+    if (sheet == kNone) return false;
+    const HiddenIn& in = hidden_in_[p];
+    for (uint32_t k = in.first_remote; k < in.last_remote; ++k) {
+      if (remote_[k] == sheet) return true;
+    }
+    return false;
+  }
   /// Whether any patch within a few r of p through space faces away from it, hidden or round an edge.
   bool opposed(uint32_t p) const { return traits_[p].opposed; }
   /// Whether two patches face away from each other, as both sides of a sheet do.
@@ -117,9 +130,11 @@ class SurfacePatches {
     static constexpr uint32_t kSize = 32;
     uint32_t group = kNone, members = 0;
   };
-  /// Those hidden from one patch, in a hash table with open addressing that is at most three quarters full.
+  /// Those hidden from one patch, in a hash table with open addressing that is at most three quarters full; and the
+  /// sheets that are remote from it.
   struct HiddenIn {
     uint32_t first = 0, mask = 0;  // mask: size - 1, the size a power of two; 0: none
+    uint32_t first_remote = 0, last_remote = 0;
   };
   static uint32_t slot(uint32_t group) { return (group * 2654435769u) >> 16; }
   class Cutter;
@@ -132,8 +147,9 @@ class SurfacePatches {
   std::vector<Traits> traits_;
   std::vector<uint32_t> first_beside_, beside_;
   std::vector<HiddenIn> hidden_in_;
-  std::vector<uint32_t> sheet_;
   std::vector<HiddenGroup> hidden_;
+  std::vector<uint32_t> sheet_;
+  std::vector<uint32_t> remote_;  // sheets, of one patch after the other
   std::unique_ptr<const PointTree> creases_;  // null: there are none
   double largest_radius_;                     // r, where it varies
   bool creased_anywhere_ = false;

@@ -52,6 +52,7 @@ Obstacles::Run::Run(const SurfacePatches& patches, std::span<const uint32_t> run
 uint32_t GeodesicScene::lanes_seen(uint32_t patch, uint32_t run) const {
   const std::span<const uint32_t> there = obstacles.patches();
   const size_t first = size_t{run} * CurveBvh::kRun, end = std::min(first + CurveBvh::kRun, there.size());
+  if (patches.remote(patch, obstacles.sheet(run))) return 0;
   const Vec3& normal = patches.normal(patch);
   if (one_sided(patch) && obstacles.faces_away(run, normal)) return 0;
   const bool hides_away_only =
@@ -87,6 +88,7 @@ bool GeodesicScene::any_seen(size_t first, size_t last, uint32_t run) const {
     const uint32_t own = there[i];
     if (i > first && own == there[i - 1]) continue;
     if (!patches.hides(own)) return true;
+    if (patches.remote(own, obstacles.sheet(run))) continue;
     const Vec3& normal = patches.normal(own);
     if (!patches.hides_same_side(own) && obstacles.same_side(run, normal)) return true;
     if (one_sided(own) && obstacles.faces_away(run, normal)) continue;

@@ -50,6 +50,8 @@ class Obstacles {
   }
   /// Whether all that lies in a run is on one sheet with a patch, of which see SurfacePatches::sheet_of.
   bool on_one_sheet(size_t run, uint32_t sheet) const { return runs_[run].on_one_sheet_with(sheet); }
+  /// The sheet that all of a run lies on; kNone where there are several, or it is not known.
+  uint32_t sheet(size_t run) const { return runs_[run].sheet; }
   /// Whether all of one run lies on one sheet, and all of the other on another one.
   bool on_different_sheets(size_t a, size_t b) const {
     return runs_[a].sheet != kNone && runs_[b].sheet != kNone && runs_[a].sheet != runs_[b].sheet;

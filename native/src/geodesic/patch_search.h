@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far patches are from others along the surface, by steps from the middle of one to that of another. Part of
+// surface_patches.cpp and patch_sheets.cpp.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geodesic/surface_patches.h"
+
+namespace meander {
+
+/// From each patch to others near it, and how far it is between their middles: to those that touch it, and past one
+/// that does to those beyond, where that goes off to the side. Over squares that touch along their sides only a way
+/// along the diagonals would be longer by two fifths.
+class PatchSteps {
+ public:
+  struct Step {
+    uint32_t to;
+    float length;
+  };
+  /// Neighbours are passed where the normals of all three differ by less than kAlike (a cosine), which makes the
+  /// straight line a way along the surface, and where that is at most kShorter times as long as both steps.
+  static constexpr double kAlike = 0.5, kShorter = 0.85;
+
+  /// `centre`  of the patches
+  PatchSteps(const SurfacePatches& patches, const std::vector<Vec3>& centre, ThreadPool& pool) {
+    constexpr size_t kBlock = 512;
+    first_.assign(patches.count() + 1, 0);
+    std::vector<std::vector<Step>> of_blocks(ThreadPool::block_count(patches.count(), kBlock));
+    pool.for_blocks(patches.count(), kBlock, [&](size_t block, size_t begin, size_t end) {
+      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) {
+        const size_t before = of_blocks[block].size();
+        add(patches, centre, p, of_blocks[block]);
+        first_[p + 1] = static_cast<uint32_t>(of_blocks[block].size() - before);
+      }
+    });
+    for (uint32_t p = 0; p < patches.count(); ++p) first_[p + 1] += first_[p];
+    steps_.reserve(first_.back());
+    for (const std::vector<Step>& steps : of_blocks) steps_.insert(steps_.end(), steps.begin(), steps.end());
+  }
+
+  std::span<const Step> from(uint32_t p) const {
+    return std::span(steps_).subspan(first_[p], first_[p + 1] - first_[p]);
+  }
+
+ private:
+  static void add(const SurfacePatches& patches, const std::vector<Vec3>& centre, uint32_t p,
+                  std::vector<Step>& steps) {
+    const size_t first = steps.size();
+    const auto length = [&](uint32_t a, uint32_t b) { return (centre[a] - centre[b]).norm(); };
+    const auto alike = [&](uint32_t a, uint32_t b) { return patches.normal(a).dot(patches.normal(b)) >= kAlike; };
+    for (const uint32_t q : patches.beside(p)) steps.push_back({q, static_cast<float>(length(p, q))});
+    for (const uint32_t q : patches.beside(p)) {
+      if (!alike(p, q)) continue;
+      for (const uint32_t beyond : patches.beside(q)) {
+        const double straight = length(p, beyond);
+        if (!(straight < kShorter * (length(p, q) + length(q, beyond)))) continue;
+        if (beyond == p || !alike(p, beyond) || !alike(q, beyond)) continue;
+        const bool known = std::any_of(steps.begin() + static_cast<ptrdiff_t>(first), steps.end(),
+                                       [&](const Step& step) { return step.to == beyond; });
+        if (!known) steps.push_back({beyond, static_cast<float>(straight)});
+      }
+    }
+  }
+
+  std::vector<uint32_t> first_;
+  std::vector<Step> steps_;
+};
+
+/// One search after another, in the same memory: that is as large as the surface, while a search is small. One thread.
+class PatchSearch {
+ public:
+  /// `count`  of the patches
+  void begin(uint32_t count) {
+    if (distance_.empty()) distance_.resize(count, kUnreached);
+  }
+  void start_from(uint32_t p) { offer(p, 0); }
+
+  /// Finds the patches q that are no farther than most(q) from where it starts. A shorter way to a patch may be found
+  /// after it has handed a longer one on, which is rare where all steps are about as long; keeping the order costs more.
+  template <class Most>
+  void spread(const PatchSteps& steps, const Most& most) {
+    for (size_t k = 0; k < front_.size(); ++k) {
+      const uint32_t q = front_[k];
+      const double distance = distance_[q];
+      for (const PatchSteps::Step& step : steps.from(q)) {
+        const double farther = distance + static_cast<double>(step.length);
+        if (farther <= most(step.to)) offer(step.to, farther);
+      }
+    }
+  }
+
+  bool reached(uint32_t p) const { return distance_[p] < kUnreached; }
+
+  /// Before another search.
+  void forget() {
+    for (const uint32_t p : front_) distance_[p] = kUnreached;
+    front_.clear();
+  }
+
+ private:
+  static constexpr double kUnreached = std::numeric_limits<double>::infinity();
+  void offer(uint32_t p, double at) {
+    if (!(at < distance_[p])) return;
+    distance_[p] = at;
+    front_.push_back(p);
+  }
+
+  std::vector<double> distance_;  // per patch, as far as is known
+  std::vector<uint32_t> front_;   // in the order in which they were reached, again where nearer
+};
+
+/// Hands memory on from one block of a loop to the next: as much is made as threads take part. Any thread.
+template <class Memory>
+class SpareMemory {
+ public:
+  Memory take() {
+    const std::lock_guard lock(mutex_);
+    if (spare_.empty()) return {};
+    Memory last = std::move(spare_.back());
+    spare_.pop_back();
+    return last;
+  }
+  /// It must have forgotten what it knows.
+  void give_back(Memory memory) {
+    const std::lock_guard lock(mutex_);
+    spare_.push_back(std::move(memory));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Memory> spare_;
+};
+
+}  // namespace meander
