@@ -215,7 +215,7 @@ inline bool CurveBvh::shrinks_to(uint32_t run, const Eigen::Vector3d& x, const E
 }
 
 /// Calls shrink(run) for the runs that a ball meets, the nearest about first; true if it has made `radius` less.
-template <class Shrink>
+template <bool Centred, class Shrink>
 inline void CurveBvh::visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
                                  const Shrink& shrink) const {
   if (nodes_.empty()) return;
@@ -236,7 +236,7 @@ inline void CurveBvh::visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d
       if (shrink(place.id & ~kLeaf)) {
         ball = Ball(x, b, radius);
         // Distances from the old centre say nothing of the new ball.
-        for (int k = 0; k < top; ++k) stack[k].distance = 0;
+        for (int k = 0; !Centred && k < top; ++k) stack[k].distance = 0;
       }
       continue;
     }
@@ -478,14 +478,18 @@ void CurveBvh::largest_balls_seen(size_t first, size_t last, std::span<const std
 
 double CurveBvh::distance(const Eigen::Vector3d& from, double most) const {
   // A ball that grows to no side is one around the place.
-  double nearest = most * most, radius = most;
-  visit_runs(from, Eigen::Vector3d::Zero(), radius, [&](uint32_t run) {
+  double radius = most, nearest = most * most;
+  visit_runs<true>(from, Eigen::Vector3d::Zero(), radius, [&](uint32_t run) {
     const Points& p = lanes_[run];
-    const double before = nearest;
-    for (size_t k = 0; k < kRun; ++k) {
-      const double x = p.x[k] - from.x(), y = p.y[k] - from.y(), z = p.z[k] - from.z();
-      nearest = std::min(nearest, x * x + y * y + z * z);
+    Double2 least = both(nearest);
+    for (size_t k = 0; k < kRun; k += 2) {
+      const Double2 x = load<Double2>(p.x + k) - both(from.x()), y = load<Double2>(p.y + k) - both(from.y()),
+                    z = load<Double2>(p.z + k) - both(from.z());
+      const Double2 squared = x * x + y * y + z * z;
+      least = squared < least ? squared : least;
     }
+    const double before = nearest;
+    nearest = std::min(least[0], least[1]);
     if (nearest < before) radius = std::sqrt(nearest);
     return nearest < before;
   });

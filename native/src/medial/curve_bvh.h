@@ -143,7 +143,8 @@ class CurveBvh {
               std::span<const std::array<double, 2>> radii, const ShareOf& share, Candidates& near) const;
   /// The points of a run inside of a ball, or as good as on it: a bit each.
   uint32_t lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double radius) const;
-  template <class Shrink>
+  /// `Centred`  b is 0: the balls have one centre, x
+  template <bool Centred = false, class Shrink>
   void visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius, const Shrink& shrink) const;
   /// The same for templates of this header.
   void visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
