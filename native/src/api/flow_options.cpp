@@ -161,7 +161,7 @@ meander_flow_options default_options(meander_preset preset) {
   o.hairpin_removal_iterations = finest ? 600 : 70;
   o.polish = 1;
   o.polish_bending_weight = 1.2;
-  o.polish_length_offset = finest ? -2.7 : -1.16;
+  o.polish_length_offset = finest ? -2.8 : -1.16;
   o.polish_length_gain = finest ? 16 : 3;
   o.polish_medial_power = 8;
   o.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;
