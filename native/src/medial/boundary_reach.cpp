@@ -91,8 +91,8 @@ class Clearance {
   double nearest_ = 0;  // to there, at least
 };
 
-/// Nodes whose reach is found together.
-constexpr size_t kNodesPerBlock = 512;
+/// Nodes whose reach is found together. Only some lie beside the boundary: larger blocks leave a thread without work.
+constexpr size_t kNodesPerBlock = 128;
 
 /// The reach of some nodes after another, with the scratch memory of one thread.
 class ReachFinder {

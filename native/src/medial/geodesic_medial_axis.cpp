@@ -137,7 +137,8 @@ void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& 
   const CurveBvh::Sight sight{
       obstacles.patches(), [&](uint32_t patch, uint32_t run) { return scene.lanes_seen(patch, run); },
       [&](size_t first, size_t last, uint32_t run) { return scene.share_seen(first, last, run); }};
-  constexpr size_t kBlock = 256;
+  // Balls near creases take many times as long as others: larger blocks leave a thread without work.
+  constexpr size_t kBlock = 64;
   pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
     BallsOfRun balls(scene, metric, reach, sight, kept, radii);
     for (auto first = static_cast<uint32_t>(begin); first < end; first += CurveBvh::kRun) {
