@@ -500,9 +500,9 @@ struct Said {
   size_t hidden = 0, creased = 0, bent = 0, remote = 0;
 };
 
-/// The sheets of which p hides something, and which along the surface are farther than balls reach: ways over the
-/// middles of patches are up to 1.2 times as long as the shortest, and patches 1 across. `along` is infinite for what
-/// is farther than that.
+/// The sheets of eight patches or more of which p hides something, and which along the surface are farther than balls
+/// reach: ways over the middles of patches are up to 1.2 times as long as the shortest, and patches 1 across. `along`
+/// is infinite for what is farther than that.
 std::set<uint32_t> remote_from(const Cut& c, const std::vector<Part>& parts, uint32_t p,
                                const std::vector<double>& along) {
   std::set<uint32_t> hidden, near;
@@ -516,6 +516,9 @@ std::set<uint32_t> remote_from(const Cut& c, const std::vector<Part>& parts, uin
   }
   std::set<uint32_t> remote;
   std::ranges::set_difference(hidden, near, std::inserter(remote, remote.end()));
+  std::map<uint32_t, int> members;
+  for (uint32_t q = 0; q < parts.size(); ++q) ++members[c.patches.sheet_of(q)];
+  std::erase_if(remote, [&](uint32_t sheet) { return members[sheet] < 8; });
   return same_side ? remote : std::set<uint32_t>();
 }
 

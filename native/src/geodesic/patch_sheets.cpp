@@ -16,7 +16,11 @@ std::vector<std::vector<uint32_t>> turned_round(const std::vector<std::vector<ui
   return from;
 }
 
-/// A sheet, and the patches beside it that hide anything of it.
+/// Sheets of fewer patches hardly reach beyond what patches are compared with one by one. Ten thousand loose parts
+/// would each be told all of the others.
+constexpr size_t kLeastMembers = 8;
+
+/// A sheet, and the patches beside it that hide anything of it, where it is not too small.
 struct HiddenSheet {
   std::vector<uint32_t> members, hidden_by;
 };
@@ -31,7 +35,8 @@ std::vector<HiddenSheet> hidden_sheets(const SurfacePatches& patches,
   for (uint32_t p = 0; p < patches.count(); ++p) {
     if (!patches.hides_same_side(p)) continue;
     for (const uint32_t q : hidden[p]) {
-      std::vector<uint32_t>& by = sheets[patches.sheet_of(q)].hidden_by;
+      auto& [members, by] = sheets[patches.sheet_of(q)];
+      if (members.size() < kLeastMembers) continue;
       if (by.empty() || by.back() != p) by.push_back(p);
     }
   }

@@ -21,8 +21,8 @@ std::vector<uint32_t> find_sheets(const SurfacePatches& patches, const std::vect
                                   CancelPoll poll);
 
 /// For each patch that hides something on its side the sheets that are remote from it, see SurfacePatches::remote, in
-/// rising order: those of which it hides anything, unless they come within `most` of it along the surface, in its own
-/// r.
+/// rising order: those of at least eight patches of which it hides anything, unless they come within `most` of it along
+/// the surface, in its own r.
 ///
 /// One search from every sheet reaches each patch a few times; one from every patch would reach hundreds of others.
 ///

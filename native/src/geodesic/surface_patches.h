@@ -56,10 +56,7 @@ class SurfacePatches {
   bool remote(uint32_t p, uint32_t sheet) const {
     if (sheet == kNone) return false;
     const HiddenIn& in = hidden_in_[p];
-    for (uint32_t k = in.first_remote; k < in.last_remote; ++k) {
-      if (remote_[k] == sheet) return true;
-    }
-    return false;
+    return std::binary_search(remote_.begin() + in.first_remote, remote_.begin() + in.last_remote, sheet);
   }
   /// Whether any patch within a few r of p through space faces away from it, hidden or round an edge.
   bool opposed(uint32_t p) const { return traits_[p].opposed; }
@@ -149,7 +146,7 @@ class SurfacePatches {
   std::vector<HiddenIn> hidden_in_;
   std::vector<HiddenGroup> hidden_;
   std::vector<uint32_t> sheet_;
-  std::vector<uint32_t> remote_;  // sheets, of one patch after the other
+  std::vector<uint32_t> remote_;  // sheets, in rising order for each patch
   std::unique_ptr<const PointTree> creases_;  // null: there are none
   double largest_radius_;                     // r, where it varies
   bool creased_anywhere_ = false;
