@@ -456,7 +456,8 @@ std::vector<Part> parts_of(const Cut& c) {
 }
 
 /// The patches that may be stepped to from each: those that touch it, and past one of them those that touch that, where
-/// the straight way is shorter than .85 of both steps and no two of the three normals differ by more than 60 degrees.
+/// the straight way is shorter than .85 of both steps and no two of the three normals differ by more than 60 degrees. A
+/// patch that more than 64 touch is not passed.
 using Steps = std::vector<std::set<uint32_t>>;
 Steps steps_of(const Cut& c, const std::vector<Part>& parts) {
   Steps steps(parts.size());
@@ -465,6 +466,7 @@ Steps steps_of(const Cut& c, const std::vector<Part>& parts) {
   for (uint32_t p = 0; p < parts.size(); ++p) {
     for (const uint32_t q : c.patches.beside(p)) {
       steps[p].insert(q);
+      if (c.patches.beside(q).size() > 64) continue;
       for (const uint32_t o : c.patches.beside(q)) {
         const bool off_to_the_side = length(p, o) < 0.85 * (length(p, q) + length(q, o));
         if (o != p && off_to_the_side && alike(p, q) && alike(q, o) && alike(p, o)) steps[p].insert(o);

@@ -28,6 +28,8 @@ class PatchSteps {
   /// Neighbours are passed where the normals of all three differ by less than kAlike (a cosine), which makes the
   /// straight line a way along the surface, and where that is at most kShorter times as long as both steps.
   static constexpr double kAlike = 0.5, kShorter = 0.85;
+  /// A patch that touches more than this is not passed: the root of a thousand hairs would join each to all others.
+  static constexpr size_t kMostBeside = 64;
 
   /// `centre`  of the patches
   PatchSteps(const SurfacePatches& patches, const std::vector<Vec3>& centre, ThreadPool& pool) {
@@ -58,7 +60,7 @@ class PatchSteps {
     const auto alike = [&](uint32_t a, uint32_t b) { return patches.normal(a).dot(patches.normal(b)) >= kAlike; };
     for (const uint32_t q : patches.beside(p)) steps.push_back({q, static_cast<float>(length(p, q))});
     for (const uint32_t q : patches.beside(p)) {
-      if (!alike(p, q)) continue;
+      if (!alike(p, q) || patches.beside(q).size() > kMostBeside) continue;
       for (const uint32_t beyond : patches.beside(q)) {
         const double straight = length(p, beyond);
         if (!(straight < kShorter * (length(p, q) + length(q, beyond)))) continue;

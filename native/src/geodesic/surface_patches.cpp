@@ -130,7 +130,8 @@ class SurfacePatches::Comparison {
     const double r = cut_.r[p], far = (kReach + Cutter::kSize) * r;
     double area = 0;
     bool one_sheet = !known_[p].rough, edged = false, opposed = false;
-    auto& [near, search] = scratch;
+    auto& near = scratch.near;
+    PatchSearch& search = scratch.search;
     near.clear();
     grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) { near.emplace_back(q, squared); });
     for (const auto& [q, squared] : near) {
