@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <mutex>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "geodesic/surface_patches.h"
@@ -23,7 +21,7 @@ class PatchSteps {
  public:
   struct Step {
     uint32_t to;
-    float length;
+    double length;
   };
   /// Neighbours are passed where the normals of all three differ by less than kAlike (a cosine), which makes the
   /// straight line a way along the surface, and where that is at most kShorter times as long as both steps.
@@ -58,7 +56,7 @@ class PatchSteps {
     const size_t first = steps.size();
     const auto length = [&](uint32_t a, uint32_t b) { return (centre[a] - centre[b]).norm(); };
     const auto alike = [&](uint32_t a, uint32_t b) { return patches.normal(a).dot(patches.normal(b)) >= kAlike; };
-    for (const uint32_t q : patches.beside(p)) steps.push_back({q, static_cast<float>(length(p, q))});
+    for (const uint32_t q : patches.beside(p)) steps.push_back({q, length(p, q)});
     for (const uint32_t q : patches.beside(p)) {
       if (!alike(p, q) || patches.beside(q).size() > kMostBeside) continue;
       for (const uint32_t beyond : patches.beside(q)) {
@@ -67,7 +65,7 @@ class PatchSteps {
         if (beyond == p || !alike(p, beyond) || !alike(q, beyond)) continue;
         const bool known = std::any_of(steps.begin() + static_cast<ptrdiff_t>(first), steps.end(),
                                        [&](const Step& step) { return step.to == beyond; });
-        if (!known) steps.push_back({beyond, static_cast<float>(straight)});
+        if (!known) steps.push_back({beyond, straight});
       }
     }
   }
@@ -93,7 +91,7 @@ class PatchSearch {
       const uint32_t q = front_[k];
       const double distance = distance_[q];
       for (const PatchSteps::Step& step : steps.from(q)) {
-        const double farther = distance + static_cast<double>(step.length);
+        const double farther = distance + step.length;
         if (farther <= most(step.to)) offer(step.to, farther);
       }
     }
@@ -117,28 +115,6 @@ class PatchSearch {
 
   std::vector<double> distance_;  // per patch, as far as is known
   std::vector<uint32_t> front_;   // in the order in which they were reached, again where nearer
-};
-
-/// Hands memory on from one block of a loop to the next: as much is made as threads take part. Any thread.
-template <class Memory>
-class SpareMemory {
- public:
-  Memory take() {
-    const std::lock_guard lock(mutex_);
-    if (spare_.empty()) return {};
-    Memory last = std::move(spare_.back());
-    spare_.pop_back();
-    return last;
-  }
-  /// It must have forgotten what it knows.
-  void give_back(Memory memory) {
-    const std::lock_guard lock(mutex_);
-    spare_.push_back(std::move(memory));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<Memory> spare_;
 };
 
 }  // namespace meander

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/spare_memory.h"
+
 namespace meander {
 namespace {
 

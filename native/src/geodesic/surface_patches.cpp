@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "base/point_grid.h"
+#include "base/spare_memory.h"
 #include "geodesic/patch_cutter.h"
 #include "geodesic/patch_search.h"
 #include "geodesic/patch_sheets.h"
