@@ -464,6 +464,32 @@ TEST(SurfacePatches, FollowADensity) {
   EXPECT_GT(inside, kSamples / 4);
 }
 
+/// As many as there would be if a flow with that density began on the surface that has moved.
+TEST(SurfacePatches, FollowADensityOntoASurfaceThatMoves) {
+  ThreadPool pool(1);
+  const auto surface = std::make_shared<const Surface>(make_surface(plate(12, 0.02, 48)));
+  const VertexData<double> density =
+      Cut::at_vertices(*surface, [](const Vec3& at) { return std::pow(100.0, at.x() / 12); });
+  FlowSettings settings;
+  settings.radius = 1 / surface->scale();
+  settings.segment_length = 0.4 * settings.radius;
+  settings.max_radius = kClamp * settings.radius;
+  settings.medial_axis = MedialAxis::kGeodesic;
+  const Domain domain(surface, density, settings, pool);
+  for (const double stretch : {1.0, 1.7}) {
+    std::vector<double> vertices;
+    for (uint32_t v = 0; v < surface->vertex_count(); ++v) {
+      const Vec3 p = surface->caller_position(v);
+      vertices.insert(vertices.end(), {p.x(), stretch * p.y(), p.z()});
+    }
+    const auto moved = std::make_shared<const Surface>(surface->deformed(vertices, pool));
+    const FlowSettings there = settings.rescaled(surface->scale() / moved->scale());
+    const Domain next = domain.moved_to(moved, settings.radius, there, pool);
+    const SurfacePatches anew(*moved, RadiusField(there.radius, density), kClamp, pool);
+    EXPECT_NEAR(next.patches->count(), anew.count(), 0.01 * anew.count());  // rounding moves some to another voxel
+  }
+}
+
 /// What is remote depends on how far balls reach.
 TEST(SurfacePatches, AreCutAnewWhereWhatTheyDependOnChanges) {
   ThreadPool pool(1);

@@ -42,10 +42,9 @@ double expected_nodes(const Surface& surface, const FlowSettings& settings,
   return weighted_area / (2 * settings.radius * kMeanSegment * settings.segment_length);
 }
 
-Domain::Domain(std::shared_ptr<const Surface> where, const VertexData<double>& density, const FlowSettings& settings,
-               ThreadPool& pool)
+Domain::Domain(std::shared_ptr<const Surface> where, RadiusField wanted, const FlowSettings& settings, ThreadPool& pool)
     : surface(std::move(where)),
-      wanted_radius(settings.radius, density),
+      wanted_radius(std::move(wanted)),
       radius(wanted_radius),
       expected_length(filling_length(*surface, wanted_radius)),
       boundary(sampled_boundary(*surface, settings)),
@@ -54,11 +53,11 @@ Domain::Domain(std::shared_ptr<const Surface> where, const VertexData<double>& d
 
 Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius, const FlowSettings& settings,
                         ThreadPool& pool) const {
-  Domain moved(std::move(where), {}, settings, pool);
-  moved.wanted_radius = wanted_radius;
+  RadiusField wanted = wanted_radius;
+  wanted.rescale(old_radius, settings.radius);
+  Domain moved(std::move(where), std::move(wanted), settings, pool);
   moved.radius = radius;
-  for (RadiusField* field : {&moved.wanted_radius, &moved.radius}) field->rescale(old_radius, settings.radius);
-  moved.expected_length = filling_length(*moved.surface, moved.wanted_radius);
+  moved.radius.rescale(old_radius, settings.radius);
   moved.directions = directions;
   moved.directions.ride(*surface, *moved.surface);
   return moved;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "flow/settings.h"
 #include "geodesic/surface_patches.h"
@@ -18,9 +19,12 @@ namespace meander {
 /// A surface with the functions on it that drive a flow. All lengths are in the surface's own unit. Owns what it
 /// holds; other flows may share the surface.
 struct Domain {
+  /// `wanted`  r as it is to be in the end
+  Domain(std::shared_ptr<const Surface> where, RadiusField wanted, const FlowSettings& settings, ThreadPool& pool);
   /// `density` positive, or empty: 1 everywhere.
-  Domain(std::shared_ptr<const Surface> surface, const VertexData<double>& density, const FlowSettings& settings,
-         ThreadPool& pool);
+  Domain(std::shared_ptr<const Surface> where, const VertexData<double>& density, const FlowSettings& settings,
+         ThreadPool& pool)
+      : Domain(std::move(where), RadiusField(settings.radius, density), settings, pool) {}
 
   /// The same on a surface that has moved. `settings` are those on that surface, `old_radius` was r before.
   Domain moved_to(std::shared_ptr<const Surface> surface, double old_radius, const FlowSettings& settings,
