@@ -201,21 +201,36 @@ struct Square {
   /// sides, as a share of what is between two of them.
   void place(double moved, double slid) {
     curve = Curve();
-    const Triangle& face = surface.face(0);
-    const Vec3 origin = surface.position(face[0]), right = (surface.position(face[1]) - origin).normalized();
-    const Vec3 slanted = surface.position(face[2]) - origin;
-    const Vec3 up = (slanted - slanted.dot(right) * right).normalized();
-    const Vec3 corner[4] = {0 * right, right, right + up, up};
+    const Vec2 corner[4] = {{0, 0}, {kSide, 0}, {kSide, kSide}, {0, kSide}};
     for (uint32_t side = 0; side < 4; ++side) {
       for (uint32_t k = 0; k < kPerSide; ++k) {
         const double along = k == 0 ? 0 : (k + slid) / kPerSide;
-        const Vec3 at = (1 - along) * corner[side] + along * corner[(side + 1) % 4];
-        const Vec3 p = origin + (0.4 + kRadius * moved) * right + 0.05 * up + kSide * at;
-        add_node(curve, point_at(surface, 0, surface.to_plane(0, p - origin)));
-        EXPECT_NEAR((position(surface, curve.nodes.back()) - p).norm(), 0, 1e-12);  // it is in the face
+        const Vec2 at = (1 - along) * corner[side] + along * corner[(side + 1) % 4];
+        add(at.x + 0.4 + kRadius * moved, at.y + 0.05);
       }
     }
     curve.strands.push_back({0, curve.size(), true});
+    join();
+  }
+
+  /// Adds a guide beside it, of so many nodes.
+  void add_guide(uint32_t count) {
+    const uint32_t first = curve.size();
+    for (uint32_t k = 0; k < count; ++k) add(0.3 + 0.3 * k / count, 0.02, 1);
+    curve.strands.push_back({first, count, false, true});
+    join();
+  }
+
+  /// A node at this place in the face, whose first side is the first axis.
+  void add(double x, double y, uint8_t fixed = 0) {
+    const Triangle& face = surface.face(0);
+    const Vec3 origin = surface.position(face[0]), right = (surface.position(face[1]) - origin).normalized();
+    const Vec3 slanted = surface.position(face[2]) - origin;
+    const Vec3 up = (slanted - slanted.dot(right) * right).normalized(), at = x * right + y * up;
+    add_node(curve, point_at(surface, 0, surface.to_plane(0, at)), fixed);
+    EXPECT_NEAR((position(surface, curve.nodes.back()) - origin - at).norm(), 0, 1e-12);  // it is in the face
+  }
+  void join() {
     join_in_face(surface, curve);
     metric = even_metric(curve, kRadius);
   }
@@ -318,6 +333,20 @@ TEST(Convergence, RestIsMeasuredAcrossTheCurve) {
         }
       }
     }
+  }
+}
+
+/// However many nodes are on guides, which never move, those that may move decide.
+TEST(Convergence, GuidesAreNoSignOfRest) {
+  constexpr uint32_t kOnGuide = 16 * Square::kPerSide;  // four fifths
+  for (const bool rests : {false, true}) {
+    Noting n(false);
+    n.add_guide(kOnGuide);
+    n.note_times(tuning::kSettledWindow);
+    n.place((rests ? 0.9 : 4) * tuning::kSettledDistance, 0);
+    n.add_guide(kOnGuide);
+    n.note();
+    EXPECT_EQ(n.convergence.phase(), rests ? Phase::kCooling : Phase::kGrowing);
   }
 }
 

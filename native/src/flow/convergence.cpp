@@ -7,32 +7,24 @@
 #include "base/point_tree.h"
 #include "base/segment_distance.h"
 #include "base/tuning.h"
+#include "flow/free_nodes.h"
 
 namespace meander {
 namespace {
 
-/// Nodes that a thread takes at a time.
-constexpr size_t kMeasuredGrain = 512;
-
-/// The mean distance of the nodes of `curve`, which are at `nodes`, from an earlier one, in the local r.
-double mean_distance(const std::vector<Vec3>& nodes, const LocalMetric& metric, const Convergence::Picture& earlier,
-                     ThreadPool& pool) {
+/// The mean distance of the nodes of `curve` that may move, which are at `nodes`, from an earlier one, in the local r.
+double mean_distance(const Curve& curve, const std::vector<Vec3>& nodes, const LocalMetric& metric,
+                     const Convergence::Picture& earlier, ThreadPool& pool) {
   const PointTree tree(earlier.nodes);
-  std::vector<double> distance(nodes.size());
-  pool.for_blocks(nodes.size(), kMeasuredGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3& p = nodes[i];
-      const uint32_t near = tree.nearest(p)->index;
-      double d = (p - earlier.nodes[near]).norm();
-      for (const uint32_t other : {earlier.next[near], earlier.previous[near]}) {
-        if (other != kNone) d = std::min(d, distance_to_segment(p, earlier.nodes[near], earlier.nodes[other]));
-      }
-      distance[i] = d / metric.radius[i];
+  return mean_over_movable(curve, pool, [&](uint32_t i) {
+    const Vec3& p = nodes[i];
+    const uint32_t near = tree.nearest(p)->index;
+    double d = (p - earlier.nodes[near]).norm();
+    for (const uint32_t other : {earlier.next[near], earlier.previous[near]}) {
+      if (other != kNone) d = std::min(d, distance_to_segment(p, earlier.nodes[near], earlier.nodes[other]));
     }
+    return d / metric.radius[i];
   });
-  double sum = 0;
-  for (const double d : distance) sum += d;
-  return sum / static_cast<double>(nodes.size());
 }
 
 }  // namespace
@@ -93,7 +85,7 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
     present.previous.push_back(curve.previous(i));
   }
   const bool settled = picture_ && change < tuning::kSettledLength &&
-                       mean_distance(present.nodes, metric, *picture_, pool) < tuning::kSettledDistance;
+                       mean_distance(curve, present.nodes, metric, *picture_, pool) < tuning::kSettledDistance;
   picture_ = std::move(present);
   return settled;
 }
