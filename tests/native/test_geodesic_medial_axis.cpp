@@ -239,6 +239,68 @@ TEST(GeodesicMedialAxis, LargeBallsDoNotSeeTheLayerAfterTheNext) {
   }
 }
 
+/// The same curve with its strands in the reverse order, and closed ones beginning somewhere else. All have a multiple
+/// of `run` nodes, and those that were in a run of the tree still are. `from` receives where its nodes are in `curve`.
+Curve told_otherwise(const Curve& curve, uint32_t run, std::vector<uint32_t>& from) {
+  Curve other;
+  from.clear();
+  for (size_t k = curve.strands.size(); k-- > 0;) {
+    const Strand& strand = curve.strands[k];
+    const uint32_t first = other.size(), begin = strand.closed ? run : 0;
+    for (uint32_t i = 0; i < strand.count; ++i) from.push_back(strand.first + (begin + i) % strand.count);
+    for (uint32_t i = first; i < first + strand.count; ++i) {
+      add_node(other, curve.nodes[from[i]], curve.fixed[from[i]]);
+      other.paths.back() = curve.paths[from[i]];
+      other.shapes.back() = curve.shapes[from[i]];
+    }
+    other.strands.push_back({first, strand.count, strand.closed});
+  }
+  other.link();
+  return other;
+}
+
+/// What is passed over once it has been measured are neighbours along the strand, whatever their numbers are.
+TEST(GeodesicMedialAxis, DoesNotDependOnTheOrderOfStrandsNorOnWhereTheyBegin) {
+  constexpr uint32_t kRun = CurveBvh::kRun;
+  size_t all = 0, different = 0;
+  for (const Mesh& mesh : {scaled(cube(), 6), scaled(octahedron(), 6), wedge(10, 3, 20), plate(10, 1, 20)}) {
+    const Surface s = make_surface(mesh);
+    const double r = 1 / s.scale(), clamp = 3;
+    ThreadPool pool(1);
+    const SurfacePatches patches(s, RadiusField(r), clamp, pool);
+    const BoundaryObstacle boundary(s, 0.5 * r);
+    Curve curve;
+    Rng rng(91);
+    for (int k = 0; k < 40; ++k) {
+      add_ring(s, curve, random_point(s, rng), rng.in(0.3, 1) * r, 2 * kRun, 0.1, rng);
+      add_walk(s, curve, random_point(s, rng), 0.3 * r, 2 * kRun, 0.3, rng);
+    }
+    std::vector<uint32_t> from;
+    const Curve other = told_otherwise(curve, kRun, from);
+    const auto radii_of = [&](const Curve& c) {
+      const LocalMetric metric = even_metric(c, r, clamp * r);
+      Frames frames;
+      compute_frames(s, c, metric, RadiusField(r), pool, frames);
+      NodeData<Reach> reach;
+      compute_reach({s, c, frames, boundary, BoundaryRule::kCentre, &patches, metric}, {}, pool, reach);
+      CurveBvh tree;
+      NodeData<Radii> radii;
+      compute_geodesic_medial_axis(s, patches, c, frames, boundary, BoundaryRule::kCentre, true, metric, reach, pool,
+                                   tree, radii);
+      return radii;
+    };
+    const NodeData<Radii> radii = radii_of(curve), again = radii_of(other);
+    for (uint32_t i = 0; i < other.size(); ++i) {
+      for (size_t side = 0; side < 2; ++side) {
+        ++all;
+        different += again[i][side] != radii[from[i]][side];
+      }
+    }
+  }
+  EXPECT_GT(all, 10000u);
+  EXPECT_EQ(different, 0u) << "of " << all;
+}
+
 TEST(GeodesicMedialAxis, AnyNumberOfThreadsGivesTheSameBytes) {
   const Surface s = make_surface(with_noise(torus(30, 15), 0.2, 3));
   Curve curve;

@@ -125,7 +125,7 @@ bool GeodesicBall::measure(double straight, uint32_t touched, double most) {
     note(chart.place);
     note_neighbours(touched, chart);
     if (least_ <= kSame * straight || k + 1 == kMostStrands) return true;
-    excluded_[excluded_count_++] = {touched < kNeighbours ? 0 : touched - kNeighbours, touched + kNeighbours};
+    pass_over(touched);
     const double next = std::min(most, kMargin * least_);
     straight = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, next,
                                              [&](uint32_t j) { return counts(j); }, touched);
@@ -135,6 +135,23 @@ bool GeodesicBall::measure(double straight, uint32_t touched, double most) {
     return true;
   }
   return true;
+}
+
+/// Takes a point, and its neighbours on the strand, out of what counts. Samples of the boundary have neighbours by
+/// their numbers only.
+void GeodesicBall::pass_over(uint32_t p) {
+  const auto add = [&](uint32_t first, uint32_t last) { excluded_[excluded_count_++] = {first, last}; };
+  const uint32_t nodes = scene_.curve.size();
+  if (p >= nodes) return add(std::max(nodes, p - kNeighbours), p + kNeighbours);
+  const auto after = std::ranges::upper_bound(scene_.curve.strands, p, {}, &Strand::first);
+  const Strand& strand = *(after - 1);
+  const uint32_t last = strand.end() - 1;
+  const uint32_t back = std::min(kNeighbours, p - strand.first), ahead = std::min(kNeighbours, last - p);
+  add(p - back, p + ahead);
+  if (!strand.closed) return;
+  // Those beyond its first node are its last ones, and those beyond its last node the first.
+  if (back < kNeighbours) add(last - std::min(kNeighbours - back - 1, strand.count - 1), last);
+  if (ahead < kNeighbours) add(strand.first, strand.first + std::min(kNeighbours - ahead, strand.count) - 1);
 }
 
 bool GeodesicBall::counts(uint32_t j) const {

@@ -57,6 +57,7 @@ class GeodesicBall {
   bool alike(uint32_t p) const;
   bool agrees(double straight, uint32_t p) const;
   bool measure(double straight, uint32_t touched, double most);
+  void pass_over(uint32_t p);
   bool counts(uint32_t j) const;
   bool is_own(uint32_t index) const { return std::ranges::find(own_, index) != own_.end(); }
   void note_own();
@@ -83,7 +84,7 @@ class GeodesicBall {
   bool straight_on_ = true;  // whether that is also about its direction in space
   bool searched_ = false;
   uint32_t excluded_count_ = 0;
-  std::array<std::array<uint32_t, 2>, kMostStrands> excluded_;
+  std::array<std::array<uint32_t, 2>, 3 * kMostStrands> excluded_;  // first and last of those that do not count
   std::array<uint32_t, 2> own_{};  // its neighbours on its strand; kNone where no line has led to one
   std::vector<uint32_t> near_centre_;
   std::array<Sighting, CurveBvh::kRun> sightings_;  // of the nodes of a run
