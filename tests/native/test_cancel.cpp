@@ -63,6 +63,7 @@ std::string look(const Flow& flow) {
     }
   }
   for (const PathShape& shape : flow.curve().shapes) add(shape.length);
+  for (const Radii& radii : flow.radii()) add(radii);
   for (const IterationRecord& record : flow.history()) {
     add(record.length);
     add(record.energy);

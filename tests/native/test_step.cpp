@@ -37,7 +37,7 @@ struct Scene {
     compute_frames(*surface, curve, metric, RadiusField(kRadius), pool, medial.frames);
     medial.felt_radii.assign(kNodes, Radii{kRadius, kRadius});  // the same on both sides: nothing drives a node
     FlowState state{settings, Domain(surface, {}, settings, pool), curve, metric, {}};
-    state.nodes.radii = radii;
+    medial.radii = radii;
     state.nodes.steps.assign(kNodes, kRadius * Vec2{0.4, 2 * sideways});
     Plan plan;
     plan.momentum = 0.5;

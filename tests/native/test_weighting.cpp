@@ -84,8 +84,8 @@ struct Scene {
     if (!radius.empty()) metric.radius = radius;
     FlowState state{settings, Domain(surface, {}, settings, pool), curve, metric, {}};
     state.domain.directions = field;
-    state.nodes.radii = seen.empty() ? NodeData<Radii>(curve.size(), Radii{kRadius, kRadius}) : seen;
     MedialState medial;
+    medial.radii = seen.empty() ? NodeData<Radii>(curve.size(), Radii{kRadius, kRadius}) : seen;
     const ReachOfSide open{settings.max_radius, settings.max_radius, settings.max_radius};
     medial.reach = reach.empty() ? NodeData<Reach>(curve.size(), Reach{open, open}) : reach;
     const Radii even{spacing * kRadius, spacing * kRadius};

@@ -76,6 +76,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
   double clamped = 1;
   if (!polishing() && approach_.arrived()) {
     find_medial_axis(next, {});
+    next.nodes.radii.swap(medial_.radii);
     clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool_);
   }
   Convergence convergence = convergence_.restarted(clamped);

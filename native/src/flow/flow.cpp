@@ -109,7 +109,7 @@ void Flow::find_medial_axis(FlowState& state, const AtRest& known, MedialPlan pl
   const MedialRules rules{state.settings.boundary_rule, plan};
   const MedialScene scene{*domain.surface, domain.patches.get(), *domain.boundary, domain.radius,
                           state.curve,     state.metric,         rules};
-  find_medial_state(scene, known, pool_, medial_, state.nodes.radii);
+  find_medial_state(scene, known, state.nodes.radii, pool_, medial_);
 }
 
 /// The same as the forces of an iteration are to see it.
@@ -120,7 +120,7 @@ void Flow::find_medial_axis(const Plan& plan) {
   medial_.measured.swap(nodes_after_.balls);  // for its memory
   find_medial_axis(state_, {&nodes.directions, &nodes.balls}, plan.medial);
   if (state_.settings.grow_into_empty) {
-    perturb_empty_stretches(state_.curve, state_.nodes.radii, state_.metric, pool_, medial_.felt_radii);
+    perturb_empty_stretches(state_.curve, medial_.radii, state_.metric, pool_, medial_.felt_radii);
   }
 }
 
@@ -130,7 +130,7 @@ IterationFigures Flow::figures_of(const NodeData<Vec2>& displacement) {
   IterationFigures figures;
   const double squares = sum_over_free(curve, pool_, [&](uint32_t i) { return dot(displacement[i], displacement[i]); });
   figures.displacement_norm = std::sqrt(squares) / free_nodes(curve, pool_) / state_.settings.radius;
-  figures.clamped_share = clamped_share(curve, state_.nodes.radii, state_.metric, pool_);
+  figures.clamped_share = clamped_share(curve, medial_.radii, state_.metric, pool_);
   figures.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) {
     return norm(displacement[i]) / state_.metric.radius[i];
   });
@@ -148,7 +148,7 @@ IterationRecord Flow::record_of(const NodeData<Vec2>& displacement) {
 
 /// What the nodes will carry once they have moved.
 void Flow::remember(const Plan& plan, const NodeData<Vec2>& displacement) {
-  nodes_after_.radii = state_.nodes.radii;
+  std::swap(nodes_after_.radii, medial_.radii);
   nodes_after_.directions = state_.nodes.directions;
   if (plan.reuse_directions) remember_directions(medial_.frames, state_.metric, pool_, nodes_after_.directions);
   std::swap(nodes_after_.balls, medial_.measured);
@@ -220,8 +220,13 @@ double Flow::progress() const {
   return progress_of(state_.settings, figures);
 }
 
+void Flow::update_radii() {
+  find_medial_axis(state_, {});
+  keep_radii();
+}
+
 Flow::Measure Flow::measure() {
-  update_radii();
+  find_medial_axis(state_, {});
   choose_weights(plan(), state_, medial_, strands_, pool_, weights_);
   const Curve& curve = state_.curve;
   Measure m;
@@ -231,20 +236,21 @@ Flow::Measure Flow::measure() {
   for (uint32_t i = 0; i < curve.size(); ++i) {
     if (curve.on_guide(i)) continue;
     for (size_t side = 0; side < 2; ++side) {
-      const double radius = in_local_radii(medial_.frames, state_.metric, i, side, radii()[i][side]);
+      const double radius = in_local_radii(medial_.frames, state_.metric, i, side, medial_.radii[i][side]);
       m.spacing.push_back(nominal * radius / state_.metric.radius[i]);
     }
   }
   std::sort(m.spacing.begin(), m.spacing.end());
   CrossingTest test;
   m.crossings = test.find(surface(), curve, pool_).size();
+  keep_radii();
   return m;
 }
 
 std::vector<Gap> Flow::gaps(double least_size) {
-  update_radii();
+  find_medial_axis(state_, {});
   const Domain& domain = state_.domain;
-  std::vector<Gap> gaps = find_gaps(surface(), state_.curve, medial_.frames, radii(), domain.radius, least_size,
+  std::vector<Gap> gaps = find_gaps(surface(), state_.curve, medial_.frames, medial_.radii, domain.radius, least_size,
                                     domain.patches.get(), pool_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
@@ -258,6 +264,7 @@ std::vector<Gap> Flow::gaps(double least_size) {
       return gap.radius - wanted < least_size * r;
     });
   }
+  keep_radii();
   return gaps;
 }
 

@@ -87,7 +87,7 @@ class Flow {
   /// radii() up to date and changes nothing else.
   std::vector<Gap> gaps(double least_size);
   /// Brings radii() up to date and changes nothing else.
-  void update_radii() { find_medial_axis(state_, {}); }
+  void update_radii();
 
  private:
   /// Of the tests: it spoils a curve that has moved, to see that this is found.
@@ -99,6 +99,8 @@ class Flow {
   void iterate();
   void find_medial_axis(FlowState& state, const AtRest& known, MedialPlan plan = {});
   void find_medial_axis(const Plan& plan);
+  /// Those of the last medial axis become radii(), once nothing can fail any more.
+  void keep_radii() noexcept { state_.nodes.radii.swap(medial_.radii); }
   IterationFigures figures_of(const NodeData<Vec2>& displacement);
   IterationRecord record_of(const NodeData<Vec2>& displacement);
   void remember(const Plan& plan, const NodeData<Vec2>& displacement);

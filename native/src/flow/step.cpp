@@ -13,7 +13,7 @@ namespace {
 /// The longest step that node i may take in the direction of `step`, in the surface's unit.
 double longest_step(const Plan& plan, const FlowState& state, const MedialState& medial, size_t i, Vec2 step) {
   const size_t side = dot(step, medial.frames.bitangent2[i]) > 0 ? 0 : 1;
-  const double radius = state.nodes.radii[i][side], r = state.metric.radius[i];
+  const double radius = medial.radii[i][side], r = state.metric.radius[i];
   double most = tuning::kMostOfRadius * radius;
   if (medial.reach[i][side].radius <= radius) most = std::max(most, tuning::kMostAtBoundary * r);
   return std::min(most, plan.longest_step * r);
@@ -26,7 +26,7 @@ Vec2 keep_from_boundary(const FlowState& state, const MedialState& medial, size_
   const double sideways = dot(step, across), r = state.metric.radius[i];
   const size_t side = sideways > 0 ? 0 : 1;
   const double left = medial.reach[i][side].radius;
-  if (left > state.nodes.radii[i][side]) return step;  // another strand ends the ball
+  if (left > medial.radii[i][side]) return step;  // another strand ends the ball
   const double most = std::max(left - tuning::kKeptFromBoundary * r, tuning::kLeastTowardsBoundary * r);
   return step - (sideways - std::clamp(sideways, -most, most)) * across;
 }

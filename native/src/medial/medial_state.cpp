@@ -10,37 +10,38 @@
 namespace meander {
 namespace {
 
-void find_radii(const MedialScene& scene, const NodeData<MeasuredBalls>* balls, ThreadPool& pool, MedialState& state,
-                NodeData<Radii>& radii) {
+void find_radii(const MedialScene& scene, const NodeData<MeasuredBalls>* balls, ThreadPool& pool, MedialState& state) {
   state.measured.clear();
   if (!scene.patches) {
-    compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree, radii);
+    compute_medial_axis(state.frames, scene.boundary, scene.rules.boundary, state.reach, pool, state.tree,
+                        state.radii);
   } else {
     compute_geodesic_medial_axis(scene.surface, *scene.patches, scene.curve, state.frames, scene.boundary,
                                  scene.rules.boundary, scene.rules.plan.measure, scene.metric, state.reach, pool,
-                                 state.tree, radii, {balls, balls ? &state.measured : nullptr});
+                                 state.tree, state.radii, {balls, balls ? &state.measured : nullptr});
   }
 }
 
 }  // namespace
 
-void find_medial_state(const MedialScene& scene, const AtRest& known, ThreadPool& pool, MedialState& state,
-                       NodeData<Radii>& radii) {
+void find_medial_state(const MedialScene& scene, const AtRest& known, const NodeData<Radii>& radii, ThreadPool& pool,
+                       MedialState& state) {
   compute_frames(scene.surface, scene.curve, scene.metric, scene.radius, pool, state.frames,
                  known.directions && !known.directions->empty() ? known.directions : nullptr);
   const MedialRules& rules = scene.rules;
   const ReachScene reach{scene.surface,  scene.curve,   state.frames, scene.boundary,
                          rules.boundary, scene.patches, scene.metric, rules.plan};
-  compute_reach(reach, radii, pool, state.reach);
-  find_radii(scene, known.balls, pool, state, radii);
-  complete_reach(reach, pool, state.reach, radii);
-  state.felt_radii.resize(radii.size());
-  pool.for_blocks(radii.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
+  state.radii = radii;
+  compute_reach(reach, state.radii, pool, state.reach);
+  find_radii(scene, known.balls, pool, state);
+  complete_reach(reach, pool, state.reach, state.radii);
+  state.felt_radii.resize(state.radii.size());
+  pool.for_blocks(state.radii.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       for (size_t side = 0; side < 2; ++side) {
         const double driving = std::max(0.0, state.reach[i][side].driving);
         state.felt_radii[i][side] =
-            in_local_radii(state.frames, scene.metric, i, side, std::min(radii[i][side], driving));
+            in_local_radii(state.frames, scene.metric, i, side, std::min(state.radii[i][side], driving));
       }
     }
   });

@@ -35,6 +35,7 @@ struct MedialScene {
 struct MedialState {
   Frames frames;
   NodeData<Reach> reach;
+  NodeData<Radii> radii;       ///< the medial radii, in the surface's unit
   NodeData<Radii> felt_radii;  ///< as the energy sees them: under a density, and near a boundary
   NodeData<MeasuredBalls> measured;  ///< what nodes know of their balls for the next iteration; empty if nobody asks
   CurveBvh tree;               ///< kept for its memory; not to be asked
@@ -49,9 +50,9 @@ struct AtRest {
 /// Finds frames, reach and radii of the curve (section 3.2.2), in the memory that `state` has. Another measure of
 /// distance gets its place here.
 ///
-/// `radii`  in: of an earlier state, which only save time, or empty; out: the medial radii, in the surface's unit
-void find_medial_state(const MedialScene& scene, const AtRest& known, ThreadPool& pool, MedialState& state,
-                       NodeData<Radii>& radii);
+/// `radii`  those of an earlier state, which only save time, or empty
+void find_medial_state(const MedialScene& scene, const AtRest& known, const NodeData<Radii>& radii, ThreadPool& pool,
+                       MedialState& state);
 
 /// A radius on one side of a node in units of the r that it passes, times the node's own r.
 ///
