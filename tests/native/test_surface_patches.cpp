@@ -4,6 +4,7 @@
 // finely divided mesh.
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -462,6 +463,33 @@ TEST(SurfacePatches, FollowADensity) {
     EXPECT_TRUE(c.patches.hides(c.at(p))) << at.transpose();
   }
   EXPECT_GT(inside, kSamples / 4);
+}
+
+/// A large sheet, and far from it a small one with so many times the density.
+double seconds_for_a_patch(double density) {
+  Mesh mesh = scaled(flat_grid(60), 200);
+  const Mesh small = scaled(flat_grid(20), 2);
+  const uint32_t first = mesh.vertex_count();
+  for (uint32_t v = 0; v < small.vertex_count(); ++v) mesh.add(small.at(v).x() + 300, small.at(v).y(), small.at(v).z());
+  for (const uint32_t v : small.faces) mesh.faces.push_back(first + v);
+  const Surface surface = make_surface(mesh);
+  const auto density_at = [&](const Vec3& p) { return p.x() < 250 ? 1 : density; };
+  const RadiusField radius(1 / surface.scale(), Cut::at_vertices(surface, density_at));
+  ThreadPool pool(1);
+  const std::clock_t begin = std::clock();
+  const SurfacePatches patches(surface, radius, kClamp, pool);
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / patches.count();
+}
+
+/// However much r varies, a patch looks for others among about as many places.
+TEST(SurfacePatches, TakeNoLongerToCutWhereTheDensityVariesMuch) {
+  constexpr double kMost = 2.5;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 5 && !(least < kMost); ++k) {
+    least = std::min(least, seconds_for_a_patch(1e4) / seconds_for_a_patch(1));
+  }
+  RecordProperty("times_as_long", std::to_string(least));
+  EXPECT_LT(least, kMost);
 }
 
 /// As many as there would be if a flow with that density began on the surface that has moved.

@@ -58,7 +58,7 @@ class SurfacePatches::Comparison {
   Comparison(SurfacePatches& patches, const Cutter& cut, ThreadPool& pool)
       : patches_(patches),
         cut_(cut),
-        grid_(cut.centre, (kReach + Cutter::kSize) * mean(cut.r)),
+        grid_(cut.centre, (kReach + Cutter::kSize) * least(cut.r), (kReach + Cutter::kSize) * largest(cut.r)),
         steps_(patches, cut.centre, pool) {
     for (uint32_t p = 0; p < patches.count(); ++p) {
       const Traits& traits = patches.traits_[p];
@@ -103,10 +103,12 @@ class SurfacePatches::Comparison {
     Crease own;
   };
 
-  static double mean(const std::vector<double>& r) {
-    double sum = 0;
-    for (const double each : r) sum += each;
-    return sum / static_cast<double>(r.size());
+  static double largest(const std::vector<double>& r) { return *std::ranges::max_element(r); }
+  /// Without patches that have no area, whose r is 0.
+  static double least(const std::vector<double>& r) {
+    double least = largest(r);
+    for (const double each : r) least = each > 0 ? std::min(least, each) : least;
+    return least;
   }
 
   bool alike(uint32_t p, uint32_t q, float slack) const {
