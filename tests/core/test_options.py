@@ -41,6 +41,7 @@ OF_THE_PRESET = {
     "polish_medial_power",
     "boundary_rule",
     "ripening_iterations",
+    "hairpin_removal_gentleness",
 }
 
 
@@ -154,6 +155,11 @@ def test_distances_are_the_presets_or_as_the_flag_says(
     given = ["--input", "a.obj", "--output", "b.obj", "--spacing", "1", "--preset", preset]
     arguments = PARSER.parse_args(given + (["--medial-axis", word] if word else []))
     assert flow_options(arguments).medial_axis == core.MedialAxis[measure]
+
+
+def test_how_gently_hairpins_are_removed_is_the_presets() -> None:
+    gentleness = {name: core.default_options(name).hairpin_removal_gentleness for name in core.PRESETS}
+    assert gentleness == {"even": 0.0, "paper": 0.0, "finest": 1.0}
 
 
 def test_settings_give_back_what_was_stored() -> None:

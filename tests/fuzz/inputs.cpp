@@ -331,7 +331,12 @@ void Inputs::set_flow_option(const Record& r) {
   const WordField& f = kWords[which - kDoubleCount];
   uint32_t value = word(r);
   if (r.b < 128 && f.field == &meander_flow_options::iteration_limit) value = 1 + r.c % 10;
-  if (r.b < 128 && f.field == &meander_flow_options::hairpin_removal_iterations) value = r.c % 6;
+  if (r.b < 128 && f.field == &meander_flow_options::hairpin_removal_iterations) {
+    value = r.c % 6;
+    // Not one of kDoubles: the scenarios of the corpus would be others.
+    options.hairpin_removal_gentleness = r.c / 255.0;
+    transcript_.line("options.hairpin_removal_gentleness = " + written(options.hairpin_removal_gentleness) + ";");
+  }
   if (r.b < 128 && f.field == &meander_flow_options::threads) value = r.c < 200 ? 1 : 1 + r.c % 3;
   options.*f.field = value;
   transcript_.line(std::string("options.") + f.name + " = " + written(value) + ";");

@@ -52,31 +52,47 @@ class PhasesOf : public testing::TestWithParam<int> {
   Curve curve_;
   LocalMetric metric_;
   ThreadPool pool_{1};
-  Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval};
+  Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval, 0};
   FlowSettings settings_ = with_polish();
   int notes_ = 0;
 };
 
-/// A short removal of hairpins is rough, a long one gentle, and what is in between in between.
-TEST(Plan, RemovesHairpinsRoughlyWhereThereIsLittleTime) {
+/// All that goes with it changes one way from rough to gentle.
+TEST(Plan, RemovesHairpinsAsGentlyAsAsked) {
   FlowSettings settings = with_polish();
-  double pull = tuning::kRoughPull, momentum = tuning::kRoughMomentum;
-  for (const uint32_t iterations : {1u, 60u, 100u, 150u, 200u, 299u, 300u, 500u, 100000u}) {
-    settings.hairpin_removal_iterations = iterations;
+  Plan before;
+  for (const double gentleness : {0.0, 0.25, 0.5, 0.99, 1.0}) {
+    settings.hairpin_removal_gentleness = gentleness;
     const Plan plan = plan_iteration(settings, Phase::kHairpinRemoval);
-    if (iterations <= 100) {
-      EXPECT_EQ(plan.hairpin_pull, tuning::kRoughPull);
-      EXPECT_EQ(plan.momentum, tuning::kRoughMomentum);
-    } else if (iterations >= 300) {
-      EXPECT_EQ(plan.hairpin_pull, tuning::kGentlePull);
-      EXPECT_EQ(plan.momentum, tuning::kGentleMomentum);
-    } else {
-      EXPECT_LT(plan.hairpin_pull, pull);
-      EXPECT_LT(plan.momentum, momentum);
+    EXPECT_EQ(plan.hairpin_pull == tuning::kRoughPull, gentleness == 0);
+    EXPECT_EQ(plan.hairpin_pull == tuning::kGentlePull, gentleness == 1);
+    EXPECT_EQ(plan.momentum == tuning::kRoughMomentum, gentleness == 0);
+    EXPECT_EQ(plan.momentum == tuning::kGentleMomentum, gentleness == 1);
+    EXPECT_EQ(plan.medial.boundary_ease, gentleness);
+    EXPECT_EQ(plan.medial.boundary_within > 0, gentleness > 0);
+    if (gentleness > 0) {
+      EXPECT_LT(plan.hairpin_pull, before.hairpin_pull);
+      EXPECT_LT(plan.momentum, before.momentum);
     }
-    pull = plan.hairpin_pull;
-    momentum = plan.momentum;
+    before = plan;
     EXPECT_EQ(plan_iteration(settings, Phase::kPolishing).momentum, tuning::kPolishMomentum);
+  }
+}
+
+/// How many iterations there are for it only says how long it takes.
+TEST(Plan, IsTheSameForAnyNumberOfIterations) {
+  FlowSettings settings = with_polish();
+  for (const Phase phase : {Phase::kHairpinRemoval, Phase::kPolishing}) {
+    settings.hairpin_removal_iterations = 1;
+    const Plan few = plan_iteration(settings, phase);
+    for (const uint32_t iterations : {70u, 150u, 300u, 600u, UINT32_MAX}) {
+      settings.hairpin_removal_iterations = iterations;
+      const Plan plan = plan_iteration(settings, phase);
+      EXPECT_EQ(plan.hairpin_pull, few.hairpin_pull);
+      EXPECT_EQ(plan.momentum, few.momentum);
+      EXPECT_EQ(plan.most_turn, few.most_turn);
+      EXPECT_EQ(plan.medial.boundary_ease, few.medial.boundary_ease);
+    }
   }
 }
 
@@ -84,8 +100,8 @@ TEST(Plan, RemovesHairpinsRoughlyWhereThereIsLittleTime) {
 /// nothing changes.
 TEST(Plan, TakesOutSpikesInThePhasesOfGivenLength) {
   FlowSettings settings = with_polish();
-  for (const uint32_t iterations : {60u, 150u, 300u, 1000u}) {
-    settings.hairpin_removal_iterations = iterations;
+  for (const double gentleness : {0.0, 0.5, 1.0}) {
+    settings.hairpin_removal_gentleness = gentleness;
     for (const Phase phase : {Phase::kGrowing, Phase::kFinishing, Phase::kCooling}) {
       EXPECT_EQ(plan_iteration(settings, phase).most_turn, Refinement::kAnyTurn);
     }
@@ -93,12 +109,8 @@ TEST(Plan, TakesOutSpikesInThePhasesOfGivenLength) {
       const double most = plan_iteration(settings, phase).most_turn;
       EXPECT_GE(most, tuning::kMostGentleTurn);
       EXPECT_LE(most, tuning::kMostTurn);
-      if (iterations <= 100) {
-        EXPECT_EQ(most, tuning::kMostTurn);
-      }
-      if (iterations >= 300) {
-        EXPECT_EQ(most, tuning::kMostGentleTurn);
-      }
+      EXPECT_EQ(most == tuning::kMostTurn, gentleness == 0);
+      EXPECT_EQ(most == tuning::kMostGentleTurn, gentleness == 1);
     }
   }
   settings.boundary_distance = 0.75;  // a strip that is to stay empty
@@ -108,11 +120,11 @@ TEST(Plan, TakesOutSpikesInThePhasesOfGivenLength) {
 /// The same with the polish: as patient as what comes before it.
 TEST(Plan, PolishesLongerAfterAGentleRemoval) {
   uint32_t last = tuning::kPolishIterations;
-  for (const uint32_t iterations : {0u, 70u, 100u, 150u, 200u, 250u, 300u, 600u, UINT32_MAX}) {
-    const uint32_t polish = polish_iterations(iterations);
+  for (const double gentleness : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+    const uint32_t polish = polish_iterations(gentleness);
     EXPECT_GE(polish, last);
-    EXPECT_EQ(polish == tuning::kPolishIterations, iterations <= 100);
-    EXPECT_EQ(polish == tuning::kLongPolishIterations, iterations >= 300);
+    EXPECT_EQ(polish == tuning::kPolishIterations, gentleness == 0);
+    EXPECT_EQ(polish == tuning::kLongPolishIterations, gentleness == 1);
     last = polish;
   }
 }
@@ -168,7 +180,7 @@ TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
   for (const StopRule rule : {StopRule::kSettled, StopRule::kPaper}) {
     for (const double wanted : {0.0, 1e-3}) {
       for (const double moved : {0.0, 1e-6}) {
-        Convergence convergence(rule, true, kHairpinRemoval);
+        Convergence convergence(rule, true, kHairpinRemoval, 0);
         IterationFigures figures{1, 0, wanted, moved, 1};
         for (int k = 0; k < 4; ++k) convergence.note(surface, curve, metric, figures, pool);
         EXPECT_FALSE(convergence.stalled());
@@ -186,7 +198,7 @@ TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
 /// A curve that fills the surface, but has seen no hairpin removal when the surface first moves, is only
 /// finished; a curve that does not fill it continues to grow.
 TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {
-  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval), plain(StopRule::kSettled, false, 0);
+  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, 0), plain(StopRule::kSettled, false, 0, 0);
   EXPECT_EQ(growing.restarted(0).phase(), Phase::kFinishing);
   EXPECT_EQ(growing.restarted(0.5).phase(), Phase::kGrowing);
   EXPECT_EQ(plain.restarted(0).phase(), Phase::kGrowing);
@@ -243,7 +255,7 @@ struct Square {
 /// Notes iterations on the square, with figures that say that nothing is wrong.
 struct Noting : Square {
   explicit Noting(bool polish, uint32_t hairpin_removal = kHairpinRemoval, StopRule rule = StopRule::kSettled)
-      : convergence(rule, polish, hairpin_removal) {
+      : convergence(rule, polish, hairpin_removal, 0) {
     place(0, 0);
   }
   void note(double length = 1, double clamped_share = 0, double displacement_norm = 1) {
@@ -498,7 +510,7 @@ TEST(Convergence, GrowsAgainWhereTooMuchIsRevised) {
 
 /// How much of the curve still sees nothing beside it decides whether it has filled the surface when this moves.
 TEST(Convergence, OnAMovedSurfaceGrowsOnlyWhereItHasNotFilledIt) {
-  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval);
+  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, 0);
   EXPECT_EQ(growing.restarted(0.95 * tuning::kGrownClamped).phase(), Phase::kFinishing);
   EXPECT_EQ(growing.restarted(tuning::kGrownClamped).phase(), Phase::kGrowing);
   EXPECT_EQ(growing.restarted(1.05 * tuning::kGrownClamped).phase(), Phase::kGrowing);

@@ -34,6 +34,7 @@ FlowSettings settings_of(uint32_t preset, const Surface& surface, double spacing
   s.polish_length_gain = o.polish_length_gain;
   s.polish_medial_power = o.polish_medial_power;
   s.hairpin_removal_iterations = o.hairpin_removal_iterations;
+  s.hairpin_removal_gentleness = o.hairpin_removal_gentleness;
   s.grow_into_empty = s.widen_loops = preset != MEANDER_PRESET_PAPER;
   s.stop_rule = o.stop_rule == MEANDER_STOP_RULE_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = BoundaryRule::kCentre;

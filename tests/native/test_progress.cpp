@@ -68,6 +68,9 @@ TEST(Progress, CountsTheIterationsThatAreAskedFor) {
   settings.hairpin_removal_iterations = 300;
   EXPECT_GT(progress_of(settings, at(Phase::kPolishing, 0, 1)), usual);
   EXPECT_LT(progress_of(settings, at(Phase::kHairpinRemoval, 60, 1)), usual);
+  settings = with_polish();
+  settings.hairpin_removal_gentleness = 1;  // with a longer polish
+  EXPECT_LT(progress_of(settings, at(Phase::kPolishing, 0, 1)), usual);
 }
 
 /// Without a polish the quiet iterations, at whose number the paper's rule ends a run, lead to the end.

@@ -366,7 +366,7 @@ TEST(Weighting, HairpinsBesideTheBoundaryMayBeBlunt) {
     Scene s;
     s.add_rows();
     s.settings.polish = true;
-    s.settings.hairpin_removal_iterations = 300;
+    s.settings.hairpin_removal_gentleness = 1;
     s.settings.max_radius = clamp * kRadius;
     const Weights inside = s.weights(Phase::kPolishing);
     const auto reach_of = [&](double radii) {
@@ -390,8 +390,8 @@ TEST(Weighting, HairpinsBesideTheBoundaryMayBeBlunt) {
     }
     EXPECT_GT(stiff, 0u);
     EXPECT_EQ(s.weights(Phase::kHairpinRemoval).bending[0], 1.2);
-    // A short run, which has removed hairpins roughly, leaves tips too near the boundary with less of it.
-    s.settings.hairpin_removal_iterations = 70;
+    // Where hairpins are removed roughly, less of it leaves tips too near the boundary.
+    s.settings.hairpin_removal_gentleness = 0;
     const Weights rough = s.weights(Phase::kPolishing);
     for (uint32_t i = 0; i < s.curve.size(); ++i) EXPECT_EQ(rough.bending[i], inside.bending[i]);
   }

@@ -66,6 +66,7 @@ if TYPE_CHECKING:
         polish: bool
         iteration_limit: int
         threads: int
+        hairpin_removal_gentleness: float
 
 else:
     # Made from the header, in its order.

@@ -592,9 +592,9 @@ typedef struct meander_flow_options {
   double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A
                                polish takes the larger of this and polish_medial_power */
   double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
-  double growth_coarsening; /* before a polish, and in its first 22 iterations (60 where hairpins are
-                               removed for 300 or more), segments are longer than h by this factor; in
-                               [1, 4] */
+  double growth_coarsening; /* before a polish, and in its first 22 iterations (140 where
+                               hairpin_removal_gentleness is 1), segments are longer than h by this
+                               factor; in [1, 4] */
   double start_spacing_factor;  /* the curve first fills the surface at this many times the spacing,
                                    which then shrinks to the one asked for (Fig. 25): fewer corners,
                                    more iterations; in [1, 16]; 1: off */
@@ -603,7 +603,7 @@ typedef struct meander_flow_options {
                                    [0, 2]. Values other than 0.5 need MEANDER_BOUNDARY_RULE_CENTRE */
   double polish_bending_weight; /* b in the polish; where a strand turns more sharply than 1 / r, up to
                                    3.5 times as much, so that hairpins stay round; beside a boundary
-                                   .3 times where hairpins are removed for 300 iterations or more */
+                                   .3 times where hairpin_removal_gentleness is 1 */
   double polish_length_offset;  /* t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the medial */
   double polish_length_gain;    /* radius in units of r, smoothed along the curve over 2 r; in [-10, 10]
                                    and [0, 100] */
@@ -624,7 +624,14 @@ typedef struct meander_flow_options {
   uint32_t polish;          /* 1: close the gaps at the end with length weights that follow the spacing */
   uint32_t iteration_limit; /* of a run, counted over the life of the flow; at least 1 */
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
-  uint64_t reserved[8];
+  double hairpin_removal_gentleness; /* in [0, 1]: 0 removes hairpins roughly, as it has to be where there
+                               are few iterations for it; 1 gently, since in many of them roughness
+                               leaves a curve too dense. From 0 to 1 the length weight that draws runs
+                               in falls from 12 to 3 and the share of the last step from .76 to .7, the
+                               boundary pushes less, and the polish has 140 iterations with long
+                               segments instead of 22. 1 in MEANDER_PRESET_FINEST and 0 in the others;
+                               who sets hairpin_removal_iterations alone has that of the preset */
+  uint64_t reserved[7];
 } meander_flow_options;
 
 /* Fills in the defaults of a preset; see "Structs".

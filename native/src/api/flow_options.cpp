@@ -53,6 +53,7 @@ void set_growth(const meander_flow_options& o, FlowSettings& s) {
   require_range(o.step, 1e-3, 2, "step");
   require_range(o.growth_coarsening, 1, 4, "growth_coarsening");
   require_range(o.start_spacing_factor, 1, 16, "start_spacing_factor");
+  require_range(o.hairpin_removal_gentleness, 0, 1, "hairpin_removal_gentleness");
   require_flag(o.grow_into_empty, "grow_into_empty");
   require_flag(o.widen_loops, "widen_loops");
   require_flag(o.hold_ends, "hold_ends");
@@ -63,6 +64,7 @@ void set_growth(const meander_flow_options& o, FlowSettings& s) {
   s.widen_loops = o.widen_loops != 0;
   s.hold_ends = o.hold_ends != 0;
   s.hairpin_removal_iterations = o.hairpin_removal_iterations;
+  s.hairpin_removal_gentleness = o.hairpin_removal_gentleness;
 }
 
 void set_polish(const meander_flow_options& o, FlowSettings& s) {
@@ -159,6 +161,7 @@ meander_flow_options default_options(meander_preset preset) {
   o.growth_coarsening = finest ? 2.5 : 3;
   o.grow_into_empty = o.widen_loops = o.hold_ends = 1;
   o.hairpin_removal_iterations = finest ? 600 : 70;
+  o.hairpin_removal_gentleness = finest ? 1 : 0;
   o.polish = 1;
   o.polish_bending_weight = 1.2;
   o.polish_length_offset = finest ? -2.8 : -1.16;

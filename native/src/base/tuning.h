@@ -139,11 +139,9 @@ inline constexpr double kOverfull = 0.4, kHardlyOverfull = 0.7;
 /// within noise (docs/quality.md, "What was tried and did not help").
 inline constexpr double kHairpinRemovalShare = 0.2;
 
-/// The length weight that draws them in, and the share of its last step with which a node goes on meanwhile: of a
-/// removal of no more iterations than the first of these, and of one of as many as the second, in between them. A
-/// short one has to be rough; roughness that lasts leaves a curve too dense. Measured: docs/quality.md, on rough
-/// hairpin removal.
-inline constexpr double kRoughRemoval = 100, kGentleRemoval = 300;
+/// The length weight that draws them in, and the share of its last step with which a node goes on meanwhile: of a rough
+/// removal, and of a gentle one. A short one has to be rough; roughness that lasts leaves a curve too dense. Measured:
+/// docs/quality.md, on rough hairpin removal.
 inline constexpr double kRoughPull = 12, kGentlePull = 3;
 inline constexpr double kRoughMomentum = 0.76, kGentleMomentum = 0.7;
 

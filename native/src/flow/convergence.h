@@ -33,8 +33,12 @@ class Convergence {
     std::vector<uint32_t> next, previous;
   };
 
-  Convergence(StopRule rule, bool polish, uint32_t hairpin_removal_iterations)
-      : rule_(rule), polish_wanted_(polish), hairpin_removal_iterations_(hairpin_removal_iterations) {}
+  /// See FlowSettings.
+  Convergence(StopRule rule, bool polish, uint32_t hairpin_removal_iterations, double hairpin_removal_gentleness)
+      : rule_(rule),
+        polish_wanted_(polish),
+        hairpin_removal_iterations_(hairpin_removal_iterations),
+        hairpin_removal_gentleness_(hairpin_removal_gentleness) {}
 
   /// Takes note of an iteration and of the curve after it, whose metric is given. Whatever it throws, all is then as
   /// it was.
@@ -77,6 +81,7 @@ class Convergence {
   bool fitting_ = false;  // the polish is followed by the last iterations
   double change_ = 0;     // of r since the curve grew; see revised()
   uint32_t hairpin_removal_iterations_, removed_for_ = 0, polished_ = 0;
+  double hairpin_removal_gentleness_;
   Phase phase_ = Phase::kGrowing;
   std::vector<double> lengths_;
   size_t phase_start_ = 0;  // iteration at which the phase began

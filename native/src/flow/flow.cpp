@@ -34,7 +34,8 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
            const FlowSettings& settings, const std::function<bool()>& cancelled)
     : pool_(settings.threads),
       state_(first_state(std::move(surface), seed, density, settings, pool_, seed_fit_, cancelled)),
-      convergence_(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations),
+      convergence_(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations,
+                   settings.hairpin_removal_gentleness),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   const ThreadPool::Watch watch(pool_, cancelled);
   refiner_.cut_guides(state_, plan(), pool_);

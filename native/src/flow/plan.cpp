@@ -12,54 +12,47 @@ namespace {
 
 /// What moves slowly but for long, as fingers that are drawn in and others that follow, arrives sooner if it does not
 /// begin anew in every iteration (the heavy ball of Polyak).
-double momentum_in(Phase phase, double roughness) {
+double momentum_in(Phase phase, double gentleness) {
   switch (phase) {
-    case Phase::kHairpinRemoval: return std::lerp(tuning::kGentleMomentum, tuning::kRoughMomentum, roughness);
+    case Phase::kHairpinRemoval: return std::lerp(tuning::kRoughMomentum, tuning::kGentleMomentum, gentleness);
     case Phase::kPolishing: return tuning::kPolishMomentum;
     default: return 0;
   }
 }
 
-/// How roughly hairpins are removed: 1 where there are few iterations for it, 0 where there are many.
-double roughness_of(uint32_t hairpin_removal_iterations) {
-  const double spare = tuning::kGentleRemoval - static_cast<double>(hairpin_removal_iterations);
-  return std::clamp(spare / (tuning::kGentleRemoval - tuning::kRoughRemoval), 0.0, 1.0);
-}
-
 /// Growth goes through gaps, and into corners, that are hardly wider than a spike, and what would be taken out there
 /// again and again would never come to rest. So it is done only in phases of a given length, and not where a strip
 /// along the boundary is to stay empty, which strands must find out of.
-double most_turn_in(const FlowSettings& settings, Phase phase, double roughness) {
+double most_turn_in(const FlowSettings& settings, Phase phase) {
   const bool of_given_length = phase == Phase::kHairpinRemoval || phase == Phase::kPolishing;
   if (!settings.polish || !of_given_length || settings.boundary_distance > 0.5) {
     return std::numeric_limits<double>::infinity();
   }
-  return std::lerp(tuning::kMostGentleTurn, tuning::kMostTurn, roughness);
+  return std::lerp(tuning::kMostTurn, tuning::kMostGentleTurn, settings.hairpin_removal_gentleness);
 }
 
 }  // namespace
 
-uint32_t polish_iterations(uint32_t hairpin_removal_iterations) {
-  const double iterations = std::lerp(static_cast<double>(tuning::kLongPolishIterations),
-                                      static_cast<double>(tuning::kPolishIterations),
-                                      roughness_of(hairpin_removal_iterations));
+uint32_t polish_iterations(double hairpin_removal_gentleness) {
+  const double iterations = std::lerp(static_cast<double>(tuning::kPolishIterations),
+                                      static_cast<double>(tuning::kLongPolishIterations), hairpin_removal_gentleness);
   return static_cast<uint32_t>(std::lround(iterations));
 }
 
 Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase) {
-  const double roughness = roughness_of(settings.hairpin_removal_iterations);
+  const double gentleness = settings.hairpin_removal_gentleness;
   const bool settles = settings.stop_rule == StopRule::kSettled;  // else the flow follows the paper
   const bool coarse = settings.polish && phase <= Phase::kPolishing;
   Plan plan;
   plan.phase = phase;
   plan.polishing = settings.polish && phase != Phase::kGrowing;
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);
-  plan.momentum = settings.polish ? momentum_in(phase, roughness) : 0;
-  plan.hairpin_pull = std::lerp(tuning::kGentlePull, tuning::kRoughPull, roughness);
-  plan.medial.boundary_ease = 1 - roughness;
+  plan.momentum = settings.polish ? momentum_in(phase, gentleness) : 0;
+  plan.hairpin_pull = std::lerp(tuning::kRoughPull, tuning::kGentlePull, gentleness);
+  plan.medial.boundary_ease = gentleness;
   plan.longest_step =
       phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
-  plan.most_turn = most_turn_in(settings, phase, roughness);
+  plan.most_turn = most_turn_in(settings, phase);
   plan.medial.measure = !settings.polish || phase > Phase::kPolishing ||
                         (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
   plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? tuning::kBesideBoundary : 0;

@@ -44,8 +44,8 @@ struct Plan {
   bool reuse_balls = false;
 };
 
-/// How long the phase kPolishing is: as patient as the removal of hairpins before it.
-uint32_t polish_iterations(uint32_t hairpin_removal_iterations);
+/// How long the phase kPolishing is: as patient as the removal of hairpins before it is gentle.
+uint32_t polish_iterations(double hairpin_removal_gentleness);
 
 /// The plan of an iteration in this phase, before which there have been so many in it: a function of the three alone.
 Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase = 0);

@@ -31,7 +31,8 @@ bool grows_otherwise(const FlowSettings& a, const FlowSettings& b) {
          a.length_power != b.length_power || a.medial_power != b.medial_power ||
          a.medial_axis != b.medial_axis || a.boundary_rule != b.boundary_rule ||
          a.boundary_distance != b.boundary_distance || a.grow_into_empty != b.grow_into_empty ||
-         a.hold_ends != b.hold_ends || a.hairpin_removal_iterations != b.hairpin_removal_iterations;
+         a.hold_ends != b.hold_ends || a.hairpin_removal_iterations != b.hairpin_removal_iterations ||
+         a.hairpin_removal_gentleness != b.hairpin_removal_gentleness;
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ struct FlowSettings {
   double polish_bending_weight = 0, polish_length_offset = 0, polish_length_gain = 0;
   double polish_medial_power = 2;
   uint32_t hairpin_removal_iterations = 0;
+  double hairpin_removal_gentleness = 0;  ///< 0: roughly, 1: gently
   /// Where both sides of a strand are empty no force acts on it: there it is made to grow.
   bool grow_into_empty = false;
   /// Free ends keep r from what is ahead of them, or go on until they do.
