@@ -152,6 +152,24 @@ def test_the_library_measures_the_same_extent(density):
     for name in ("length_area", "node_area", "edge_density"):
         # Inside of the library vertices are rounded to 2^-30 of the diagonal.
         assert getattr(theirs, name) == pytest.approx(getattr(ours, name), rel=1e-7)
+    # A defect is what is left of angles that nearly add up to a turn.
+    assert theirs.curvature == pytest.approx(ours.curvature, rel=1e-4)
+
+
+def test_the_curvature_of_a_sphere_is_four_pi_and_a_flat_sheet_has_none():
+    vertices, faces = geometry.icosphere(4)
+    assert extent_of(vertices, faces).curvature == pytest.approx(1.0, rel=0.01)
+    assert extent_of(3.0 * vertices, faces).curvature == pytest.approx(1.0 / 9.0, rel=0.01)
+    flat, squares = geometry.grid(12)
+    assert extent_of(flat, squares).curvature < 1e-9
+
+
+def test_a_crumpled_surface_takes_longer():
+    options = options_of("even", 0.1)
+    plain = core.estimate_cost(core.Extent(0, 50.0, 50.0, 0.0), options)
+    crumpled = core.estimate_cost(core.Extent(0, 50.0, 50.0, 0.0, 1e4), options)
+    assert 2.0 < crumpled.processor_seconds / plain.processor_seconds < 5.0
+    assert crumpled.nodes == plain.nodes
 
 
 def test_what_a_mask_leaves_out_is_no_part_of_the_extent():
@@ -168,11 +186,11 @@ def test_what_a_mask_leaves_out_is_no_part_of_the_extent():
 def test_a_cost_does_not_depend_on_the_unit(size):
     options = options_of("finest", 0.1 * size)
     options.segment_length = 0.3 * options.radius
-    extent = core.Extent(1000, 5.0 * size**2, 6.0 * size**2, 7.0 / size)
+    extent = core.Extent(1000, 5.0 * size**2, 6.0 * size**2, 7.0 / size, 80.0 / size**2)
     cost = core.estimate_cost(extent, options)
     plain = options_of("finest", 0.1)
     plain.segment_length = 0.3 * plain.radius
-    expected = core.estimate_cost(core.Extent(1000, 5.0, 6.0, 7.0), plain)
+    expected = core.estimate_cost(core.Extent(1000, 5.0, 6.0, 7.0, 80.0), plain)
     assert cost.length / size == pytest.approx(expected.length)
     for name in ("nodes", "points", "memory", "processor_seconds"):
         assert getattr(cost, name) == pytest.approx(getattr(expected, name))
@@ -194,7 +212,7 @@ def test_a_cost_without_a_number_is_infinite(spacing):
     assert all(value == math.inf for value in vars(cost).values())
 
 
-@pytest.mark.parametrize("largest", ["length_area", "node_area", "edge_density"])
+@pytest.mark.parametrize("largest", ["length_area", "node_area", "edge_density", "curvature"])
 @pytest.mark.parametrize("spacing", [1e-3, 1e300])
 def test_a_cost_is_a_number_or_infinite_whatever_the_extent(largest, spacing):
     extent = replace(core.Extent(0, 0.0, 0.0, 0.0), **{largest: sys.float_info.max})
@@ -202,7 +220,7 @@ def test_a_cost_is_a_number_or_infinite_whatever_the_extent(largest, spacing):
     assert not any(math.isnan(value) for value in vars(cost).values())
 
 
-@pytest.mark.parametrize("figure", ["length_area", "node_area", "edge_density"])
+@pytest.mark.parametrize("figure", ["length_area", "node_area", "edge_density", "curvature"])
 @pytest.mark.parametrize("wrong", [-1.0, math.nan, math.inf])
 def test_figures_that_are_none_are_refused(figure, wrong):
     extent = replace(core.Extent(1, 1.0, 1.0, 1.0), **{figure: wrong})

@@ -20,12 +20,14 @@ class Extent:
                   is the length of the curve
     node_area     area of the faces, each times its density: where strands are closer, so are nodes
     edge_density  length of all edges over the area of all faces
+    curvature     sum of the angle defects, in absolute value, over the area of all faces
     """
 
     faces: int
     length_area: float
     node_area: float
     edge_density: float
+    curvature: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -51,10 +53,9 @@ def estimate_cost(extent: Extent, options: FlowOptions) -> Cost:
     Raises MeanderError for figures and options that are out of range.
     """
     given, found = prepared(ExtentRecord), prepared(CostRecord)
-    for name, kind in (
-        ("faces", int), ("length_area", float), ("node_area", float), ("edge_density", float)
-    ):  # fmt: skip
-        setattr(given, name, kind(getattr(extent, name)))
+    given.faces = int(extent.faces)
+    for name in ("length_area", "node_area", "edge_density", "curvature"):
+        setattr(given, name, float(getattr(extent, name)))
     record = options_record(options)
     call(native().meander_extent_estimate_cost, byref(given), byref(record), byref(found))
     return Cost(

@@ -67,6 +67,7 @@ if TYPE_CHECKING:
         iteration_limit: int
         threads: int
         hairpin_removal_gentleness: float
+        roughness: float
 
 else:
     # Made from the header, in its order.

@@ -218,7 +218,13 @@ class Surface(Handle):
             0 if values is None else len(values),
             byref(record),
         )
-        return Extent(record.faces, record.length_area, record.node_area, record.edge_density)
+        return Extent(
+            record.faces,
+            record.length_area,
+            record.node_area,
+            record.edge_density,
+            record.curvature,
+        )
 
     def outlines(
         self, distance: float, spacing: float, context: Context | None = None

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import bridges, bundle, report, strands
+from ..model import bridges, bundle, last_run, report, strands
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
@@ -104,6 +104,7 @@ def _remarks(
     if record["bridges"]["count"]:
         length = f"{record['bridges']['length']:.3g}"
         told.append(bridges.described(record["bridges"]["count"], length))
+    told.append(last_run.roughness(figures["smoothing"], figures["stretch"]))
     told.append(summary(figures))
     return [line for line in told if line]
 

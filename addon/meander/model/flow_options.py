@@ -85,6 +85,32 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "roughness",
+        "Follow Roughness",
+        "How much of a rough surface's bumps the spacing follows. At 0 it is measured on the "
+        "surface smoothed at the scale of the spacing; at 1 on every bump, and the curve may never settle",
+        _ADVANCED,
+        low="calm lines, also where the surface is crumpled",
+        high="lengths over every bump count; slow on rough surfaces, and uneven",
+        row="Roughness",
+        unit="share",
+        least=0.0,
+        greatest=1.0,
+        step=10,
+        field="roughness",
+        zero_is_preset=True,
+        flag=Flag(
+            "--roughness",
+            "how much of the surface's roughness the spacing follows, from 0 (measured on the "
+            "surface smoothed at the scale of the spacing) to 1 (on the surface as it is); "
+            "default: 0, in paper 1",
+            _TERMS,
+            "W",
+            least=0.0,
+            greatest=1.0,
+        ),
+    ),
+    Option(
         "iteration_limit",
         "Iteration Limit",
         "Stop after at most this many rounds; 0 leaves it to the quality",

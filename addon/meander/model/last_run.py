@@ -9,6 +9,8 @@ ENDED = {
     "stalled": "Nothing could move",
     "cancelled": "Stopped by hand",
 }
+# Of a surface that was smoothed where its spacing is measured: as short as a panel is wide.
+ROUGH = "Rough surface: bumps smoothed"
 # Gaps that matter are farther from the curve than this, in half spacings. Smaller ones are what is
 # left where strands turn: they are not seen, and no run is without them.
 GAP_THAT_MATTERS = 1.5
@@ -33,6 +35,20 @@ def evenness(share: float) -> str:
     """As per cent; 100 only where nothing at all is uneven."""
     percent = 100.0 * share
     return f"{min(percent, 99.0) if percent < 100.0 else percent:.0f} %"
+
+
+def roughness(smoothing: float, stretch: float) -> str:
+    """What a rough surface was smoothed by where its spacing is measured; empty: it is not rough.
+
+    smoothing  mean width of the Gaussian, in half spacings
+    stretch    lengths on the surface in those on the smoothed one
+    """
+    if smoothing <= 0.0:
+        return ""
+    return (
+        f"Rough surface: the spacing is measured with bumps smoothed by {smoothing / 2:.2g} "
+        f"spacings, which shortens lengths by {100.0 * (1.0 - 1.0 / stretch):.0f} %"
+    )
 
 
 def gaps(count: int, largest: float) -> str:

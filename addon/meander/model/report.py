@@ -65,6 +65,11 @@ def build_report(
             "p95": flow["spacing_p95"],
         },
         "evenness": flow["evenness"],
+        "roughness": {
+            "mean": flow["roughness"],
+            "smoothing": flow["smoothing"],
+            "stretch": flow["stretch"],
+        },
         "gap_count": len(gaps),
         "gaps": [
             {"position": position, "radius": radius, "size": size}

@@ -194,6 +194,8 @@ def _store(
         figures.spacing_median = float(statistics["spacing_median"])
         figures.seconds = float(statistics["seconds_total"])
         figures.evenness = float(statistics["evenness"])
+        figures.smoothing = float(statistics["smoothing"])
+        figures.stretch = float(statistics["stretch"])
         figures.lines = statistics["lines"]
         figures.closed_lines = statistics["closed_lines"]
         figures.bridge_count = statistics["bridge_count"]

@@ -165,6 +165,8 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
         layout = self.layout
         if figures.stop_reason in last_run.ENDED:
             notice(layout, last_run.ENDED[figures.stop_reason])
+        if figures.smoothing > 0.0:
+            notice(layout, last_run.ROUGH)
         if figures.lines:
             layout.label(text=last_run.lines(figures.lines, figures.closed_lines))
         gaps = wide_gaps(figures)

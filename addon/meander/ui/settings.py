@@ -75,6 +75,17 @@ class MeanderFigures(bpy.types.PropertyGroup):
         default=-1.0,
         options=set(),
     )
+    smoothing: FloatProperty(
+        name="Smoothing",
+        description="What a rough surface was smoothed by where its spacing is measured, in half spacings",
+        options=set(),
+    )
+    stretch: FloatProperty(
+        name="Stretch",
+        description="Lengths on the surface in those on the smoothed one",
+        default=1.0,
+        options=set(),
+    )
     lines: IntProperty(name="Lines", options=set())
     closed_lines: IntProperty(name="Closed Lines", options=set())
     bridge_count: IntProperty(name="Bridges", options=set())

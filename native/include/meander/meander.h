@@ -631,7 +631,12 @@ typedef struct meander_flow_options {
                                boundary pushes less, and the polish has 140 iterations with long
                                segments instead of 22. 1 in MEANDER_PRESET_FINEST and 0 in the others;
                                who sets hairpin_removal_iterations alone has that of the preset */
-  uint64_t reserved[7];
+  double roughness;         /* how much of the surface's roughness the spacing follows, in [0, 1]. At 0 it
+                               is measured on the surface as it is at the scale of the spacing: where it
+                               is crumpled below r, vertices are smoothed by a Gaussian of up to .75 r,
+                               and r shrinks as lengths do there. At 1 it is measured on the surface
+                               as it is. Only with MEANDER_MEDIAL_AXIS_GEODESIC */
+  uint64_t reserved[6];
 } meander_flow_options;
 
 /* Fills in the defaults of a preset; see "Structs".
@@ -671,7 +676,10 @@ typedef struct meander_extent {
                            strands are closer, so are nodes. Square units, >= 0 */
   double edge_density;  /* length of all edges over the area of all faces, a boundary edge counted half.
                            1 / unit, >= 0 */
-  uint64_t reserved[4];
+  double curvature;     /* sum of the angle defects of all vertices inside, in absolute value, over the
+                           area of all faces: distances along a surface that is crumpled take longer to
+                           measure. Radians / unit^2, >= 0 */
+  uint64_t reserved[3];
 } meander_extent;
 
 /* Prepares an extent of nothing; see "Structs".
@@ -995,7 +1003,13 @@ typedef struct meander_flow_statistics {
   uint32_t seed_jump_point2;
   double evenness;        /* share of the sides of all nodes on which twice the medial radius is within
                              a fifth of spacing_target, scaled as the percentiles are; in [0, 1] */
-  uint64_t reserved[3];
+  double roughness;       /* mean over the surface, in radians for a disc of radius r: of the curvature,
+                             in absolute value, what cancels out within a few r; 0 where nothing was
+                             smoothed */
+  double smoothing;       /* mean width of the Gaussian that the surface was smoothed by, in r */
+  uint64_t reserved[1];
+  double stretch;         /* lengths on the surface in those at the scale of the spacing: the root of the
+                             ratio of areas; 1 where nothing was smoothed */
 } meander_flow_statistics;
 
 /* Prepares the struct; see "Structs".

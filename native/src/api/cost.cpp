@@ -17,11 +17,11 @@ namespace {
 Extent checked_extent(const meander_extent* given, double r) {
   require_struct(given);
   const meander_extent e = read_struct(given);
-  for (const double figure : {e.length_area, e.node_area, e.edge_density}) {
+  for (const double figure : {e.length_area, e.node_area, e.edge_density, e.curvature}) {
     require(std::isfinite(figure) && figure >= 0,
             "A figure of the extent is negative or not finite; measure it again.");
   }
-  return {e.faces, e.length_area / r / r, e.node_area / r / r, e.edge_density * r};
+  return {e.faces, e.length_area / r / r, e.node_area / r / r, e.edge_density * r, e.curvature * r * r};
 }
 
 }  // namespace
@@ -44,6 +44,7 @@ meander_status meander_surface_measure_extent(const meander_surface* surface, co
     figures.length_area = inside.length_area * s.scale() * s.scale();
     figures.node_area = inside.node_area * s.scale() * s.scale();
     figures.edge_density = inside.edge_density / s.scale();
+    figures.curvature = inside.curvature / s.scale() / s.scale();
     write_struct(extent, figures);
   });
 }

@@ -56,7 +56,7 @@ meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
       faces[i] = caller_face(flow->map.get(), node.face);
       std::copy(w.begin(), w.end(), barycentrics + 3 * size_t{i});
       if (radii) {
-        const Radii r = f.radii().empty() ? Radii{0, 0} : f.radii()[i];
+        const Radii r = f.radii_of(i);
         radii[2 * size_t{i}] = r[0] * scale;
         radii[2 * size_t{i} + 1] = r[1] * scale;
       }

@@ -26,7 +26,7 @@ DensityAt density_at(const VertexData<double>& density) {
 /// That of a flow as it is.
 DensityAt density_at(const Flow& flow) {
   return [&flow](uint32_t v) {
-    const double share = flow.settings().radius / flow.wanted_radius().at(v);
+    const double share = flow.settings().radius / flow.asked_radius().at(v);
     return share * share;
   };
 }

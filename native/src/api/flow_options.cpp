@@ -94,6 +94,8 @@ void set_rules(const meander_flow_options& o, FlowSettings& s) {
   s.stop_rule = o.stop_rule == MEANDER_STOP_RULE_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_RULE_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
   s.boundary_distance = o.boundary_distance;
+  require_range(o.roughness, 0, 1, "roughness");
+  s.roughness = o.roughness;
   s.medial_axis = o.medial_axis == MEANDER_MEDIAL_AXIS_GEODESIC ? MedialAxis::kGeodesic : MedialAxis::kEuclidean;
   s.iteration_limit = o.iteration_limit;
   s.threads = o.threads;
@@ -152,6 +154,7 @@ meander_flow_options default_options(meander_preset preset) {
     o.polish_medial_power = 2;
     o.stop_rule = MEANDER_STOP_RULE_PAPER;
     o.iteration_limit = 300;
+    o.roughness = 1;
     return o;
   }
   const bool finest = preset == MEANDER_PRESET_FINEST;

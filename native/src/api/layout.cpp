@@ -53,13 +53,13 @@ constexpr auto flow_options_layout() {
                                 AT(polish_length_gain), AT(polish_medial_power), AT(boundary_rule),
                                 AT(medial_axis), AT(stop_rule), AT(grow_into_empty), AT(widen_loops),
                                 AT(hold_ends), AT(hairpin_removal_iterations), AT(polish), AT(iteration_limit),
-                                AT(threads), AT(hairpin_removal_gentleness), AT(reserved)});
+                                AT(threads), AT(hairpin_removal_gentleness), AT(roughness), AT(reserved)});
 }
 
 constexpr auto extent_layout() {
   using S = meander_extent;
   return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(faces), AT(length_area), AT(node_area),
-                                AT(edge_density), AT(reserved)});
+                                AT(edge_density), AT(curvature), AT(reserved)});
 }
 
 constexpr auto cost_layout() {
@@ -83,7 +83,8 @@ constexpr auto flow_statistics_layout() {
                                 AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract),
                                 AT(seconds_reconnect), AT(seconds_crossings), AT(seconds_refine),
                                 AT(seed_distance), AT(seed_jump_length), AT(seed_point), AT(seed_jumps),
-                                AT(seed_jump_point), AT(seed_jump_point2), AT(evenness), AT(reserved)});
+                                AT(seed_jump_point), AT(seed_jump_point2), AT(evenness), AT(roughness),
+                                AT(smoothing), AT(reserved), AT(stretch)});
 }
 
 constexpr auto iteration_layout() {

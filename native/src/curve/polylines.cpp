@@ -24,6 +24,21 @@ size_t polyline_point_count(const Curve& curve) {
   return points;
 }
 
+double polyline_length(const Surface& surface, const Curve& curve) {
+  double length = 0;
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    if (!curve.has_segment(i)) continue;
+    Vec3 from = position(surface, curve.nodes[i]);
+    const auto go_to = [&](const Vec3& to) {
+      length += (to - from).norm();
+      from = to;
+    };
+    for (const Crossing& c : curve.paths[i]) go_to(position(surface, c));
+    go_to(position(surface, curve.nodes[curve.next(i)]));
+  }
+  return length;
+}
+
 void write_polylines(const Surface& surface, const Curve& curve, const NormalField& field, double* positions,
                      double* normals, uint64_t* offsets, uint8_t* closed) {
   size_t p = 0;

@@ -31,6 +31,9 @@ std::array<double, 3> crossing_weights(const Crossing& c);
 /// The number of points of the polylines: nodes, and crossings of edges between them.
 size_t polyline_point_count(const Curve& curve);
 
+/// Their length on a surface, in its own unit.
+double polyline_length(const Surface& surface, const Curve& curve);
+
 /// Writes the polylines of a curve, strands in the order of the seed's.
 /// `positions` and `normals` hold 3 values a point, `offsets` one value more than there are strands,
 /// `closed` one per strand; `normals`, which `field` gives, may be null.

@@ -16,6 +16,7 @@ struct Extent {
   uint32_t faces = 0;
   double length_area = 0, node_area = 0;
   double edge_density = 0;
+  double curvature = 0;
 };
 
 /// See meander_cost.

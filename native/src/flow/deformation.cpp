@@ -15,9 +15,6 @@
 namespace meander {
 namespace {
 
-/// Nodes that a thread takes at a time.
-constexpr size_t kCarriedGrain = 512;
-
 /// Refuses a surface that would be refused for a new flow.
 void check_size(const FlowState& state, const Surface& surface) {
   const double to_new = state.domain.surface->scale() / surface.scale();
@@ -28,7 +25,7 @@ void check_size(const FlowState& state, const Surface& surface) {
                       " now); choose a smaller spacing and start a new flow.");
   }
   const double nodes = expected_nodes(surface, state.settings.rescaled(to_new), [&](uint32_t v) {
-    const double share = state.settings.radius / state.domain.wanted_radius.at(v);
+    const double share = state.settings.radius / state.domain.asked_radius.at(v);
     return share * share;
   });
   if (!(nodes <= kMostNodes)) {
@@ -51,14 +48,7 @@ FlowState carried_to(std::shared_ptr<const Surface> surface, const FlowState& st
   for (Radii& sides : next.nodes.radii) {
     for (double& r : sides) r *= factor;
   }
-  Curve& curve = next.curve;
-  pool.for_blocks(curve.size(), kCarriedGrain, [&](size_t, size_t begin, size_t end) {
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      if (!curve.has_segment(i)) continue;
-      curve.shapes[i] =
-          measure_path(*next.domain.surface, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
-    }
-  });
+  measure_segments(*next.domain.surface, next.curve, pool);
   return next;
 }
 
@@ -70,6 +60,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
   check_size(state_, *surface);
   const double factor = this->surface().scale() / surface->scale();
   FlowState next = carried_to(std::move(surface), state_, pool_);
+  if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
   MoveSeconds seconds = record_.seconds.move;
   retraction_.straighten(*next.domain.surface, next.curve, pool_, seconds);
 

@@ -42,22 +42,34 @@ double expected_nodes(const Surface& surface, const FlowSettings& settings,
   return weighted_area / (2 * settings.radius * kMeanSegment * settings.segment_length);
 }
 
-Domain::Domain(std::shared_ptr<const Surface> where, RadiusField wanted, const FlowSettings& settings, ThreadPool& pool)
-    : surface(std::move(where)),
-      wanted_radius(std::move(wanted)),
+Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, const FlowSettings& settings, ThreadPool& pool)
+    : given(std::move(where)),
+      asked_radius(std::move(asked)),
+      surface(given),
+      wanted_radius(asked_radius),
       radius(wanted_radius),
-      expected_length(filling_length(*surface, wanted_radius)),
-      boundary(sampled_boundary(*surface, settings)),
-      patches(patches_for(*surface, wanted_radius, settings, pool)),
-      normals(std::make_shared<const NormalField>(*surface, settings.radius)) {}
+      normals(std::make_shared<const NormalField>(*given, settings.radius)) {
+  look_at_scale(settings, pool);
+  boundary = sampled_boundary(*surface, settings);
+  patches = patches_for(*surface, wanted_radius, settings, pool);
+}
+
+/// Finds the surface at the scale of r as it is asked for, and what follows from both.
+void Domain::look_at_scale(const FlowSettings& settings, ThreadPool& pool) {
+  const bool along_surface = settings.medial_axis == MedialAxis::kGeodesic;
+  SurfaceAtScale found = at_scale(given, asked_radius, along_surface ? settings.roughness : 1, pool);
+  surface = std::move(found.surface);
+  roughness = found.roughness;
+  wanted_radius = RadiusField::multiplied(asked_radius, found.shrinkage);
+  radius = wanted_radius;
+  expected_length = filling_length(*surface, wanted_radius);
+}
 
 Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius, const FlowSettings& settings,
                         ThreadPool& pool) const {
-  RadiusField wanted = wanted_radius;
-  wanted.rescale(old_radius, settings.radius);
-  Domain moved(std::move(where), std::move(wanted), settings, pool);
-  moved.radius = radius;
-  moved.radius.rescale(old_radius, settings.radius);
+  RadiusField asked = asked_radius;
+  asked.rescale(old_radius, settings.radius);
+  Domain moved(std::move(where), std::move(asked), settings, pool);
   moved.directions = directions;
   moved.directions.ride(*surface, *moved.surface);
   return moved;
@@ -67,19 +79,25 @@ Domain Domain::revised(const FlowSettings& old, const FlowSettings& settings, co
                        ThreadPool& pool) const {
   Domain next = *this;
   if (density) {
-    next.wanted_radius = RadiusField(settings.radius, *density);
+    next.asked_radius = RadiusField(settings.radius, *density);
   } else {
-    next.wanted_radius.rescale(old.radius, settings.radius);
+    next.asked_radius.rescale(old.radius, settings.radius);
   }
+  const bool same_radius = next.asked_radius == asked_radius;
+  const bool same_scale =
+      same_radius && settings.roughness == old.roughness && settings.medial_axis == old.medial_axis;
+  if (!same_scale) next.look_at_scale(settings, pool);
   next.radius = next.wanted_radius;
-  const bool same_radius = next.wanted_radius == wanted_radius;
-  if (!same_radius) next.expected_length = filling_length(*surface, next.wanted_radius);
-  if (settings.segment_length != old.segment_length) next.boundary = sampled_boundary(*surface, settings);
-  const bool same_clamp = settings.max_radius / settings.radius == old.max_radius / old.radius;
-  if (!same_radius || !same_clamp || settings.medial_axis != old.medial_axis) {
-    next.patches = patches_for(*surface, next.wanted_radius, settings, pool);
+  const bool same_surface = next.surface == surface;
+  if (!same_surface) next.directions.ride(*surface, *next.surface);
+  if (!same_surface || settings.segment_length != old.segment_length) {
+    next.boundary = sampled_boundary(*next.surface, settings);
   }
-  if (settings.radius != old.radius) next.normals = std::make_shared<const NormalField>(*surface, settings.radius);
+  const bool same_clamp = settings.max_radius / settings.radius == old.max_radius / old.radius;
+  if (!same_surface || !same_radius || !same_clamp || settings.medial_axis != old.medial_axis) {
+    next.patches = patches_for(*next.surface, next.wanted_radius, settings, pool);
+  }
+  if (settings.radius != old.radius) next.normals = std::make_shared<const NormalField>(*given, settings.radius);
   return next;
 }
 

@@ -13,18 +13,24 @@
 #include "mesh/line_field.h"
 #include "mesh/normal_field.h"
 #include "mesh/radius_field.h"
+#include "mesh/surface_at_scale.h"
 
 namespace meander {
 
 /// A surface with the functions on it that drive a flow. All lengths are in the surface's own unit. Owns what it
 /// holds; other flows may share the surface.
 struct Domain {
-  /// `wanted`  r as it is to be in the end
-  Domain(std::shared_ptr<const Surface> where, RadiusField wanted, const FlowSettings& settings, ThreadPool& pool);
+  /// `asked`  r on that surface as it is to be in the end
+  Domain(std::shared_ptr<const Surface> where, RadiusField asked, const FlowSettings& settings, ThreadPool& pool);
   /// `density` positive, or empty: 1 everywhere.
   Domain(std::shared_ptr<const Surface> where, const VertexData<double>& density, const FlowSettings& settings,
          ThreadPool& pool)
       : Domain(std::move(where), RadiusField(settings.radius, density), settings, pool) {}
+
+  /// Lengths on the given surface in those of the one that the flow runs on, around a point; 1 where they are the same.
+  double stretch_at(const SurfacePoint& p) const {
+    return surface == given ? 1 : asked_radius.at(*given, p) / wanted_radius.at(*surface, p);
+  }
 
   /// The same on a surface that has moved. `settings` are those on that surface, `old_radius` was r before.
   Domain moved_to(std::shared_ptr<const Surface> surface, double old_radius, const FlowSettings& settings,
@@ -35,14 +41,23 @@ struct Domain {
   Domain revised(const FlowSettings& old, const FlowSettings& settings, const VertexData<double>* density,
                  ThreadPool& pool) const;
 
+  /// What leaves the library is of the surface as it was given, with r as it was asked for there.
+  std::shared_ptr<const Surface> given;
+  RadiusField asked_radius;
+  /// The flow runs on that surface as it is at the scale of the spacing, see at_scale(), where distances are along the
+  /// surface; else, and where nothing is rough, it is the same one. There r is as much smaller as lengths are.
   std::shared_ptr<const Surface> surface;
   RadiusField wanted_radius;  ///< r as it is to be in the end,
   RadiusField radius;         ///< and as it is while the curve approaches its spacing
+  Roughness roughness;
   double expected_length;     ///< of a curve that fills the surface: area over spacing
   LineField directions;       ///< that strands are to follow; may be empty
   std::shared_ptr<const BoundaryObstacle> boundary;
   std::shared_ptr<const SurfacePatches> patches;  ///< for MedialAxis::kGeodesic, else null
-  std::shared_ptr<const NormalField> normals;     ///< found when they are asked for
+  std::shared_ptr<const NormalField> normals;     ///< of the given surface, found when they are asked for
+
+ private:
+  void look_at_scale(const FlowSettings& settings, ThreadPool& pool);
 };
 
 /// More nodes than this are refused, for want of memory.

@@ -9,6 +9,7 @@
 #include "base/stopwatch.h"
 #include "curve/crossings.h"
 #include "curve/first_curve.h"
+#include "curve/polylines.h"
 #include "flow/clamped_nodes.h"
 #include "flow/free_nodes.h"
 #include "flow/invariant.h"
@@ -23,7 +24,7 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
                       SeedFit& fit, const std::function<bool()>& cancelled) {
   const ThreadPool::Watch watch(pool, cancelled);
   Domain domain(std::move(surface), density, settings, pool);
-  Curve curve = first_curve(*domain.surface, seed, domain.radius, settings.widen_loops, domain.boundary->tree(),
+  Curve curve = first_curve(*domain.given, seed, domain.asked_radius, settings.widen_loops, domain.boundary->tree(),
                             2 * settings.boundary_distance, pool, &fit);
   return {settings, std::move(domain), std::move(curve), {}, {}};
 }
@@ -38,9 +39,18 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
                    settings.hairpin_removal_gentleness),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   const ThreadPool::Watch watch(pool_, cancelled);
+  if (at_scale()) {
+    measure_segments(*state_.domain.surface, state_.curve, pool_);
+    retraction_.straighten(*state_.domain.surface, state_.curve, pool_, record_.seconds.move);
+  }
   refiner_.cut_guides(state_, plan(), pool_);
   state_.domain.radius.set_multiple(state_.domain.wanted_radius, approach_.factor());
   refiner_.refine(state_, plan(), pool_);
+}
+
+void Flow::set_field(LineField field) {
+  if (at_scale()) field.ride(surface(), *state_.domain.surface);
+  state_.domain.directions = std::move(field);
 }
 
 StopReason Flow::stop_reason() const {
@@ -176,7 +186,7 @@ void Flow::move(const Plan& plan, const NodeData<Vec2>& displacement, IterationF
     keep_promises();
 
     // What this says about the phase, and about the end.
-    record.length = state_.curve.length();
+    record.length = length();
     record.nodes = state_.curve.size();
     record_.history.push_back(record);
     note(figures);
@@ -231,7 +241,7 @@ Flow::Measure Flow::measure() {
   choose_weights(plan(), state_, medial_, strands_, pool_, weights_);
   const Curve& curve = state_.curve;
   Measure m;
-  m.length = curve.length();
+  m.length = length();
   m.energy = energy(curve, medial_.felt_radii, state_.metric, weights_, pool_);
   const double nominal = 2 * state_.settings.radius * approach_.factor();
   for (uint32_t i = 0; i < curve.size(); ++i) {
@@ -243,7 +253,7 @@ Flow::Measure Flow::measure() {
   }
   std::sort(m.spacing.begin(), m.spacing.end());
   CrossingTest test;
-  m.crossings = test.find(surface(), curve, pool_).size();
+  m.crossings = test.find(*state_.domain.surface, curve, pool_).size();
   keep_radii();
   return m;
 }
@@ -251,8 +261,9 @@ Flow::Measure Flow::measure() {
 std::vector<Gap> Flow::gaps(double least_size) {
   find_medial_axis(state_, {});
   const Domain& domain = state_.domain;
-  std::vector<Gap> gaps = find_gaps(surface(), state_.curve, medial_.frames, medial_.radii, domain.radius, least_size,
-                                    domain.patches.get(), pool_);
+  const Surface& surface = *domain.surface;
+  std::vector<Gap> gaps = find_gaps(surface, state_.curve, medial_.frames, medial_.radii, domain.radius,
+                                    least_size, domain.patches.get(), pool_);
   // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
   // strip asks for is a gap.
   const double kept = state_.settings.boundary_distance;
@@ -260,13 +271,35 @@ std::vector<Gap> Flow::gaps(double least_size) {
     std::erase_if(gaps, [&](const Gap& gap) {
       const double r = gap.radius / gap.size;
       const double to_boundary =
-          std::sqrt(domain.boundary->tree().nearest(position(surface(), gap.centre))->squared_distance);
+          std::sqrt(domain.boundary->tree().nearest(position(surface, gap.centre))->squared_distance);
       const double wanted = std::max(0.0, (2 * kept - 1) * r - to_boundary);
       return gap.radius - wanted < least_size * r;
     });
   }
+  if (at_scale()) {
+    for (Gap& gap : gaps) gap.radius *= domain.stretch_at(gap.centre);
+  }
   keep_radii();
   return gaps;
+}
+
+double Flow::length() const {
+  return at_scale() ? polyline_length(surface(), state_.curve) : state_.curve.length();
+}
+
+Radii Flow::radii_of(uint32_t node) const {
+  if (state_.nodes.radii.empty()) return {0, 0};
+  Radii radii = state_.nodes.radii[node];
+  if (at_scale()) {
+    for (double& r : radii) r *= state_.domain.stretch_at(state_.curve.nodes[node]);
+  }
+  return radii;
+}
+
+NodeData<Radii> Flow::radii() const {
+  NodeData<Radii> radii = state_.nodes.radii;
+  for (uint32_t i = 0; i < radii.size(); ++i) radii[i] = radii_of(i);
+  return radii;
 }
 
 }  // namespace meander

@@ -32,7 +32,7 @@ class Flow {
        const FlowSettings& settings, const std::function<bool()>& cancelled = {});
 
   /// The lines that alignment_weight refers to; before the first iteration.
-  void set_field(LineField field) { state_.domain.directions = std::move(field); }
+  void set_field(LineField field);
 
   /// One iteration; false, with everything as before, when `cancelled` said so. It is asked in every loop.
   bool step(const std::function<bool()>& cancelled);
@@ -58,14 +58,22 @@ class Flow {
   /// has to outlive it, says so; all is then as it was.
   ThreadPool::Watch watch(const std::function<bool()>& cancelled) { return {pool_, cancelled}; }
 
-  const Surface& surface() const { return *state_.domain.surface; }
+  /// As it was given. The flow itself runs on it as it is at the scale of the spacing, see Domain; the curve is on both.
+  const Surface& surface() const { return *state_.domain.given; }
+  /// How rough it is, and what of that was smoothed.
+  const Roughness& roughness() const { return state_.domain.roughness; }
   const Curve& curve() const { return state_.curve; }
   const FlowSettings& settings() const { return state_.settings; }
-  /// r as it is to be in the end.
-  const RadiusField& wanted_radius() const { return state_.domain.wanted_radius; }
+  /// r as it was asked for, and is to be in the end, on surface().
+  const RadiusField& asked_radius() const { return state_.domain.asked_radius; }
+  /// Of the curve on surface(), in its unit.
+  double length() const;
   /// Found when they are asked for first: a flow that is not looked at needs none. Any thread.
   const NormalField& normals() const { return *state_.domain.normals; }
-  const NodeData<Radii>& radii() const { return state_.nodes.radii; }  ///< of the last medial axis
+  /// Of a node at the last medial axis, on surface(): as many times the local r as it was measured. 0 before the first.
+  Radii radii_of(uint32_t node) const;
+  /// Those of all nodes; empty before the first medial axis.
+  NodeData<Radii> radii() const;
   const std::vector<IterationRecord>& history() const { return record_.history; }
   const FlowSeconds& seconds() const { return record_.seconds; }
   /// Why a run would end now; kCancelled after a cancelled step or run, until the next one.
@@ -108,6 +116,7 @@ class Flow {
   void keep_promises() const;
   void note(IterationFigures& figures);
   double progress() const;
+  bool at_scale() const { return state_.domain.surface != state_.domain.given; }
 
   ThreadPool pool_;
   SeedFit seed_fit_;

@@ -20,6 +20,10 @@ struct FlowState {
   NodeHistory nodes;
 };
 
+/// Finds the shapes of all segments again on a surface with the same faces whose vertices are elsewhere. Paths are as
+/// they were, and not the shortest any more; see Retraction::straighten.
+void measure_segments(const Surface& surface, Curve& curve, ThreadPool& pool);
+
 /// Finds r, r_max and what the boundary asks for at every node of the present curve.
 void update_metric(FlowState& state, ThreadPool& pool);
 

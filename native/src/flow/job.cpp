@@ -71,7 +71,7 @@ void Job::copy(const Flow& flow) {
   next_.serial = newest_.serial + 1;  // nobody else writes it
   next_.iterations = static_cast<uint32_t>(flow.history().size());
   next_.nodes = flow.curve().size();
-  next_.length = flow.curve().length() * scale;
+  next_.length = flow.length() * scale;
   next_.seconds = flow.seconds().total;
   next_.polylines.copy_from(flow.surface(), flow.curve(), flow.normals());
   std::lock_guard lock(mutex_);

@@ -102,10 +102,11 @@ void write_point_data(const Flow& flow, const MeshMap* map, const PointArrays& a
       const uint32_t j = curve.next(i) != kNone ? curve.next(i) : i;
       const size_t begin = points.nodes[k], end = k + 1 < strand.count ? points.nodes[k + 1] : n;
       const double length = along[end] - along[begin];
+      const Radii here = flow.radii_of(i), there = flow.radii_of(j);
       for (size_t p = begin; p < end; ++p) {
         const double share = length > 0 ? (along[p] - along[begin]) / length : 0;
         for (size_t side = 0; side < 2; ++side) {
-          const double r = (1 - share) * flow.radii()[i][side] + share * flow.radii()[j][side];
+          const double r = (1 - share) * here[side] + share * there[side];
           arrays.radii[2 * (first + p) + side] = r * surface.scale();
         }
       }

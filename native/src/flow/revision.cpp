@@ -31,7 +31,8 @@ bool grows_otherwise(const FlowSettings& a, const FlowSettings& b) {
          a.length_power != b.length_power || a.medial_power != b.medial_power ||
          a.medial_axis != b.medial_axis || a.boundary_rule != b.boundary_rule ||
          a.boundary_distance != b.boundary_distance || a.grow_into_empty != b.grow_into_empty ||
-         a.hold_ends != b.hold_ends || a.hairpin_removal_iterations != b.hairpin_removal_iterations ||
+         a.hold_ends != b.hold_ends || a.roughness != b.roughness ||
+         a.hairpin_removal_iterations != b.hairpin_removal_iterations ||
          a.hairpin_removal_gentleness != b.hairpin_removal_gentleness;
 }
 
@@ -44,6 +45,11 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density) {
   if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
   next.curve = state_.curve;
   next.nodes.radii = state_.nodes.radii;
+  MoveSeconds seconds = record_.seconds.move;
+  if (next.domain.surface != state_.domain.surface) {
+    measure_segments(*next.domain.surface, next.curve, pool_);
+    retraction_.straighten(*next.domain.surface, next.curve, pool_, seconds);
+  }
   Convergence convergence = convergence_.revised(settings, mean_change(state_, next, pool_),
                                                  grows_otherwise(state_.settings, settings));
   const Plan plan = plan_iteration(settings, convergence.phase());
@@ -54,6 +60,7 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density) {
   static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);
   state_ = std::move(next);
   convergence_ = std::move(convergence);
+  record_.seconds.move = seconds;
   record_.restart(1);
 }
 

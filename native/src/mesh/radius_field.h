@@ -24,6 +24,16 @@ class RadiusField {
     for (size_t v = 0; v < density.size(); ++v) at_vertex_[v] = radius / std::sqrt(density[v]);
   }
 
+  /// `field`, multiplied by `factors` vertex by vertex, which are positive; the same field where there are none.
+  static RadiusField multiplied(const RadiusField& field, const VertexData<double>& factors) {
+    RadiusField result = field;
+    if (!factors.empty()) result.at_vertex_.resize(factors.size());
+    for (size_t v = 0; v < factors.size(); ++v) {
+      result.at_vertex_[v] = field.at(static_cast<uint32_t>(v)) * factors[v];
+    }
+    return result;
+  }
+
   bool varies() const { return !at_vertex_.empty(); }
 
   double at(uint32_t vertex) const { return varies() ? at_vertex_[vertex] : everywhere_; }

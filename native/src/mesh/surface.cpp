@@ -71,6 +71,17 @@ Surface Surface::deformed(std::span<const double> vertices, ThreadPool& pool, co
   return moved;
 }
 
+Surface Surface::with_positions(VertexData<Vec3> positions, ThreadPool& pool) const {
+  Surface moved;
+  moved.keep_connections(*this, pool);
+  copy(caller_, moved.caller_, pool.poll(1));
+  moved.low_ = low_;
+  moved.scale_ = scale_;
+  moved.positions_.assign(positions.begin(), positions.end());
+  moved.lay_out(pool);
+  return moved;
+}
+
 /// All that the places of the vertices have no say in.
 void Surface::keep_connections(const Surface& other, ThreadPool& pool) {
   const CancelPoll poll = pool.poll(1);
@@ -98,8 +109,10 @@ void Surface::place(const Placement& placement, ThreadPool& pool) {
 
 Vec3 Surface::to_inside(const Vec3& p) const {
   const Vec3 q = (p - low_) / scale_;
-  return {to_grid(q.x()), to_grid(q.y()), to_grid(q.z())};
+  return on_grid(q);
 }
+
+Vec3 Surface::on_grid(const Vec3& p) { return {to_grid(p.x()), to_grid(p.y()), to_grid(p.z())}; }
 
 /// By Euler's formula: a component of genus g with b boundary loops has V - E + F = 2 - 2 g - b.
 bool Surface::simply_connected() const {

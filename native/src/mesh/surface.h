@@ -15,6 +15,7 @@
 #include "base/large_pages.h"
 #include "base/plane.h"
 #include "mesh/mesh_check.h"
+#include "mesh/vertex_data.h"
 
 namespace meander {
 
@@ -55,6 +56,13 @@ class Surface {
   /// diagonal. `vertices` are as many as before. Throws Failure(FailureKind::kInvalidMesh) for coordinates
   /// that are not finite and for faces without area; `map` names the caller's.
   Surface deformed(std::span<const double> vertices, ThreadPool& pool, const MeshMap* map = nullptr) const;
+
+  /// The same faces with their vertices at `positions`, in this surface's own unit and place, which stay, as do the
+  /// caller's vertices: what leaves the library is where it was given. Each position is one of on_grid(), and each face
+  /// keeps an area.
+  Surface with_positions(VertexData<Vec3> positions, ThreadPool& pool) const;
+  /// Rounded as positions are.
+  static Vec3 on_grid(const Vec3& p);
 
   size_t vertex_count() const { return positions_.size(); }
   size_t face_count() const { return faces_.size(); }

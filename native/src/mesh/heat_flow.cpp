@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/heat_flow.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace meander {
+namespace {
+
+/// Cotangents are kept between these: obtuse corners would make the system indefinite, needles would stiffen it.
+constexpr double kLeastCotangent = 0, kMostCotangent = 20;
+
+/// The system is solved until this share of the first residual is left; what is left then is a few thousandths of the
+/// width.
+constexpr double kResidual = 1e-3;
+constexpr int kMostIterations = 500;
+
+/// Where the weights of an edge are no more than this share of the area of a vertex, damped Jacobi steps converge at
+/// once, and no coarser level is needed; nor for so few vertices.
+constexpr double kStiff = 2;
+constexpr uint32_t kFew = 64;
+
+/// Damped Jacobi steps before and after each coarser level, and at the coarsest.
+constexpr int kSteps = 1, kLastSteps = 6;
+constexpr double kDamping = 2.0 / 3;
+
+using Points = std::vector<Vec3>;
+
+/// A x = excess x + the sum over the edges of weight (x - x at the other end): symmetric and positive definite.
+struct System {
+  std::vector<double> excess;
+  std::vector<uint32_t> start, neighbour;  // the edges of row i are start[i] .. start[i + 1] - 1
+  std::vector<double> weight;
+  std::vector<double> diagonal;
+
+  uint32_t size() const { return static_cast<uint32_t>(excess.size()); }
+
+  void add_up_diagonal() {
+    diagonal = excess;
+    for (uint32_t i = 0; i < size(); ++i) {
+      for (uint32_t e = start[i]; e < start[i + 1]; ++e) diagonal[i] += weight[e];
+    }
+  }
+  Vec3 row(uint32_t i, const Points& x) const {
+    Vec3 sum = diagonal[i] * x[i];
+    for (uint32_t e = start[i]; e < start[i + 1]; ++e) sum -= weight[e] * x[neighbour[e]];
+    return sum;
+  }
+};
+
+/// Joins every vertex to the neighbour that it is tied to most, if that one is free: at most half as many are left.
+/// Returns how many, and `group` of every vertex.
+uint32_t pair_up(const System& fine, std::vector<uint32_t>& group, CancelPoll& poll) {
+  group.assign(fine.size(), kNone);
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < fine.size(); ++i) {
+    if (group[i] != kNone) continue;
+    poll(4);
+    uint32_t best = kNone;
+    double most = 0;
+    for (uint32_t e = fine.start[i]; e < fine.start[i + 1]; ++e) {
+      if (group[fine.neighbour[e]] != kNone || !(fine.weight[e] > most)) continue;
+      best = fine.neighbour[e];
+      most = fine.weight[e];
+    }
+    group[i] = count;
+    if (best != kNone) group[best] = count;
+    ++count;
+  }
+  return count;
+}
+
+/// The system of groups that move as one (Galerkin's, with constants).
+System joined(const System& fine, const std::vector<uint32_t>& group, uint32_t count, CancelPoll& poll) {
+  System coarse;
+  coarse.excess.assign(count, 0);
+  std::vector<std::array<uint32_t, 2>> members(count, {kNone, kNone});
+  for (uint32_t i = 0; i < fine.size(); ++i) {
+    coarse.excess[group[i]] += fine.excess[i];
+    auto& m = members[group[i]];
+    m[m[0] == kNone ? 0 : 1] = i;
+  }
+  coarse.start.push_back(0);
+  std::vector<uint32_t> place(count, kNone);  // of an edge to each group, in the row that is being made
+  for (uint32_t g = 0; g < count; ++g) {
+    poll(8);
+    const uint32_t first = coarse.start.back();
+    for (const uint32_t i : members[g]) {
+      for (uint32_t e = i == kNone ? 0 : fine.start[i]; i != kNone && e < fine.start[i + 1]; ++e) {
+        const uint32_t other = group[fine.neighbour[e]];
+        if (other == g) continue;
+        if (place[other] == kNone || place[other] < first) {
+          place[other] = static_cast<uint32_t>(coarse.neighbour.size());
+          coarse.neighbour.push_back(other);
+          coarse.weight.push_back(0);
+        }
+        coarse.weight[place[other]] += fine.weight[e];
+      }
+    }
+    coarse.start.push_back(static_cast<uint32_t>(coarse.neighbour.size()));
+  }
+  coarse.add_up_diagonal();
+  return coarse;
+}
+
+bool is_stiff(const System& system) {
+  if (system.size() <= kFew) return false;
+  for (uint32_t i = 0; i < system.size(); ++i) {
+    if (system.diagonal[i] > (1 + kStiff) * system.excess[i]) return true;
+  }
+  return false;
+}
+
+/// Solves one system after another, in the memory of the first.
+class Multigrid {
+ public:
+  Multigrid(System finest, ThreadPool& pool) : pool_(pool) {
+    CancelPoll poll = pool.poll(1u << 16);
+    levels_.push_back({std::move(finest), {}, {}, {}, {}});
+    while (is_stiff(levels_.back().system)) {
+      const System& fine = levels_.back().system;
+      std::vector<uint32_t> group, pairs;
+      const uint32_t half = pair_up(fine, group, poll);
+      const System middle = joined(fine, group, half, poll);
+      const uint32_t quarter = pair_up(middle, pairs, poll);
+      if (10 * uint64_t{quarter} > 9 * uint64_t{fine.size()}) break;  // hardly any edges are left
+      System coarse = joined(middle, pairs, quarter, poll);
+      for (uint32_t& g : group) g = pairs[g];
+      levels_.back().group = std::move(group);
+      levels_.push_back({std::move(coarse), {}, {}, {}, {}});
+    }
+    for (Level& level : levels_) {
+      for (Points* points : {&level.x, &level.b, &level.next}) points->resize(level.system.size());
+    }
+  }
+
+  const System& system() const { return levels_.front().system; }
+
+  /// z, about A^-1 r; the map is linear and symmetric.
+  void precondition(const Points& r, Points& z) {
+    if (levels_.size() == 1) {
+      for_all(r.size(), [&](uint32_t i) { z[i] = r[i] / system().diagonal[i]; });
+      return;
+    }
+    levels_.front().b = r;
+    cycle(0);
+    z = levels_.front().x;
+  }
+
+  template <class Body>
+  void for_all(size_t count, const Body& body) {
+    pool_.for_blocks(count, kMeshGrain, [&](size_t, size_t begin, size_t end) {
+      for (auto i = static_cast<uint32_t>(begin); i < end; ++i) body(i);
+    });
+  }
+
+ private:
+  struct Level {
+    System system;
+    std::vector<uint32_t> group;  // of each row, in the next level
+    Points x, b, next;
+  };
+
+  void relax(Level& level, int steps) {
+    for (int step = 0; step < steps; ++step) {
+      for_all(level.x.size(), [&](uint32_t i) {
+        level.next[i] = level.x[i] + kDamping / level.system.diagonal[i] * (level.b[i] - level.system.row(i, level.x));
+      });
+      level.x.swap(level.next);
+    }
+  }
+
+  void cycle(size_t k) {
+    Level& level = levels_[k];
+    for_all(level.x.size(), [&](uint32_t i) { level.x[i] = kDamping / level.system.diagonal[i] * level.b[i]; });
+    if (k + 1 == levels_.size()) return relax(level, kLastSteps);
+    relax(level, kSteps - 1);
+    for_all(level.x.size(), [&](uint32_t i) { level.next[i] = level.b[i] - level.system.row(i, level.x); });
+    Level& coarse = levels_[k + 1];
+    std::ranges::fill(coarse.b, Vec3::Zero());
+    for (uint32_t i = 0; i < level.next.size(); ++i) coarse.b[level.group[i]] += level.next[i];
+    cycle(k + 1);
+    for_all(level.x.size(), [&](uint32_t i) { level.x[i] += coarse.x[level.group[i]]; });
+    relax(level, kSteps);
+  }
+
+  ThreadPool& pool_;
+  std::vector<Level> levels_;
+};
+
+using Three = Eigen::Array3d;
+
+/// One dot product for each coordinate, added up in the same order for any number of threads.
+Three dot(const Points& a, const Points& b, ThreadPool& pool) {
+  std::vector<Three> sums(ThreadPool::block_count(a.size(), kMeshGrain), Three::Zero());
+  pool.for_blocks(a.size(), kMeshGrain, [&](size_t block, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) sums[block] += a[i].array() * b[i].array();
+  });
+  Three sum = Three::Zero();
+  for (const Three& part : sums) sum += part;
+  return sum;
+}
+
+Three ratio(const Three& a, const Three& b) {
+  Three result = Three::Zero();
+  for (int k = 0; k < 3; ++k) {
+    if (b[k] != 0) result[k] = a[k] / b[k];
+  }
+  return result;
+}
+
+/// Conjugate gradients for the three coordinates side by side, from x on.
+void solve(Multigrid& grid, const Points& b, Points& x, ThreadPool& pool) {
+  const size_t n = x.size();
+  Points r(n), z(n), p(n), q(n);
+  grid.for_all(n, [&](uint32_t i) { r[i] = b[i] - grid.system().row(i, x); });
+  grid.precondition(r, z);
+  p = z;
+  Three rz = dot(r, z, pool);
+  const Three first = dot(r, r, pool);
+  for (int k = 0; k < kMostIterations; ++k) {
+    grid.for_all(n, [&](uint32_t i) { q[i] = grid.system().row(i, p); });
+    const Three alpha = ratio(rz, dot(p, q, pool));
+    grid.for_all(n, [&](uint32_t i) {
+      x[i].array() += alpha * p[i].array();
+      r[i].array() -= alpha * q[i].array();
+    });
+    if ((dot(r, r, pool) <= kResidual * kResidual * first).all()) return;
+    grid.precondition(r, z);
+    const Three next = dot(r, z, pool);
+    const Three beta = ratio(next, rz);
+    rz = next;
+    grid.for_all(n, [&](uint32_t i) { p[i].array() = z[i].array() + beta * p[i].array(); });
+  }
+}
+
+/// The equations of the vertices that move, and their right-hand side.
+struct Equations {
+  std::vector<uint32_t> vertex;  // of each row
+  System system;
+  Points b, x;
+};
+
+Equations equations(const Surface& surface, const VertexData<double>& width, CancelPoll poll) {
+  const auto n = static_cast<uint32_t>(surface.vertex_count());
+  std::vector<double> area(n, 0);
+  std::vector<uint32_t> row(n, kNone), degree;
+  Equations e;
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    poll();
+    for (const uint32_t v : surface.face(f)) area[v] += surface.face_area(f) / 3;
+  }
+  for (uint32_t v = 0; v < n; ++v) {
+    if (!(width[v] > 0) || !(area[v] > 0) || surface.on_boundary(v)) continue;
+    row[v] = static_cast<uint32_t>(e.vertex.size());
+    e.vertex.push_back(v);
+    e.system.excess.push_back(area[v]);
+    e.x.push_back(surface.position(v));
+    e.b.push_back(area[v] * surface.position(v));
+  }
+  // A vertex that moves is inside of the surface: each of its edges leaves it once as a half-edge.
+  const auto for_each_half_edge = [&](const auto& visit) {
+    for (HalfEdge h = 0; h < 3 * surface.face_count(); ++h) {
+      poll();
+      const Triangle& t = surface.face(face_of(h));
+      const uint32_t from = t[corner_of(h)], to = t[next_corner(corner_of(h))];
+      if (row[from] != kNone) visit(h, from, to);
+    }
+  };
+  const auto cotangent = [&](HalfEdge h) {
+    const uint32_t f = face_of(h);
+    const Vec2 p = surface.corner(f, prev_corner(corner_of(h)));
+    const Vec2 u = surface.corner(f, corner_of(h)) - p, w = surface.corner(f, next_corner(corner_of(h))) - p;
+    return std::clamp(dot(u, w) / cross(u, w), kLeastCotangent, kMostCotangent);
+  };
+  e.system.start.assign(e.vertex.size() + 1, 0);
+  for_each_half_edge([&](HalfEdge, uint32_t from, uint32_t to) {
+    if (row[to] != kNone) ++e.system.start[row[from] + 1];
+  });
+  for (size_t i = 0; i < e.vertex.size(); ++i) e.system.start[i + 1] += e.system.start[i];
+  e.system.neighbour.resize(e.system.start.back());
+  e.system.weight.resize(e.system.start.back());
+  std::vector<uint32_t> next(e.system.start.begin(), e.system.start.end() - 1);
+  for_each_half_edge([&](HalfEdge h, uint32_t from, uint32_t to) {
+    const double weight = 0.25 * (cotangent(h) + cotangent(surface.twin(h))) * width[from] * width[to];
+    if (row[to] == kNone) {
+      e.system.excess[row[from]] += weight;
+      e.b[row[from]] += weight * surface.position(to);
+      return;
+    }
+    e.system.neighbour[next[row[from]]] = row[to];
+    e.system.weight[next[row[from]]++] = weight;
+  });
+  e.system.add_up_diagonal();
+  return e;
+}
+
+}  // namespace
+
+VertexData<Vec3> smoothed_positions(const Surface& surface, const VertexData<double>& width, ThreadPool& pool) {
+  VertexData<Vec3> positions(surface.vertex_count(), Vec3::Zero());
+  for (uint32_t v = 0; v < positions.size(); ++v) positions[v] = surface.position(v);
+  Equations e = equations(surface, width, pool.poll(1u << 16));
+  if (e.vertex.empty()) return positions;
+  Multigrid grid(std::move(e.system), pool);
+  solve(grid, e.b, e.x, pool);
+  for (size_t i = 0; i < e.vertex.size(); ++i) positions[e.vertex[i]] = e.x[i];
+  return positions;
+}
+
+}  // namespace meander

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Averages over about r, through space, of what is known at the vertices.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "base/cancel_poll.h"
+#include "mesh/radius_field.h"
+
+namespace meander {
+
+/// `Count` numbers of every vertex, added up over the corners of a lattice of cubes, each number shared out to the
+/// eight corners around its vertex. Read between the corners, and divided by one another, such sums are averages over
+/// a ball of about 1.2 cubes that change continuously with the place. In time and memory linear in the vertices,
+/// however many of them a cube holds.
+template <size_t Count>
+class SpaceSums {
+ public:
+  using Sums = std::array<double, Count>;
+
+  /// `size`  of a cube, positive
+  explicit SpaceSums(double size) : to_cubes_(1 / size) { clear_table(1024); }
+
+  void add(const Vec3& p, const Sums& values) {
+    const Place place = find(p, true);
+    for (size_t k = 0; k < 8; ++k) {
+      Sums& there = sums_[place.corner[k]];
+      for (size_t n = 0; n < Count; ++n) there[n] += place.share[k] * values[n];
+    }
+  }
+
+  /// The sums at a place near to which something has been added.
+  Sums at(const Vec3& p) {
+    const Place place = find(p, false);
+    Sums result{};
+    for (size_t k = 0; k < 8; ++k) {
+      if (place.corner[k] == kNone) continue;
+      for (size_t n = 0; n < Count; ++n) result[n] += place.share[k] * sums_[place.corner[k]][n];
+    }
+    return result;
+  }
+
+  /// What all corners hold, to be changed.
+  std::vector<Sums>& corners() { return sums_; }
+
+ private:
+  using Cube = std::array<int64_t, 3>;
+  struct Place {
+    std::array<uint32_t, 8> corner;
+    std::array<double, 8> share;
+  };
+
+  Place find(const Vec3& p, bool make) {
+    Place place;
+    Cube cube;
+    std::array<double, 3> t;
+    for (size_t k = 0; k < 3; ++k) {
+      const double x = to_cubes_ * p[static_cast<Eigen::Index>(k)], low = std::floor(x);
+      cube[k] = static_cast<int64_t>(low);
+      t[k] = x - low;
+    }
+    // Vertices that follow one another are near one another: most are in the cube of the one before.
+    if (cube != last_ || (make && !last_made_)) {
+      for (size_t k = 0; k < 8; ++k) last_corners_[k] = corner(beside(cube, k), make);
+      last_ = cube;
+      last_made_ = make;
+    }
+    place.corner = last_corners_;
+    for (size_t k = 0; k < 8; ++k) {
+      place.share[k] = (k & 1 ? t[0] : 1 - t[0]) * (k & 2 ? t[1] : 1 - t[1]) * (k & 4 ? t[2] : 1 - t[2]);
+    }
+    return place;
+  }
+
+  static Cube beside(const Cube& cube, size_t k) {
+    return {cube[0] + static_cast<int64_t>(k & 1), cube[1] + static_cast<int64_t>(k >> 1 & 1),
+            cube[2] + static_cast<int64_t>(k >> 2 & 1)};
+  }
+  static size_t hash(const Cube& cube) {
+    uint64_t h = 0;
+    for (const int64_t x : cube) h = (h ^ static_cast<uint64_t>(x)) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
+    return static_cast<size_t>(h);
+  }
+
+  uint32_t corner(const Cube& cube, bool make) {
+    size_t at = hash(cube) & (table_.size() - 1);
+    for (; table_[at] != kNone; at = (at + 1) & (table_.size() - 1)) {
+      if (cubes_[table_[at]] == cube) return table_[at];
+    }
+    if (!make) return kNone;
+    const auto made = static_cast<uint32_t>(sums_.size());
+    table_[at] = made;
+    sums_.push_back({});
+    cubes_.push_back(cube);
+    if (2 * sums_.size() > table_.size()) clear_table(2 * table_.size());
+    return made;
+  }
+
+  void clear_table(size_t slots) {
+    table_.assign(slots, kNone);
+    for (uint32_t c = 0; c < cubes_.size(); ++c) {
+      size_t at = hash(cubes_[c]) & (slots - 1);
+      while (table_[at] != kNone) at = (at + 1) & (slots - 1);
+      table_[at] = c;
+    }
+  }
+
+  double to_cubes_;
+  std::vector<Sums> sums_;
+  std::vector<Cube> cubes_;
+  std::vector<uint32_t> table_;  // open addressing, at most half full
+  Cube last_{};
+  std::array<uint32_t, 8> last_corners_{};
+  bool last_made_ = false;
+};
+
+/// An average over about the local r for every vertex. Where r varies, lattices of cubes twice as large as those before
+/// serve, and between two of them the average is in between as well, so that it follows r continuously.
+///
+/// `add(v)`       gives the sums that vertex v adds
+/// `finish(sums)` is called once for all corners of a lattice, before any is read
+/// `read(v, sums, share)` is called once or twice a vertex, with shares whose sum is 1
+template <size_t Count, class Add, class Finish, class Read>
+void average_over_radius(const Surface& surface, const RadiusField& radius, double cubes_of_radius, CancelPoll poll,
+                         const Add& add, const Finish& finish, const Read& read) {
+  const auto n = static_cast<uint32_t>(surface.vertex_count());
+  const double least = radius.least();
+  // r = least (1 + fraction) 2^octave
+  const auto octave_of = [&](uint32_t v, double& fraction) {
+    int exponent = 0;
+    fraction = 2 * std::frexp(std::max(1.0, radius.at(v) / least), &exponent) - 1;
+    return exponent - 1;
+  };
+  int octaves = 0;
+  bool between = false;
+  for (uint32_t v = 0; radius.varies() && v < n; ++v) {
+    double fraction = 0;
+    octaves = std::max(octaves, octave_of(v, fraction));
+    between = between || fraction > 0;
+  }
+  for (int octave = 0; octave <= octaves + (between ? 1 : 0); ++octave) {
+    SpaceSums<Count> sums(std::ldexp(cubes_of_radius * least, octave));
+    for (uint32_t v = 0; v < n; ++v) {
+      poll();
+      sums.add(surface.position(v), add(v));
+    }
+    if (!finish(sums.corners())) continue;
+    for (uint32_t v = 0; v < n; ++v) {
+      poll();
+      double fraction = 0;
+      const int own = octave_of(v, fraction);
+      const double share = own == octave ? 1 - fraction : (own + 1 == octave ? fraction : 0);
+      if (share > 0) read(v, sums.at(surface.position(v)), share);
+    }
+  }
+}
+
+}  // namespace meander
