@@ -25,7 +25,7 @@ Python thread of its own starts the flow, and the library runs it on one that kn
 
 from __future__ import annotations
 
-from .binding.abi import ABI_VERSION, VERSION, BoundaryRule, MedialAxis, Status, StopRule
+from .binding.abi import ABI_VERSION, VERSION, BoundaryRule, MedialAxis, Status, StopRule, Text
 from .binding.choices import (
     ALIGNMENTS,
     CURVATURES,
@@ -39,6 +39,7 @@ from .binding.choices import (
 from .binding.context import Context
 from .binding.cost import Cost, Extent, estimate_cost
 from .binding.cut import NO_STRAND, CutSurface, cut_surface
+from .binding.files import TextPolygons, read_numbers, read_polygons, triangulated
 from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
 from .binding.flow_options import FlowOptions, default_options, option_warnings
 from .binding.native_library import (
@@ -88,6 +89,8 @@ __all__ = [
     "StopRule",
     "Surface",
     "SurfaceOptions",
+    "Text",
+    "TextPolygons",
     "cut_surface",
     "default_options",
     "estimate_cost",
@@ -96,5 +99,8 @@ __all__ = [
     "library_path",
     "library_version",
     "option_warnings",
+    "read_numbers",
+    "read_polygons",
     "struct_layouts",
+    "triangulated",
 ]

@@ -44,6 +44,7 @@ class SurfaceOptions:
     make_manifold     what keeps faces from being a surface is parted there, so that the faces which
                       continue each other stay joined
     weld_distance     boundary edges that lie this near to each other become one; 0: none
+    smallest_part     components whose bounding box has a smaller diagonal are left out; 0: none
     """
 
     merge_distance: float = 0.0
@@ -55,6 +56,7 @@ class SurfaceOptions:
     mask_threshold: float = 0.0
     make_manifold: bool = False
     weld_distance: float = 0.0
+    smallest_part: float = 0.0
 
 
 def _surface_options_record(
@@ -68,6 +70,7 @@ def _surface_options_record(
     record.merge_distance = float(options.merge_distance)
     record.make_manifold = bool(options.make_manifold)
     record.weld_distance = float(options.weld_distance)
+    record.smallest_part = float(options.smallest_part)
     record.mask_threshold = float(options.mask_threshold)
     arrays: list[NDArray[Any]] = []
     for name, dtype, count, element in (
@@ -194,8 +197,8 @@ class Surface(Handle):
 
         vertices (used ones), faces, components, boundary_loops, turned_faces, unused_vertices, and
         what the options did, merged_vertices, dropped_faces, split_vertices, cut_edges,
-        masked_faces, clipped_faces, welded_edges, opened_edges: int; area (square units) and
-        diagonal (of the bounding box): float.
+        masked_faces, clipped_faces, welded_edges, opened_edges, doubled_faces, split_edges,
+        small_parts: int; area (square units) and diagonal (of the bounding box): float.
         """
         record = prepared(SurfaceStatisticsRecord)
         call(native().meander_surface_get_statistics, self._alive(), byref(record))

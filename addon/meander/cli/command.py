@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import bridges, bundle, last_run, report, strands
+from ..model import bridges, bundle, last_run, report, strands, surface_files
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
@@ -61,6 +61,10 @@ def _process(argv: Sequence[str], place: Place) -> None:
         grown = replace(grown, cut=cut.cut_of(flow, arguments))
     record["warnings"] = warnings
     record["estimate"] = asdict(opened.cost)
+    record["lines"] = {
+        "parts": int(opened.figures["components"]),
+        "small_parts": figures["small_components"],
+    }
     record["preparation"] = preparation.counts(opened.figures, given.loose_edges)
     write_outputs(arguments, given, grown, record, place)
     for line in _remarks(given, opened, figures, record):
@@ -105,8 +109,18 @@ def _remarks(
         length = f"{record['bridges']['length']:.3g}"
         told.append(bridges.described(record["bridges"]["count"], length))
     told.append(last_run.roughness(figures["smoothing"], figures["stretch"]))
+    told.append(_lines(record["lines"]))
     told.append(summary(figures))
     return [line for line in told if line]
+
+
+def _lines(lines: dict[str, Any]) -> str:
+    """How many lines there are, and why; of the report's "lines"."""
+    said = last_run.lines(lines["count"], lines["closed"])
+    if not lines["why"]:
+        return said[:1].lower() + said[1:]
+    out = ", which --smallest-part leaves out" if lines["small_parts"] else ""
+    return f"{said}: {lines['why']}{out}"
 
 
 def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
@@ -122,6 +136,8 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
         named = refusal
         if given.surface_object is not None and place.host is not None:
             named = place.host.in_polygons(refusal, given.surface_object)
+        if given.mesh_file is not None:
+            named = surface_files.in_file(refusal, given.mesh_file)
         raise strands.explained(named, given.parts) from refusal
 
 

@@ -34,6 +34,8 @@ def add_flags(
             given["type"] = values.synonym_reader(flag.synonyms)
         else:
             given["type"] = values.reader(option.kind, flag.least, flag.greatest, flag.above)
+            if flag.share:
+                given["type"] = values.share_or(given["type"])
             given["metavar"] = flag.metavar
         parser.add_argument(flag.name, required=flag.required, **given)
 

@@ -9,6 +9,7 @@ from typing import Any
 from ..model import strands
 from ..model.alignment import Alignment
 from ..model.density import Choice
+from ..model.polygons import MeshOfFile
 from ..model.preparation import Mask, Repair
 from ..model.problem import Problem
 
@@ -29,3 +30,4 @@ class Input:
     parts: list[strands.Part] = field(default_factory=list)  # what the seed is put together from
     warnings: list[str] = field(default_factory=list)
     surface_object: Any = None  # of Blender; None: the mesh came from a file of its own
+    mesh_file: MeshOfFile | None = None  # that file

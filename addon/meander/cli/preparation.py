@@ -25,6 +25,9 @@ _COUNTED = (
     "cut_edges",
     "welded_edges",
     "opened_edges",
+    "doubled_faces",
+    "split_edges",
+    "small_parts",
     "masked_faces",
     "clipped_faces",
 )
@@ -78,6 +81,7 @@ def repair_of(arguments: argparse.Namespace) -> Repair:
         arguments.split_bow_ties,
         arguments.cut_non_manifold,
         arguments.strict,
+        arguments.smallest_part or 0.0,
     )
 
 

@@ -28,7 +28,9 @@ def read_input(
     if arguments.input.suffix.lower() == ".blend":
         given = place.blender(arguments.input).read_scene(arguments, options)
     else:
-        given = Input(Problem(*surface_files.read_mesh(arguments.input), options))
+        mesh = surface_files.read(arguments.input)
+        given = Input(Problem(mesh.vertices, mesh.faces, options), mesh_file=mesh)
+        given.warnings += mesh.remarks
     given.alignment = terms.alignment_of(arguments)
     given.repair = preparation.repair_of(arguments)
     problem = given.problem

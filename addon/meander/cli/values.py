@@ -8,6 +8,8 @@ import math
 from collections.abc import Callable
 from typing import NoReturn
 
+from ..model.preparation import Share
+
 
 class BadInput(Exception):
     """What the caller gave cannot be used; ``str(error)`` is one sentence for people."""
@@ -53,6 +55,11 @@ def reader(
         return value
 
     return read
+
+
+def share_or(read: Callable[[str], float]) -> Callable[[str], float]:
+    """What reads per cent as a Share, and everything else as `read` does."""
+    return lambda text: Share(read(text[:-1]) / 100.0) if text.endswith("%") else read(text)
 
 
 def synonym_reader(synonyms: tuple[tuple[str, str], ...]) -> Callable[[str], str]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import bridges, mesh_files, report
+from ..model import bridges, last_run, mesh_files, report
 from ..model.simplification import light_of
 from ..model.whole_files import naming, whole_files
 from . import cut, density, export, flags, motion, preparation, strands, terms
@@ -68,9 +68,24 @@ def write_outputs(
             with naming(arguments.cut):
                 record["cut"] = cut.write(next(paths), arguments, given, grown.cut, place)
         record["bridges"] = bridge_figures(line)
+        record["lines"] |= _lines(grown if line is None else line, given, record)
         if arguments.report is not None:
             with naming(arguments.report):
                 report.write_report(next(paths), record)
+
+
+def _lines(
+    outcome: Grown | bridges.Joined, given: Input, record: dict[str, Any]
+) -> dict[str, Any]:
+    """How many lines are written without guides, how many are closed, and why they are not one."""
+    curve = outcome.polylines if isinstance(outcome, bridges.Joined) else outcome.curve
+    closed = curve.closed[~outcome.guides]
+    known = record["lines"]
+    seeded = any(not part.guide for part in given.parts)
+    why = last_run.why_lines(
+        len(closed), known["parts"], known["small_parts"], record["guides"], seeded
+    )
+    return {"count": len(closed), "closed": int(closed.sum()), "why": why or None}
 
 
 def _write_curve(

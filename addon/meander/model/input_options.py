@@ -161,6 +161,30 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "smallest_part",
+        "Smallest Part",
+        "Separate parts of the mesh that are smaller than this are left out: the diagonal of their "
+        "bounding box, in world units; 0 leaves out none",
+        _REGION,
+        low="every speck gets a line",
+        high="only the main parts are filled",
+        unit="length",
+        default=0.0,
+        least=0.0,
+        soft_greatest=10.0,
+        digits=4,
+        step=1,
+        flag=Flag(
+            "--smallest-part",
+            "leave out parts whose bounding box has a smaller diagonal: a length, or per cent of "
+            "that of the whole mesh, such as 2%%",
+            _PART,
+            "SIZE",
+            least=0.0,
+            share=True,
+        ),
+    ),
+    Option(
         "strict",
         "Strict",
         "Refuse a mesh with faults and say what is wrong, instead of repairing the copy that is "

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+
 # What run() returns. That a run has come to its end is nothing to mention.
 ENDED = {
     "iteration_limit": "At the iteration limit",
@@ -29,6 +30,26 @@ def lines(strands: int, closed: int, guides: int = 0) -> str:
     if not guides:
         return text
     return f"{text}, {guides:,} guide" + ("s" if guides > 1 else "")
+
+
+def why_lines(lines: int, parts: int, small_parts: int, guides: int, seeded: bool) -> str:
+    """Why a curve is not one line: "the mesh has 201 parts, 199 of them smaller than the spacing";
+    empty for one line.
+
+    lines        how many there are, without guides
+    parts        components of the surface
+    small_parts  how many of them are smaller than the spacing
+    guides       how many strands are guides
+    seeded       whether somebody gave the strands that it began with
+    """
+    if lines < 2:
+        return ""
+    if lines != parts and seeded:
+        return "the seed has as many strands"
+    if lines != parts and guides:
+        return "guides part the mesh"
+    why = f"the mesh has {parts:,} parts"
+    return f"{why}, {small_parts:,} of them smaller than the spacing" if small_parts else why
 
 
 def evenness(share: float) -> str:

@@ -4,93 +4,78 @@
 Coordinates are doubles and are taken as they are: no axis conversion, no scale. Blender's own
 importer would round them to single precision and turn the axes.
 
-What is wrong with a *file* (unreadable, malformed, no faces) is a `FileError` here; what is wrong
-with a *mesh* (an index out of range, a vertex twice in a face, NaN) is left to the library, which
-names the element.
+What is wrong with a *file* (unreadable, malformed, no faces, a vertex that is not there) is a
+`FileError` here; what is wrong with a *mesh* (a vertex twice in a face, NaN) is left to the library,
+which names the element. Text is read by the library too, which is a hundred times as fast as Python.
 """
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
-from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import core
 from ..core import Polylines, Seed
-from .whole_files import FileError, read_bytes, whole_file
+from .file_text import read_plain, told_apart
+from .polygons import MeshOfFile, left_out, triangles_of
+from .whole_files import FileError, whole_file
 
-# Face indices travel as uint32; what is larger cannot even be handed on to be refused.
-_LARGEST_INDEX = 0xFFFFFFFF
+def read_obj(path: Path) -> MeshOfFile:
+    """Reads the `v` and `f` lines of an OBJ file; all other lines are ignored.
 
+    Polygons become the triangles that Blender makes of them; faces of fewer than three corners are
+    left out. Coordinates that are not finite are passed on, since the library names them.
 
-def _read_lines(path: Path) -> list[bytes]:
-    data = read_bytes(path).removeprefix(b"\xef\xbb\xbf")
-    if b"\\" in data:  # a backslash at the end of a line continues it
-        data = data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" ")
-    return data.splitlines()
-
-
-def _malformed(path: Path, number: int, line: bytes, wanted: str) -> NoReturn:
-    """Refuses line `number` (from 1), quoting its beginning."""
-    text = line.strip().decode("utf-8", "replace")
-    quoted = text if len(text) <= 40 else text[:37] + "..."
-    raise FileError(f"{path}, line {number}: {quoted!r} is not {wanted}; correct the file")
-
-
-def _point(path: Path, number: int, line: bytes) -> tuple[float, float, float]:
-    # A v line may go on with a weight or a colour, which do not matter here.
-    try:
-        _, x, y, z = line.split(None, 4)[:4]
-        return float(x), float(y), float(z)
-    except ValueError:
-        _malformed(path, number, line, "a vertex with three coordinates")
-
-
-def _index(token: bytes, point_count: int) -> int:
-    """The zero-based index of an OBJ reference such as 7, 7/1/3 or -1.
-
-    `point_count` points stand before the line, which is where negative references count from.
-    Raises ValueError for 0 and for what is no number. An index past the end is allowed here.
+    Raises FileError: the file cannot be read, a line is malformed or names a vertex that is not
+    there, there are no faces.
     """
-    value = int(token.partition(b"/")[0])
-    index = value - 1 if value > 0 else point_count + value
-    if value == 0 or not 0 <= index < _LARGEST_INDEX:
-        raise ValueError
-    return index
+    data = _text_of(path)
+    found = _read(path, data, core.Text.OBJ_FACES)
+    if not len(found.ends):
+        raise FileError(f"{path} {_no_faces(data)}")
+    faces, polygons = triangles_of(found.positions, found.corners, found.ends)
+    if not len(faces):
+        raise FileError(f"{path} has no faces with an area; give a mesh of v and f lines")
+    return MeshOfFile(
+        found.positions, faces, left_out(found.left_out), polygons, found.lines, first=1
+    )
 
 
 def read_obj_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
-    """Reads the `v` and `f` lines of an OBJ file; all other lines are ignored.
+    """The vertices (n, 3) and triangles (m, 3), zero-based, of read_obj()."""
+    mesh = read_obj(Path(path))
+    return mesh.vertices, mesh.faces
 
-    Returns vertices (n, 3) and triangles (m, 3), zero-based; polygons are fanned from their first
-    corner. Indices past the last vertex and coordinates that are not finite are passed on, since
-    the library names them.
 
-    Raises FileError: the file cannot be read, a line is malformed, there are no faces.
-    """
-    path = Path(path)
-    points: list[tuple[float, float, float]] = []
-    triangles: list[tuple[int, int, int]] = []
-    for number, line in enumerate(_read_lines(path), start=1):
-        tokens = line.split(None, 1)
-        if not tokens:
-            continue
-        if tokens[0] == b"v":
-            points.append(_point(path, number, line))
-        elif tokens[0] == b"f":
-            try:
-                corners = [_index(token, len(points)) for token in line.split()[1:]]
-                first, second, third = corners[:3]
-            except ValueError:
-                _malformed(path, number, line, "a face of three or more vertices, counted from 1")
-            triangles.append((first, second, third))
-            for at in range(3, len(corners)):
-                triangles.append((first, corners[at - 1], corners[at]))
-    if not triangles:
-        raise FileError(f"{path} has no faces; give a triangle mesh with v and f lines")
-    vertices = np.array(points, dtype=np.float64).reshape(-1, 3)
-    return vertices, np.array(triangles, dtype=np.uint32)
+def _text_of(path: Path) -> bytes:
+    data = read_plain(path)
+    other = told_apart(data, ".obj")
+    if other:
+        raise FileError(f"{path} is {other}, and no OBJ file; export the mesh as one")
+    return data
+
+
+def _read(path: Path, data: bytes, kind: core.Text) -> core.TextPolygons:
+    try:
+        return core.read_polygons(data, kind)
+    except core.MeanderError as problem:
+        if problem.status != core.Status.INVALID_MESH:
+            raise
+        raise FileError(f"{path}, {problem}") from problem
+
+
+def _no_faces(data: bytes) -> str:
+    """What to say of an OBJ file without a face."""
+    if b"\0" in data[:4096]:
+        return "is not text, so it is no OBJ file; export the mesh as one"
+    if re.search(rb"^\s*(?:curv|surf|cstype)\b", data, re.MULTILINE):
+        return "holds curved surfaces, and no faces; export it with faces"
+    if re.search(rb"^\s*l\s", data, re.MULTILINE):
+        return "has lines, and no faces; give a mesh with v and f lines, or give it to --seed"
+    return "has no faces; give a mesh with v and f lines"
 
 
 def read_obj_curve(path: str | Path) -> Seed:
@@ -114,59 +99,42 @@ def read_obj_curve(path: str | Path) -> Seed:
                 "meet; separate the strands"
             )
     strands, closed = _chain(edges, neighbours)
-    coordinates = np.array(points, dtype=np.float64).reshape(-1, 3)
     for at, strand in enumerate(strands):
         # Exporters without cyclic lines repeat the first point under a new index.
-        ends_meet = np.array_equal(coordinates[strand[0]], coordinates[strand[-1]])
+        ends_meet = np.array_equal(points[strand[0]], points[strand[-1]])
         if not closed[at] and len(strand) > 3 and ends_meet:
             strand.pop()
             closed[at] = True
     offsets = np.cumsum([0] + [len(strand) for strand in strands]).astype(np.uint32)
     order = [vertex for strand in strands for vertex in strand]
-    return Seed(coordinates[order], offsets, np.array(closed, dtype=np.uint8))
+    return Seed(points[order], offsets, np.array(closed, dtype=np.uint8))
 
 
 def _read_edges(
     path: Path,
-) -> tuple[list[tuple[float, float, float]], dict[tuple[int, int], None], dict[int, list[int]]]:
+) -> tuple[NDArray[np.float64], dict[tuple[int, int], None], dict[int, list[int]]]:
     """The points, the edges in the order of the file, and the neighbours of every vertex."""
-    points: list[tuple[float, float, float]] = []
+    found = _read(path, _text_of(path), core.Text.OBJ_LINES)
     edges: dict[tuple[int, int], None] = {}  # in the order of the file
     neighbours: dict[int, list[int]] = {}
-    last_reference = (-1, 0)  # greatest index and the line that has it
-    for number, line in enumerate(_read_lines(path), start=1):
-        tokens = line.split(None, 1)
-        if not tokens:
-            continue
-        if tokens[0] == b"v":
-            points.append(_point(path, number, line))
-        elif tokens[0] == b"l":
-            try:
-                chain = [_index(token, len(points)) for token in line.split()[1:]]
-            except ValueError:
-                chain = []
-            if len(chain) < 2:
-                _malformed(path, number, line, "a line of two or more vertices, counted from 1")
-            last_reference = max(last_reference, (max(chain), number))
-            for start, end in zip(chain[:-1], chain[1:], strict=True):
-                if start == end:
-                    continue  # a repeated point adds nothing
-                if (start, end) in edges or (end, start) in edges:
-                    raise FileError(
-                        f"{path}, line {number}: the piece between the vertices {start + 1} and "
-                        f"{end + 1} is there twice; remove one"
-                    )
-                edges[(start, end)] = None
-                neighbours.setdefault(start, []).append(end)
-                neighbours.setdefault(end, []).append(start)
+    begin = 0
+    for stop, number in zip(found.ends.tolist(), found.lines.tolist(), strict=True):
+        chain = found.corners[begin:stop].tolist()
+        begin = stop
+        for start, end in zip(chain[:-1], chain[1:], strict=True):
+            if start == end:
+                continue  # a repeated point adds nothing
+            if (start, end) in edges or (end, start) in edges:
+                raise FileError(
+                    f"{path}, line {number}: the piece between the vertices {start + 1} and "
+                    f"{end + 1} is there twice; remove one"
+                )
+            edges[(start, end)] = None
+            neighbours.setdefault(start, []).append(end)
+            neighbours.setdefault(end, []).append(start)
     if not edges:
         raise FileError(f"{path} has no curve; give v and l lines with at least two points")
-    if last_reference[0] >= len(points):
-        raise FileError(
-            f"{path}, line {last_reference[1]}: there is no vertex {last_reference[0] + 1}, the "
-            f"file has {len(points)}; correct the file"
-        )
-    return points, edges, neighbours
+    return found.positions, edges, neighbours
 
 
 def _chain(

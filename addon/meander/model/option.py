@@ -35,6 +35,7 @@ class Flag:
     default   the value when it is not given; None: the preset's own
     required  the command refuses to run without it
     synonyms  other words for choices, each with the choice that it stands for
+    share     per cent of the whole are understood as well, as a model.preparation.Share
     """
 
     name: str
@@ -49,6 +50,7 @@ class Flag:
     default: Any = None
     required: bool = False
     synonyms: tuple[tuple[str, str], ...] = ()
+    share: bool = False
 
     @property
     def destination(self) -> str:

@@ -3,26 +3,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .numbers_in_text import NoNumber, numbers_of
-from .whole_files import FileError, read_bytes
+from .. import core
+from .file_text import read_plain, told_apart
+from .polygons import MeshOfFile, left_out, triangles_of
+from .whole_files import FileError
 
 # Both generations of names.
 _TYPES = {
     "char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1",
     "short": "i2", "int16": "i2", "ushort": "u2", "uint16": "u2",
     "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4",
+    "int64": "i8", "uint64": "u8",
     "float": "f4", "float32": "f4", "double": "f8", "float64": "f8",
 }  # fmt: skip
 # The byte order of each format; None: text.
 _ORDERS = {"ascii": None, "binary_little_endian": "<", "binary_big_endian": ">"}
 _CORNERS = ("vertex_indices", "vertex_index")
 _LARGEST_INDEX = 0xFFFFFFFF
+_WANTED = {"vertex", "face", "tristrips"}
+_QUOTED = 40
 
 
 @dataclass(frozen=True)
@@ -53,27 +59,51 @@ class _Malformed(Exception):
     """What is wrong with a file, as the middle of a sentence."""
 
 
-def read_ply_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
-    """Reads the vertices and faces of a PLY file; whatever else it holds is ignored.
+class _Short(_Malformed):
+    """It ends before what its header counts."""
 
-    Returns vertices (n, 3) and triangles (m, 3), zero-based; polygons are fanned from their first
-    corner. Indices past the last vertex and coordinates that are not finite are passed on, since
+
+def read_ply(path: Path) -> MeshOfFile:
+    """Reads the vertices, faces and triangle strips of a PLY file; whatever else it holds is
+    ignored, also behind the last of them.
+
+    Polygons become the triangles that Blender makes of them; faces of fewer than three corners are
+    left out. Indices past the last vertex and coordinates that are not finite are passed on, since
     the library names them.
 
     Raises FileError: the file cannot be read, is malformed, has no faces.
     """
-    path = Path(path)
-    data = read_bytes(path)
+    data = read_plain(path)
+    other = told_apart(data, ".ply")
+    if other:
+        raise FileError(f"{path} is {other}, and no PLY file; export the mesh as one")
     try:
         order, elements, begin = _header(data)
         tables = _tables(data, begin, order, elements)
         vertices = _vertices(tables.get("vertex"))
-        faces = _triangles(tables.get("face"))
+        lengths, corners = _polygons(tables.get("face"))
+        strips = _strips(tables.get("tristrips"))
     except _Malformed as problem:
         raise FileError(f"{path} {problem}; export it again") from problem
+    few = lengths < 3
+    numbers = None
+    if few.any():
+        numbers = np.flatnonzero(~few)
+        corners, lengths = corners[np.repeat(~few, lengths)], lengths[~few]
+    faces, polygons = triangles_of(vertices, corners, np.cumsum(lengths))
+    if numbers is not None:
+        polygons = numbers if polygons is None else numbers[polygons]
+    if len(strips):
+        faces, polygons = np.concatenate([faces, strips]), None
     if not len(faces):
         raise FileError(f"{path} has no faces; give a mesh with triangles")
-    return vertices, faces
+    return MeshOfFile(vertices, faces, left_out(int(few.sum())), polygons, first=0)
+
+
+def read_ply_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
+    """The vertices (n, 3) and triangles (m, 3), zero-based, of read_ply()."""
+    mesh = read_ply(Path(path))
+    return mesh.vertices, mesh.faces
 
 
 def _header(data: bytes) -> tuple[str | None, list[_Element], int]:
@@ -128,20 +158,30 @@ def _property(words: list[str]) -> _Property:
 def _tables(
     data: bytes, begin: int, order: str | None, elements: list[_Element]
 ) -> dict[str, _Table]:
-    """The rows of the elements up to vertices and faces."""
-    values = None
+    """The rows of the elements up to the last one that is wanted."""
+    wanted = _WANTED & {element.name for element in elements}
+    source: NDArray | bytes = data
+    no_number = -1
     if order is None:
-        try:
-            values = numbers_of(data[begin:].split())
-        except NoNumber as problem:
-            raise _Malformed(f"holds something that is no number ({problem})") from None
+        source, end = core.read_numbers(data, begin)
         begin = 0
+        no_number = end if data[end : end + 1] else -1
     tables: dict[str, _Table] = {}
     for element in elements:
-        if {"vertex", "face"} <= tables.keys():
+        if wanted <= tables.keys():
             break
-        rows = _Rows(element, values if values is not None else data, begin, order)
-        tables[element.name] = rows.table()
+        rows = _Rows(element, source, begin, order)
+        try:
+            tables[element.name] = rows.table()
+        except _Short:
+            if no_number < 0:
+                raise
+            word = data[no_number : no_number + _QUOTED].split(None, 1)[0]
+            line = data.count(b"\n", 0, no_number) + 1
+            raise _Malformed(
+                f"holds something that is no number in line {line} "
+                f"({_quoted(repr(word.decode('latin-1')))})"
+            ) from None
         begin = rows.end
     return tables
 
@@ -179,18 +219,12 @@ class _Rows:
         self.end += count * dtype.itemsize
         return taken
 
-    def _length(self, row_property: _Property) -> int:
-        value = self._take(row_property.length_kind, 1)[0]
-        if not (0 <= value <= _LARGEST_INDEX and value == int(value)):
-            raise _Malformed(f"has a list of {value:g} values")
-        return int(value)
-
     def _row_lengths(self) -> list[int]:
         """Of the lists of the row that begins here."""
         lengths = []
         for row_property in self.element.properties:
             if row_property.length_kind:
-                lengths.append(self._length(row_property))
+                lengths.append(_length(self._take(row_property.length_kind, 1)[0]))
                 self._take(row_property.kind, lengths[-1])
             else:
                 self._take(row_property.kind, 1)
@@ -249,29 +283,103 @@ class _Rows:
         table = np.frombuffer(rows, row, count)
         return [table[name] for name in names]
 
+    def _width(self, kind: str) -> int:
+        """Of a value: in numbers of a text, or in bytes."""
+        return 1 if self.order is None else np.dtype(kind).itemsize
+
     def _one_by_one(self) -> _Table:
-        """Rows of different lengths."""
+        """Rows of different lengths: first where everything lies, one row after the other."""
         properties = self.element.properties
-        scalars: dict[str, list] = {p.name: [] for p in properties if not p.length_kind}
-        lists: dict[str, list] = {p.name: [] for p in properties if p.length_kind}
+        scalars: dict[str, tuple[str, list[int]]] = {}
+        lists: dict[str, tuple[str, list[int], list[int]]] = {}
+        # Per column: width of a value; for a list the type and the width of its length, and where
+        # its begins and lengths go; for others where their places go.
+        steps = []
+        for row_property in properties:
+            width = self._width(row_property.kind)
+            if row_property.length_kind:
+                begins: list[int] = []
+                lengths: list[int] = []
+                lists[row_property.name] = (row_property.kind, begins, lengths)
+                kind = row_property.length_kind
+                steps.append((width, kind, self._width(kind), begins, lengths))
+            else:
+                places: list[int] = []
+                scalars[row_property.name] = (row_property.kind, places)
+                steps.append((width, "", 0, places, places))
+        at, size = self.end, len(self.source)
+        read = self._length_reader()
         for _row in range(self.element.count):
-            for row_property in properties:
-                if row_property.length_kind:
-                    taken = self._take(row_property.kind, self._length(row_property))
-                    lists[row_property.name].append(taken)
-                else:
-                    scalars[row_property.name].append(self._take(row_property.kind, 1))
+            for width, kind, length_width, begins, lengths in steps:
+                if not kind:
+                    begins.append(at)
+                    at += width
+                    continue
+                if at + length_width > size:
+                    raise self._short()
+                length = read(at, kind)
+                at += length_width
+                begins.append(at)
+                lengths.append(length)
+                at += length * width
+            if at > size:
+                raise self._short()
+        self.end = at
         return _Table(
-            {name: np.concatenate(found) for name, found in scalars.items()},
+            {name: self._gathered(kind, np.array(places)) for name, (kind, places) in scalars.items()},
             {
-                name: (np.array([len(taken) for taken in found]), np.concatenate(found))
-                for name, found in lists.items()
+                name: (np.array(lengths), self._gathered(kind, _runs(begins, lengths, self._width(kind))))
+                for name, (kind, begins, lengths) in lists.items()
             },
         )
 
-    def _short(self) -> _Malformed:
-        name = _quoted(self.element.name)
-        return _Malformed(f"ends before the last {name} that its header counts")
+    def _length_reader(self) -> Callable[[int, str], int]:
+        """What reads the length of a list at a place."""
+        source, order = self.source, self.order
+        if order is None:
+            return lambda at, _kind: _length(source[at])
+        end = "little" if order == "<" else "big"
+
+        def read(at: int, kind: str) -> int:
+            if kind == "u1":
+                return source[at]
+            width = int(kind[1:])
+            taken = int.from_bytes(source[at : at + width], end, signed=kind[0] == "i")
+            return _length(taken)
+
+        return read
+
+    def _gathered(self, kind: str, places: NDArray[np.int64]) -> NDArray:
+        """The values at places of the source."""
+        if self.order is None:
+            return self.source[places]
+        dtype = np.dtype(self.order + kind)
+        data = np.frombuffer(self.source, np.uint8)
+        taken = np.empty((len(places), dtype.itemsize), np.uint8)
+        for byte in range(dtype.itemsize):
+            taken[:, byte] = data[places + byte]
+        return taken.view(dtype).reshape(-1)
+
+    def _short(self) -> _Short:
+        element = self.element
+        return _Short(
+            f"ends before the last {_quoted(element.name)} that its header counts "
+            f"({element.count:,})"
+        )
+
+
+def _length(value: float) -> int:
+    if not (0 <= value <= _LARGEST_INDEX and value == int(value)):
+        raise _Malformed(f"has a list of {value:g} values")
+    return int(value)
+
+
+def _runs(begins: list[int], lengths: list[int], width: int) -> NDArray[np.int64]:
+    """The places of all items of lists that begin at places and have lengths."""
+    counts = np.array(lengths, dtype=np.int64)
+    before = np.cumsum(counts) - counts
+    within = np.arange(counts.sum()) - np.repeat(before, counts)
+    return np.repeat(np.array(begins, dtype=np.int64), counts) + width * within
 
 
 def _vertices(table: _Table | None) -> NDArray[np.float64]:
@@ -284,21 +392,36 @@ def _vertices(table: _Table | None) -> NDArray[np.float64]:
     return np.column_stack(columns).astype(np.float64)
 
 
-def _triangles(table: _Table | None) -> NDArray[np.uint32]:
-    """Polygons fanned from their first corners."""
+def _polygons(table: _Table | None) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
+    """How many corners every face has, and all corners."""
     found = [table.lists[name] for name in _CORNERS if table is not None and name in table.lists]
     if not found:
-        return np.empty((0, 3), dtype=np.uint32)
+        return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.uint32)
     lengths, corners = found[0]
-    if (lengths < 3).any():
-        face = int(np.argmax(lengths < 3))
-        raise _Malformed(f"has a face, number {face} from 0, of fewer than three vertices")
-    wrong = ~((corners >= 0) & (corners < _LARGEST_INDEX) & (corners == np.floor(corners)))
+    return lengths, _indices(corners, 0).astype(np.uint32)
+
+
+def _indices(corners: NDArray, least: int) -> NDArray:
+    wrong = ~((corners >= least) & (corners < _LARGEST_INDEX) & (corners == np.floor(corners)))
     if wrong.any():
         raise _Malformed(f"has a face with a vertex {corners[np.argmax(wrong)]:g}")
-    corners = corners.astype(np.uint32)
-    fans = lengths - 2
-    # Of every triangle: where its polygon begins, and its place in the fan.
-    first = np.repeat(np.cumsum(lengths) - lengths, fans)
-    place = np.arange(fans.sum()) - np.repeat(np.cumsum(fans) - fans, fans)
-    return np.column_stack([corners[first], corners[first + place + 1], corners[first + place + 2]])
+    return corners
+
+
+def _strips(table: _Table | None) -> NDArray[np.uint32]:
+    """The triangles of strips: every second one is turned, and -1 ends a strip."""
+    found = [table.lists[name] for name in _CORNERS if table is not None and name in table.lists]
+    triangles = [np.empty((0, 3), dtype=np.int64)]
+    for lengths, corners in found[:1]:
+        corners = _indices(corners, -1).astype(np.int64)
+        for strip in np.split(corners, np.cumsum(lengths)[:-1]):
+            for run in np.split(strip, np.flatnonzero(strip < 0)):
+                run = run[run >= 0]
+                if len(run) < 3:
+                    continue
+                three = np.column_stack([run[:-2], run[1:-1], run[2:]])
+                three[1::2] = three[1::2][:, [1, 0, 2]]
+                # Corners that are repeated steer a strip, and are no faces.
+                a, b, c = three.T
+                triangles.append(three[(a != b) & (b != c) & (c != a)])
+    return np.concatenate(triangles).astype(np.uint32)

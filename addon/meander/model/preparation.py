@@ -13,6 +13,10 @@ from numpy.typing import NDArray
 from .. import core
 
 
+class Share(float):
+    """A size as a share of that of the whole mesh."""
+
+
 @dataclass(frozen=True)
 class Repair:
     """What is done to a mesh with faults, in the copy that is filled.
@@ -20,6 +24,8 @@ class Repair:
     strict             it is refused, but for what the others mend; else all that is safe is mended
     cut_non_manifold   edges with more than two faces become borders of each; else those faces that
                        continue each other stay joined
+    smallest_part      parts of a smaller size, the diagonal of their bounding box, are left out; in
+                       world units, or a Share of the size of the mesh; 0: none
     """
 
     merge_distance: float = 0.0  # world units; 0: none
@@ -27,6 +33,7 @@ class Repair:
     split_bow_ties: bool = False
     cut_non_manifold: bool = False
     strict: bool = False
+    smallest_part: float = 0.0
 
     def options(self, vertices: NDArray[np.float64], radius: float) -> core.SurfaceOptions:
         """For the surface; `radius` is half the spacing, in the unit of the vertices."""
@@ -37,6 +44,8 @@ class Repair:
             cut_non_manifold=self.cut_non_manifold,
             make_manifold=not self.strict,
             weld_distance=0.0 if self.strict else seam_width(vertices, radius),
+            smallest_part=self.smallest_part
+            * (_size(vertices) if isinstance(self.smallest_part, Share) else 1.0),
         )
 
 
@@ -48,11 +57,13 @@ _SEAM_OF_RADIUS = 0.02
 
 def seam_width(vertices: NDArray[np.float64], radius: float) -> float:
     """How far apart the two sides of a seam may be to be closed; 0: there is nothing to close."""
+    return min(_SEAM_OF_SIZE * _size(vertices), _SEAM_OF_RADIUS * radius)
+
+
+def _size(vertices: NDArray[np.float64]) -> float:
+    """The diagonal of the bounding box of vertices with a place; 0 without any."""
     finite = vertices[np.isfinite(vertices).all(axis=1)]
-    if not len(finite):
-        return 0.0
-    size = float(np.linalg.norm(np.ptp(finite, axis=0)))
-    return min(_SEAM_OF_SIZE * size, _SEAM_OF_RADIUS * radius)
+    return float(np.linalg.norm(np.ptp(finite, axis=0))) if len(finite) else 0.0
 
 
 @dataclass(frozen=True)
@@ -66,7 +77,14 @@ class Mask:
 
 
 # Figures that say that something was wrong and has been mended.
-_MENDED = ("dropped_faces", "split_vertices", "cut_edges", "welded_edges", "opened_edges")
+_MENDED = (
+    "dropped_faces",
+    "split_vertices",
+    "cut_edges",
+    "welded_edges",
+    "split_edges",
+    "opened_edges",
+)
 
 
 def mended(figures: Mapping[str, Any], masked: bool) -> int:
@@ -90,18 +108,23 @@ def described(
     loose_edges    of the mesh, in no face
     has_instances  whether it shows instances besides, which are no part of it
     """
+    figures = dict(figures)
+    figures["dropped_faces"] -= figures["doubled_faces"]
     parts = [
         f"{verb} {_count(int(figures[key]), one, many)}"
         for key, verb, one, many in (
             ("turned_faces", "flipped", "face", "faces"),
             ("merged_vertices", "merged", "vertex", "vertices"),
             ("dropped_faces", "dropped", "face without area", "faces without area"),
+            ("doubled_faces", "dropped", "doubled face", "doubled faces"),
             ("split_vertices", "split", "vertex", "vertices"),
+            ("split_edges", "split", "edge at vertices on it", "edges at vertices on them"),
             ("welded_edges", "closed", "edge of a seam", "edges of seams"),
             ("opened_edges", "cut open", "edge of a one-sided part", "edges of one-sided parts"),
             ("cut_edges", "cut", "edge with more than two faces", "edges with more than two faces"),
             ("masked_faces", "left out", "face", "faces"),
             ("clipped_faces", "clipped", "face", "faces"),
+            ("small_parts", "left out", "small part", "small parts"),
             ("unused_vertices", "ignored", "loose vertex", "loose vertices"),
         )
         if figures[key]

@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import core
 from ..model import bridges, strands, toolpath
-from ..model.last_run import GAP_THAT_MATTERS
+from ..model.last_run import GAP_THAT_MATTERS, why_lines
 from ..model.preparation import described, mended
 from ..model.profile import radius_factors
 from ..model.simplification import result_points
@@ -88,7 +88,15 @@ def write_result(
     factors = radius_factors(radii, radius) if has_room else None
     set_tilt_and_radius(result.data, curve, plan.matrix, factors)
     closed = int(np.count_nonzero(np.asarray(curve.closed, dtype=bool)[~guides]))
-    lines = {"lines": int(np.count_nonzero(~guides)), "closed_lines": closed}
+    count = int(np.count_nonzero(~guides))
+    why = why_lines(
+        count,
+        int(stepper.surface_figures.get("components", 0)),
+        int(statistics["small_components"]),
+        int(statistics["guides"]),
+        any(not part.guide for part in plan.parts),
+    )
+    lines = {"lines": count, "closed_lines": closed, "lines_why": why}
     _store(plan, stepper, result, statistics | lines | _bridge_figures(line), stop_reason)
     result.meander.figures.least_spacing = spacing
     result.meander.figures.whole_points = len(snapshot.polylines.positions)
@@ -198,6 +206,7 @@ def _store(
         figures.stretch = float(statistics["stretch"])
         figures.lines = statistics["lines"]
         figures.closed_lines = statistics["closed_lines"]
+        figures.lines_why = statistics["lines_why"]
         figures.bridge_count = statistics["bridge_count"]
         figures.bridge_length = statistics["bridge_length"]
         figures.empty_parts = int(statistics["empty_components"])

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model.preparation import Mask, Repair
+from ..model.preparation import Mask, Repair, Share
 from .attributes import is_face_mask
 from .errors import DataError
 from .evaluated import surface_mesh
@@ -21,6 +21,7 @@ def repair_of(settings: bpy.types.PropertyGroup) -> Repair:
         settings.split_bow_ties,
         settings.cut_non_manifold,
         settings.strict,
+        settings.smallest_part,
     )
 
 
@@ -32,6 +33,8 @@ def store_repair(repair: Repair, settings: bpy.types.PropertyGroup) -> None:
     settings.split_bow_ties = repair.split_bow_ties
     settings.cut_non_manifold = repair.cut_non_manifold
     settings.strict = repair.strict
+    if not isinstance(repair.smallest_part, Share):
+        settings.smallest_part = repair.smallest_part
 
 
 def mask_of(settings: bpy.types.PropertyGroup) -> Mask:

@@ -168,7 +168,10 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
         if figures.smoothing > 0.0:
             notice(layout, last_run.ROUGH)
         if figures.lines:
-            layout.label(text=last_run.lines(figures.lines, figures.closed_lines))
+            column = layout.column(align=True)
+            column.label(text=last_run.lines(figures.lines, figures.closed_lines))
+            for line in textwrap.wrap(figures.lines_why, _LINE):
+                column.label(text=line)
         gaps = wide_gaps(figures)
         _figures(
             layout,

@@ -137,6 +137,7 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
                 part.prop_search(settings, "mask_group", surface, "vertex_groups")
                 row(part, settings, "mask_threshold")
             row(part, settings, "mask_inverted")
+        row(layout, settings, "smallest_part")
         row(layout, settings, "border_distance")
         row(layout, settings, "use_outline")
 

@@ -88,6 +88,7 @@ class MeanderFigures(bpy.types.PropertyGroup):
     )
     lines: IntProperty(name="Lines", options=set())
     closed_lines: IntProperty(name="Closed Lines", options=set())
+    lines_why: StringProperty(name="Why So Many Lines", options=set())
     bridge_count: IntProperty(name="Bridges", options=set())
     bridge_length: FloatProperty(name="Length of Bridges", unit="LENGTH", options=set())
     bridges: StringProperty(name="Joined", options=set())  # how to take the line apart again

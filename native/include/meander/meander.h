@@ -9,6 +9,8 @@
  * open or closed), nodes and segments; a segment is a geodesic path between two nodes, straight in
  * every face that it crosses. The radius r is half the spacing asked for between neighbouring strands.
  *
+ *     meander_text_read_...            mesh files of text, whose lines are many
+ *     meander_polygons_triangulate     the triangles of polygons
  *     meander_mesh_find_faults         what is wrong with a mesh, all of it
  *     meander_surface_create           mesh in; checked, copied, ready for any number of flows
  *     meander_surface_compute_...      its curvature and direction fields, for density and alignment
@@ -206,6 +208,82 @@ enum {
 MEANDER_API meander_phase meander_context_phase(const meander_context* context);
 
 /* ------------------------------------------------------------------------------------------ */
+/* Files                                                                                        */
+
+/* What meander_text_read_polygons reads. */
+typedef uint32_t meander_text;
+enum {
+  MEANDER_TEXT_OBJ_FACES = 0, /* v and f lines of a Wavefront OBJ file */
+  MEANDER_TEXT_OBJ_LINES = 1, /* its v and l lines */
+  MEANDER_TEXT_STL = 2        /* loops of an STL file; every corner has a point of its own */
+};
+
+/* Reads the points and polygons in the text of a mesh file; all else in it is passed over. 40 MB take a
+ * fifth of a second.
+ *
+ * text              of any encoding that has ASCII in it, such as UTF-8; lines end with \n, \r or both
+ * size              in bytes
+ * kind              MEANDER_TEXT_...
+ * positions         double[3 * position_capacity]; NaN and infinite where the text says so
+ * position_capacity room, in points
+ * position_count    receives the number of points
+ * corners           uint32_t[corner_capacity]: points, from 0, of one polygon after another
+ * corner_capacity   room in `corners`
+ * corner_count      receives the number of corners
+ * ends              uint64_t[polygon_capacity]: where the corners of each polygon end
+ * lines             uint32_t[polygon_capacity]: in which line of the text it begins, from 1; or NULL
+ * polygon_capacity  room in `ends` and `lines`
+ * polygon_count     receives the number of polygons: faces, or lines of the kind l
+ * left_out          receives how many faces have fewer than three corners, and are left out
+ *
+ * Where a capacity is too small, counts are written, and what is in the arrays is undefined; so it is after
+ * a failure. Refused with MEANDER_STATUS_INVALID_MESH, naming the line: a v line without three numbers; an
+ * f or l line with what is no reference to a vertex, or to one that is not there; an l line of one vertex;
+ * a text that ends within a triangle. Any thread. */
+MEANDER_API meander_status meander_text_read_polygons(
+    const char* text, size_t size, meander_text kind, double* positions, size_t position_capacity,
+    size_t* position_count, uint32_t* corners, size_t corner_capacity, size_t* corner_count, uint64_t* ends,
+    uint32_t* lines, size_t polygon_capacity, size_t* polygon_count, size_t* left_out, meander_error* error);
+
+/* Reads numbers that stand in a text between blanks and ends of lines, until something else stands there,
+ * or there is no more room.
+ *
+ * text      as above
+ * size      in bytes
+ * numbers   receives double[count]
+ * capacity  room in `numbers`
+ * count     receives how many
+ * end       receives where in the text the reading stopped: behind the last number where there is no more
+ *           room, or before what is none. Any thread. */
+MEANDER_API meander_status meander_text_read_numbers(const char* text, size_t size, double* numbers,
+                                                     size_t capacity, size_t* count, size_t* end,
+                                                     meander_error* error);
+
+/* Divides polygons into triangles, as Blender does: concave ones, ones that are not quite flat, and ones
+ * with holes that bridges join to their rim. A polygon of n corners gives n - 2 triangles, or fewer where
+ * it goes to a vertex and straight back.
+ *
+ * vertices       double[3 * vertex_count]; may be NaN or infinite
+ * vertex_count   at most 2^30
+ * corners        uint32_t[corner_count]: vertices of one polygon after another. A polygon with one that is
+ *                not there is fanned from its first corner, for meander_surface_create to name
+ * corner_count   at most 2^32 - 1
+ * ends           uint64_t[polygon_count], never falling, the last one corner_count: where the corners of
+ *                each polygon end. Polygons of fewer than three corners give no triangles
+ * polygon_count  at most 2^30
+ * triangles      receives uint32_t[3 * count]: three vertices each, wound as their polygon
+ * polygons       receives uint32_t[count]: the polygon of each triangle, rising; or NULL
+ * capacity       room, in triangles; corner_count is always enough
+ * count          receives the number of triangles; where it exceeds the capacity nothing else is written.
+ *                Any thread. */
+MEANDER_API meander_status meander_polygons_triangulate(const double* vertices, size_t vertex_count,
+                                                        const uint32_t* corners, size_t corner_count,
+                                                        const uint64_t* ends, size_t polygon_count,
+                                                        uint32_t* triangles, uint32_t* polygons,
+                                                        size_t capacity, size_t* count,
+                                                        meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
 /* Surface                                                                                      */
 
 typedef struct meander_surface meander_surface;
@@ -213,7 +291,7 @@ typedef struct meander_surface meander_surface;
 /* What to do with a mesh before it is checked, for a mesh with faults or for a part of one. Always
  * start from meander_surface_options_init, which sets everything to 0: nothing is done, and the
  * check is strict. The work is done in this order: face_mask, merging, dissolving, welding, vertex_mask,
- * then the cutting of edges and the splitting of vertices; meander_surface_statistics counts it.
+ * the cutting of edges and the splitting of vertices, smallest_part; meander_surface_statistics counts it.
  *
  * drop_degenerate, make_manifold and weld_distance together make a surface of any list of triangles
  * with an area and finite coordinates, and leave a mesh without faults as it is, to the last bit. */
@@ -245,8 +323,11 @@ typedef struct meander_surface_options {
                                 along a line */
   double weld_distance;      /* boundary edges whose ends are this close to those of another, and
                                 closer than a quarter of every edge there, become one with it, unless
-                                the faces lie on each other; 0: none. Mesh units, >= 0 */
-  uint64_t reserved[5];
+                                the faces lie on each other; boundary edges with a vertex of another
+                                boundary on them are split there before; 0: none. Mesh units, >= 0 */
+  double smallest_part;      /* components whose bounding box has a diagonal below this are left out;
+                                0: none. Mesh units, >= 0 */
+  uint64_t reserved[4];
 } meander_surface_options;
 
 /* Fills in the defaults; see "Structs".
@@ -260,7 +341,7 @@ MEANDER_API meander_status meander_surface_options_init(meander_surface_options*
  * and of several components. Faces whose orientation disagrees with that of their component's first
  * face are flipped; vertices that no face uses are ignored.
  *
- * vertices      double[3 * vertex_count], finite, in the caller's units
+ * vertices      double[3 * vertex_count], finite where a face uses them, in the caller's units
  * vertex_count  at most 2^30
  * faces         uint32_t[3 * face_count], each below vertex_count
  * face_count    from 1 to 2^30
@@ -279,8 +360,8 @@ MEANDER_API meander_status meander_surface_options_init(meander_surface_options*
  * tenth of an edge. Where two sheets would join at an edge that is cut, because nothing else
  * separates them at either of its ends, they stay joined.
  *
- * Refused with MEANDER_STATUS_INVALID_MESH, naming the first element: no faces, also after masks and
- * merging; a coordinate that is NaN or infinite; an index out of range; a vertex twice in a face; a
+ * Refused with MEANDER_STATUS_INVALID_MESH, naming the first element: no faces, also after masks,
+ * merging and smallest_part; a coordinate of a face that is NaN or infinite; an index out of range; a vertex twice in a face; a
  * face without area (its height less than 1e-8 of the size of the whole mesh); an edge with more
  * than two faces; a vertex where fans of faces meet in one point (bow-tie); a component that cannot
  * be oriented (Moebius strip). Lengths matter only relative to the mesh: a mesh times 0.001 gives
@@ -312,8 +393,10 @@ typedef struct meander_surface_statistics {
   double area;     /* square units */
   double diagonal; /* of the axis-aligned bounding box */
   uint32_t opened_edges;    /* cut because the surface had only one side there */
-  uint32_t reserved32;
-  uint64_t reserved[5];
+  uint32_t doubled_faces;   /* of dropped_faces: they had the vertices of another face */
+  uint32_t split_edges;     /* boundary edges with vertices of another boundary on them */
+  uint32_t small_parts;     /* components left out because they are smaller than smallest_part */
+  uint64_t reserved[4];
 } meander_surface_statistics;
 
 /* Prepares the struct; see "Structs".
@@ -1003,11 +1086,13 @@ typedef struct meander_flow_statistics {
   uint32_t seed_jump_point2;
   double evenness;        /* share of the sides of all nodes on which twice the medial radius is within
                              a fifth of spacing_target, scaled as the percentiles are; in [0, 1] */
+  uint32_t small_components; /* of the surface: the diagonal of their bounding box is below spacing_target */
+  uint32_t reserved32;
   double roughness;       /* mean over the surface, in radians for a disc of radius r: of the curvature,
                              in absolute value, what cancels out within a few r; 0 where nothing was
                              smoothed */
-  double smoothing;       /* mean width of the Gaussian that the surface was smoothed by, in r */
   uint64_t reserved[1];
+  double smoothing;       /* mean width of the Gaussian that the surface was smoothed by, in r */
   double stretch;         /* lengths on the surface in those at the scale of the spacing: the root of the
                              ratio of areas; 1 where nothing was smoothed */
 } meander_flow_statistics;

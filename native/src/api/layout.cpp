@@ -24,7 +24,7 @@ constexpr auto surface_options_layout() {
   return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(drop_degenerate), AT(split_bow_ties),
                                 AT(cut_non_manifold), AT(merge_distance), AT(face_mask), AT(vertex_mask),
                                 AT(face_mask_count), AT(vertex_mask_count), AT(mask_threshold), AT(threads),
-                                AT(make_manifold), AT(weld_distance), AT(reserved)});
+                                AT(make_manifold), AT(weld_distance), AT(smallest_part), AT(reserved)});
 }
 
 constexpr auto surface_statistics_layout() {
@@ -33,7 +33,7 @@ constexpr auto surface_statistics_layout() {
                                 AT(boundary_loops), AT(flipped_faces), AT(unused_vertices), AT(merged_vertices),
                                 AT(dropped_faces), AT(split_vertices), AT(cut_edges), AT(masked_faces),
                                 AT(clipped_faces), AT(welded_edges), AT(area), AT(diagonal),
-                                AT(opened_edges), AT(reserved32), AT(reserved)});
+                                AT(opened_edges), AT(doubled_faces), AT(split_edges), AT(small_parts), AT(reserved)});
 }
 
 constexpr auto seed_layout() {
@@ -83,8 +83,8 @@ constexpr auto flow_statistics_layout() {
                                 AT(seconds_medial_axis), AT(seconds_solve), AT(seconds_retract),
                                 AT(seconds_reconnect), AT(seconds_crossings), AT(seconds_refine),
                                 AT(seed_distance), AT(seed_jump_length), AT(seed_point), AT(seed_jumps),
-                                AT(seed_jump_point), AT(seed_jump_point2), AT(evenness), AT(roughness),
-                                AT(smoothing), AT(reserved), AT(stretch)});
+                                AT(seed_jump_point), AT(seed_jump_point2), AT(evenness), AT(small_components),
+                                AT(reserved32), AT(roughness), AT(reserved), AT(smoothing), AT(stretch)});
 }
 
 constexpr auto iteration_layout() {

@@ -32,6 +32,9 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
   if (!(std::isfinite(o.weld_distance) && o.weld_distance >= 0)) {
     refuse("The weld distance is " + number(o.weld_distance) + "; it must be 0 or a positive number.");
   }
+  if (!(std::isfinite(o.smallest_part) && o.smallest_part >= 0)) {
+    refuse("The size of the smallest part is " + number(o.smallest_part) + "; it must be 0 or a positive number.");
+  }
   require_flag(o.make_manifold, "make_manifold");
   require_flag(o.drop_degenerate, "drop_degenerate");
   require_flag(o.split_bow_ties, "split_bow_ties");
@@ -44,6 +47,7 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
   s.cut_non_manifold = o.cut_non_manifold != 0;
   s.make_manifold = o.make_manifold != 0;
   s.weld_distance = o.weld_distance;
+  s.smallest_part = o.smallest_part;
   s.mask_threshold = o.mask_threshold;
   s.face_mask = checked_mask(o.face_mask, o.face_mask_count, face_count, "face_mask", "faces");
   s.vertex_mask = checked_mask(o.vertex_mask, o.vertex_mask_count, vertex_count, "vertex_mask", "vertices");

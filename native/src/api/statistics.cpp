@@ -3,6 +3,7 @@
 // The figures of a flow, and its history.
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "api/structs.h"
 
@@ -23,6 +24,22 @@ void count_strands(const Flow& flow, meander_flow_statistics& figures) {
     if (!s.guide) grown[flow.surface().component(curve.nodes[s.first].face)] = 1;
   }
   figures.empty_components = static_cast<uint32_t>(std::ranges::count(grown, 0));
+}
+
+/// Components that are smaller than the spacing: the curve has no room on them.
+uint32_t small_components(const Surface& surface, double spacing) {
+  const Vec3 infinite = Vec3::Constant(std::numeric_limits<double>::infinity());
+  std::vector<Vec3> low(surface.component_count(), infinite), high(surface.component_count(), -infinite);
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    const uint32_t part = surface.component(f);
+    for (const uint32_t v : surface.face(f)) {
+      low[part] = low[part].cwiseMin(surface.position(v));
+      high[part] = high[part].cwiseMax(surface.position(v));
+    }
+  }
+  uint32_t small = 0;
+  for (size_t part = 0; part < low.size(); ++part) small += (high[part] - low[part]).norm() < spacing;
+  return small;
 }
 
 double percentile(const std::vector<double>& sorted, double share) {
@@ -70,6 +87,7 @@ meander_flow_statistics statistics_of(const meander_flow& handle) {
   figures.crossings = static_cast<uint32_t>(std::min<size_t>(m.crossings, UINT32_MAX));
   figures.polishing = flow.polishing();
   count_strands(flow, figures);
+  figures.small_components = small_components(flow.surface(), 2 * flow.settings().radius);
   figures.length = m.length * scale;
   figures.energy = m.energy * scale;
   figures.mean_step = flow.history().empty() ? 0 : flow.history().back().mean_step * scale;

@@ -56,6 +56,9 @@ meander_status meander_surface_get_statistics(const meander_surface* surface, me
     figures.clipped_faces = p.clipped_faces;
     figures.welded_edges = p.welded_edges;
     figures.opened_edges = p.opened_edges;
+    figures.doubled_faces = p.doubled_faces;
+    figures.split_edges = p.split_edges;
+    figures.small_parts = p.small_parts;
     figures.area = s.area() * s.scale() * s.scale();
     figures.diagonal = s.scale();
     write_struct(statistics, figures);

@@ -4,8 +4,8 @@
 // sentence.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -27,11 +27,11 @@ struct Failure : std::runtime_error {
   uint32_t index, index2;
 };
 
-/// A number as a sentence has it: "0.25", "1e+100".
+/// A number as a sentence has it: "0.25", "1e+100"; with a point, whatever the locale of the process is.
 inline std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
+  return {text, end};
 }
 
 }  // namespace meander

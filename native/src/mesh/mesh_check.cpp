@@ -44,9 +44,11 @@ struct Side {
   bool operator<(const Side& o) const { return high != o.high ? high < o.high : half_edge < o.half_edge; }
 };
 
-void check_coordinates(std::span<const double> vertices, const Names& names) {
+/// `is_used(v)`: whether a face has vertex v, which is asked where a coordinate is not finite only.
+template <class IsUsed>
+void check_coordinates(std::span<const double> vertices, const Names& names, const IsUsed& is_used) {
   for (size_t i = 0; i < vertices.size(); ++i) {
-    if (std::isfinite(vertices[i])) continue;
+    if (std::isfinite(vertices[i]) || !is_used(static_cast<uint32_t>(i / 3))) continue;
     const uint32_t v = names.vertex(static_cast<uint32_t>(i / 3));
     refuse("Vertex " + str(v) + " has a coordinate that is not a finite number; repair or remove it.",
            ElementKind::kVertex, v);
@@ -330,14 +332,32 @@ void check_indices(size_t vertex_count, std::span<const uint32_t> faces) {
 }
 
 void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces) {
-  if (!faces.empty()) check_coordinates(vertices, Names{nullptr});
+  std::vector<uint8_t> used;  // per vertex, once there is a question
+  check_coordinates(vertices, Names{nullptr}, [&](uint32_t v) {
+    if (used.empty()) {
+      used.assign(vertices.size() / 3, 0);
+      for (const uint32_t corner : faces) {
+        if (corner < used.size()) used[corner] = 1;
+      }
+    }
+    return used[v] != 0;
+  });
   check_indices(vertices.size() / 3, faces);
 }
 
 Placement check_placement(std::span<const double> vertices, const Table<Triangle>& faces, ThreadPool& pool,
                           const MeshMap* map) {
   const Names names{map};
-  check_coordinates(vertices, names);
+  std::vector<uint8_t> used;
+  check_coordinates(vertices, names, [&](uint32_t v) {
+    if (used.empty()) {
+      used.assign(vertices.size() / 3, 0);
+      for (const Triangle& t : faces) {
+        for (const uint32_t corner : t) used[corner] = 1;
+      }
+    }
+    return used[v] != 0;
+  });
   uint32_t used_count = 0;
   const Placement placement = measure(vertices, faces, used_count);
   check_areas(vertices, faces, placement, names, pool);

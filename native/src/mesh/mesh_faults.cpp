@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/edge_splits.h"
 #include "mesh/seams.h"
 #include "mesh/sheets.h"
 
@@ -71,8 +72,12 @@ class FaultSearch {
 void FaultSearch::find_infinite() {
   face_.resize(triangles_.size());
   for (uint32_t f = 0; f < face_.size(); ++f) face_[f] = f;
+  std::vector<uint8_t> used(points_.size(), 0);
+  for (const Triangle& t : triangles_) {
+    for (const uint32_t v : t) used[v] = 1;
+  }
   for (uint32_t v = 0; v < points_.size(); ++v) {
-    if (!points_[v].allFinite()) add(FaultKind::kNotFinite, v, v);
+    if (used[v] && !points_[v].allFinite()) add(FaultKind::kNotFinite, v, v);
   }
   if (faults_.empty()) return;
   leave_out([&](size_t f) {
@@ -117,13 +122,19 @@ void FaultSearch::find_doubled() {
 
 void FaultSearch::add_seams(double distance) {
   std::vector<VertexPair> edges;
-  for (const Seam& seam : find_seams(points_, triangles_, boundary_of(triangles_), distance)) {
-    for (const uint32_t e : {seam.one, seam.other}) {
-      const uint32_t a = triangles_[e / 3][e % 3], b = triangles_[e / 3][(e % 3 + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
+  const std::vector<uint32_t> boundary = boundary_of(triangles_);
+  const auto note = [&](uint32_t e) {
+    const uint32_t a = triangles_[e / 3][e % 3], b = triangles_[e / 3][(e % 3 + 1) % 3];
+    edges.push_back({std::min(a, b), std::max(a, b)});
+  };
+  for (const Seam& seam : find_seams(points_, triangles_, boundary, distance)) {
+    note(seam.one);
+    note(seam.other);
   }
+  for (const EdgeSplit& split : find_edge_splits(points_, triangles_, boundary, distance)) note(split.side);
   std::ranges::sort(edges);
+  const auto repeated = std::ranges::unique(edges);
+  edges.erase(repeated.begin(), repeated.end());
   for (const VertexPair& e : edges) add(FaultKind::kSeam, e[0], e[1]);
 }
 
@@ -138,7 +149,10 @@ std::vector<MeshFault> find_faults(std::span<const double> vertices, std::span<c
 bool has_seams(std::span<const double> vertices, std::span<const uint32_t> faces, std::span<const uint32_t> boundary,
                double weld_distance) {
   if (boundary.empty()) return false;
-  return !find_seams(points_of(vertices), triangles_of(faces), boundary, weld_distance).empty();
+  const std::vector<Vec3> points = points_of(vertices);
+  const std::vector<Triangle> triangles = triangles_of(faces);
+  return !find_seams(points, triangles, boundary, weld_distance).empty() ||
+         !find_edge_splits(points, triangles, boundary, weld_distance).empty();
 }
 
 }  // namespace meander

@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/failure.h"
+#include "mesh/edge_splits.h"
 #include "mesh/mesh_check.h"
 #include "mesh/seams.h"
 #include "mesh/sheets.h"
@@ -67,10 +68,12 @@ class MeshPreparation {
   void merge_vertices(double distance);
   void dissolve_degenerate();
   void clip(std::span<const double> values, double threshold);
+  bool split_edges(double distance);
   bool weld_seams(double distance);
   void drop_flat();
   void split_vertices(bool bow_ties, bool non_manifold);
   void split_sheets(bool join_flattest);
+  void drop_small_parts(double size);
   PreparedMesh result();
   bool empty() const { return faces_.empty(); }
 
@@ -104,6 +107,8 @@ class MeshPreparation {
     return {v, of.source, static_cast<uint32_t>(corner_weights_.size() - 1)};
   }
   void replace_vertices(DisjointSets& sets);
+  void divide_ring(uint32_t f, const std::vector<uint32_t>& ring, const std::vector<Weights>& weights,
+                   const std::vector<size_t>& corners);
   void drop_doubled();
   std::vector<uint32_t> flat_faces() const;
   std::vector<Triangle> triangles() const;
@@ -303,6 +308,7 @@ void MeshPreparation::drop_doubled() {
     if (!doubled[f]) faces_[kept++] = faces_[f];
   }
   counts_.dropped_faces += static_cast<uint32_t>(faces_.size() - kept);
+  counts_.doubled_faces += static_cast<uint32_t>(faces_.size() - kept);
   faces_.resize(kept);
 }
 
@@ -454,6 +460,72 @@ std::vector<Triangle> MeshPreparation::triangles() const {
   return triangles;
 }
 
+/// Splits boundary edges at the vertices that lie on them, whose faces become several. True if there were any.
+bool MeshPreparation::split_edges(double distance) {
+  const std::vector<Triangle> faces = triangles();
+  const std::vector<EdgeSplit> splits = find_edge_splits(positions_, faces, boundary_of(faces), distance);
+  if (splits.empty()) return false;
+  // Of each face the splits of its three edges, which are neighbours in the list.
+  for (size_t i = 0; i < splits.size();) {
+    const uint32_t f = splits[i].side / 3;
+    // From the corner 0 of the face, all around it: vertices, and their weights.
+    std::vector<uint32_t> ring;
+    std::vector<Weights> weights;
+    std::vector<size_t> corners;
+    const Face face = faces_[f];
+    for (uint32_t k = 0; k < 3; ++k) {
+      corners.push_back(ring.size());
+      ring.push_back(face.v[k]);
+      weights.push_back(corner_weight(face, k));
+      if (i < splits.size() && splits[i].side == 3 * f + k) ++counts_.split_edges;
+      for (; i < splits.size() && splits[i].side == 3 * f + k; ++i) {
+        ring.push_back(splits[i].vertex);
+        weights.push_back(between(corner_weight(face, k), corner_weight(face, (k + 1) % 3), splits[i].t));
+      }
+    }
+    divide_ring(f, ring, weights, corners);
+  }
+  return true;
+}
+
+/// Replaces face f by those of a ring of vertices on its edges.
+void MeshPreparation::divide_ring(uint32_t f, const std::vector<uint32_t>& ring, const std::vector<Weights>& weights,
+                                  const std::vector<size_t>& corners) {
+  const Face face = faces_[f];
+  bool first = true;
+  const auto add = [&](size_t a, size_t b, size_t c) {
+    const Face part = piece(face, {ring[a], ring[b], ring[c]}, {weights[a], weights[b], weights[c]});
+    if (first) {
+      faces_[f] = part;
+    } else {
+      faces_.push_back(part);
+    }
+    first = false;
+  };
+  // A fan from corner 2 over edge 0; of it the first triangle has all of edge 2, and the last one all of edge 1.
+  const size_t n = ring.size(), one = corners[1], two = corners[2];
+  const auto fan = [&](size_t apex, size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) add(apex, k, k + 1 == n ? 0 : k + 1);
+  };
+  // The triangle of two corners and the vertex beside one of them, with what lies on the edge opposite that vertex.
+  if (one == 1) {  // nothing on edge 0
+    if (two == 2) {
+      fan(1, 2, n);  // all on edge 2
+    } else {
+      // Edge 1 as a fan from corner 0, whose last triangle has edge 2.
+      fan(0, 1, two - 1);
+      fan(two - 1, two, n);
+    }
+    return;
+  }
+  // The first triangle: corner 0, its neighbour on edge 0, and edge 2.
+  fan(1, two, n);
+  // Between: from corner 2 over the rest of edge 0 but its last piece.
+  fan(two, 1, one - 1);
+  // The last one: the vertex before corner 1, and edge 1.
+  fan(one - 1, one, two);
+}
+
 /// Makes boundary edges that lie on each other one. True if there were any.
 bool MeshPreparation::weld_seams(double distance) {
   const std::vector<Triangle> faces = triangles();
@@ -508,6 +580,40 @@ void MeshPreparation::split_sheets(bool join_flattest) {
   }
 }
 
+/// Leaves out parts whose bounding box has a diagonal below `size`.
+void MeshPreparation::drop_small_parts(double size) {
+  DisjointSets parts(positions_.size());
+  for (const Face& face : faces_) {
+    parts.join(face.v[0], face.v[1]);
+    parts.join(face.v[0], face.v[2]);
+  }
+  const Vec3 infinite = Vec3::Constant(std::numeric_limits<double>::infinity());
+  std::vector<Vec3> low(positions_.size(), infinite), high(positions_.size(), -infinite);
+  for (const Face& face : faces_) {
+    const uint32_t part = parts.find(face.v[0]);
+    for (const uint32_t v : face.v) {
+      low[part] = low[part].cwiseMin(positions_[v]);
+      high[part] = high[part].cwiseMax(positions_[v]);
+    }
+  }
+  double largest = 0;
+  for (uint32_t v = 0; v < positions_.size(); ++v) {
+    if (!(high[v].x() >= low[v].x())) continue;  // no part, or none that is named so
+    const double diagonal = (high[v] - low[v]).norm();
+    largest = std::max(largest, diagonal);
+    counts_.small_parts += diagonal < size;
+  }
+  if (largest < size) {
+    throw Failure(FailureKind::kInvalidMesh, "All parts of the mesh are smaller than " + number(size) +
+                                                 ", the largest one is " + number(largest) +
+                                                 "; choose a smaller size of the smallest part.");
+  }
+  std::erase_if(faces_, [&](const Face& face) {
+    const uint32_t part = parts.find(face.v[0]);
+    return (high[part] - low[part]).norm() < size;
+  });
+}
+
 PreparedMesh MeshPreparation::result() {
   PreparedMesh mesh;
   MeshMap& map = mesh.map;
@@ -544,8 +650,9 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
   }
   if (settings.merge_distance > 0) mesh.merge_vertices(settings.merge_distance);
   if (settings.drop_degenerate) mesh.dissolve_degenerate();
-  if (settings.weld_distance > 0 && mesh.weld_seams(settings.weld_distance) && settings.drop_degenerate) {
-    mesh.dissolve_degenerate();
+  if (settings.weld_distance > 0) {
+    const bool split = mesh.split_edges(settings.weld_distance);
+    if ((mesh.weld_seams(settings.weld_distance) || split) && settings.drop_degenerate) mesh.dissolve_degenerate();
   }
   if (mesh.empty()) {
     throw Failure(FailureKind::kInvalidMesh,
@@ -561,6 +668,7 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
   }
   if (!settings.make_manifold) {
     mesh.split_vertices(settings.split_bow_ties, settings.cut_non_manifold);
+    if (settings.smallest_part > 0) mesh.drop_small_parts(settings.smallest_part);
     return mesh.result();
   }
   if (settings.drop_degenerate) mesh.drop_flat();
@@ -568,6 +676,7 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
     throw Failure(FailureKind::kInvalidMesh, "No face of the mesh has an area; give a mesh with a surface.");
   }
   mesh.split_sheets(!settings.cut_non_manifold);
+  if (settings.smallest_part > 0) mesh.drop_small_parts(settings.smallest_part);
   return mesh.result();
 }
 

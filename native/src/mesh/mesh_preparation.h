@@ -23,20 +23,24 @@ struct PrepareSettings {
   double weld_distance = 0;            ///< caller's units; 0: none
   std::span<const uint8_t> face_mask;  ///< per face, or empty
   std::span<const double> vertex_mask; ///< per vertex, or empty
+  double smallest_part = 0;            ///< caller's units; 0: none is too small
   double mask_threshold = 0;           ///< where the mask is below it the surface is left out
 
   bool changes_nothing() const {
     return merge_distance == 0 && !drop_degenerate && !split_bow_ties && !cut_non_manifold && !make_manifold &&
-           weld_distance == 0 && face_mask.empty() && vertex_mask.empty();
+           weld_distance == 0 && smallest_part == 0 && face_mask.empty() && vertex_mask.empty();
   }
   /// Whether a mesh that passes the check, and has no seams to weld, comes out as it is.
-  bool only_mends() const { return merge_distance == 0 && make_manifold && face_mask.empty() && vertex_mask.empty(); }
+  bool only_mends() const {
+    return merge_distance == 0 && make_manifold && smallest_part == 0 && face_mask.empty() && vertex_mask.empty();
+  }
 };
 
 /// What was done; see meander_surface_statistics.
 struct PrepareCounts {
   uint32_t unused_vertices = 0, merged_vertices = 0, dropped_faces = 0, split_vertices = 0, cut_edges = 0,
-           masked_faces = 0, clipped_faces = 0, welded_edges = 0, opened_edges = 0;
+           masked_faces = 0, clipped_faces = 0, welded_edges = 0, opened_edges = 0, doubled_faces = 0, split_edges = 0,
+           small_parts = 0;
 };
 
 struct PreparedMesh {
@@ -48,9 +52,10 @@ struct PreparedMesh {
 
 /// Prepares a mesh whose numbers have been checked (check_numbers), in this order:
 ///   faces outside face_mask go; vertices nearer than merge_distance to one with a lower index become
-///   that one; faces without area are dissolved and doubled ones dropped; boundary edges nearer than
-///   weld_distance to each other become one; what lies below the threshold of vertex_mask is cut away;
-///   vertices at which fans of faces meet are split.
+///   that one; faces without area are dissolved and doubled ones dropped; boundary edges are split at vertices
+///   that lie on them, and those nearer than weld_distance to each other become one; what lies below the threshold
+///   of vertex_mask is cut away; vertices at which fans of faces meet are split; parts whose bounding box has a
+///   diagonal below smallest_part go.
 /// The result is as strict a mesh as the settings allow; check_mesh finds what is left. Throws
 /// Failure(FailureKind::kInvalidMesh) when nothing is left.
 PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,

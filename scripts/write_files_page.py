@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the tables of docs/files.md from the cases that the tests read, tests/core/file_cases.py.
+
+    python3 scripts/write_files_page.py [--check]
+
+--check writes nothing, and fails when the page is not what would be written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tests" / "core"))
+
+from file_cases import CASES, Case  # noqa: E402
+
+PAGE = ROOT / "docs" / "files.md"
+BEGIN, END = "<!-- written by scripts/write_files_page.py -->", "<!-- to here -->"
+KINDS = {"obj": "OBJ", "ply": "PLY", "stl": "STL"}
+
+
+def what_becomes(case: Case) -> str:
+    if not case.area:
+        return "refused"
+    return "repaired" if case.said else "read"
+
+
+def tables() -> str:
+    lines = []
+    for kind, name in KINDS.items():
+        lines += [f"### {name}", "", "| what is in the file | | what is said |", "|---|---|---|"]
+        for case in (case for case in CASES if case.kind == kind):
+            said = case.said if not case.said.startswith((" ", ",")) else f"FILE{case.said}"
+            lines.append(f"| {case.title} | {what_becomes(case)} | {said.replace('|', '&#124;')} |")
+        lines.append("")
+    return "\n".join(lines).strip()
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
+    check = parser.parse_args().check
+    text = PAGE.read_text(encoding="utf-8")
+    before, _, rest = text.partition(BEGIN)
+    wanted = f"{before}{BEGIN}\n\n{tables()}\n\n{END}{rest.partition(END)[2]}"
+    if text == wanted:
+        return 0
+    if check:
+        print(f"{PAGE} is out of date; run python3 scripts/write_files_page.py")
+        return 1
+    PAGE.write_text(wanted, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
