@@ -135,7 +135,7 @@ def test_alignment_and_terms_are_kept_with_the_result(scene, tmp_path):
     ("arguments", "word"),
     [
         (("--object", "Nobody"), "Nobody"),
-        (("--object", "Ring"), "not a mesh"),
+        (("--object", "Ring"), "has no faces"),
         (("--object", "Ball", "--seed-object", "Ball"), "not a curve"),
         (("--object", "Ball", "--seed-object", "Far"), "surface"),
         (("--object", "Ball", "--density-group", "Bottom"), "Bottom"),

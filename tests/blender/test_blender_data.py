@@ -86,7 +86,7 @@ def test_a_mirrored_surface_still_looks_outward():
 
 def test_what_is_no_surface_is_refused():
     curve = poly_curve("Curve", [[(0, 0, 0), (1, 0, 0)]], False)
-    with pytest.raises(ValueError, match="not a mesh"):
+    with pytest.raises(ValueError, match="has no faces"):
         meshes.triangles_of(curve, depsgraph())
     with pytest.raises(ValueError, match="no faces"):
         meshes.triangles_of(mesh_object("Points", [(0, 0, 0)], []), depsgraph())

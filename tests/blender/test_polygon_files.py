@@ -111,10 +111,8 @@ def area_of(places: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 def imported(path: Path) -> bpy.types.Mesh:
     before = set(bpy.data.objects)
     if path.suffix == ".obj":
-        bpy.ops.wm.obj_import(filepath=str(path), forward_axis="Y", up_axis="Z") if (
-            bpy.app.version >= (3, 6, 0)
-        ) else bpy.ops.wm.obj_import(filepath=str(path), forward_axis="Y_FORWARD", up_axis="Z_UP")
-    elif hasattr(bpy.ops.wm, "ply_import") and bpy.app.version >= (3, 6, 0):
+        bpy.ops.wm.obj_import(filepath=str(path), forward_axis="Y", up_axis="Z")
+    elif bpy.app.version >= (3, 6, 0):
         bpy.ops.wm.ply_import(filepath=str(path), forward_axis="Y", up_axis="Z")
     else:
         bpy.ops.import_mesh.ply(filepath=str(path))

@@ -17,7 +17,7 @@ from ..scene.alignment import directions_of
 from ..scene.curve_reader import point_numbers, strands_of_curve
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
-from ..scene.fillable import shows_instances
+from ..scene.fillable import has_faces, shows_instances, why_not_this
 from ..scene.meshes import in_polygons as renumbered
 from ..scene.meshes import loose_edge_count, triangles_of
 from ..scene.preparation import surface_options
@@ -103,7 +103,7 @@ def _curve_object(arguments: argparse.Namespace, option: str) -> bpy.types.Objec
 
 
 def _mesh_object(arguments: argparse.Namespace) -> bpy.types.Object:
-    """--object, else the active mesh object, else the only one."""
+    """--object, else the active object that can be filled, else the only one."""
     scene_objects = bpy.context.scene.objects
     if arguments.object is not None:
         named = scene_objects.get(arguments.object)
@@ -114,13 +114,23 @@ def _mesh_object(arguments: argparse.Namespace) -> bpy.types.Object:
             )
         return named
     active = bpy.context.view_layer.objects.active
-    if active is not None and active.type == "MESH":
+    if has_faces(active):
         return active
-    meshes = [item for item in scene_objects if item.type == "MESH"]
-    if len(meshes) != 1:
-        found = "no mesh object" if not meshes else f"{len(meshes)} mesh objects, none of it active"
-        raise BadInput(f"{arguments.input} has {found}; name one with --object")
-    return meshes[0]
+    # A mesh before what Blender makes a mesh of.
+    found = [item for item in scene_objects if item.type == "MESH" and has_faces(item)]
+    found = found or [item for item in scene_objects if has_faces(item)]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise BadInput(
+            f"{arguments.input} has {len(found)} objects to fill, none of it active; name one with "
+            "--object"
+        )
+    reasons = filter(None, map(why_not_this, [active, *scene_objects]))
+    raise BadInput(
+        f"{arguments.input} has nothing to fill: "
+        + next(reasons, "there is no mesh in its scene; name another .blend")
+    )
 
 
 def in_polygons(error: core.MeanderError, surface_object: bpy.types.Object) -> core.MeanderError:

@@ -26,9 +26,9 @@ from ..scene.curve_writer import write_curve
 from ..scene.cut_object import keep_shading, skin_of, write_cut
 from ..scene.density import store_choice
 from ..scene.errors import DataError
+from ..scene.evaluated import matrix_of
 from ..scene.preparation import store_mask, store_repair
 from ..scene.settings import copy_settings
-from ..scene.transforms import world_matrix
 from .saved_settings import saved_settings
 
 # What the curve keeps of the flags: how long a run may take, and on how many threads, is for the
@@ -68,13 +68,13 @@ def write_scene(
     if line is not None:
         shown, radii, guides = line.polylines, line.values(radii), line.guides
         grown = bridged(grown, given.problem)
-    curve_object = write_curve(shown, surface_object, f"{surface_object.name} Meander")
+    matrix = matrix_of(surface_object, bpy.context.evaluated_depsgraph_get())
+    curve_object = write_curve(shown, surface_object, f"{surface_object.name} Meander", matrix=matrix)
     with saved_settings():
         _store(arguments, given, surface_object, curve_object)
         scene_strands.note_guides(curve_object, guides, keep=True)
         curve_object.meander.figures.least_spacing = spacing
         curve_object.meander.figures.whole_points = len(grown.curve.positions)
-        matrix = world_matrix(surface_object)
         point_attributes.store_medial_radii(curve_object, radii, matrix)
         if line is not None:
             curve_object.meander.figures.bridges = bridges.to_text(line)
@@ -96,8 +96,9 @@ def write_cut_scene(
 ) -> None:
     """Adds the cut beside its surface and saves a copy of the scene at `path`."""
     surface_object = given.surface_object or _new_surface(arguments.input.stem, given.problem)
-    skin = skin_of(surface_object, bpy.context.evaluated_depsgraph_get())
-    matrix = world_matrix(surface_object)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    skin = skin_of(surface_object, depsgraph)
+    matrix = matrix_of(surface_object, depsgraph)
     name = f"{surface_object.name} Cut"
     faces = given.problem.faces
     made = write_cut(name, cut, surface_object, faces, skin, matrix, arguments.spacing)

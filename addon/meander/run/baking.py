@@ -7,7 +7,8 @@ import bpy
 
 from ..scene import baked_frames
 from ..scene.baked_frames import Frames
-from ..scene.meshes import surface_now
+from ..scene.evaluated import matrix_of
+from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
 from .followers import GrownCurve, follower_of
 from .plan import plan_of
@@ -38,7 +39,8 @@ def bake_motion(
         for frame in range(first, last + 1):
             scene.frame_set(frame)
             depsgraph = context.evaluated_depsgraph_get()
-            vertices, faces, matrix = surface_now(settings.surface, depsgraph)
+            vertices, faces = triangles_of(settings.surface, depsgraph)
+            matrix = matrix_of(settings.surface, depsgraph)
             curve = follower.moved(vertices, faces)
             if sticks:
                 numbers.append(frame)

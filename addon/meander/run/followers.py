@@ -22,7 +22,8 @@ from ..model.thinning import least_spacing, with_points
 from ..scene.curve_reader import strands_of_curve
 from ..scene.errors import DataError
 from ..scene.look_modifier import modifier_of
-from ..scene.meshes import surface_now
+from ..scene.evaluated import is_evaluated
+from ..scene.meshes import surface_now, triangles_of
 from ..scene.surface_points import bind
 from .plan import Plan, plan_of
 
@@ -156,7 +157,10 @@ def follower_of(
                 "Stick, or fill the surface without Bridge Parts"
             )
         return EvenFollower(plan_of(result, scene, depsgraph), settings.motion_steps)
-    vertices, faces, _matrix = surface_now(settings.surface, depsgraph)
+    if is_evaluated(settings.surface, depsgraph):
+        vertices, faces, _matrix = surface_now(settings.surface, depsgraph)
+    else:
+        vertices, faces = triangles_of(settings.surface, depsgraph)
     own = strands_of_curve(result, depsgraph)
     radii = [point.radius for spline in result.data.splines for point in spline.points]
     factors = np.array(radii) if len(radii) == len(own.points) else None

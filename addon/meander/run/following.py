@@ -66,9 +66,9 @@ def _on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
             continue
         key = result.name_full
         try:
+            vertices, faces, matrix = surface_now(surface, depsgraph)  # refuses what is hidden
             if key not in _followers:
                 _followers[key] = follower_of(result, scene, depsgraph)
-            vertices, faces, matrix = surface_now(surface, depsgraph)
             curve = _followers[key].moved(vertices, faces)
             baked_frames.write(result, result.data, curve, matrix, _followers[key].factors)
             _problems.pop(key, None)

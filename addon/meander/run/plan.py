@@ -24,6 +24,7 @@ from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import chosen_density, density_of, unused_paint
 from ..scene.errors import DataError
+from ..scene.evaluated import matrix_of
 from ..scene.fillable import shows_instances, why_not
 from ..scene.flow_options import options_of
 from ..scene.identity import Key
@@ -32,7 +33,6 @@ from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.region import selected_faces, triangles_of_region
 from ..scene.settings import surface_of
-from ..scene.transforms import world_matrix
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ def plan_of(
         settings=Key(active),
         result=Key(earlier) if earlier is not None else None,
         from_surface=active is surface,
-        matrix=world_matrix(surface.evaluated_get(depsgraph)),
+        matrix=matrix_of(surface, depsgraph),
         spacing=spacing,
         look=_look_of(settings),
         parts=tuple(parts),

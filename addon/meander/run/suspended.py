@@ -13,8 +13,9 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
+from ..scene.evaluated import matrix_of
 from ..scene.meshes import triangles_of
-from ..scene.transforms import to_local, world_matrix
+from ..scene.transforms import to_local
 from .meaning import Meaning, meaning_of
 from .plan import Plan, with_looks
 from .stepper import Snapshot, Stepper
@@ -101,7 +102,7 @@ def _same_points(points: np.ndarray, others: np.ndarray) -> bool:
 
 def same_mesh(plan: Plan, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
     """Whether a surface still has the triangles of a plan, of the same size in world units."""
-    matrix = world_matrix(surface.evaluated_get(depsgraph))
+    matrix = matrix_of(surface, depsgraph)
     metrics = [linear.T @ linear for linear in (plan.matrix[:3, :3], matrix[:3, :3])]
     if np.abs(metrics[0] - metrics[1]).max() > 1e-5 * np.trace(metrics[0]):
         return False

@@ -9,7 +9,7 @@ import numpy as np
 from .. import core
 from ..model.chains import branching, chains_of
 from .errors import DataError
-from .evaluated import linked_copy, mesh_of
+from .evaluated import evaluated_copy, is_evaluated, matrix_of, mesh_of
 from .look_modifier import shaping_modifiers
 from .transforms import to_world, world_matrix
 
@@ -31,9 +31,11 @@ def strands_of_curve(
         raise DataError(f"'{object.name}' is not a curve; choose a curve object as the seed")
     if object.mode == "EDIT":
         object.update_from_editmode()
-    if _is_plain(object):
+    if _is_plain(object) and (
+        object.data.animation_data is None or is_evaluated(object, depsgraph)
+    ):
         points, offsets, closed = _poly_splines(object.data)
-        matrix = world_matrix(object)
+        matrix = matrix_of(object, depsgraph)
     else:
         points, edges, matrix = _evaluated_edges(object, depsgraph)
         points, offsets, closed = _chains(points, edges, object.name)
@@ -102,7 +104,7 @@ def _evaluated_edges(
     object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Points and edges of the evaluated curve without thickness, and its world matrix."""
-    with linked_copy(object, depsgraph, with_data=True) as copy:
+    with evaluated_copy(object, depsgraph, with_data=True) as (copy, own):
         for modifier in list(copy.modifiers)[len(shaping_modifiers(copy)) :]:
             copy.modifiers.remove(modifier)
         curve = copy.data
@@ -111,8 +113,9 @@ def _evaluated_edges(
         curve.extrude = 0.0
         if curve.dimensions == "2D":
             curve.fill_mode = "NONE"
-        depsgraph.update()
-        with mesh_of(copy, depsgraph) as (mesh, matrix):
+        curve.update_tag()
+        own.update()
+        with mesh_of(copy, own) as (mesh, matrix):
             if len(mesh.polygons):
                 raise DataError(
                     f"The modifiers of '{object.name}' turn it into a surface; "

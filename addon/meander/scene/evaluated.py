@@ -5,38 +5,65 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import NamedTuple
 
 import bpy
 import numpy as np
 
 from .errors import DataError
-from .fillable import has_faces
+from .fillable import has_faces, why_not_this
 from .transforms import world_matrix
 
 
-@contextmanager
-def linked_copy(
-    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph, with_data: bool
-) -> Iterator[bpy.types.Object]:
-    """A visible copy of the object in the scene for as long as the block lasts.
+class Evaluation(NamedTuple):
+    """A copy of an object, and the dependency graph that evaluates it."""
 
-    Only objects that the dependency graph shows are evaluated, and an evaluated curve can only be
-    changed through a copy.
+    copy: bpy.types.Object
+    depsgraph: bpy.types.Depsgraph
+
+
+@contextmanager
+def evaluated_copy(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph, with_data: bool
+) -> Iterator[Evaluation]:
+    """A visible copy of the object in a scene of its own, for as long as the block lasts.
+
+    Only objects that a dependency graph shows are evaluated, and an evaluated curve can only be
+    changed through a copy. What was hidden while the frame changed, parents and what modifiers
+    point at included, is still where it was: a graph of its own evaluates all of it at the frame,
+    and leaves the animated properties of the scene that is shown as the user has them.
+
+    with_data   the data is copied too; update `depsgraph` of the result after changing it
+
+    Raises DataError where the frame hides the object.
     """
+    shown = depsgraph.scene
+    scene = bpy.data.scenes.new("Meander Evaluation")
     copy = object.copy()
     data = None
     try:
+        scene.render.use_simplify = shown.render.use_simplify
+        scene.render.simplify_subdivision = shown.render.simplify_subdivision
+        # Before the graph is made, which then begins at this frame.
+        scene.frame_float = shown.frame_float
         if with_data:
             data = object.data.copy()
             copy.data = data
         copy.hide_viewport = False
-        depsgraph.scene.collection.objects.link(copy)
-        yield copy
+        scene.collection.objects.link(copy)
+        layer = scene.view_layers[0]
+        layer.update()
+        if copy.evaluated_get(layer.depsgraph).hide_viewport:
+            raise DataError(
+                f"'{object.name}' is hidden by its animation at frame {shown.frame_current}, where "
+                "Blender does not evaluate it; choose a frame that shows it"
+            )
+        yield Evaluation(copy, layer.depsgraph)
     finally:
         bpy.data.objects.remove(copy)
         if data is not None:
             bpy.data.batch_remove([data])
-        depsgraph.update()
+        bpy.data.scenes.remove(scene)
 
 
 @contextmanager
@@ -64,15 +91,33 @@ def surface_mesh(
     Works in Edit Mode and for hidden objects. Raises DataError for what has no faces.
     """
     if not has_faces(object):
-        raise DataError(f"'{object.name}' is not a mesh; choose a mesh object as the surface")
+        raise DataError(
+            why_not_this(object)
+            or f"'{object.name}' is not a mesh; choose a mesh object as the surface"
+        )
     if object.mode == "EDIT":
         object.update_from_editmode()
-    if object.visible_get(view_layer=depsgraph.view_layer):
+    if is_evaluated(object, depsgraph):
         depsgraph.update()
         with mesh_of(object, depsgraph) as result:
             yield result
     else:
-        with linked_copy(object, depsgraph, with_data=False) as copy:
-            depsgraph.update()
-            with mesh_of(copy, depsgraph) as result:
+        with evaluated_copy(object, depsgraph, with_data=False) as (copy, own):
+            with mesh_of(copy, own) as result:
                 yield result
+
+
+def is_evaluated(object: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
+    """Whether a dependency graph keeps the object as it is at the frame: not what is hidden, by
+    itself or a collection, or is in no collection of the view layer."""
+    if depsgraph.mode == "RENDER":
+        return not object.hide_render
+    return object.visible_get(view_layer=depsgraph.view_layer)
+
+
+def matrix_of(object: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
+    """The world matrix of an object at the frame, hidden or not."""
+    if is_evaluated(object, depsgraph):
+        return world_matrix(object.evaluated_get(depsgraph))
+    with evaluated_copy(object, depsgraph, with_data=False) as (copy, own):
+        return world_matrix(copy.evaluated_get(own))

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import bpy
 
 # Types of which Blender always makes a mesh.
@@ -39,6 +41,12 @@ def why_not(thing: bpy.types.Object | None) -> str:
 
 def why_not_this(thing: bpy.types.Object | None) -> str:
     """why_not() where it is about the object itself; else empty."""
+    if is_missing(thing):
+        return (
+            f"'{thing.name}' is linked from {thing.library.filepath}, which is not there; give "
+            "that file back its place, or choose another with File > External Data > Find Missing "
+            "Files"
+        )
     if thing is not None and thing.type == "EMPTY" and thing.instance_type == "COLLECTION":
         return (
             f"'{thing.name}' shows instances; use Object > Apply > Make Instances Real, then fill "
@@ -49,6 +57,13 @@ def why_not_this(thing: bpy.types.Object | None) -> str:
     if thing is not None and thing.type == "CURVE":
         return f"'{thing.name}' has no faces; give it a bevel or an extrusion, or choose a mesh"
     return ""
+
+
+def is_missing(thing: bpy.types.Object | None) -> bool:
+    """Whether an object only stands for one of a library that is not there."""
+    if thing is None or thing.library is None or thing.type != "EMPTY" or thing.data is not None:
+        return False
+    return not Path(bpy.path.abspath(thing.library.filepath)).is_file()
 
 
 def shows_instances(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import core
 from .errors import DataError
-from .evaluated import surface_mesh
+from .evaluated import is_evaluated, surface_mesh
 from .fillable import shows_instances
 from .transforms import check_invertible, to_world, world_matrix
 
@@ -52,8 +52,14 @@ def surface_now(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """World vertices, triangles and world matrix of a surface as `depsgraph` has evaluated it.
 
-    Unlike triangles_of it updates nothing, so that a frame handler may call it.
+    Unlike triangles_of it updates nothing, so that a frame handler may call it. Raises DataError
+    for a surface that is hidden, and so not evaluated.
     """
+    if not is_evaluated(surface, depsgraph):
+        raise DataError(
+            f"'{surface.name}' is hidden, so that Blender does not evaluate it; show it, display it "
+            "as Bounds instead, or bake the frames"
+        )
     evaluated_surface = surface.evaluated_get(depsgraph)
     mesh = evaluated_surface.to_mesh()
     try:

@@ -11,7 +11,7 @@ import bpy
 import numpy as np
 
 from ..model.preparation import Mask
-from .evaluated import linked_copy
+from .evaluated import evaluated_copy
 from .preparation import face_mask
 
 # What the attributes are called; the first free name is taken.
@@ -36,10 +36,11 @@ def triangles_of_region(
     region   per polygon of the mesh without modifiers. What these make is told by a copy, so that
              nothing is written to the mesh
     """
-    with linked_copy(surface, depsgraph, with_data=True) as copy:
+    with evaluated_copy(surface, depsgraph, with_data=True) as (copy, own):
         attribute = copy.data.attributes.new(NAME, "BOOLEAN", "FACE")
         attribute.data.foreach_set("value", region)
-        return face_mask(Mask("ATTRIBUTE", attribute.name), copy, depsgraph)
+        copy.data.update_tag()
+        return face_mask(Mask("ATTRIBUTE", attribute.name), copy, own)
 
 
 def store_region(

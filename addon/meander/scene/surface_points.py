@@ -13,8 +13,8 @@ from .. import core
 from ..model import toolpath
 from . import point_attributes
 from .curve_reader import strands_of_curve
+from .evaluated import matrix_of
 from .meshes import triangles_of
-from .transforms import world_matrix
 
 # The squared sine of the angle at a corner below which rounding leaves nothing of a triangle.
 _LINE = 1e-12
@@ -94,6 +94,6 @@ def strands_of_result(
 ) -> list[toolpath.Strand]:
     """A result's strands with all that is known of them. Raises DataError."""
     curve, index, weights = polylines_of(result, depsgraph)
-    matrix = world_matrix(result.meander.surface.evaluated_get(depsgraph))
+    matrix = matrix_of(result.meander.surface, depsgraph)
     radii = point_attributes.medial_radii_of(result, len(curve.positions), matrix)
     return toolpath.strands_of(curve, point_attributes.data_of(index, weights, radii))

@@ -7,9 +7,10 @@ import bpy
 
 from ..scene import look, point_attributes
 from ..scene.errors import DataError
+from ..scene.evaluated import matrix_of
 from ..scene.fillable import is_result
 from ..scene.surface_points import strands_of_result
-from ..scene.transforms import mean_scale, world_matrix
+from ..scene.transforms import mean_scale
 from .declared import rows
 from .export_operator import MEANDER_OT_export_toolpath
 from .light_operator import MEANDER_OT_make_light
@@ -32,7 +33,7 @@ class _PointsToObject(OnResult):
         except DataError as error:
             self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
-        matrix = world_matrix(surface.evaluated_get(depsgraph))
+        matrix = matrix_of(surface, depsgraph)
         thickness = look.radius_of(result) * mean_scale(matrix)
         thing = point_attributes.make(
             self.kind, f"{result.name} Points", strands, surface, matrix, thickness
