@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from meander import core
 from meander.model import faults as words
-from meander.model.preparation import Repair, seam_width
+from meander.model import preparation
+from meander.model.preparation import Repair, Share, seam_width
 
 RADIUS = 0.12
 
@@ -139,3 +140,129 @@ def test_bad_arguments_are_refused() -> None:
         core.find_faults(vertices, [[0, 1, 7]])
     with pytest.raises(core.MeanderError, match="no faces"):
         core.find_faults(vertices, np.empty((0, 3), np.uint32))
+
+
+# ------------------------------------------------------------------------------------------------
+# T-junctions, doubled faces, small parts
+
+
+def strip(xs: list[float], low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
+    """A sheet over [0, 1] whose lower edge has vertices at xs, fanned from its two upper corners."""
+    points = [(x, low, 0.0) for x in xs] + [(0.0, high, 0.0), (1.0, high, 0.0)]
+    count, left, right = len(xs), len(xs), len(xs) + 1
+    middle = count // 2
+    faces = [(k, k + 1, left if k < middle else right) for k in range(count - 1)]
+    faces.append((left, middle, right))
+    return np.array(points), np.array(faces, dtype=np.uint32)
+
+
+def side_by_side(*sheets: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    shift, vertices, faces = 0, [], []
+    for points, triangles in sheets:
+        vertices.append(points)
+        faces.append(triangles + np.uint32(shift))
+        shift += len(points)
+    return np.concatenate(vertices), np.concatenate(faces)
+
+
+def placed(vertices: np.ndarray, generator: np.random.Generator, scale: float) -> np.ndarray:
+    axes, _ = np.linalg.qr(generator.normal(size=(3, 3)))
+    return scale * (vertices @ axes.T) + scale * generator.normal(size=3)
+
+
+@pytest.mark.parametrize("number", range(6))
+@pytest.mark.parametrize("scale", [1e-4, 1.0, 1e4])
+def test_a_crack_between_edges_of_different_division_is_closed(number: int, scale: float) -> None:
+    """Two sheets along one line, each with vertices where the other has none, and where it has."""
+    generator = np.random.default_rng(number)
+    shared = generator.uniform(0.05, 0.95, 2)
+    ours, theirs = (
+        sorted({0.0, 1.0, *shared, *generator.uniform(0.0, 1.0, count)})
+        for count in generator.integers(0, 9, 2)
+    )
+    upper, lower = strip(ours, 0.0, 1.0), strip(theirs, 0.0, -0.7)
+    vertices, faces = side_by_side(upper, (lower[0], lower[1][:, ::-1]))
+    vertices = placed(vertices, generator, scale)
+    options = Repair().options(vertices, 0.06 * scale)
+    with core.Surface(vertices, faces, options) as surface:
+        figures = surface.statistics()
+        again = surface.outlines(0.05 * scale, 0.1 * scale)[0]
+    assert (figures["components"], figures["boundary_loops"]) == (1, 1)
+    assert figures["area"] == pytest.approx(1.7 * scale**2, rel=1e-9)
+    apart = len(set(ours) ^ set(theirs))
+    assert (figures["split_edges"] > 0) == (apart > 0)
+    assert len(again.closed) == 1
+
+
+def test_sheets_that_share_vertices_and_have_a_t_between_them() -> None:
+    """The same corners by number, and a vertex halfway that only one side has."""
+    vertices = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.5, 0, 0), (0.5, -1, 0)], dtype=float)
+    faces = np.array([(0, 1, 2), (0, 4, 3), (3, 4, 1)], dtype=np.uint32)
+    with core.Surface(vertices, faces, Repair().options(vertices, 0.1)) as surface:
+        figures = surface.statistics()
+    assert (figures["components"], figures["split_edges"], figures["faces"]) == (1, 1, 4)
+    assert figures["welded_edges"] == 0
+
+
+def test_values_of_vertices_follow_where_an_edge_was_split() -> None:
+    """The weights of a piece are those of the caller's face: a density of it is linear."""
+    vertices, faces = side_by_side(
+        strip([0.0, 1.0], 0.0, 1.0), strip([0.0, 0.3, 0.7, 1.0], 0.0, -1.0)
+    )
+    options = core.default_options()
+    options.radius, options.iteration_limit = 0.05, 20
+    prepared = Repair().options(vertices, 0.05)
+    with core.Surface(vertices, faces, prepared) as surface, core.Flow(surface, options) as flow:
+        assert surface.statistics()["components"] == 1
+        flow.run()
+        nodes, curve = flow.nodes(), flow.polylines()
+    places = np.einsum("nk,nkj->nj", nodes.barycentrics, vertices[faces[nodes.faces]])
+    for place in places[:: max(1, len(places) // 50)]:
+        assert np.linalg.norm(curve.positions - place, axis=1).min() < 1e-9
+
+
+def test_what_only_touches_an_edge_is_no_crack() -> None:
+    """A corner on an edge of another sheet, and sheets that lie on each other."""
+    corner = (
+        np.array([(0.5, 0, 0), (0.8, -1, 0), (0.2, -1, 0)], dtype=float),
+        np.array([(0, 1, 2)], dtype=np.uint32),
+    )
+    sheet = strip([0.0, 1.0], 0.0, 1.0)
+    upon = strip([0.0, 0.5, 1.0], 0.0, 1.0)
+    for other, parts in ((corner, 2), (upon, 2)):
+        vertices, faces = side_by_side(sheet, other)
+        with core.Surface(vertices, faces, Repair().options(vertices, 0.05)) as surface:
+            figures = surface.statistics()
+        assert (figures["components"], figures["split_edges"]) == (parts, 0)
+
+
+def test_cracks_are_faults_that_are_shown() -> None:
+    vertices, faces = side_by_side(
+        strip([0.0, 1.0], 0.0, 1.0), strip([0.0, 0.5, 1.0], 0.0, -1.0)
+    )
+    found = core.find_faults(vertices, faces, seam_width(vertices, 0.05))
+    assert {core.FAULTS[kind] for kind in found.kinds} == {"seam"}
+    assert [0, 1] in found.elements.tolist()
+
+
+def test_doubled_faces_are_called_that() -> None:
+    vertices, faces = geometry.icosphere(1)
+    both = np.concatenate([faces, faces[:, ::-1]])
+    with core.Surface(vertices, both, Repair().options(vertices, 0.1)) as surface:
+        figures = surface.statistics()
+    assert figures["doubled_faces"] == figures["dropped_faces"] == len(faces)
+    assert preparation.described(figures) == f"dropped {len(faces)} doubled faces"
+
+
+def test_parts_below_a_size_are_left_out() -> None:
+    sphere = geometry.icosphere(1)
+    vertices, faces = side_by_side(
+        *((size * sphere.vertices + 5 * k, sphere.faces) for k, size in enumerate((1, 0.1, 0.01)))
+    )
+    for smallest, parts in ((0.0, 3), (0.1, 2), (1.0, 1), (Share(0.01), 2)):
+        repair = Repair(smallest_part=smallest)
+        with core.Surface(vertices, faces, repair.options(vertices, 0.1)) as surface:
+            figures = surface.statistics()
+        assert (figures["components"], figures["small_parts"]) == (parts, 3 - parts)
+    with pytest.raises(core.MeanderError, match="All parts of the mesh are smaller than 100"):
+        core.Surface(vertices, faces, Repair(smallest_part=100.0).options(vertices, 0.1))

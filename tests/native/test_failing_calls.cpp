@@ -183,6 +183,27 @@ std::vector<Call> surface_calls() {
                                                      world.indices.data(), world.indices.data() + 1000, 1000,
                                                      world.counts, nullptr, error);
                    }});
+  calls.push_back({"text", [](World&) {}, [](World& world, meander_error* error) {
+                     size_t left_out = 0;
+                     static const std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+                     return CALLED(text_read_polygons)(text.data(), text.size(), MEANDER_TEXT_OBJ_FACES,
+                                                       world.numbers.data(), 100, &world.counts[0],
+                                                       world.indices.data(), 100, &world.counts[1],
+                                                       world.offsets.data(), nullptr, 10, &world.counts[2],
+                                                       &left_out, error);
+                   }, [] { return std::vector<Bytes>(); }, kAll, Memory::kOfGuard});
+  calls.push_back({"numbers_of_text", [](World&) {}, [](World& world, meander_error* error) {
+                     static const std::string text = "1 2.5\n-3e4 x";
+                     return CALLED(text_read_numbers)(text.data(), text.size(), world.numbers.data(), 100,
+                                                      &world.counts[0], &world.counts[1], error);
+                   }, [] { return std::vector<Bytes>(); }, kAll, Memory::kOfGuard});
+  calls.push_back({"triangles", [](World&) {}, [](World& world, meander_error* error) {
+                     const double ell[] = {0, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0, 1, 2, 0, 0, 2, 0};
+                     const uint32_t corners[] = {0, 1, 2, 3, 4, 5};
+                     const uint64_t ends[] = {6};
+                     return CALLED(polygons_triangulate)(ell, 6, corners, 6, ends, 1, world.indices.data(),
+                                                         world.indices.data() + 100, 10, &world.counts[0], error);
+                   }});
   for (const meander_curvature kind : {MEANDER_CURVATURE_GAUSSIAN, MEANDER_CURVATURE_CURVEDNESS}) {
     calls.push_back({"curvature_" + std::to_string(kind), make_ball, [=](World& world, meander_error* error) {
                        return CALLED(surface_compute_curvature)(world.surface, kind, 0.1, world.numbers.data(),

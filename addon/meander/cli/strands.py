@@ -77,7 +77,11 @@ def stroke_of(arguments: argparse.Namespace, vertices: NDArray[np.float64]) -> S
                 )
             place = vertices[vertex].tolist()
         ends.append(place)
-    return None if ends[0] is None else (ends[0], ends[1])
+    if ends[0] is None:
+        return None
+    if list(ends[0]) == list(ends[1]):
+        return "the two ends of the stroke are the same place; give --from and --to two places"
+    return ends[0], ends[1]
 
 
 def echo(arguments: argparse.Namespace, stroke: Stroke | None) -> dict[str, Any]:

@@ -43,7 +43,8 @@ def stroke(begin: ArrayLike, end: ArrayLike) -> core.Seed:
 
 def reach_of(vertices: NDArray[np.float64]) -> float:
     """How far from a surface of these vertices (n, 3) a drawn curve may be, in their units."""
-    return REACH * float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    finite = vertices[np.isfinite(vertices).all(axis=1)]
+    return REACH * float(np.linalg.norm(np.ptp(finite, axis=0))) if len(finite) else 0.0
 
 
 def assembled(parts: Sequence[Part], loops: bool = False, reach: float = 0.0) -> core.Seed | None:
