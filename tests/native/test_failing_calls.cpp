@@ -15,6 +15,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -185,7 +186,7 @@ std::vector<Call> surface_calls() {
                    }});
   calls.push_back({"text", [](World&) {}, [](World& world, meander_error* error) {
                      size_t left_out = 0;
-                     static const std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+                     constexpr std::string_view text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
                      return CALLED(text_read_polygons)(text.data(), text.size(), MEANDER_TEXT_OBJ_FACES,
                                                        world.numbers.data(), 100, &world.counts[0],
                                                        world.indices.data(), 100, &world.counts[1],
@@ -193,7 +194,7 @@ std::vector<Call> surface_calls() {
                                                        &left_out, error);
                    }, [] { return std::vector<Bytes>(); }, kAll, Memory::kOfGuard});
   calls.push_back({"numbers_of_text", [](World&) {}, [](World& world, meander_error* error) {
-                     static const std::string text = "1 2.5\n-3e4 x";
+                     constexpr std::string_view text = "1 2.5\n-3e4 x";
                      return CALLED(text_read_numbers)(text.data(), text.size(), world.numbers.data(), 100,
                                                       &world.counts[0], &world.counts[1], error);
                    }, [] { return std::vector<Bytes>(); }, kAll, Memory::kOfGuard});

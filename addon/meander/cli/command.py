@@ -44,7 +44,7 @@ def _process(argv: Sequence[str], place: Place) -> None:
     if library:
         warnings.insert(0, library)
     for warning in warnings:
-        print(f"meander: warning: {warning}", file=sys.stderr, flush=True)
+        place.warn(warning)
     opened = _open(given, arguments, place)
     with opened.flow as flow:
         reason = _run(opened, arguments, place)

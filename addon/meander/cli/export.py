@@ -16,6 +16,9 @@ from . import flags
 from .input import Input
 from .place import Place
 
+# A report names so many places where a drawing crosses itself.
+_MOST_PLACES = 20
+
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
@@ -81,18 +84,33 @@ def write(
     strands: Sequence[toolpath.Strand],
     given: Input,
     place: Place,
-) -> int:
-    """Writes strands that are laid out already. Returns the number of points in the file.
+    spacing: float,
+) -> tuple[int, dict[str, Any]]:
+    """Writes strands that are laid out already. Returns the number of points in the file, and the
+    report's "drawing".
+
+    spacing   the least one, in scene units
 
     Raises FileError for what is no drawing.
     """
     kind, values = export.format_of(arguments.output), _values(arguments)
     metres = 1.0 if given.surface_object is None else place.blender(arguments.input).metres()
-    drawing = export.prepared(strands, kind, values, metres)
+    drawing = export.prepared(strands, kind, values, metres, spacing)
     title = arguments.output.stem
     export.write(path, kind, drawing, values, title, core.library_version())
     place.say(f"meander: {drawing.described()}")
-    return drawing.point_count
+    warning = export.crossing_warning(drawing, kind, values)
+    if warning:
+        place.warn(warning)
+    places = drawing.crossings()
+    low, high = drawing.box()
+    return drawing.point_count, {
+        "unit": drawing.unit,
+        "sides": (high - low).tolist(),
+        "length": drawing.length,
+        "crossings": len(places) if drawing.flat else None,
+        "crossing_places": places[:_MOST_PLACES].tolist(),
+    }
 
 
 def _values(arguments: argparse.Namespace) -> dict[str, Any]:

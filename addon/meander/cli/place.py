@@ -8,6 +8,7 @@ command without one refuses what only Blender can do, with a sentence.
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -74,6 +75,10 @@ class Place:
     program: str
     say: Callable[[str], None]
     host: Host | None = None
+
+    def warn(self, sentence: str) -> None:
+        """Prints what somebody should know, also where nothing else is to be printed."""
+        print(f"meander: warning: {sentence}", file=sys.stderr, flush=True)
 
     def blender(self, what: object, reason: str = "") -> Host:
         """Blender. Raises BadInput where there is none.

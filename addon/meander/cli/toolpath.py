@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import export, toolpath
+from ..model import export, thinning, toolpath
 from . import export as export_options
 from . import flags
 from .grown import Grown
@@ -77,8 +77,9 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
 
 def write(
     path: Path, arguments: argparse.Namespace, given: Input, grown: Grown, place: Place
-) -> int:
-    """Writes the curve, resampled as the options say. Returns the number of points in the file."""
+) -> tuple[int, dict[str, Any] | None]:
+    """Writes the curve, resampled as the options say. Returns the number of points in the file, and
+    the report's "drawing", if it is one."""
     strands = toolpath.strands_of(grown.curve, grown.data)
     drawn = export.format_of(arguments.output) is not None
     if drawn:
@@ -90,6 +91,7 @@ def write(
         None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces),
     )
     if drawn:
-        return export_options.write(path, arguments, strands, given, place)
+        spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
+        return export_options.write(path, arguments, strands, given, place, spacing)
     toolpath.write(path, strands, core.library_version())
-    return sum(len(strand.points) for strand in strands)
+    return sum(len(strand.points) for strand in strands), None

@@ -62,7 +62,8 @@ def write_outputs(
     with whole_files([path for path in wanted if path is not None]) as temporary:
         paths = iter(temporary)
         with naming(arguments.output):
-            written, line = _write_curve(next(paths), arguments, given, grown, place)
+            written, line, drawing = _write_curve(next(paths), arguments, given, grown, place)
+        record["drawing"] = drawing
         record["points"] = {"all": len(grown.curve.positions), "written": written}
         if grown.cut is not None:
             with naming(arguments.cut):
@@ -90,16 +91,17 @@ def _lines(
 
 def _write_curve(
     path: Path, arguments: argparse.Namespace, given: Input, grown: Grown, place: Place
-) -> tuple[int, bridges.Joined | None]:
-    """Writes the output in the format of its name, and returns the number of points in it and what
-    was joined."""
+) -> tuple[int, bridges.Joined | None, dict[str, Any] | None]:
+    """Writes the output in the format of its name, and returns the number of points in it, what was
+    joined, and the report's "drawing", if it is one."""
     if arguments.output.suffix.lower() == ".blend":
-        return place.blender(arguments.output).write_scene(path, arguments, given, grown)
+        return *place.blender(arguments.output).write_scene(path, arguments, given, grown), None
     light = light_of(flags.chosen(arguments))
     grown = lightened(grown, arguments.spacing / 2, light)
     if arguments.bridge:
         grown = bridged(grown, given.problem)
     if toolpath_options.is_wanted(arguments.output):
-        return toolpath_options.write(path, arguments, given, grown, place), grown.line
+        written, drawing = toolpath_options.write(path, arguments, given, grown, place)
+        return written, grown.line, drawing
     mesh_files.write_obj_curve(path, grown.curve)
-    return len(grown.curve.positions), grown.line
+    return len(grown.curve.positions), grown.line, None

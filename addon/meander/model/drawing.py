@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .flat_crossings import crossings, segments_of
 from .toolpath import Strand, strand_of
 from .whole_files import FileError
 
@@ -31,11 +32,13 @@ class Drawing:
     """Strands in the unit of a file.
 
     flat   they lie in the plane z = 0, with their lower left corner at the origin
+    spacing   the least spacing of neighbouring strands, in the unit; 0: it is not known
     """
 
     strands: Sequence[Strand]
     unit: str
     flat: bool
+    spacing: float = 0.0
 
     @property
     def millimetres(self) -> float:
@@ -54,6 +57,15 @@ class Drawing:
     def box(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The least and the greatest coordinates, (3,) each."""
         return _box(self.strands)
+
+    def crossings(self) -> NDArray[np.float64]:
+        """The places (k, 2) where a flat drawing crosses itself."""
+        if not self.flat:
+            return np.empty((0, 2))
+        begin, end, _owner = segments_of(
+            [strand.points for strand in self.strands], [strand.closed for strand in self.strands]
+        )
+        return crossings(begin, end)[2]
 
     def described(self) -> str:
         """Its size, strands and points, in words."""
@@ -83,7 +95,13 @@ def axes_of(layout: str) -> tuple[tuple[float, ...], tuple[float, ...]]:
 
 
 def drawing_of(
-    strands: Sequence[Strand], unit: str, metres: float, scale: float, size: float, flat: bool
+    strands: Sequence[Strand],
+    unit: str,
+    metres: float,
+    scale: float,
+    size: float,
+    flat: bool,
+    spacing: float = 0.0,
 ) -> Drawing:
     """Strands in a unit of length.
 
@@ -92,6 +110,7 @@ def drawing_of(
     scale    by which the true size is multiplied
     size     the longest side of the drawing in the unit, instead of the true size; 0: true size
     flat     the strands lie at z = 0 already, and may be moved to the origin
+    spacing  the least spacing, in scene units; 0: it is not known
 
     Raises FileError with one sentence for what is no drawing: no points, points that are not
     numbers, or all of them in one place.
@@ -121,6 +140,7 @@ def drawing_of(
         ],
         unit,
         flat,
+        spacing * factor,
     )
 
 

@@ -5,11 +5,14 @@ from __future__ import annotations
 
 import importlib.util
 import io
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from .drawing import Drawing, ring
-from .toolpath import resampled_by_step
+from .toolpath import Strand, resampled_by_step, strand_of
 from .whole_files import FileError
 
 PACKAGE = "pyembroidery"
@@ -18,6 +21,9 @@ SUFFIXES = (".dst", ".pes")
 # A machine counts in tenths of a millimetre, and its longest stitch is 12.1 mm.
 _TENTHS = 10.0
 LONGEST_STITCH = 12.1
+# How far a stitch may be from the curve unless somebody says so: neighbours are a spacing apart.
+TOLERANCE_OF_SPACING = 0.1
+_MOST_HALVINGS = 12
 # No hoop is wider, in millimetres: a drawing that is has the wrong unit.
 _WIDEST = 1000.0
 
@@ -40,12 +46,55 @@ def missing_text(folder: str | None) -> str:
     )
 
 
-def embroidery_bytes(drawing: Drawing, stitch_length: float, title: str, suffix: str) -> bytes:
+def stitched(drawing: Drawing, stitch_length: float, tolerance: float) -> Drawing:
+    """The thread that follows a flat drawing: straight stitches between its points.
+
+    stitch_length   in millimetres: stitches are equally long along each strand, at most that
+    tolerance       in millimetres: where a stitch would be farther from the strand it is halved,
+                    and again; 0: a tenth of the spacing, if it is known
+    """
+    allowed = tolerance / drawing.millimetres or TOLERANCE_OF_SPACING * drawing.spacing
+    strands = []
+    for strand in drawing.strands:
+        even = resampled_by_step(strand, stitch_length / drawing.millimetres)
+        arcs = np.append(even.arc_lengths, strand.length) if strand.closed else even.arc_lengths
+        if allowed > 0.0:
+            arcs = _halved(strand, arcs, allowed)
+        places = _places(strand, arcs[:-1] if strand.closed else arcs)
+        strands.append(strand_of(places, np.tile([0.0, 0.0, 1.0], (len(places), 1)), strand.closed))
+    return replace(drawing, strands=strands)
+
+
+def _places(strand: Strand, arcs: np.ndarray) -> np.ndarray:
+    """The points of a strand at arc lengths."""
+    knots = np.append(strand.arc_lengths, strand.length) if strand.closed else strand.arc_lengths
+    points = ring(strand)
+    return np.column_stack([np.interp(arcs, knots, points[:, axis]) for axis in range(3)])
+
+
+def _halved(strand: Strand, arcs: np.ndarray, allowed: float) -> np.ndarray:
+    """Arc lengths with others between where the chord from one to the next is too far from the
+    strand."""
+    knots, points = strand.arc_lengths, strand.points
+    for _ in range(_MOST_HALVINGS):
+        places = _places(strand, arcs)
+        piece = np.clip(np.searchsorted(arcs, knots, side="right") - 1, 0, len(arcs) - 2)
+        low, along = places[piece], places[piece + 1] - places[piece]
+        square = np.maximum((along * along).sum(axis=1), np.finfo(float).tiny)
+        share = np.clip(((points - low) * along).sum(axis=1) / square, 0.0, 1.0)
+        far = np.linalg.norm(points - low - share[:, None] * along, axis=1) > allowed
+        if not far.any():
+            break
+        cut = np.unique(piece[far])
+        arcs = np.insert(arcs, cut + 1, (arcs[cut] + arcs[cut + 1]) / 2.0)
+    return arcs
+
+
+def embroidery_bytes(drawing: Drawing, title: str, suffix: str) -> bytes:
     """The file's content: one thread that follows every strand, trimmed between them.
 
-    drawing         flat
-    stitch_length   in millimetres: stitches are equally long along each strand, at most that
-    suffix          one of SUFFIXES
+    drawing   of stitched()
+    suffix    one of SUFFIXES
 
     Raises FileError with one sentence where the package is missing, and for a drawing that is wider
     than any hoop.
@@ -65,9 +114,8 @@ def embroidery_bytes(drawing: Drawing, stitch_length: float, title: str, suffix:
     pattern.add_thread({"hex": "#000000", "name": "Black"})
     pattern.metadata("name", _plain(title))
     for strand in drawing.strands:
-        stitched = resampled_by_step(strand, stitch_length / drawing.millimetres)
         # The y axis of the package points down.
-        places = (ring(stitched) - middle)[:, :2] * [1.0, -1.0] * drawing.millimetres * _TENTHS
+        places = (ring(strand) - middle)[:, :2] * [1.0, -1.0] * drawing.millimetres * _TENTHS
         _add(pattern, places.round().tolist(), pyembroidery)
     pattern.end()
     stream = io.BytesIO()

@@ -63,7 +63,7 @@ FORMATS: tuple[Format, ...] = (
         "Embroidery DST",
         "Stitches, for most machines",
         (".dst",),
-        (*_OF_LAYOUT, "scale", "size", "stitch_length"),
+        (*_OF_LAYOUT, "scale", "size", "stitch_length", "stitch_tolerance"),
         True,
     ),
     Format(
@@ -71,7 +71,7 @@ FORMATS: tuple[Format, ...] = (
         "Embroidery PES",
         "Stitches, for machines of Brother",
         (".pes",),
-        (*_OF_LAYOUT, "scale", "size", "stitch_length"),
+        (*_OF_LAYOUT, "scale", "size", "stitch_length", "stitch_tolerance"),
         True,
     ),
 )
@@ -90,24 +90,49 @@ def is_seen(kind: Format, layout: str) -> bool:
     return layout != "uv" and (kind.flat or layout != "space")
 
 
-def prepared(strands: Sequence[Strand], kind: Format, values: Values, metres: float) -> Drawing:
+def prepared(
+    strands: Sequence[Strand], kind: Format, values: Values, metres: float, spacing: float = 0.0
+) -> Drawing:
     """The drawing that a file of a format holds.
 
     strands   as they are laid: in scene units, at z = 0 where the layout is flat
     values    of export_options.ROWS, by setting
     metres    the length of a scene unit
+    spacing   the least spacing of neighbouring strands, in scene units; 0: it is not known
 
-    Raises FileError with one sentence for what is no drawing.
+    Of an embroidery it is the thread, stitch by stitch. Raises FileError with one sentence for what is no drawing.
     """
     unit = values["unit"] if "unit" in kind.options else "mm"
-    return drawing_of(
+    drawing = drawing_of(
         strands,
         unit,
         metres,
         values["scale"],
         values["size"],
         flat=kind.flat or values["layout_as"] != "space",
+        spacing=spacing,
     )
+    if kind.name in ("DST", "PES"):
+        return embroidery.stitched(drawing, values["stitch_length"], values["stitch_tolerance"])
+    return drawing
+
+
+def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:
+    """What to say of a flat drawing that crosses itself, and what to do; else nothing."""
+    places = drawing.crossings()
+    if not len(places):
+        return ""
+    where = " ".join(f"{value:.4g}" for value in places[0])
+    many = "at 1 place" if len(places) == 1 else f"at {len(places):,} places, the first of them"
+    if values["layout_as"] == "uv":
+        what = "its UV map has parts on top of each other; pack the islands of the map"
+    elif not values["visible_only"]:
+        what = "one layer of the surface lies before another; leave out what is hidden"
+    elif kind.name in ("DST", "PES"):
+        what = "stitches cut corners; choose a smaller stitch tolerance"
+    else:
+        what = "its points are too far apart; choose a smaller tolerance or step"
+    return f"the drawing crosses itself {many} at {where} {drawing.unit}: {what}"
 
 
 def write(
@@ -115,9 +140,7 @@ def write(
 ) -> None:
     """Writes a drawing, whole or not at all. Raises FileError."""
     if kind.name in ("DST", "PES"):
-        content = embroidery.embroidery_bytes(
-            drawing, values["stitch_length"], title, kind.suffixes[0]
-        )
+        content = embroidery.embroidery_bytes(drawing, title, kind.suffixes[0])
     elif kind.name == "SVG":
         content = svg_text(drawing, values["line_width"], title, version).encode("utf-8")
     elif kind.name == "DXF":

@@ -281,4 +281,22 @@ ROWS: tuple[Option, ...] = (
             entry="stitch_length",
         ),
     ),
+    Option(
+        "stitch_tolerance",
+        "Stitch Tolerance",
+        "How far a stitch of an embroidery may be from the curve, in millimetres: stitches are "
+        "shorter in turns. 0 is a tenth of the spacing",
+        PANEL,
+        default=0.0,
+        least=0.0,
+        soft_greatest=1.0,
+        flag=Flag(
+            "--stitch-tolerance",
+            "how far a stitch may be from the curve, in mm; default: a tenth of the spacing",
+            GROUP,
+            "D",
+            above=0.0,
+            entry="stitch_tolerance",
+        ),
+    ),
 )

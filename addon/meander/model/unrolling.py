@@ -8,11 +8,13 @@ sides of a seam becomes several open strands.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .drawing import ring
+from .flat_crossings import crossings, segments_of
 from .toolpath import Mesh, Strand, strand_of
 
 # The triangle nearest to each point and the weights of its corners.
@@ -23,6 +25,8 @@ Nearest = Callable[[NDArray[np.float64]], tuple[NDArray[np.int64], NDArray[np.fl
 _ON = 1e-4
 # Two places of the map are one if they are no farther apart than this share of a triangle's side.
 _SAME = 1e-3
+# Room between islands that are laid side by side, as a share of the drawing's width.
+_MARGIN = 0.05
 # Pieces that pass over several triangles are halved so often at most.
 _MOST_HALVINGS = 12
 
@@ -32,20 +36,87 @@ def unrolled(
 ) -> list[Strand]:
     """The strands in the plane z = 0, in their order, enlarged so that areas are the surface's.
 
+    Where islands of the map lie on top of each other, so that what is on them would cross, they are
+    laid side by side.
+
     strands   with faces, whose pieces may pass over several triangles where `nearest` is given
     uv        (faces, 3, 2), the map at the corners of the mesh's triangles
     nearest   finds points on the mesh; None: every piece lies in one triangle
     """
     scale = _scale(mesh, uv)
-    flat = []
+    island = _islands(mesh, uv)
+    flat: list[tuple[Strand, int]] = []
     for strand in strands:
         points, faces = ring(strand), strand.faces
         if strand.closed:
             faces = np.append(faces, faces[:1])
         points, faces = _divided(points, faces, mesh, nearest)
-        runs = _runs(*_in_the_map(points, faces, mesh, uv))
-        flat += [_strand(run * scale, closed) for run, closed in _joined(runs, strand.closed)]
-    return [strand for strand in flat if strand is not None]
+        begin, end, small, held = _in_the_map(points, faces, mesh, uv)
+        runs = _runs(begin, end, small, island[held])
+        for run, closed, of in _joined(runs, strand.closed):
+            made = _strand(run * scale, closed)
+            if made is not None:
+                flat.append((made, of))
+    return _apart(flat)
+
+
+def _islands(mesh: Mesh, uv: NDArray[np.float64]) -> NDArray[np.int64]:
+    """The island of the map that each triangle is a part of, named by its first triangle: triangles
+    that have an edge in common in the map too, and are not folded onto each other there."""
+    count = len(mesh.faces)
+    faces = mesh.faces.astype(np.int64)
+    ends = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    places = np.stack([uv, np.roll(uv, -1, axis=1)], axis=2).reshape(-1, 2, 2)
+    turned = ends[:, 0] > ends[:, 1]
+    ends[turned], places[turned] = ends[turned, ::-1], places[turned, ::-1]
+    order = np.lexsort((ends[:, 1], ends[:, 0]))
+    one, other = order[:-1], order[1:]
+    u, v = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
+    side = np.sign(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    small = _SAME * np.linalg.norm(uv - np.roll(uv, 1, axis=1), axis=2).max(axis=1)
+    near = np.linalg.norm(places[one] - places[other], axis=2).max(axis=1) <= small[one // 3]
+    joined = (ends[one] == ends[other]).all(axis=1) & near & (side[one // 3] == side[other // 3])
+    a, b = one[joined] // 3, other[joined] // 3
+    label = np.arange(count)
+    while True:
+        least = np.minimum(label[a], label[b])
+        new = label.copy()
+        np.minimum.at(new, label[a], least)
+        np.minimum.at(new, label[b], least)
+        new = new[new]
+        if np.array_equal(new, label):
+            return label
+        label = new
+
+
+def _apart(flat: list[tuple[Strand, int]]) -> list[Strand]:
+    """Strands on islands, those islands moved to the side whose strands would cross others'."""
+    strands = [strand for strand, _island in flat]
+    if len({island for _strand, island in flat}) < 2:
+        return strands
+    islands = np.array([island for _strand, island in flat])
+    begin, end, owner = segments_of(
+        [strand.points for strand in strands], [strand.closed for strand in strands]
+    )
+    first, second, _places = crossings(begin, end)
+    a, b = islands[owner[first]], islands[owner[second]]
+    conflicts: dict[int, set[int]] = {}
+    for one, other in np.unique(np.column_stack([a, b])[a != b], axis=0).tolist():
+        conflicts.setdefault(one, set()).add(other)
+        conflicts.setdefault(other, set()).add(one)
+    if not conflicts:
+        return strands
+    sheet: dict[int, int] = {}
+    for island in sorted(set(islands.tolist())):  # on the first sheet where nothing is in the way
+        taken = {sheet[other] for other in conflicts.get(island, ()) if other in sheet}
+        sheet[island] = next(n for n in range(len(taken) + 1) if n not in taken)
+    low = np.min([strand.points.min(axis=0) for strand in strands], axis=0)
+    high = np.max([strand.points.max(axis=0) for strand in strands], axis=0)
+    step = np.array([(1.0 + _MARGIN) * (high - low)[0], 0.0, 0.0])
+    return [
+        replace(strand, points=strand.points + sheet[island] * step)
+        for strand, island in flat
+    ]
 
 
 def _scale(mesh: Mesh, uv: NDArray[np.float64]) -> float:
@@ -77,9 +148,9 @@ def _divided(
 
 def _in_the_map(
     points: np.ndarray, faces: np.ndarray, mesh: Mesh, uv: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Every piece as one or two in the map: their begins and ends, (n, 2), and a length that is
-    nothing there."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Every piece as one or two in the map: their begins and ends, (n, 2), a length that is
+    nothing there, and the triangles that carry them."""
     here, there = faces[:-1], faces[1:]
     begin, end = points[:-1], points[1:]
     in_here = (here == there) | _holds(end, here, mesh)
@@ -97,27 +168,37 @@ def _in_the_map(
     both = np.stack([parts, more], axis=1).reshape(-1, 2, 2)
     sides = np.linalg.norm(uv - np.roll(uv, 1, axis=1), axis=2).max(axis=1)
     small = _SAME * np.column_stack([sides[face_1], sides[face_2]]).reshape(-1)
-    return both[:, 0], both[:, 1], small
+    return both[:, 0], both[:, 1], small, np.column_stack([face_1, face_2]).reshape(-1)
 
 
-def _runs(begin: np.ndarray, end: np.ndarray, small: np.ndarray) -> list[np.ndarray]:
-    """Polylines of pieces that continue one another."""
+def _runs(
+    begin: np.ndarray, end: np.ndarray, small: np.ndarray, island: np.ndarray
+) -> list[tuple[np.ndarray, int]]:
+    """Polylines of pieces that continue one another on one island, and the islands."""
     apart = np.linalg.norm(begin[1:] - end[:-1], axis=1) > np.maximum(small[1:], small[:-1])
+    apart |= island[1:] != island[:-1]
     cuts = [0, *(np.flatnonzero(apart) + 1).tolist(), len(begin)]
-    return [np.vstack([begin[a:b], end[b - 1 : b]]) for a, b in zip(cuts[:-1], cuts[1:])]
+    return [
+        (np.vstack([begin[a:b], end[b - 1 : b]]), int(island[a]))
+        for a, b in zip(cuts[:-1], cuts[1:])
+    ]
 
 
-def _joined(runs: list[np.ndarray], closed: bool) -> list[tuple[np.ndarray, bool]]:
+def _joined(
+    runs: list[tuple[np.ndarray, int]], closed: bool
+) -> list[tuple[np.ndarray, bool, int]]:
     """The runs of a closed strand begin in the middle of one: its halves are put together."""
+    whole = [(run, False, island) for run, island in runs]
     if not closed:
-        return [(run, False) for run in runs]
-    first, last = runs[0], runs[-1]
+        return whole
+    (first, island), (last, other) = runs[0], runs[-1]
     gap = np.linalg.norm(first[0] - last[-1])
-    if gap > _SAME * max(float(np.ptp(np.vstack(runs), axis=0).max()), 1e-300):
-        return [(run, False) for run in runs]
+    size = float(np.ptp(np.vstack([run for run, _island in runs]), axis=0).max())
+    if island != other or gap > _SAME * max(size, 1e-300):
+        return whole
     if len(runs) == 1:
-        return [(first[:-1], True)]
-    return [(np.vstack([last[:-1], first]), False), *((run, False) for run in runs[1:-1])]
+        return [(first[:-1], True, island)]
+    return [(np.vstack([last[:-1], first]), False, island), *whole[1:-1]]
 
 
 def _strand(points: np.ndarray, closed: bool) -> Strand | None:

@@ -165,11 +165,15 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             if kind is None:
                 text = self._write_table(path, context)
             else:
-                text = self._write_drawing(path, kind, context).described()
+                drawing = self._write_drawing(path, kind, context)
+                text = drawing.described()
+                warning = export.crossing_warning(drawing, kind, self.option_values())
         except (DataError, core.MeanderError, FileError) as error:
             self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
         self.report({"INFO"}, f"{path.name}: {text}")
+        if kind is not None and warning:
+            self.report({"WARNING"}, sentence_of(warning))
         return {"FINISHED"}
 
     def _take_format_of_name(self) -> None:
@@ -211,7 +215,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         strands = self._laid_out(kind, values, context)
         if kind.name not in ("DST", "PES"):
             strands = self._resampled(strands, None)
-        drawing = export.prepared(strands, kind, values, metres_of(context.scene))
+        spacing = context.active_object.meander.figures.least_spacing
+        drawing = export.prepared(strands, kind, values, metres_of(context.scene), spacing)
         export.write(path, kind, drawing, values, title, core.VERSION)
         return drawing
 

@@ -71,6 +71,7 @@ class SplitSearch {
     }
     first_side_.push_back(static_cast<uint32_t>(ends.size()));
     if (ends.empty()) return;
+    distance_ = *std::max_element(reach_.begin(), reach_.end());  // however large the one that is asked for is
     cell_ = std::max({length / static_cast<double>(boundary_.size()), distance_, 1e-6 * extent});
   }
 
