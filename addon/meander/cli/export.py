@@ -5,16 +5,23 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from .. import core
 from ..model import embroidery, export, toolpath
-from ..model.drawing import axes_of, seen_along
+from ..model.drawing import UNITS, Drawing, axes_of, seen_along
 from ..model.export_options import GROUP, ROWS
 from . import flags
 from .input import Input
 from .place import Place
+from .values import BadInput
+
+# The units that a mesh file may be in, in metres.
+MESH_UNITS = UNITS | {"m": 1.0}
 
 # A report names so many places where a drawing crosses itself.
 _MOST_PLACES = 20
@@ -25,6 +32,16 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         GROUP, f"How the curve is drawn in an --output of kind {', '.join(export.SUFFIXES)}."
     )
     flags.add_flags(group, GROUP, ROWS)
+    group.add_argument(
+        "--input-unit",
+        choices=tuple(MESH_UNITS),
+        help="the unit of length of the mesh file, which does not say it; default: m",
+    )
+    group.add_argument(
+        "--input-up",
+        choices=("y", "z"),
+        help="which axis of the mesh file points up in the layouts; default: z",
+    )
     group.add_argument(
         "--layout-map", metavar="NAME", help="the UV map of --layout uv; default: the active one"
     )
@@ -38,6 +55,14 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         given = getattr(arguments, row.flag.destination) not in (None, False)
         if given and (kind is None or row.setting not in kind.options):
             return f"{row.flag.name} does nothing for an --output of kind {suffix}; leave it out"
+    for name in ("input_unit", "input_up"):
+        option = f"--{name.replace('_', '-')}"
+        if getattr(arguments, name) is None:
+            continue
+        if kind is None:
+            return f"{option} does nothing for an --output of kind {suffix}; leave it out"
+        if arguments.input.suffix.lower() == ".blend":
+            return f"{option} is for mesh files, and a .blend knows its own; leave it out"
     if arguments.layout == "view":
         return "--layout view needs a window; choose space, top, front, side or uv"
     if arguments.layout == "uv" and arguments.input.suffix.lower() != ".blend":
@@ -59,7 +84,12 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     found = {
         row.flag.entry: values[row.setting] if row.setting in taken else None for row in ROWS
     }
-    return found | {"layout_map": arguments.layout_map}
+    of_file = kind is not None and arguments.input.suffix.lower() != ".blend"
+    return found | {
+        "layout_map": arguments.layout_map,
+        "input_unit": (arguments.input_unit or "m") if of_file else None,
+        "input_up": (arguments.input_up or "z") if of_file else None,
+    }
 
 
 def laid(
@@ -73,9 +103,49 @@ def laid(
         return host.unrolled(strands, given, arguments.layout_map or "")
     if arguments.visible_only:
         strands = place.blender("--visible-only").visible(strands, layout, given)
+    if arguments.input_up == "y":
+        strands = [_turned_up(strand) for strand in strands]
     if not export.is_seen(kind, layout):
         return list(strands)
     return seen_along(strands, *axes_of(layout))
+
+
+def _turned_up(strand: toolpath.Strand) -> toolpath.Strand:
+    """A strand of a mesh whose y axis points up, as one whose z axis does: y becomes z."""
+    turn = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+    return replace(
+        strand,
+        points=strand.points @ turn.T,
+        normals=strand.normals @ turn.T,
+        tangents=strand.tangents @ turn.T,
+    )
+
+
+def _refuse_unusable(
+    drawing: Drawing,
+    arguments: argparse.Namespace,
+    strands: Sequence[toolpath.Strand],
+    given: Input,
+) -> None:
+    """Raises BadInput for what no machine could take.
+
+    strands   in space, as they were before they were laid
+    """
+    problem = None if arguments.force else export.unusable(drawing)
+    if problem is None:
+        return
+    of_file = given.surface_object is None
+    if problem.edge:
+        better = export.better_layout(strands)
+        ways = f"choose --layout {better}"
+        if of_file:
+            up = "z" if arguments.input_up == "y" else "y"
+            ways += f", or --input-up {up} where that axis of the file points up"
+    else:
+        ways = "choose a --size or --scale"
+        if of_file:
+            ways = f"say by --input-unit what the file is in, or {ways}"
+    raise BadInput(f"the drawing {problem.what}; {ways}, or --force to write it")
 
 
 def write(
@@ -85,17 +155,23 @@ def write(
     given: Input,
     place: Place,
     spacing: float,
+    in_space: Sequence[toolpath.Strand],
 ) -> tuple[int, dict[str, Any]]:
     """Writes strands that are laid out already. Returns the number of points in the file, and the
     report's "drawing".
 
-    spacing   the least one, in scene units
+    spacing    the least one, in scene units
+    in_space   the strands before they were laid out
 
-    Raises FileError for what is no drawing.
+    Raises FileError for what is no drawing, and BadInput for one that no machine could take.
     """
     kind, values = export.format_of(arguments.output), _values(arguments)
-    metres = 1.0 if given.surface_object is None else place.blender(arguments.input).metres()
+    if given.surface_object is None:
+        metres = MESH_UNITS[arguments.input_unit or "m"]
+    else:
+        metres = place.blender(arguments.input).metres()
     drawing = export.prepared(strands, kind, values, metres, spacing)
+    _refuse_unusable(drawing, arguments, in_space, given)
     title = arguments.output.stem
     export.write(path, kind, drawing, values, title, core.library_version())
     place.say(f"meander: {drawing.described()}")

@@ -34,6 +34,12 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="D",
         help="as few points as keep the chords between them this near the curve",
     )
+    add(
+        "--lines",
+        choices=("strands", "pairs"),
+        help="an --output of kind .obj has one l line for each strand, or for each pair of points, "
+        "which is all that Blender 3.4 reads of a line; default: strands",
+    )
     flags.add_flags(
         parser.add_argument_group("light results", "How many points the curve keeps."),
         "light results",
@@ -56,6 +62,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--resample-step and --chord-tolerance are both given; choose one"
     if given and not is_wanted(arguments.output):
         return f"{given[0]} needs an --output for machines, such as .csv, .json or .svg"
+    if arguments.lines is not None and arguments.output.suffix.lower() != ".obj":
+        return "--lines is for an --output of kind .obj; leave it out"
     if arguments.points is not None and arguments.output.suffix.lower() != ".blend":
         return "--points needs an --output of kind .blend; .csv and .json have the same in columns"
     return None
@@ -72,6 +80,7 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
         "resample_step": arguments.resample_step,
         "chord_tolerance": arguments.chord_tolerance,
         "points": arguments.points,
+        "lines": arguments.lines or ("strands" if arguments.output.suffix.lower() == ".obj" else None),
     }
 
 
@@ -80,7 +89,7 @@ def write(
 ) -> tuple[int, dict[str, Any] | None]:
     """Writes the curve, resampled as the options say. Returns the number of points in the file, and
     the report's "drawing", if it is one."""
-    strands = toolpath.strands_of(grown.curve, grown.data)
+    strands = in_space = toolpath.strands_of(grown.curve, grown.data)
     drawn = export.format_of(arguments.output) is not None
     if drawn:
         strands = export_options.laid(strands, arguments, given, place)
@@ -92,6 +101,6 @@ def write(
     )
     if drawn:
         spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
-        return export_options.write(path, arguments, strands, given, place, spacing)
+        return export_options.write(path, arguments, strands, given, place, spacing, in_space)
     toolpath.write(path, strands, core.library_version())
     return sum(len(strand.points) for strand in strands), None

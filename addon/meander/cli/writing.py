@@ -103,5 +103,5 @@ def _write_curve(
     if toolpath_options.is_wanted(arguments.output):
         written, drawing = toolpath_options.write(path, arguments, given, grown, place)
         return written, grown.line, drawing
-    mesh_files.write_obj_curve(path, grown.curve)
+    mesh_files.write_obj_curve(path, grown.curve, pairs=arguments.lines == "pairs")
     return len(grown.curve.positions), grown.line, None

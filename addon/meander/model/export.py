@@ -7,8 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 
+import numpy as np
+
 from . import embroidery
-from .drawing import Drawing, drawing_of
+from .drawing import VIEWS, Drawing, drawing_of
 from .dxf import dxf_text
 from .export_options import ROWS
 from .gcode import Motion, gcode_text
@@ -17,7 +19,14 @@ from .svg import svg_text
 from .toolpath import Strand
 from .whole_files import whole_file
 
-_OF_LAYOUT = ("layout_as", "visible_only")
+# No plotter, laser or mill is wider, in millimetres.
+_WIDEST = 10_000.0
+# A drawing is seen edge on where it is this much narrower than wide, though the line in it is so
+# many times as long.
+_EDGE = 1e-4
+_FOLDED = 3.0
+
+_OF_LAYOUT = ("layout_as", "visible_only", "force")
 _OF_SIZE = (*_OF_LAYOUT, "unit", "scale", "size")
 _OF_MOTION = tuple(field.name for field in fields(Motion))
 
@@ -115,6 +124,43 @@ def prepared(
     if kind.name in ("DST", "PES"):
         return embroidery.stitched(drawing, values["stitch_length"], values["stitch_tolerance"])
     return drawing
+
+
+@dataclass(frozen=True)
+class Unusable:
+    """Why no machine could take a drawing.
+
+    what   as the middle of a sentence
+    edge   whether it is seen edge on, and not too large
+    """
+
+    what: str
+    edge: bool
+
+
+def unusable(drawing: Drawing) -> Unusable | None:
+    """Whether a drawing is larger than any machine, or a surface that is seen edge on."""
+    low, high = drawing.box()
+    sides = (high - low)[:2] if drawing.flat else high - low
+    widest = float(sides.max())
+    if widest * drawing.millimetres > _WIDEST:
+        text = f"would be {widest * drawing.millimetres / 1000.0:,.4g} m wide"
+        return Unusable(f"{text}, which no machine can take", False)
+    # A straight line is as flat, but no longer than its drawing is wide.
+    if drawing.flat and sides.min() < _EDGE * widest and drawing.length > _FOLDED * widest:
+        size = " x ".join(f"{side:.4g}" for side in sides)
+        return Unusable(f"is seen edge on: {size} {drawing.unit}", True)
+    return None
+
+
+def better_layout(strands: Sequence[Strand]) -> str:
+    """The layout of drawing.VIEWS in which strands in space have the largest area."""
+    points = np.concatenate([strand.points for strand in strands])
+
+    def area(layout: str) -> float:
+        return float(np.prod(np.ptp(points @ np.transpose(VIEWS[layout]), axis=0)))
+
+    return max(VIEWS, key=area)
 
 
 def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:

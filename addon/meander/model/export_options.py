@@ -262,6 +262,20 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "force",
+        "Write Anyway",
+        "Write a drawing that no machine can take: wider than 10 m, or seen edge on",
+        PANEL,
+        kind=bool,
+        default=False,
+        flag=Flag(
+            "--force",
+            "write a drawing that no machine can take: wider than 10 m, or seen edge on",
+            GROUP,
+            entry="force",
+        ),
+    ),
+    Option(
         "stitch_length",
         "Stitch Length",
         "Longest stitch of an embroidery, in millimetres",

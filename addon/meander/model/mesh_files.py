@@ -177,8 +177,11 @@ def _chain(
     return strands, closed
 
 
-def write_obj_curve(path: str | Path, polylines: Polylines) -> None:
+def write_obj_curve(path: str | Path, polylines: Polylines, pairs: bool = False) -> None:
     """Writes a curve as `v` lines and one `l` line per strand, atomically.
+
+    pairs   one `l` line per piece instead: of longer lines the importer of Blender 3.4 reads the
+            first piece only
 
     A closed strand ends with its first index again. 17 significant digits, so that reading gives
     the same doubles.
@@ -193,6 +196,9 @@ def write_obj_curve(path: str | Path, polylines: Polylines) -> None:
         indices = list(range(start + 1, stop + 1))
         if closed:
             indices.append(start + 1)
-        text.append("l " + " ".join(map(str, indices)) + "\n")
+        if pairs:
+            text += [f"l {a} {b}\n" for a, b in zip(indices[:-1], indices[1:])]
+        else:
+            text.append("l " + " ".join(map(str, indices)) + "\n")
     with whole_file(Path(path)) as temporary:
         temporary.write_text("".join(text), encoding="ascii", newline="\n")

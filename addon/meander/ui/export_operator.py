@@ -217,6 +217,10 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             strands = self._resampled(strands, None)
         spacing = context.active_object.meander.figures.least_spacing
         drawing = export.prepared(strands, kind, values, metres_of(context.scene), spacing)
+        problem = None if values["force"] else export.unusable(drawing)
+        if problem is not None:
+            way = "choose another Layout" if problem.edge else "choose a Size, or a smaller Scale"
+            raise FileError(f"The drawing {problem.what}; {way}, or Write Anyway")
         export.write(path, kind, drawing, values, title, core.VERSION)
         return drawing
 
