@@ -249,3 +249,39 @@ def test_seed_arrays_that_disagree(square: core.Surface) -> None:
         )
         error = refused(core.Flow, square, options_with(), seed)
         assert error.status == core.Status.INVALID_SEED
+
+
+@pytest.mark.parametrize(
+    "vertices",
+    [
+        [[0, 0, 0], [1, 0, 0], [1, 1]],
+        [[0, 0, 0], [1, 0, 0], "far"],
+        [["a", "b", "c"]] * 3,
+        [[None, None, None]] * 3,
+        [[0, 0, 1j]] * 3,
+        np.array([[1, 2, 3], [4, 5]], dtype=object),
+        {"x": 1},
+        None,
+        "vertices",
+        [[[0, 0, 0]]],
+        np.zeros((3, 3), dtype="M8[s]"),
+        object(),
+    ],
+)
+def test_arrays_that_are_none(vertices) -> None:
+    """Ragged ones and ones without numbers are a sentence of ours, wherever an array is taken."""
+    faces = [[0, 1, 2]]
+    refused(core.Surface, vertices, faces)
+    refused(core.Surface, SQUARE, vertices)
+    refused(core.find_faults, vertices, faces)
+    refused(core.triangulated, vertices, [0, 1, 2], [3])
+    if vertices is not None:
+        refused(core.Surface, SQUARE, faces, core.SurfaceOptions(vertex_mask=vertices))
+    with core.Surface(SQUARE, faces) as surface:
+        options = core.default_options()
+        options.radius = 0.2
+        if vertices is not None:
+            refused(core.Flow, surface, options, None, vertices)
+            refused(surface.extent, vertices)
+        refused(core.Flow, surface, options, core.Seed(vertices, [0, 3], [0]))
+        refused(surface.extended_directions, vertices, [0, 3])

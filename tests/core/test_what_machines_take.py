@@ -281,3 +281,25 @@ def test_a_run_says_why_there_are_several_lines(tmp_path: Path, capsys) -> None:
     given[1] = str(ball)
     assert batch.main([*given, "--seed", str(seed)]) == 0
     assert "2 lines: the seed has as many strands" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("letter", ["\x01", "\x1f", "\x0b", "\ufffe", "\udc80", "&<\"'"])
+def test_any_name_gives_a_drawing_that_can_be_read(tmp_path: Path, letter: str) -> None:
+    from xml.etree import ElementTree
+
+    name = f"a{letter}b.svg"
+    sheet = written(tmp_path / "sheet.obj", geometry.grid(4))
+    try:
+        tmp_path.joinpath(name).touch()
+    except (OSError, ValueError):
+        pytest.skip("no file can be called so here")
+    given = ["--input", str(sheet), "--output", str(tmp_path / name), "--spacing", "0.3"]
+    assert batch.main([*given, "--report", str(tmp_path / "r.json"), "--iterations", "2"]) == 0
+    tree = ElementTree.parse(tmp_path / name)
+    (title,) = tree.iter("{http://www.w3.org/2000/svg}title")
+    assert title.text.startswith("a") and title.text.endswith("b")
+    json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
+    for suffix in ("gcode", "dxf"):
+        given[3] = str(tmp_path / f"a{letter}b.{suffix}")
+        assert batch.main([*given, "--quiet", "--iterations", "2"]) == 0
+        assert Path(given[3]).read_bytes().isascii()

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 from meander.jobs import command, job_file, options
+from meander.jobs import items as items_module
 from meander.jobs.items import items_of
 from meander.jobs.job_file import JobError
 from sentences import assert_sentence
@@ -326,3 +327,26 @@ def test_slurm_gets_no_more_tasks_than_items(items, job, capsys):
     script = capsys.readouterr().out
     assert "#SBATCH --array=1-2\n" in script
     assert "--mem" not in script and "--time" not in script
+
+
+def test_names_that_differ_in_capitals_only_are_two_files_everywhere(items, job):
+    """On Windows and macOS "Leaf" and "leaf" are one file, and so are two ways to write "é"."""
+    job.meshes(Leaf="ok", leaf="ok", LEAF="ok", other="ok")
+    found = items(SPACING + '[[items]]\ninput = "meshes/[Ll]*.obj"\n')
+    names = [item.name for item in found]
+    assert sorted(names) == sorted(["LEAF", "Leaf-2", "leaf-3"])
+    written = [str(path).casefold() for item in found for path in (*item.written, item.log)]
+    assert len(set(written)) == len(written)
+    again = items(SPACING + '[[items]]\ninput = "meshes/[Ll]*.obj"\n')
+    assert [item.name for item in again] == names
+    job.meshes(**{"e\u0301": "ok", "\u00e9": "ok"})
+    found = items(
+        SPACING + '[[items]]\ninput = ["meshes/e\u0301.obj", "meshes/\u00e9.obj"]\n'
+    )
+    assert len({items_module.one_file(item.name) for item in found}) == 2
+
+
+def test_outputs_that_differ_in_capitals_only_are_refused(refused, job):
+    job.meshes(Leaf="ok", leaf="ok")
+    text = SPACING + '[[items]]\ninput = "meshes/[Ll]eaf.obj"\noutput = "{stem}.svg"\n'
+    assert "put {name} into the output" in refused(text)

@@ -270,3 +270,20 @@ def test_a_folder_that_was_copied_is_still_done(job, tmp_path):
     job.file, job.folder = copy / job.file.name, copy
     assert job.run().returncode == 0
     assert job.runs == []
+
+
+def test_letters_that_a_console_does_not_know(job):
+    """A failure with an umlaut and worse, in a system whose output is ASCII."""
+    said = "the mesh 'Würfel \u2192 \u7403' has no faces; choose another"
+    job.meshes(**{"a": f"refuse {said}", "Grüße": "ok"})
+    job.fill_all()
+    ascii_only = {
+        **job.environment, "PYTHONIOENCODING": "ascii", "LC_ALL": "C.UTF-8", "PYTHONUTF8": "0",
+    }  # fmt: skip
+    listed = subprocess.run(job.command("--list"), capture_output=True, env=ascii_only)
+    assert listed.returncode == 0, listed.stderr
+    assert b"Gr\\xfc\\xdfe" in listed.stdout
+    done = subprocess.run(job.command(), capture_output=True, env=ascii_only)
+    assert done.returncode == 1 and b"Traceback" not in done.stderr
+    assert b"W\\xfcrfel \\u2192 \\u7403" in done.stdout + done.stderr
+    assert "Würfel \u2192 \u7403" in (job.results / "a.log").read_text(encoding="utf-8")

@@ -288,8 +288,17 @@ def checked_array(name: str, value: ArrayLike, dtype: type, columns: int | None)
     Numbers that the dtype cannot hold are refused rather than wrapped: a face index of -1
     must not become 4294967295.
     """
-    array = np.asarray(value)
     shape = "(n,)" if columns is None else f"(n, {columns})"
+    try:
+        array = np.asarray(value)
+    except ValueError:  # as numpy says it, for people who know numpy
+        raise MeanderError(
+            f"{name} must be an array of shape {shape}, but its rows have different lengths"
+        ) from None
+    if array.dtype == object:
+        raise MeanderError(
+            f"{name} must be an array of numbers of shape {shape}; it holds something that is none"
+        )
     fits = array.ndim == 1 if columns is None else array.ndim == 2 and array.shape[1] == columns
     if not fits:
         raise MeanderError(f"{name} must be an array of shape {shape}, not {array.shape}")

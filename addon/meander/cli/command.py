@@ -17,6 +17,7 @@ from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
 from . import cut, limits, preparation
+from .any_letters import print_any_letters
 from .arguments import check_arguments, parser
 from .flags import flow_options
 from .grown import grown_of
@@ -151,6 +152,7 @@ def main(argv: Sequence[str], place: Place) -> int:
     sentence on stderr and every output file as it was; 1 a defect, with a traceback; 130
     interrupted from the keyboard, with every output file as it was.
     """
+    print_any_letters()
     try:
         _process(argv, place)
     except (BadInput, core.MeanderError, FileError) as problem:

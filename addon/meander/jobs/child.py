@@ -15,6 +15,8 @@ from .job_file import JobError
 
 _ON_WINDOWS = os.name == "nt"
 _MEGABYTE = 1_000_000
+# The log is read as UTF-8, whatever the console of this system is in.
+_IN_UTF_8 = {"PYTHONUTF8": "1", "PYTHONIOENCODING": "utf-8:backslashreplace"}
 # What the library says, and what Python does, of memory that they were not given.
 _NO_MEMORY = re.compile(r"meander: There is not enough memory|MemoryError")
 _SIGNALS = {int(number): number.name for number in signal.Signals}
@@ -62,7 +64,7 @@ class Child:
                     stdin=subprocess.DEVNULL,
                     stdout=output,
                     stderr=subprocess.STDOUT,
-                    env={**os.environ, **environment},
+                    env={**os.environ, **_IN_UTF_8, **environment},
                     **options,
                 )
         except OSError as problem:

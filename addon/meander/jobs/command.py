@@ -12,6 +12,7 @@ import traceback
 from collections.abc import Sequence
 from pathlib import Path
 
+from ..cli.any_letters import print_any_letters
 from ..cli.values import BadInput, Parser, reader
 from ..model.whole_files import FileError
 from . import engine
@@ -32,6 +33,7 @@ def main(argv: Sequence[str]) -> int:
 
     argv   its arguments
     """
+    print_any_letters()
     try:
         return _run(_parser().parse_args(argv))
     except (BadInput, JobError, FileError) as problem:

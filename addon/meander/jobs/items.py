@@ -6,8 +6,10 @@ from __future__ import annotations
 import argparse
 import fnmatch
 import glob
+import itertools
 import os
 import re
+import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -59,11 +61,11 @@ def items_of(job: JobFile, meshes: Meshes) -> list[Item]:
     for number, table in enumerate(job.items, 1):
         where = f"{job.path.name}: [[items]] number {number}"
         merged = defaults | options.check_keys(where, table)
-        for item in _expanded(job, where, merged, meshes):
-            if item.name in named:
-                other = named[item.name]
+        for item in _expanded(job, where, merged, meshes, named):
+            other = named.get(one_file(item.name))
+            if other is not None:
                 raise JobError(f"{where}: {_one_name(item.name, other.options, item.options)}")
-            named[item.name] = item
+            named[one_file(item.name)] = item
     items = list(named.values())
     _check_paths(items)
     return items
@@ -88,8 +90,19 @@ def shard_of(items: list[Item], number: int, count: int) -> list[Item]:
     return items[number - 1 :: count]
 
 
-def _expanded(job: JobFile, where: str, table: dict[str, Any], meshes: Meshes) -> Iterable[Item]:
-    """The items that one table of the file stands for."""
+def one_file(path: str) -> str:
+    """What names have in common that are one file where a system does not tell capitals from small
+    letters, or letters with accents from letters and accents."""
+    return unicodedata.normalize("NFC", unicodedata.normalize("NFC", path).casefold())
+
+
+def _expanded(
+    job: JobFile, where: str, table: dict[str, Any], meshes: Meshes, named: Mapping[str, Item]
+) -> Iterable[Item]:
+    """The items that one table of the file stands for.
+
+    named   those that are there already, by one_file() of their names
+    """
     if "input" not in table:
         raise JobError(f"{where}: the input is missing; name a file, or several by a pattern")
     frames = _frames(where, table)
@@ -97,7 +110,7 @@ def _expanded(job: JobFile, where: str, table: dict[str, Any], meshes: Meshes) -
     for path in _files(job, where, texts(where, "input", table["input"])):
         for name in _objects(where, path, patterns, meshes):
             for frame in frames:
-                yield _item(job, where, table, path, name, frame)
+                yield _item(job, where, table, path, name, frame, named)
 
 
 def _files(job: JobFile, where: str, patterns: list[str]) -> list[Path]:
@@ -177,6 +190,7 @@ def _item(
     path: Path,
     object_name: str | None,
     frame: int | None,
+    named: Mapping[str, Item],
 ) -> Item:
     values = {
         "stem": _as_part(path.stem),
@@ -186,6 +200,7 @@ def _item(
         "frame": "" if frame is None else frame,
     }
     name = _filled(where, "name", table.get("name", _usual_name(object_name, frame)), values)
+    name = _apart(name, named)
     where = f"{where} ({name})"
     chosen = {key: table[key] for key in table if key not in options.OWN_KEYS}
     chosen["input"] = str(path)
@@ -215,6 +230,16 @@ def _item(
         beside.with_name(f"{beside.name}.log"),
         **limits,
     )
+
+
+def _apart(name: str, named: Mapping[str, Item]) -> str:
+    """A name, with a number behind it where another differs from it in capitals only: what they
+    write would be one file on some systems, and has the same name on all."""
+    other = named.get(one_file(name))
+    if other is None or other.name == name:
+        return name
+    numbers = itertools.count(2)
+    return next(new for k in numbers if one_file(new := f"{name}-{k}") not in named)
 
 
 def _usual_name(object_name: str | None, frame: int | None) -> str:
@@ -260,10 +285,10 @@ def _check_paths(items: list[Item]) -> None:
     read: dict[str, Item] = {}
     written: dict[str, Item] = {}
     for item in items:
-        read.update((os.path.realpath(path), item) for path in options.files_read(item.options))
+        read.update((one_file(os.path.realpath(path)), item) for path in options.files_read(item.options))
     for item in items:
         for path in (*item.written, item.log):
-            place = os.path.realpath(path)
+            place = one_file(os.path.realpath(path))
             if place in read:
                 raise JobError(
                     f"{item.name} would overwrite {path}, from which {read[place].name} is made; "

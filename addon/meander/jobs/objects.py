@@ -59,7 +59,7 @@ class Meshes:
         command = [*self._blender, "--python-exit-code", "1", "--python", str(_SCRIPT), "--"]
         try:
             done = subprocess.run(
-                [*command, str(path)], capture_output=True, text=True, errors="replace",
+                [*command, str(path)], capture_output=True, encoding="utf-8", errors="replace",
                 timeout=_LONGEST_SECONDS, stdin=subprocess.DEVNULL,
             )  # fmt: skip
         except (OSError, subprocess.TimeoutExpired) as problem:

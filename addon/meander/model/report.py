@@ -105,4 +105,5 @@ def write_report(path: str | Path, report: Mapping[str, Any]) -> None:
     """
     text = json.dumps(report, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     with whole_file(Path(path)) as temporary:
-        temporary.write_text(text, encoding="utf-8", newline="\n")
+        # Names of files may hold bytes that are no letters.
+        temporary.write_bytes(text.encode("utf-8", "replace"))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from xml.sax.saxutils import escape
 
 import numpy as np
@@ -11,6 +12,9 @@ from .drawing import Drawing, number
 
 # A thousandth of a millimetre is finer than any plotter.
 _DECIMALS = {"mm": 3, "cm": 4, "in": 5}
+# What XML 1.0 cannot hold, even as a number: control characters, and bytes that are no letters.
+_NO_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_UNKNOWN = "\ufffd"
 
 
 def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> str:
@@ -31,7 +35,7 @@ def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> s
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" version="1.1" width="{sides[0]}{drawing.unit}" '
         f'height="{sides[1]}{drawing.unit}" viewBox="0 0 {sides[0]} {sides[1]}">',
-        f"<title>{escape(title)}</title>",
+        f"<title>{escape(_NO_XML.sub(_UNKNOWN, title))}</title>",
         f"<desc>Meander {escape(version)}; unit {drawing.unit}</desc>",
         f'<g fill="none" stroke="#000000" stroke-width="{number(width, decimals)}" '
         'stroke-linecap="round" stroke-linejoin="round">',
