@@ -225,7 +225,7 @@ def test_a_curve_on_a_hidden_surface_lies_on_it_when_it_is_shown():
     surface = animated_ring()
     at_frame()
     fill(surface, 1.0)
-    (shown,) = [thing for thing in bpy.data.objects if thing.type == "CURVE"]
+    (shown,) = (thing for thing in bpy.data.objects if thing.type == "CURVE")
     wanted = [points for points, _closed in world_splines(shown)]
     bpy.data.objects.remove(shown)
     at_frame(1)
@@ -252,7 +252,8 @@ def test_frames_of_a_hidden_surface_are_baked_as_those_of_a_shown_one():
         surface.hide_viewport = hidden
         baking.bake_motion(result, bpy.context, 1, FRAME)
         at_frame()
-        places.append(curve_reader.strands_of_curve(result.meander.bake.objects[0], depsgraph()).points)
+        baked = result.meander.bake.objects[0]
+        places.append(curve_reader.strands_of_curve(baked, depsgraph()).points)
     surface.hide_viewport = False
     assert np.ptp(places[0][:, 2]) > 1.0
     assert np.allclose(places[0], places[1], atol=1e-4)

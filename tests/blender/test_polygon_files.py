@@ -82,7 +82,7 @@ def polygons_of(kind: str) -> list[Polygon]:
 
 def obj_of(polygons: list[Polygon]) -> bytes:
     lines, at = [], 0
-    for number, polygon in enumerate(polygons):
+    for polygon in polygons:
         lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in polygon.tolist()]
         lines.append("f " + " ".join(str(at + k + 1) for k in range(len(polygon))))
         at += len(polygon)

@@ -88,7 +88,8 @@ def binary_stl(count: int = 2, head: bytes = b"", tail: bytes = b"") -> bytes:
 
 
 STRIP = (
-    f"ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+    "ply\nformat ascii 1.0\nelement vertex 6\n"
+    "property float x\nproperty float y\nproperty float z\n"
     "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
     f"{flat([(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)])}"
 )
@@ -113,7 +114,8 @@ CASES = (
     Case("obj", "a comment that ends with a backslash", b"# C:\\models\\\n" + PLAIN, 1.0),
     Case("obj", "a line that a backslash continues", obj(SQUARE, "f 1 2 \\\n3 4\n"), 1.0),
     Case("obj", "names that are keywords", b"o v 1 2\ng f\nusemtl l\n" + PLAIN, 1.0),
-    Case("obj", "weights or colors behind coordinates", PLAIN.replace(b" 0\nf", b" 0 1 .5 .5\nf"), 1.0),
+    Case("obj", "weights or colors behind coordinates",
+         PLAIN.replace(b" 0\nf", b" 0 1 .5 .5\nf"), 1.0),
     Case("obj", "texture and normal references", obj(SQUARE, "vt 0 0\nf 1/1 2//1 3/1/1 4/\n"), 1.0),
     Case("obj", "references that count back", obj(SQUARE, "f -4 -3 -2 -1\n"), 1.0),
     Case("obj", "a face before its vertices", b"f 1 2 3 4\n" + points(SQUARE).encode(), 1.0),
@@ -137,8 +139,8 @@ CASES = (
     Case("obj", "a word in a face", obj(SQUARE, "f 1 2 x\n"), 0.0,
          ", line 5: 'f 1 2 x' is not a face of vertices, counted from 1; correct the file"),
     Case("obj", "commas in numbers", b"v 0,5 1 0\n" + PLAIN, 0.0,
-         ", line 1: 'v 0,5 1 0' is not a vertex with three coordinates (numbers have a point, not a "
-         "comma); correct the file"),
+         ", line 1: 'v 0,5 1 0' is not a vertex with three coordinates (numbers have a point, not "
+         "a comma); correct the file"),
     Case("obj", "a vertex of two numbers", b"v 0 0\n" + PLAIN, 0.0,
          ", line 1: 'v 0 0' is not a vertex with three coordinates; correct the file"),
     Case("obj", "no faces", points(SQUARE).encode(), 0.0,
@@ -165,11 +167,11 @@ CASES = (
          1.5),
     Case("ply", "a strip of triangles", (STRIP + "6 0 1 2 3 4 5\n").encode(), 2.0),
     Case("ply", "strips with -1 between them", (STRIP + "9 0 1 2 3 -1 2 3 4 5\n").encode(), 2.0),
-    Case("ply", "a byte order mark of UTF-8", b"\xef\xbb\xbf" + ply(flat(SQUARE) + "4 0 1 2 3\n", 1),
-         1.0),
+    Case("ply", "a byte order mark of UTF-8",
+         b"\xef\xbb\xbf" + ply(flat(SQUARE) + "4 0 1 2 3\n", 1), 1.0),
     Case("ply", "comments that hold keywords",
-         ply(flat(SQUARE) + "4 0 1 2 3\n", 1, extra="comment end_header\nobj_info element face 9\n"),
-         1.0),
+         ply(flat(SQUARE) + "4 0 1 2 3\n", 1,
+             extra="comment end_header\nobj_info element face 9\n"), 1.0),
     Case("ply", "more behind what the header counts, in text",
          ply(flat(SQUARE) + "4 0 1 2 3\nend of file\n", 1), 1.0),
     Case("ply", "more behind what the header counts, in bytes",
@@ -196,8 +198,8 @@ CASES = (
     Case("stl", "a name that holds keywords", stl("solid vertex 1 2 3 facet\n"), 1.0),
     Case("stl", "keywords in capitals", stl(keyword="VERTEX").replace(b"endloop", b"ENDLOOP"), 1.0),
     Case("stl", "text in one line", stl().replace(b"\n", b" "), 1.0),
-    Case("stl", "several solids", stl() + stl("solid b\n", "endsolid b\n").replace(b" 0\n", b" 1\n"),
-         2.0),
+    Case("stl", "several solids",
+         stl() + stl("solid b\n", "endsolid b\n").replace(b" 0\n", b" 1\n"), 2.0),
     Case("stl", "a loop of four corners",
          ("solid a\n" + facet(SQUARE) + "endsolid a\n").encode(), 1.0),
     Case("stl", "a byte order mark of UTF-8", b"\xef\xbb\xbf" + stl(), 1.0),
@@ -206,8 +208,8 @@ CASES = (
     Case("stl", "bytes that begin as text does", binary_stl(head=b"solid made by hand"), 1.0),
     # ---- STL: repaired
     Case("stl", "more bytes than its count", binary_stl(tail=b"\0\0"), 1.0,
-         " says that it has 2 triangles, which were read; 2 bytes stand behind them, and were passed "
-         "over"),
+         " says that it has 2 triangles, which were read; 2 bytes stand behind them, and were "
+         "passed over"),
     Case("stl", "a loop of two corners", stl("solid a\n" + facet(SQUARE[:2])), 1.0,
          "left out 1 face of fewer than three corners"),
     # ---- STL: refused

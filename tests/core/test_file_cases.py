@@ -76,7 +76,8 @@ before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 started = time.process_time()
 mesh = surface_files.read(sys.argv[2])
 seconds = time.process_time() - started
-print(len(mesh.faces), seconds, 1024 * (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before))
+more = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+print(len(mesh.faces), seconds, 1024 * more)
 """
 
 
@@ -110,8 +111,8 @@ def large(kind: str, count: int) -> bytes:
 
 @pytest.mark.parametrize("kind", ["obj", "ply", "stl", "stl in text"])
 def test_a_large_file_is_read_in_a_moment_and_in_little_memory(kind: str, tmp_path: Path) -> None:
-    """A sixth of a file of 950,000 faces, with four times its size; what Python and the library take
-    anyway is a few MB."""
+    """A sixth of a file of 950,000 faces, with four times its size; what Python and the library
+    take anyway is a few MB."""
     path = tmp_path / f"large.{kind[:3]}"
     path.write_bytes(large(kind, 280))
     code = [sys.executable, "-c", MEASURED, REPOSITORY / "tests" / "core", path]

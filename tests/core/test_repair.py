@@ -147,7 +147,7 @@ def test_bad_arguments_are_refused() -> None:
 
 
 def strip(xs: list[float], low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
-    """A sheet over [0, 1] whose lower edge has vertices at xs, fanned from its two upper corners."""
+    """A sheet over [0, 1], its lower edge with vertices at xs, fanned from its upper corners."""
     points = [(x, low, 0.0) for x in xs] + [(0.0, high, 0.0), (1.0, high, 0.0)]
     count, left, right = len(xs), len(xs), len(xs) + 1
     middle = count // 2

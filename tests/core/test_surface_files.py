@@ -144,7 +144,13 @@ TEXT = plain("ascii", POLYGONS)
         (crowded("binary_little_endian").replace(b"short group", b"short x"), "property x twice"),
         (TEXT.replace(b"float z", b"float z\nproperty float z"), "property z twice"),
         (WHOLE.replace(b"face 2", b"face \x1b[2J"), r"face \x1b"),
-        (WHOLE.replace(b"element vertex", b"element \x1b[2J 4000000000\nproperty int a\nelement vertex"), r"last \x1b"),
+        (
+            WHOLE.replace(
+                b"element vertex",
+                b"element \x1b[2J 4000000000\nproperty int a\nelement vertex",
+            ),
+            r"last \x1b",
+        ),
         (TEXT.replace(b"4 0 1 2 3", b"4 0 1 2 " + b"x" * 999), "no number"),
     ],
 )

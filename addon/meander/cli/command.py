@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 import traceback
 from collections.abc import Sequence
@@ -13,6 +14,7 @@ from typing import Any
 
 from .. import core
 from ..model import bridges, bundle, last_run, report, strands, surface_files
+from ..model.bend_radius import sharpest_bend
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
@@ -62,6 +64,13 @@ def _process(argv: Sequence[str], place: Place) -> None:
         grown = replace(grown, cut=cut.cut_of(flow, arguments))
     record["warnings"] = warnings
     record["estimate"] = asdict(opened.cost)
+    bend = sharpest_bend(grown.curve, arguments.spacing / 2)
+    if bend is not None:
+        record["bend"] = {
+            "least_radius": bend.radius if math.isfinite(bend.radius) else None,
+            "place": bend.place.tolist(),
+            "strand": bend.strand,
+        }
     record["lines"] = {
         "parts": int(opened.figures["components"]),
         "small_parts": figures["small_components"],

@@ -15,6 +15,7 @@ from .. import core
 from ..model import embroidery, export, toolpath
 from ..model.drawing import UNITS, Drawing, axes_of, seen_along
 from ..model.export_options import GROUP, ROWS
+from ..model.file_text import read_plain
 from . import flags
 from .input import Input
 from .place import Place
@@ -42,6 +43,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         choices=("y", "z"),
         help="which axis of the mesh file points up in the layouts; default: z",
     )
+    for name, place in (("header", "behind the unit"), ("footer", "at the end")):
+        group.add_argument(
+            f"--{name}",
+            type=Path,
+            metavar="FILE",
+            help=f"lines of G-code {place}, in place of those of the machine",
+        )
     group.add_argument(
         "--layout-map", metavar="NAME", help="the UV map of --layout uv; default: the active one"
     )
@@ -63,6 +71,12 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
             return f"{option} does nothing for an --output of kind {suffix}; leave it out"
         if arguments.input.suffix.lower() == ".blend":
             return f"{option} is for mesh files, and a .blend knows its own; leave it out"
+    for name in ("header", "footer"):
+        path = getattr(arguments, name)
+        if path is not None and (kind is None or kind.name != "GCODE"):
+            return f"--{name} does nothing for an --output of kind {suffix}; leave it out"
+        if path is not None and not path.is_file():
+            return f"--{name} {path} does not exist; check the path"
     if arguments.layout == "view":
         return "--layout view needs a window; choose space, top, front, side or uv"
     if arguments.layout == "uv" and arguments.input.suffix.lower() != ".blend":
@@ -87,6 +101,8 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     of_file = kind is not None and arguments.input.suffix.lower() != ".blend"
     return found | {
         "layout_map": arguments.layout_map,
+        "header": None if arguments.header is None else str(arguments.header),
+        "footer": None if arguments.footer is None else str(arguments.footer),
         "input_unit": (arguments.input_unit or "m") if of_file else None,
         "input_up": (arguments.input_up or "z") if of_file else None,
     }
@@ -173,7 +189,11 @@ def write(
     drawing = export.prepared(strands, kind, values, metres, spacing)
     _refuse_unusable(drawing, arguments, in_space, given)
     title = arguments.output.stem
-    export.write(path, kind, drawing, values, title, core.library_version())
+    head, foot = (
+        None if file is None else read_plain(file).decode("utf-8", "replace").splitlines()
+        for file in (arguments.header, arguments.footer)
+    )
+    export.write(path, kind, drawing, values, title, core.library_version(), head, foot)
     place.say(f"meander: {drawing.described()}")
     warning = export.crossing_warning(drawing, kind, values)
     if warning:

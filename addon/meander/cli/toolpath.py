@@ -62,11 +62,15 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--resample-step and --chord-tolerance are both given; choose one"
     if given and not is_wanted(arguments.output):
         return f"{given[0]} needs an --output for machines, such as .csv, .json or .svg"
-    if arguments.lines is not None and arguments.output.suffix.lower() != ".obj":
+    if arguments.lines is not None and not _is_obj(arguments.output):
         return "--lines is for an --output of kind .obj; leave it out"
     if arguments.points is not None and arguments.output.suffix.lower() != ".blend":
         return "--points needs an --output of kind .blend; .csv and .json have the same in columns"
     return None
+
+
+def _is_obj(path: Path) -> bool:
+    return path.suffix.lower() == ".obj"
 
 
 def is_wanted(path: Path) -> bool:
@@ -80,7 +84,7 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
         "resample_step": arguments.resample_step,
         "chord_tolerance": arguments.chord_tolerance,
         "points": arguments.points,
-        "lines": arguments.lines or ("strands" if arguments.output.suffix.lower() == ".obj" else None),
+        "lines": (arguments.lines or "strands") if _is_obj(arguments.output) else None,
     }
 
 

@@ -69,7 +69,8 @@ def write_scene(
         shown, radii, guides = line.polylines, line.values(radii), line.guides
         grown = bridged(grown, given.problem)
     matrix = matrix_of(surface_object, bpy.context.evaluated_depsgraph_get())
-    curve_object = write_curve(shown, surface_object, f"{surface_object.name} Meander", matrix=matrix)
+    name = f"{surface_object.name} Meander"
+    curve_object = write_curve(shown, surface_object, name, matrix=matrix)
     with saved_settings():
         _store(arguments, given, surface_object, curve_object)
         scene_strands.note_guides(curve_object, guides, keep=True)

@@ -285,7 +285,8 @@ def _check_paths(items: list[Item]) -> None:
     read: dict[str, Item] = {}
     written: dict[str, Item] = {}
     for item in items:
-        read.update((one_file(os.path.realpath(path)), item) for path in options.files_read(item.options))
+        for path in options.files_read(item.options):
+            read[one_file(os.path.realpath(path))] = item
     for item in items:
         for path in (*item.written, item.log):
             place = one_file(os.path.realpath(path))

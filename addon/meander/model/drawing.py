@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .arcs import Moves, fitted
 from .flat_crossings import crossings, segments_of
 from .toolpath import Strand, strand_of
 from .whole_files import FileError
@@ -23,6 +24,9 @@ VIEWS = {
     "side": ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
 }
 
+# How finely arcs are looked at for crossings, in spacings.
+_FLAT = 1e-3
+
 # Machines count in hundredths of a millimetre: a drawing this small, in millimetres, is a point.
 _LEAST_SIZE = 0.01
 
@@ -33,12 +37,14 @@ class Drawing:
 
     flat   they lie in the plane z = 0, with their lower left corner at the origin
     spacing   the least spacing of neighbouring strands, in the unit; 0: it is not known
+    moves   of a flat drawing: lines and arcs in place of the points of each strand; None: none
     """
 
     strands: Sequence[Strand]
     unit: str
     flat: bool
     spacing: float = 0.0
+    moves: Sequence[Moves] | None = None
 
     @property
     def millimetres(self) -> float:
@@ -62,9 +68,12 @@ class Drawing:
         """The places (k, 2) where a flat drawing crosses itself."""
         if not self.flat:
             return np.empty((0, 2))
-        begin, end, _owner = segments_of(
-            [strand.points for strand in self.strands], [strand.closed for strand in self.strands]
-        )
+        ways = [strand.points for strand in self.strands]
+        closed = [strand.closed for strand in self.strands]
+        if self.moves is not None:
+            ways = [moves.flattened(_FLAT * self.spacing or 1e-3) for moves in self.moves]
+            closed = [False] * len(ways)
+        begin, end, _owner = segments_of(ways, closed)
         return crossings(begin, end)[2]
 
     def described(self) -> str:
@@ -73,7 +82,18 @@ class Drawing:
         sides = high - low
         size = " x ".join(f"{side:.4g}" for side in (sides[:2] if self.flat else sides))
         paths = f"{len(self.strands):,} path{'s' * (len(self.strands) != 1)}"
+        if self.moves is not None:
+            turns = np.concatenate([moves.turns for moves in self.moves])
+            arcs = int(np.count_nonzero(turns))
+            return f"{size} {self.unit}, {paths}, {arcs:,} arcs and {len(turns) - arcs:,} lines"
         return f"{size} {self.unit}, {paths}, {self.point_count:,} points"
+
+    def with_arcs(self, tolerance: float) -> Drawing:
+        """The same with lines and arcs within a tolerance in millimetres; it has to be flat."""
+        allowed = tolerance / self.millimetres
+        return replace(
+            self, moves=[fitted(ring(strand)[:, :2], allowed) for strand in self.strands]
+        )
 
 
 def seen_along(strands: Sequence[Strand], right: ArrayLike, up: ArrayLike) -> list[Strand]:

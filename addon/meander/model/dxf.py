@@ -8,6 +8,8 @@ readers pass over.
 
 from __future__ import annotations
 
+import numpy as np
+
 from .drawing import Drawing, number
 
 LAYER = "MEANDER"
@@ -48,16 +50,31 @@ def dxf_text(drawing: Drawing) -> str:
         (2, "ENTITIES"),
     ]
     kind = 0 if drawing.flat else _IN_SPACE
-    for strand in drawing.strands:
+    for place, strand in enumerate(drawing.strands):
         pairs += [(0, "POLYLINE"), (8, LAYER), (66, 1), *_place((0.0, 0.0, 0.0), decimals)]
         pairs.append((70, kind | (_CLOSED if strand.closed else 0)))
-        for point in strand.points.tolist():
+        for point, bulge in _vertices(drawing, place):
             pairs += [(0, "VERTEX"), (8, LAYER), *_place(point, decimals)]
+            if bulge:
+                pairs.append((42, number(bulge, 9)))
             if not drawing.flat:
                 pairs.append((70, _VERTEX_IN_SPACE))
         pairs += [(0, "SEQEND"), (8, LAYER)]
     pairs += [(0, "ENDSEC"), (0, "EOF")]
     return "".join(f"{code:3d}\n{value}\n" for code, value in pairs)
+
+
+def _vertices(drawing: Drawing, place: int) -> list[tuple[list[float], float]]:
+    """The vertices of a strand, and the bulge of the arc that leaves each."""
+    strand = drawing.strands[place]
+    if drawing.moves is None:
+        return [(point, 0.0) for point in strand.points.tolist()]
+    moves = drawing.moves[place]
+    points = np.vstack([moves.start, moves.ends])
+    bulges = np.append(moves.bulges, 0.0)
+    if strand.closed:  # the last one ends at the first vertex
+        points, bulges = points[:-1], bulges[:-1]
+    return [([x, y, 0.0], bulge) for (x, y), bulge in zip(points.tolist(), bulges.tolist())]
 
 
 def _place(point, decimals: int) -> list[tuple[int, str | int]]:

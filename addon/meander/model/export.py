@@ -17,7 +17,7 @@ from .gcode import Motion, gcode_text
 from .option import Values
 from .svg import svg_text
 from .toolpath import Strand
-from .whole_files import whole_file
+from .whole_files import FileError, whole_file
 
 # No plotter, laser or mill is wider, in millimetres.
 _WIDEST = 10_000.0
@@ -27,7 +27,7 @@ _EDGE = 1e-4
 _FOLDED = 3.0
 
 _OF_LAYOUT = ("layout_as", "visible_only", "force")
-_OF_SIZE = (*_OF_LAYOUT, "unit", "scale", "size")
+_OF_SIZE = (*_OF_LAYOUT, "unit", "scale", "size", "arc_tolerance")
 _OF_MOTION = tuple(field.name for field in fields(Motion))
 
 
@@ -109,7 +109,8 @@ def prepared(
     metres    the length of a scene unit
     spacing   the least spacing of neighbouring strands, in scene units; 0: it is not known
 
-    Of an embroidery it is the thread, stitch by stitch. Raises FileError with one sentence for what is no drawing.
+    Of an embroidery it is the thread, stitch by stitch. Raises FileError with one sentence for what
+    is no drawing.
     """
     unit = values["unit"] if "unit" in kind.options else "mm"
     drawing = drawing_of(
@@ -123,6 +124,10 @@ def prepared(
     )
     if kind.name in ("DST", "PES"):
         return embroidery.stitched(drawing, values["stitch_length"], values["stitch_tolerance"])
+    if values["arc_tolerance"] > 0.0:
+        if not drawing.flat:
+            raise FileError("Arcs lie in a plane; choose a Layout that is flat")
+        return drawing.with_arcs(values["arc_tolerance"])
     return drawing
 
 
@@ -182,9 +187,19 @@ def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:
 
 
 def write(
-    path: Path, kind: Format, drawing: Drawing, values: Values, title: str, version: str
+    path: Path,
+    kind: Format,
+    drawing: Drawing,
+    values: Values,
+    title: str,
+    version: str,
+    head: Sequence[str] | None = None,
+    foot: Sequence[str] | None = None,
 ) -> None:
-    """Writes a drawing, whole or not at all. Raises FileError."""
+    """Writes a drawing, whole or not at all. Raises FileError.
+
+    head, foot   lines of G-code in place of those of the machine
+    """
     if kind.name in ("DST", "PES"):
         content = embroidery.embroidery_bytes(drawing, title, kind.suffixes[0])
     elif kind.name == "SVG":
@@ -193,6 +208,6 @@ def write(
         content = dxf_text(drawing).encode("ascii")
     else:
         motion = Motion(**{name: values[name] for name in _OF_MOTION})
-        content = gcode_text(drawing, motion, title, version).encode("ascii")
+        content = gcode_text(drawing, motion, title, version, head, foot).encode("utf-8")
     with whole_file(path) as temporary:
         temporary.write_bytes(content)

@@ -7,7 +7,7 @@ They are not settings of an object but of one export: of the operator, and flags
 from __future__ import annotations
 
 from .embroidery import LONGEST_STITCH
-from .gcode import Motion
+from .gcode import MACHINES, TOOLS, Motion
 from .option import Flag, Option
 
 PANEL = "File > Export"
@@ -259,6 +259,123 @@ ROWS: tuple[Option, ...] = (
             "E",
             least=0.0,
             entry="extrusion",
+        ),
+    ),
+    Option(
+        "arc_tolerance",
+        "Arcs",
+        "Draw lines and arcs of circles in place of points, this near to the curve in millimetres; "
+        "0 draws none. The drawing has to be flat",
+        PANEL,
+        default=0.0,
+        least=0.0,
+        soft_greatest=1.0,
+        digits=3,
+        flag=Flag(
+            "--arcs",
+            "draw lines and arcs of circles in place of points, this near to the curve, in mm",
+            GROUP,
+            "D",
+            above=0.0,
+            entry="arc_tolerance",
+        ),
+    ),
+    Option(
+        "tool",
+        "Tool",
+        "What draws, and how it is switched on and off",
+        PANEL,
+        kind=str,
+        default=Motion.tool,
+        choices=TOOLS,
+        flag=Flag(
+            "--tool",
+            "what draws in G-code: it goes down and up, or is switched on and off; default: pen",
+            GROUP,
+            entry="tool",
+        ),
+    ),
+    Option(
+        "machine",
+        "Machine",
+        "The controller that reads the file, which decides head, foot and the words of the tool",
+        PANEL,
+        kind=str,
+        default=Motion.machine,
+        choices=MACHINES,
+        flag=Flag(
+            "--machine",
+            "the controller that reads the G-code; default: generic",
+            GROUP,
+            entry="machine",
+        ),
+    ),
+    Option(
+        "power",
+        "Power",
+        "Of a laser or a spindle, in per cent of its greatest",
+        PANEL,
+        default=Motion.power,
+        least=0.0,
+        greatest=100.0,
+        flag=Flag(
+            "--power",
+            "of a laser or a spindle, in per cent; default: 100",
+            GROUP,
+            "P",
+            least=0.0,
+            greatest=100.0,
+            entry="power",
+        ),
+    ),
+    Option(
+        "servo_down",
+        "Servo Down",
+        "Angle at which a servo has its pen on the paper, in degrees",
+        PANEL,
+        default=Motion.servo_down,
+        least=0.0,
+        greatest=1000.0,
+        flag=Flag(
+            "--servo-down",
+            "angle at which a servo has its pen on the paper; default: 0",
+            GROUP,
+            "A",
+            least=0.0,
+            greatest=1000.0,
+            entry="servo_down",
+        ),
+    ),
+    Option(
+        "servo_up",
+        "Servo Up",
+        "Angle at which a servo has its pen off the paper, in degrees",
+        PANEL,
+        default=Motion.servo_up,
+        least=0.0,
+        greatest=1000.0,
+        flag=Flag(
+            "--servo-up",
+            "angle at which a servo has its pen off the paper; default: 60",
+            GROUP,
+            "A",
+            least=0.0,
+            greatest=1000.0,
+            entry="servo_up",
+        ),
+    ),
+    Option(
+        "relative",
+        "Relative Moves",
+        "Give moves by how far they go, from the first strand on",
+        PANEL,
+        kind=bool,
+        default=Motion.relative,
+        flag=Flag(
+            "--relative",
+            "give moves in G-code by how far they go, from the first strand on",
+            GROUP,
+            entry="relative",
         ),
     ),
     Option(

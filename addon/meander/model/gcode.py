@@ -1,21 +1,39 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drawings as G-code: plotters, mills and printers that follow every strand; no bpy.
+"""Drawings as G-code: plotters, lasers, mills and printers that follow every strand; no bpy.
 
-Absolute positions, in millimetres or inches as the head of the file says. Between strands the tool
-rises straight up to a height above all of them, travels there, and comes straight down.
+In millimetres or inches as the head of the file says. What draws is switched on where a strand
+begins and off where it ends: a pen or a spindle comes down from a height above all strands and goes
+up again, a laser has its power, a servo its angle. The head, the foot and the words of a switch are
+those of the controller.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from .arcs import Moves
 from .drawing import Drawing, number, ring
 from .whole_files import FileError
 
 _UNIT_WORDS = {"mm": "G21 ; millimetres", "in": "G20 ; inches"}
 _DECIMALS = {"mm": 4, "in": 6}
+
+# Name, label and what it is, of tools and of controllers.
+TOOLS = (
+    ("pen", "Pen", "Moves down to the curve and up again"),
+    ("spindle", "Spindle", "The same while it turns: M3 before the first strand, M5 at the end"),
+    ("laser", "Laser", "Stays at its height and is switched on along the curve, off between"),
+    ("servo", "Servo", "Stays at its height and turns a servo, which lowers and lifts a pen"),
+)
+MACHINES = (
+    ("generic", "Generic", "What most controllers have in common"),
+    ("grbl", "Grbl", "Laser by M4, whose power follows the speed; a servo where the spindle is"),
+    ("marlin", "Marlin", "Power from 0 to 255, servo by M280"),
+    ("klipper", "Klipper", "Pins and servos by name: LASER and PEN in its configuration"),
+)
 
 
 @dataclass(frozen=True)
@@ -29,6 +47,11 @@ class Motion:
     layers         how often every strand is followed
     layer_height   from each layer to the next, along the normal
     extrusion      filament for each millimetre of the way; 0: none
+    tool           one of TOOLS
+    machine        one of MACHINES
+    power          of a laser or a spindle, in per cent of its greatest
+    servo_down, servo_up   angles of a servo, in degrees
+    relative       moves are given by how far they go
     """
 
     feed: float = 1200.0
@@ -38,29 +61,90 @@ class Motion:
     layers: int = 1
     layer_height: float = 0.2
     extrusion: float = 0.0
+    tool: str = "pen"
+    machine: str = "generic"
+    power: float = 100.0
+    servo_down: float = 0.0
+    servo_up: float = 60.0
+    relative: bool = False
 
 
-def gcode_text(drawing: Drawing, motion: Motion, title: str, version: str) -> str:
-    """The file's text. Raises FileError for a unit that G-code does not know."""
+@dataclass(frozen=True)
+class _Controller:
+    """The words of a controller. `{s}`: the value of the tool.
+
+    head, foot    lines behind the unit, and at the end
+    full          the value of the greatest power
+    laser, off    laser on and off
+    spindle       on
+    servo         to an angle
+    wait          for the servo, half a second
+    """
+
+    head: tuple[str, ...] = ()
+    foot: tuple[str, ...] = ("M2 ; end",)
+    full: float = 1000.0
+    laser: str = "M3 S{s}"
+    off: str = "M5"
+    spindle: str = "M3 S{s} ; spindle on"
+    spindle_off: str = "M5"
+    servo: str = "M280 P0 S{s}"
+    wait: str = "G4 P0.5"
+
+
+_CONTROLLERS = {
+    "generic": _Controller(),
+    "grbl": _Controller(head=("G17", "G94"), laser="M4 S{s}", servo="M3 S{s}"),
+    "marlin": _Controller(foot=("M400 ; end",), full=255.0, wait="G4 P500"),
+    "klipper": _Controller(
+        foot=("M400 ; end",),
+        full=1.0,
+        laser="SET_PIN PIN=LASER VALUE={s}",
+        off="SET_PIN PIN=LASER VALUE=0",
+        spindle="SET_PIN PIN=SPINDLE VALUE={s}",
+        spindle_off="SET_PIN PIN=SPINDLE VALUE=0",
+        servo="SET_SERVO SERVO=PEN ANGLE={s}",
+        wait="G4 P500",
+    ),
+}
+
+
+def gcode_text(
+    drawing: Drawing,
+    motion: Motion,
+    title: str,
+    version: str,
+    head: Sequence[str] | None = None,
+    foot: Sequence[str] | None = None,
+) -> str:
+    """The file's text. Raises FileError for a unit that G-code does not know.
+
+    head, foot   lines in place of those of the controller, behind the unit and at the end
+    """
     if drawing.unit not in _UNIT_WORDS:
         raise FileError("G-code knows millimetres and inches; choose one of these as the unit")
     writer = _Writer(drawing, motion)
+    words = writer.words
     layers = [_offset(drawing, motion, layer) for layer in range(motion.layers)]
     writer.safe = max(float(way[:, 2].max()) for ways in layers for way in ways)
     writer.safe += motion.lift / drawing.millimetres
     writer.line(f"; {_plain(title)}, Meander {version}")
     writer.line(f"; {len(drawing.strands)} strands, length {drawing.length:.6g} {drawing.unit}")
     writer.line(_UNIT_WORDS[drawing.unit])
+    for line in words.head if head is None else head:
+        writer.line(line)
     writer.line("G90 ; absolute positions")
     if motion.extrusion > 0.0:
         writer.line("M83 ; relative extrusion")
-    writer.travel(z=writer.safe)
+    writer.begin()
     for layer, ways in enumerate(layers, start=1):
-        for number_of, (way, strand) in enumerate(zip(ways, drawing.strands), start=1):
+        for place, (way, strand) in enumerate(zip(ways, drawing.strands)):
             kind = "closed" if strand.closed else "open"
-            writer.line(f"; layer {layer}, strand {number_of}, {kind}")
-            writer.follow(way)
-    writer.line("M2 ; end")
+            writer.line(f"; layer {layer}, strand {place + 1}, {kind}")
+            writer.follow(way, None if drawing.moves is None else drawing.moves[place])
+    writer.end()
+    for line in words.foot if foot is None else foot:
+        writer.line(line)
     return "\n".join([*writer.lines, ""])
 
 
@@ -85,31 +169,110 @@ class _Writer:
     def __init__(self, drawing: Drawing, motion: Motion) -> None:
         self.lines: list[str] = []
         self.safe = 0.0
+        self.words = _CONTROLLERS[motion.machine]
+        self._motion, self._flat = motion, drawing.flat
         self._decimals = _DECIMALS[drawing.unit]
         self._feed = number(motion.feed / drawing.millimetres, 3)
         self._travel_feed = number(motion.travel_feed / drawing.millimetres, 3)
-        self._extrusion = motion.extrusion
+        self._lifts = motion.tool in ("pen", "spindle")
+        # In hundred-thousandths or so of the unit, so that no error adds up in relative moves.
+        self._steps = 10**self._decimals
+        self._at: dict[str, int] = {}
+        self._relative_now = False
 
     def line(self, text: str) -> None:
         self.lines.append(text)
 
-    def travel(self, **places: float) -> None:
-        self.line(f"G0 {self._words(places)} F{self._travel_feed}")
+    def begin(self) -> None:
+        """Everything off and up, and a first place that relative moves go on from."""
+        motion = self._motion
+        if motion.tool == "spindle":
+            self.line(self.words.spindle.format(s=self._power()))
+        if self._lifts:
+            self._travel(z=self.safe)
+        else:
+            self._switch(False)
 
-    def follow(self, way: np.ndarray) -> None:
-        """Over the first point, down to it, along all others, and up again."""
-        first = way[0].tolist()
-        self.travel(x=first[0], y=first[1])
-        self.line(f"G1 {self._words({'z': first[2]})} F{self._feed}")
+    def end(self) -> None:
+        if self._motion.tool == "laser":
+            self.line(self.words.off)
+        elif self._motion.tool == "spindle":
+            self.line(self.words.spindle_off)
+
+    def follow(self, way: np.ndarray, moves: Moves | None) -> None:
+        """Over the first point, down to it, along all others, and up again; with arcs where there
+        are moves."""
+        x, y, z = way[0].tolist()
+        if self._lifts:
+            self._travel(x=x, y=y)
+            self._go_relative()
+            self._move("G1", {"z": z}, f" F{self._feed}")
+        else:
+            self._travel(**({"x": x, "y": y} if self._flat else {"x": x, "y": y, "z": z}))
+            self._go_relative()
+            self._switch(True)
+        if moves is None:
+            self._along(way)
+        else:
+            self._along_arcs(moves)
+        if self._lifts:
+            self._travel(z=self.safe)
+        else:
+            self._switch(False)
+
+    def _along(self, way: np.ndarray) -> None:
         steps = np.linalg.norm(np.diff(way, axis=0), axis=1)
+        first = "" if self._lifts else f" F{self._feed}"
         for (x, y, z), step in zip(way[1:].tolist(), steps.tolist()):
-            words = self._words({"x": x, "y": y, "z": z})
-            if self._extrusion > 0.0:
-                words += f" E{number(self._extrusion * step, 6)}"
-            self.line(f"G1 {words}")
-        self.travel(z=self.safe)
+            more, first = first, ""
+            if self._motion.extrusion > 0.0:
+                more += f" E{number(self._motion.extrusion * step, 6)}"
+            flat = self._flat and not self._lifts
+            self._move("G1", {"x": x, "y": y} if flat else {"x": x, "y": y, "z": z}, more)
 
-    def _words(self, places: dict[str, float]) -> str:
-        return " ".join(
-            f"{axis.upper()}{number(value, self._decimals)}" for axis, value in places.items()
-        )
+    def _along_arcs(self, moves: Moves) -> None:
+        """At one height: lines, and arcs by their centres as seen from where they begin."""
+        more, here = "" if self._lifts else f" F{self._feed}", moves.start
+        for end, centre, turn in zip(moves.ends, moves.centres, moves.turns.tolist()):
+            length = float(np.linalg.norm(end - here))
+            code = "G1"
+            if turn != 0.0:
+                length = abs(turn) * float(np.linalg.norm(end - centre))
+                code = "G3" if turn > 0.0 else "G2"
+                i, j = (number(value, self._decimals) for value in (centre - here).tolist())
+                more = f" I{i} J{j}{more}"
+            if self._motion.extrusion > 0.0:
+                more += f" E{number(self._motion.extrusion * length, 6)}"
+            self._move(code, {"x": float(end[0]), "y": float(end[1])}, more)
+            more, here = "", end
+
+    def _go_relative(self) -> None:
+        """Where moves are to be relative, from the first known place on."""
+        if self._motion.relative and not self._relative_now:
+            self.line("G91 ; relative moves")
+            self._relative_now = True
+
+    def _power(self) -> str:
+        return number(self.words.full * self._motion.power / 100.0, 3)
+
+    def _switch(self, on: bool) -> None:
+        """A laser or a servo."""
+        motion, words = self._motion, self.words
+        if motion.tool == "laser":
+            self.line(words.laser.format(s=self._power()) if on else words.off)
+            return
+        angle = motion.servo_down if on else motion.servo_up
+        self.line(words.servo.format(s=number(angle, 3)))
+        self.line(words.wait)
+
+    def _travel(self, **places: float) -> None:
+        self._move("G0", places, f" F{self._travel_feed}")
+
+    def _move(self, code: str, places: dict[str, float], more: str) -> None:
+        words = []
+        for axis, value in places.items():
+            here = round(value * self._steps)
+            gone = here - self._at.get(axis, 0) if self._relative_now else here
+            self._at[axis] = here
+            words.append(f"{axis.upper()}{number(gone / self._steps, self._decimals)}")
+        self.line(f"{code} {' '.join(words)}{more}")

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-
 # What run() returns. That a run has come to its end is nothing to mention.
 ENDED = {
     "iteration_limit": "At the iteration limit",

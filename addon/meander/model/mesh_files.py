@@ -5,8 +5,8 @@ Coordinates are doubles and are taken as they are: no axis conversion, no scale.
 importer would round them to single precision and turn the axes.
 
 What is wrong with a *file* (unreadable, malformed, no faces, a vertex that is not there) is a
-`FileError` here; what is wrong with a *mesh* (a vertex twice in a face, NaN) is left to the library,
-which names the element. Text is read by the library too, which is a hundred times as fast as Python.
+`FileError` here; what is wrong with a *mesh* (a vertex twice in a face, NaN) is left to the
+library, which names the element. It reads the text too, in a fifteenth of the time of Python.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from ..core import Polylines, Seed
 from .file_text import read_plain, told_apart
 from .polygons import MeshOfFile, left_out, triangles_of
 from .whole_files import FileError, whole_file
+
 
 def read_obj(path: Path) -> MeshOfFile:
     """Reads the `v` and `f` lines of an OBJ file; all other lines are ignored.

@@ -326,9 +326,15 @@ class _Rows:
                 raise self._short()
         self.end = at
         return _Table(
-            {name: self._gathered(kind, np.array(places)) for name, (kind, places) in scalars.items()},
             {
-                name: (np.array(lengths), self._gathered(kind, _runs(begins, lengths, self._width(kind))))
+                name: self._gathered(kind, np.array(places))
+                for name, (kind, places) in scalars.items()
+            },
+            {
+                name: (
+                    np.array(lengths),
+                    self._gathered(kind, _runs(begins, lengths, self._width(kind))),
+                )
                 for name, (kind, begins, lengths) in lists.items()
             },
         )

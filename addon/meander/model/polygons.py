@@ -18,7 +18,7 @@ class MeshOfFile:
     vertices   (n, 3) float64
     faces      (m, 3) uint32: triangles
     remarks    a sentence each, of what was left out or passed over
-    polygons   (m,) the face of the file, from 0, that each triangle is a part of; None: the triangle
+    polygons   (m,) the face of the file, from 0, that each triangle is a part of; None: itself
     lines      (p,) of each face of the file, its line, from 1; None: it has no lines
     first      how the file counts its first face and vertex, 0 or 1
     joined     whether the file gives places at every face, so that its vertices have no numbers

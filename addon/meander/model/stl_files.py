@@ -46,8 +46,8 @@ def read_stl(path: Path) -> MeshOfFile:
     there = size // _TRIANGLE.itemsize
     if count == 0 or there < count:
         raise FileError(
-            f"{path} says that it has {_triangles(count)}, but it has room for {there:,}; export it "
-            "again"
+            f"{path} says that it has {_triangles(count)}, but it has room for {there:,}; export "
+            "it again"
         )
     mesh = _of_bytes(path, data, count)
     behind = size - _TRIANGLE.itemsize * count

@@ -8,6 +8,7 @@ from xml.sax.saxutils import escape
 
 import numpy as np
 
+from .arcs import Moves
 from .drawing import Drawing, number
 
 # A thousandth of a millimetre is finer than any plotter.
@@ -15,6 +16,19 @@ _DECIMALS = {"mm": 3, "cm": 4, "in": 5}
 # What XML 1.0 cannot hold, even as a number: control characters, and bytes that are no letters.
 _NO_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _UNKNOWN = "\ufffd"
+
+
+def _path_of(moves: Moves, shift: np.ndarray, decimals: int) -> str:
+    """Lines and arcs as the commands of a path; the y axis points down, which turns arcs around."""
+    words = []
+    for (x, y), radius, turn in zip(moves.ends.tolist(), moves.radii, moves.turns.tolist()):
+        place = f"{number(x + shift[0], decimals)} {number(shift[1] - y, decimals)}"
+        if turn == 0.0:
+            words.append(f"L{place}")
+        else:
+            r = number(radius, decimals)
+            words.append(f"A{r} {r} 0 0 {int(turn < 0.0)} {place}")
+    return "".join(words)
 
 
 def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> str:
@@ -46,5 +60,8 @@ def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> s
         y = shift[1] - strand.points[:, 1]
         places = [f"{number(a, decimals)} {number(b, decimals)}" for a, b in zip(x, y)]
         end = "Z" if strand.closed else ""
-        lines.append(f'<path id="strand{place}" d="M{places[0]}L{" ".join(places[1:])}{end}"/>')
+        drawn = f'L{" ".join(places[1:])}'
+        if drawing.moves is not None:
+            drawn = _path_of(drawing.moves[place - 1], shift, decimals)
+        lines.append(f'<path id="strand{place}" d="M{places[0]}{drawn}{end}"/>')
     return "\n".join([*lines, "</g>", "</svg>", ""])

@@ -21,8 +21,8 @@ from ..model.simplification import result_points
 from ..model.thinning import least_spacing, with_points
 from ..scene.curve_reader import strands_of_curve
 from ..scene.errors import DataError
-from ..scene.look_modifier import modifier_of
 from ..scene.evaluated import is_evaluated
+from ..scene.look_modifier import modifier_of
 from ..scene.meshes import surface_now, triangles_of
 from ..scene.surface_points import bind
 from .plan import Plan, plan_of

@@ -57,8 +57,8 @@ def surface_now(
     """
     if not is_evaluated(surface, depsgraph):
         raise DataError(
-            f"'{surface.name}' is hidden, so that Blender does not evaluate it; show it, display it "
-            "as Bounds instead, or bake the frames"
+            f"'{surface.name}' is hidden, so that Blender does not evaluate it; show it, display "
+            "it as Bounds instead, or bake the frames"
         )
     evaluated_surface = surface.evaluated_get(depsgraph)
     mesh = evaluated_surface.to_mesh()
