@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import export, thinning, toolpath
+from ..model import export, poses, thinning, toolpath
 from . import export as export_options
 from . import flags
 from .grown import Grown
 from .input import Input
 from .place import Place
-from .values import positive
+from .values import number, positive
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -33,6 +33,24 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=positive,
         metavar="D",
         help="as few points as keep the chords between them this near the curve",
+    )
+    add(
+        "--poses",
+        action="store_true",
+        help="an --output of kind .csv or .json has poses of a tool: places, quaternions, normals "
+        "and tangents; z points into the surface, x along the curve",
+    )
+    add(
+        "--standoff",
+        type=number,
+        metavar="D",
+        help="distance of the tool from the surface in --poses; default: 0",
+    )
+    add(
+        "--approach",
+        type=positive,
+        metavar="D",
+        help="in --poses: begin and end each strand so much farther from the surface",
     )
     add(
         "--lines",
@@ -62,6 +80,11 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--resample-step and --chord-tolerance are both given; choose one"
     if given and not is_wanted(arguments.output):
         return f"{given[0]} needs an --output for machines, such as .csv, .json or .svg"
+    if arguments.poses and arguments.output.suffix.lower() not in toolpath.SUFFIXES:
+        return "--poses needs an --output of kind .csv or .json"
+    for name in ("standoff", "approach"):
+        if getattr(arguments, name) is not None and not arguments.poses:
+            return f"--{name} is for --poses; give both or none"
     if arguments.lines is not None and not _is_obj(arguments.output):
         return "--lines is for an --output of kind .obj; leave it out"
     if arguments.points is not None and arguments.output.suffix.lower() != ".blend":
@@ -84,6 +107,9 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
         "resample_step": arguments.resample_step,
         "chord_tolerance": arguments.chord_tolerance,
         "points": arguments.points,
+        "poses": arguments.poses,
+        "standoff": arguments.standoff,
+        "approach": arguments.approach,
         "lines": (arguments.lines or "strands") if _is_obj(arguments.output) else None,
     }
 
@@ -106,5 +132,12 @@ def write(
     if drawn:
         spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
         return export_options.write(path, arguments, strands, given, place, spacing, in_space)
+    if arguments.poses:
+        given_poses = [
+            poses.poses_of(strand, arguments.standoff or 0.0, arguments.approach or 0.0)
+            for strand in strands
+        ]
+        poses.write(path, given_poses, core.library_version())
+        return sum(len(each.places) for each in given_poses), None
     toolpath.write(path, strands, core.library_version())
     return sum(len(strand.points) for strand in strands), None
