@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import export, poses, thinning, toolpath
+from ..model import export, parts_by_length, poses, thinning, toolpath
 from . import export as export_options
 from . import flags
 from .grown import Grown
@@ -33,6 +33,20 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         type=positive,
         metavar="D",
         help="as few points as keep the chords between them this near the curve",
+    )
+    add(
+        "--part-length",
+        type=positive,
+        metavar="L",
+        help="cut strands into parts of at most this length, in scene units, each a layer of an "
+        ".svg or .dxf, behind a pause (M0) in G-code",
+    )
+    add(
+        "--part-overlap",
+        type=number,
+        metavar="D",
+        help="how much neighbouring parts have in common; negative: the gap between them; default: "
+        "0",
     )
     add(
         "--poses",
@@ -80,6 +94,13 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--resample-step and --chord-tolerance are both given; choose one"
     if given and not is_wanted(arguments.output):
         return f"{given[0]} needs an --output for machines, such as .csv, .json or .svg"
+    if arguments.part_length is not None and not is_wanted(arguments.output):
+        return "--part-length needs an --output for machines, such as .csv, .json or .svg"
+    if arguments.part_overlap is not None:
+        if arguments.part_length is None:
+            return "--part-overlap is for --part-length; give both or none"
+        if not abs(arguments.part_overlap) <= arguments.part_length / 2:
+            return "--part-overlap is more than half of --part-length; choose a smaller one"
     if arguments.poses and arguments.output.suffix.lower() not in toolpath.SUFFIXES:
         return "--poses needs an --output of kind .csv or .json"
     for name in ("standoff", "approach"):
@@ -107,6 +128,8 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
         "resample_step": arguments.resample_step,
         "chord_tolerance": arguments.chord_tolerance,
         "points": arguments.points,
+        "part_length": arguments.part_length,
+        "part_overlap": arguments.part_overlap,
         "poses": arguments.poses,
         "standoff": arguments.standoff,
         "approach": arguments.approach,
@@ -129,6 +152,10 @@ def write(
         arguments.chord_tolerance,
         None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces),
     )
+    if arguments.part_length is not None:
+        mesh = None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces)
+        overlap = arguments.part_overlap or 0.0
+        strands = parts_by_length.parted(strands, arguments.part_length, overlap, mesh)
     if drawn:
         spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
         return export_options.write(path, arguments, strands, given, place, spacing, in_space)

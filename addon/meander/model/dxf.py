@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from .drawing import Drawing, number
+from .toolpath import Strand
 
 LAYER = "MEANDER"
 _UNIT_CODES = {"mm": 4, "cm": 5, "in": 1}
@@ -22,6 +23,7 @@ def dxf_text(drawing: Drawing) -> str:
     """The file's text: pairs of lines, a group code and its value."""
     low, high = drawing.box()
     decimals = _DECIMALS[drawing.unit]
+    layers = list(dict.fromkeys(map(_layer_of, drawing.strands)))
     pairs: list[tuple[int, str | int]] = [
         (0, "SECTION"),
         (2, "HEADER"),
@@ -38,12 +40,12 @@ def dxf_text(drawing: Drawing) -> str:
         (2, "TABLES"),
         (0, "TABLE"),
         (2, "LAYER"),
-        (70, 1),
-        (0, "LAYER"),
-        (2, LAYER),
-        (70, 0),
-        (62, 7),
-        (6, "CONTINUOUS"),
+        (70, len(layers)),
+        *(
+            pair
+            for name in layers
+            for pair in ((0, "LAYER"), (2, name), (70, 0), (62, 7), (6, "CONTINUOUS"))
+        ),
         (0, "ENDTAB"),
         (0, "ENDSEC"),
         (0, "SECTION"),
@@ -51,17 +53,23 @@ def dxf_text(drawing: Drawing) -> str:
     ]
     kind = 0 if drawing.flat else _IN_SPACE
     for place, strand in enumerate(drawing.strands):
-        pairs += [(0, "POLYLINE"), (8, LAYER), (66, 1), *_place((0.0, 0.0, 0.0), decimals)]
+        layer = _layer_of(strand)
+        pairs += [(0, "POLYLINE"), (8, layer), (66, 1), *_place((0.0, 0.0, 0.0), decimals)]
         pairs.append((70, kind | (_CLOSED if strand.closed else 0)))
         for point, bulge in _vertices(drawing, place):
-            pairs += [(0, "VERTEX"), (8, LAYER), *_place(point, decimals)]
+            pairs += [(0, "VERTEX"), (8, layer), *_place(point, decimals)]
             if bulge:
                 pairs.append((42, number(bulge, 9)))
             if not drawing.flat:
                 pairs.append((70, _VERTEX_IN_SPACE))
-        pairs += [(0, "SEQEND"), (8, LAYER)]
+        pairs += [(0, "SEQEND"), (8, layer)]
     pairs += [(0, "ENDSEC"), (0, "EOF")]
     return "".join(f"{code:3d}\n{value}\n" for code, value in pairs)
+
+
+def _layer_of(strand: Strand) -> str:
+    """Of each part of a curve that was cut its own."""
+    return f"{LAYER}_{strand.part}" if strand.part else LAYER
 
 
 def _vertices(drawing: Drawing, place: int) -> list[tuple[list[float], float]]:

@@ -139,6 +139,8 @@ def gcode_text(
     writer.begin()
     for layer, ways in enumerate(layers, start=1):
         for place, (way, strand) in enumerate(zip(ways, drawing.strands)):
+            if strand.part and (place or layer > 1):
+                writer.line(f"M0 ; part {strand.part}")
             kind = "closed" if strand.closed else "open"
             writer.line(f"; layer {layer}, strand {place + 1}, {kind}")
             writer.follow(way, None if drawing.moves is None else drawing.moves[place])

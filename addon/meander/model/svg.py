@@ -45,9 +45,13 @@ def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> s
     width = line_width / drawing.millimetres
     low, high = drawing.box()
     sides = [number(side + 2.0 * width, decimals) for side in (high - low)[:2]]
+    inkscape = ""
+    if any(strand.part for strand in drawing.strands):
+        inkscape = ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
-        f'<svg xmlns="http://www.w3.org/2000/svg" version="1.1" width="{sides[0]}{drawing.unit}" '
+        f'<svg xmlns="http://www.w3.org/2000/svg"{inkscape} version="1.1" '
+        f'width="{sides[0]}{drawing.unit}" '
         f'height="{sides[1]}{drawing.unit}" viewBox="0 0 {sides[0]} {sides[1]}">',
         f"<title>{escape(_NO_XML.sub(_UNKNOWN, title))}</title>",
         f"<desc>Meander {escape(version)}; unit {drawing.unit}</desc>",
@@ -56,6 +60,9 @@ def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> s
     ]
     shift = np.array([width - low[0], high[1] + width])
     for place, strand in enumerate(drawing.strands, start=1):
+        if strand.part:  # a layer, as Inkscape and what reads its files have them
+            name = f"part {strand.part}"
+            lines.append(f'<g inkscape:groupmode="layer" inkscape:label="{name}">')
         x = strand.points[:, 0] + shift[0]
         y = shift[1] - strand.points[:, 1]
         places = [f"{number(a, decimals)} {number(b, decimals)}" for a, b in zip(x, y)]
@@ -64,4 +71,6 @@ def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> s
         if drawing.moves is not None:
             drawn = _path_of(drawing.moves[place - 1], shift, decimals)
         lines.append(f'<path id="strand{place}" d="M{places[0]}{drawn}{end}"/>')
+        if strand.part:
+            lines.append("</g>")
     return "\n".join([*lines, "</g>", "</svg>", ""])

@@ -40,6 +40,7 @@ class Strand:
                  from outside; None where it is not known
     faces        (n,) int64, a triangle that holds the point, of the mesh that was filled
     weights      (n, 3) float64, of the triangle's corners
+    part         the number of the part that it is, from 1, where the curve was cut; else 0
     """
 
     closed: bool
@@ -51,6 +52,7 @@ class Strand:
     radii: NDArray[np.float64] | None = None
     faces: NDArray[np.int64] | None = None
     weights: NDArray[np.float64] | None = None
+    part: int = 0
 
 
 @dataclass(frozen=True)
