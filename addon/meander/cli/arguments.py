@@ -22,6 +22,7 @@ from . import (
     motion,
     preparation,
     strands,
+    target_length,
     terms,
     toolpath,
     values,
@@ -70,6 +71,7 @@ def parser(place: Place) -> argparse.ArgumentParser:
         help="curve object in the .blend; its ends stay put if the surface's settings say so",
     )
     flags.add_flags(parser)
+    target_length.add_options(parser)
     add("--quiet", action="store_true", help="print nothing but errors")
     add("--version", action="version", version=f"Meander {core.VERSION}")
     density.add_options(parser)
@@ -93,6 +95,9 @@ def check_arguments(arguments: argparse.Namespace, place: Place) -> None:
 
 def check_options(arguments: argparse.Namespace) -> None:
     """Refuses options that do not fit each other or the input, wherever the outputs are to lie."""
+    wrong = target_length.problem_of(arguments)
+    if wrong is not None:
+        raise BadInput(wrong)
     kind = arguments.input.suffix.lower()
     if kind not in INPUTS:
         kinds = ", ".join(INPUTS[:-1])

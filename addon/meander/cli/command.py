@@ -18,7 +18,7 @@ from ..model.bend_radius import sharpest_bend
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
-from . import cut, limits, preparation
+from . import cut, limits, preparation, target_length
 from .any_letters import print_any_letters
 from .arguments import check_arguments, parser
 from .flags import flow_options
@@ -40,6 +40,8 @@ def _process(argv: Sequence[str], place: Place) -> None:
         place.blender(arguments.output).refuse_points(arguments.points)
     if arguments.cut is not None and arguments.cut.suffix.lower() == ".blend":
         place.blender(arguments.cut)
+    if arguments.target_length is not None:
+        arguments.spacing = target_length.find_spacing(arguments, place)
     options = flow_options(arguments)
     given = read_input(arguments, options, place)
     warnings = [*given.warnings, *core.option_warnings(options)]

@@ -37,7 +37,7 @@ def add_flags(
             if flag.share:
                 given["type"] = values.share_or(given["type"])
             given["metavar"] = flag.metavar
-        parser.add_argument(flag.name, required=flag.required, **given)
+        parser.add_argument(flag.name, **given)
 
 
 def chosen(arguments: argparse.Namespace) -> dict[str, Any]:

@@ -38,6 +38,7 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
         **terms.echo(arguments, options),
         **motion.echo(arguments),
         **cut.echo(arguments),
+        "target_length": arguments.target_length,
         "limit_nodes": arguments.limit_nodes,
         "limit_memory": arguments.limit_memory,
         **flags.entries(arguments, options),

@@ -28,7 +28,6 @@ ROWS: tuple[Option, ...] = (
             metavar="S",
             above=0.0,
             entry="spacing",
-            required=True,
         ),
     ),
     Option(

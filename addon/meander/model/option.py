@@ -33,7 +33,6 @@ class Flag:
     entry     its name in the report, where that is neither a field of core.FlowOptions nor made
               elsewhere; empty: none
     default   the value when it is not given; None: the preset's own
-    required  the command refuses to run without it
     synonyms  other words for choices, each with the choice that it stands for
     share     per cent of the whole are understood as well, as a model.preparation.Share
     """
@@ -48,7 +47,6 @@ class Flag:
     in_scene_units: bool = False
     entry: str = ""
     default: Any = None
-    required: bool = False
     synonyms: tuple[tuple[str, str], ...] = ()
     share: bool = False
 
