@@ -135,3 +135,30 @@ def test_a_result_that_goes_away_during_the_run_is_made_anew(windowed):
     made, _figures = running.keep(bpy.context)
     running.end()
     assert made.users_scene and last_result(surface, bpy.context.scene) == made
+
+
+def test_a_linked_surface_is_filled_again_into_its_curve(tmp_path):
+    """It cannot note its result, so the scene is looked through; New Curve makes another one."""
+    surface = sphere()
+    surface.name = "Lib"
+    path = tmp_path / "library.blend"
+    bpy.data.libraries.write(str(path), {surface})
+    bpy.data.objects.remove(surface)
+    with bpy.data.libraries.load(str(path), link=True) as (_there, here):
+        here.objects = ["Lib"]
+    linked = bpy.data.objects["Lib"]
+    bpy.context.scene.collection.objects.link(linked)
+
+    def curves() -> list[str]:
+        return [thing.name for thing in bpy.context.scene.objects if thing.type == "CURVE"]
+
+    for _ in range(2):
+        bpy.context.view_layer.objects.active = linked
+        assert bpy.ops.meander.run() == {"FINISHED"}
+        assert curves() == ["Lib Meander"]
+    bpy.context.view_layer.objects.active = linked
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    assert len(curves()) == 2
+    bpy.context.view_layer.objects.active = linked
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert len(curves()) == 2

@@ -28,10 +28,20 @@ def last_result(
     """
     if not has_faces(surface):
         return None
-    found = surface.meander.last_result
+    found = surface.meander.last_result if surface.library is None else _newest(surface, scene)
     if not is_result_of(found, surface) or scene not in found.users_scene[:]:
         return None
     return found if found.library is None and found.data.library is None else None
+
+
+def _newest(surface: bpy.types.Object, scene: bpy.types.Scene) -> bpy.types.Object | None:
+    """The result on a linked surface, which cannot note one itself, that was made last."""
+    results = [
+        thing
+        for thing in scene.objects
+        if thing.library is None and is_result_of(thing, surface)
+    ]
+    return results[-1] if results else None
 
 
 def remember(result: bpy.types.Object, surface: bpy.types.Object) -> None:
