@@ -168,6 +168,7 @@ ROWS: tuple[Option, ...] = (
         _REGION,
         low="every speck gets a line",
         high="only the main parts are filled",
+        row="Least Part",
         unit="length",
         default=0.0,
         least=0.0,

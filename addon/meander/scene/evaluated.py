@@ -64,6 +64,7 @@ def evaluated_copy(
         if data is not None:
             bpy.data.batch_remove([data])
         bpy.data.scenes.remove(scene)
+        depsgraph.update()  # what this has stirred is no change of anything
 
 
 @contextmanager

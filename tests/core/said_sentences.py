@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table of sentences that the batch command and its readers of files can say, from the code.
+
+A sentence is a literal, or a formatted one, that is raised in one of our errors, or returned by a
+function whose name says that it finds what is wrong. Values in it match anything.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[2] / "addon" / "meander"
+ERRORS = {"BadInput", "FileError", "MeanderError", "_Malformed", "_Short", "ArgumentTypeError"}
+FINDERS = re.compile(r"problem_of|stroke_of|_read_stops|_no_faces|crossing_warning|_end_problem")
+MODULES = (
+    *sorted((PACKAGE / "cli").glob("*.py")),
+    *(PACKAGE / "model" / f"{name}.py" for name in (
+        "mesh_files", "ply_files", "stl_files", "surface_files", "file_text", "drawing",
+        "embroidery", "export", "gcode", "toolpath", "parts_by_length", "polygons",
+    )),
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """Where it stands, and what it looks like."""
+
+    place: str
+    text: str
+
+    @property
+    def pattern(self) -> re.Pattern[str]:
+        parts = (re.escape(part) for part in self.text.split("\0"))
+        return re.compile(".*".join(parts), re.DOTALL)
+
+
+def _texts(node: ast.expr) -> Iterator[str]:
+    """The literal sentences that an expression may be."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield node.value
+    elif isinstance(node, ast.JoinedStr):
+        parts = (
+            part.value if isinstance(part, ast.Constant) else "\0" for part in node.values
+        )
+        yield re.sub("\0+", "\0", "".join(parts))
+    elif isinstance(node, ast.IfExp):
+        yield from _texts(node.body)
+        yield from _texts(node.orelse)
+    elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        for one in _texts(node.left):
+            for other in list(_texts(node.right)) or ["\0"]:
+                yield one + other
+
+
+def _is_sentence(text: str) -> bool:
+    return len(text.replace("\0", " ").split()) >= 4
+
+
+def sentences() -> list[Sentence]:
+    found = []
+    for path in MODULES:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for node in ast.walk(tree):
+            values: list[ast.expr] = []
+            if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
+                name = getattr(node.exc.func, "id", getattr(node.exc.func, "attr", ""))
+                values = node.exc.args[:1] if name in ERRORS else []
+            elif isinstance(node, ast.FunctionDef) and FINDERS.search(node.name):
+                values = [
+                    inner.value
+                    for inner in ast.walk(node)
+                    if isinstance(inner, ast.Return) and inner.value is not None
+                ]
+            for value in values:
+                for text in _texts(value):
+                    if _is_sentence(text):
+                        found.append(Sentence(f"{path.name}:{value.lineno}", text))
+    return list(dict.fromkeys(found))

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every sentence of the table in said_sentences.py comes up: what it is said of is tried here.
+
+A sentence that is added and not tried fails the test, and so does a try that says nothing.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import geometry
+import numpy as np
+import pytest
+from file_cases import CASES, SQUARE, binary_stl, obj, ply, stl
+from meander import batch, core
+from meander.cli import limits
+from meander.cli.values import BadInput
+from meander.model import drawing, embroidery, gcode, surface_files, toolpath, whole_files
+from said_sentences import sentences
+from sentences import assert_sentence
+
+# Options behind --input sheet.obj --output out.obj --spacing 0.3 --iterations 1, which they may
+# give again; each is one refusal or warning.
+TRIES = """
+--input a.fbx
+--input none.obj
+--input none.ply --object Name
+--input sheet.obj --object Name
+--input sheet.obj --seed-object Name
+--frame 3
+--run-scripts
+--output out.fbx
+--output .
+--output none/out.obj
+--output sheet.obj
+--output long
+--output protected.obj
+--output locked/out.obj
+--seed line.obj --seed-object Name --input shot.blend
+--cut a.fbx
+--cut-detail 1
+--cut-middle-lines
+--density-curvature mean --density-group Name
+--density-group Name
+--uv-map Name
+--density-smoothing 1 --density-group Name --input shot.blend
+--density-curvature mean --spacing-factors 9 1
+--density-curvature mean --density-ramp 0:1,1:2 --spacing-factors 1 2
+--spacing-factors 1 2
+--density-curvature mean --density-ramp 0:1
+--density-curvature mean --density-ramp 0:1,2:1
+--density-curvature mean --density-ramp 0:1,1:9
+--density-curvature mean --density-ramp 0:1,0:1
+--density-curvature mean --density-ramp 0:1,x
+--output out.svg --layout view
+--output out.svg --layout uv
+--output out.svg --layout space --visible-only
+--output out.svg --layout-map Name
+--layout top
+--input-unit mm
+--output out.svg --input shot.blend --input-up y
+--output out.svg --header head.txt
+--output out.gcode --header none.txt
+--output out.svg --input-unit m --scale 99
+--output out.svg --layout front
+--limit-nodes 10
+--limit-memory 0.001
+--bake-frames 5 1
+--bake-frames 1 5
+--motion stick
+--mask-group a --mask-material b
+--mask-group a
+--mask-threshold 0.3
+--mask-invert
+--outline --border-distance 0.05
+--guides line.obj --guides-object Name
+--from 0 0 0
+--from 0 0 0 --to 1 1 0 --seed line.obj
+--leave-out-guides
+--seed line.ply
+--from 0 0 0 --from-vertex 1 --to 1 1 0
+--from 0 0 0 --to 0 0 0
+--from 0 0 0 --to-vertex 9999
+--target-length 5
+--direction x --direction-object Name
+--direction Name
+--direction x --direction-smoothing 1
+--alignment 2
+--across
+--output out.csv --resample-step 1 --chord-tolerance 1
+--resample-step 1
+--part-length 1
+--output out.csv --part-overlap 1
+--output out.csv --part-length 1 --part-overlap 1
+--poses
+--output out.csv --standoff 1
+--output out.svg --lines pairs
+--points mesh
+--spacing nan
+--mask-threshold 5 --mask-group a
+--length 0
+--threads 1.5
+--seed plain.obj
+--seed branch.obj
+--seed twice.obj
+--output out.csv --resample-step 1e-9
+--output out.csv --part-length 1e-9
+--output out.svg --scale 1e-9
+--output out.gcode --unit cm
+--output out.gcode --arcs 0.1
+--output out.svg --layout top --input ball.obj --size 90
+--output out.svg --layout top --chord-tolerance 0.3 --spacing 0.1 --iterations 300 --size 90
+"""
+
+
+def text_of(mesh: geometry.Mesh) -> str:
+    lines = ["v {!r} {!r} {!r}".format(*place) for place in mesh.vertices.tolist()]
+    return "\n".join(lines + ["f {} {} {}".format(*(face + 1)) for face in mesh.faces]) + "\n"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("said")
+    points = "".join(f"v {x} {y} 0\n" for x, y in SQUARE)
+    (folder / "sheet.obj").write_text(text_of(geometry.grid(6)))
+    (folder / "ball.obj").write_text(text_of(geometry.icosphere(2)))
+    (folder / "line.obj").write_text(points + "l 1 2 3\n")
+    (folder / "plain.obj").write_text(points)
+    (folder / "branch.obj").write_text(points + "l 1 2 3\nl 2 4\n")
+    (folder / "twice.obj").write_text(points + "l 1 2\nl 2 1\n")
+    for name in ("shot.blend", "a.fbx", "line.ply", "head.txt"):
+        (folder / name).write_text("x")
+    (folder / "protected.obj").write_text("x")
+    (folder / "locked").mkdir()
+    return folder
+
+
+def said_of(call: Callable[[], object]) -> str:
+    """What a call says: its refusal, or what it prints on the error stream."""
+    stream = io.StringIO()
+    with contextlib.redirect_stderr(stream):
+        try:
+            call()
+        except (BadInput, core.MeanderError, whole_files.FileError) as refusal:
+            stream.write(str(refusal))
+    return stream.getvalue().strip()
+
+
+def tried(folder: Path, line: str) -> str:
+    base = ["--input", "sheet.obj", "--output", "out.obj", "--spacing", "0.3", "--iterations", "1"]
+    words = shlex.split(line)
+    words = ["x" * 300 + ".obj" if word == "long" else word for word in words]
+    at = Path.cwd()
+    os.chdir(folder)
+    try:
+        return said_of(lambda: batch.main([*base, "--quiet", *words]))
+    finally:
+        os.chdir(at)
+
+
+def reading(folder: Path, name: str, data: bytes) -> str:
+    path = folder / name
+    path.write_bytes(data)
+    return said_of(lambda: surface_files.read(path))
+
+
+def others(folder: Path) -> list[str]:
+    """Sentences that no option leads to by itself."""
+    flat = np.zeros((2, 3))
+    up = np.tile([0.0, 0.0, 1.0], (2, 1))
+    strand = toolpath.strand_of(flat + [[0, 0, 0], [1, 0, 0]], up, False)
+    wide = drawing.Drawing([toolpath.strand_of(2e3 * strand.points, up, False)], "mm", True)
+    face_of_nothing = obj(SQUARE, "f 1 2 1 2\n")
+    spiky = "facet normal 0 0 1\nouter loop\n" + "vertex 0 0 0\nvertex 1 0 0\n" * 2
+    cost = core.Cost(**{name: 1e6 for name in core.Cost.__dataclass_fields__})
+    namespace = type("Arguments", (), {"limit_nodes": 10**9, "limit_memory": 1e-6})()
+    found = [
+        said_of(lambda: drawing.drawing_of([], "mm", 1.0, 1.0, 0.0, True)),
+        said_of(lambda: drawing.drawing_of(
+            [toolpath.strand_of(flat + np.nan, up, False)], "mm", 1.0, 1.0, 0.0, True)),
+        said_of(lambda: gcode.gcode_text(
+            drawing.Drawing([strand], "cm", True), gcode.Motion(), "a", "1")),
+        reading(folder, "a.obj", face_of_nothing),
+        reading(folder, "a.stl", f"solid a\n{spiky}endloop\nendfacet\n".encode()),
+        reading(folder, "b.stl", binary_stl(0)[:84]),
+        reading(folder, "c.stl", stl().replace(b"vertex", b"corner")),
+        reading(folder, "a.fbx", b"x"),
+        reading(folder, "a.ply", b"\x1f\x8b packed"),
+        reading(folder, "b.ply", ply("", 1).replace(b"format ascii 1.0\n", b"")),
+        reading(folder, "c.ply", ply("", 1).replace(b"end_header", b"end")),
+        reading(folder, "d.ply", ply("", 1).replace(b"property float z\n", b"")),
+        reading(folder, "e.ply", ply("", 1).replace(b"float z", b"float y")),
+        reading(folder, "f.ply", ply("0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 -7\n", 1)),
+        reading(folder, "g.ply", ply("0 0 0\n1 0 0\n1 1 0\n0 1 0\n-3 0 1 2\n", 1)),
+        said_of(lambda: limits.refuse_large(cost, namespace)),
+    ]  # fmt: skip
+    if embroidery.is_there():
+        found.append(said_of(lambda: embroidery.embroidery_bytes(wide, "a", ".dst")))
+    return found
+
+
+# What cannot come up here, and where it is tried.
+ELSEWHERE = {
+    "are available; choose a": "needs a machine without memory: test_memory_limit.py",
+    "cannot be written to; choose another": "needs a user without rights: test_whole_files.py",
+    "is protected against writing": "the same",
+    "no spacing gives a length": "test_target_length.py",
+    "which no machine can do": "needs pyembroidery",
+}
+
+
+@pytest.fixture(scope="module")
+def said(folder: Path) -> dict[str, str]:
+    found = {line: tried(folder, line) for line in TRIES.strip().splitlines()}
+    for case in CASES:
+        found[f"{case.kind}: {case.title}"] = case.said
+    for number, text in enumerate(others(folder)):
+        found[f"other {number}"] = text
+    return found
+
+
+def test_every_try_says_one_sentence(said: dict[str, str]) -> None:
+    silent = [line for line, text in said.items() if not text and ": " not in line]
+    assert silent == []
+    for line, text in said.items():
+        for sentence in text.splitlines():
+            assert "Traceback" not in sentence, line
+            assert_sentence(sentence.removeprefix("meander: ").removeprefix("warning: "))
+
+
+def test_every_sentence_comes_up(said: dict[str, str]) -> None:
+    everything = "\n".join(said.values())
+    lines = everything.splitlines()
+    missing = [
+        f"{sentence.place}: {sentence.text!r}"
+        for sentence in sentences()
+        if not any(sentence.pattern.search(line) for line in lines)
+        and not any(part in sentence.text for part in ELSEWHERE)
+    ]
+    assert missing == []
+    assert len(sentences()) > 100
