@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The spacing at which a curve has a length that is asked for: cables, heaters, antennas; no bpy."""
+"""The spacing at which a curve has a length that is asked for: of cables, of heaters; no bpy."""
 
 from __future__ import annotations
 

@@ -53,10 +53,11 @@ def parted(
 
 
 def _between(strand: Strand, begin: float, end: float, mesh: Mesh | None) -> Strand:
-    """The part of a strand between two arc lengths, which may lie beyond the ends of a closed one."""
+    """The part of a strand between arc lengths, which may lie beyond the ends of a closed one."""
     arcs, index = strand.arc_lengths, np.arange(len(strand.points))
     if strand.closed:  # once more before and after
-        arcs = np.concatenate([arcs - strand.length, arcs, arcs + strand.length, [2 * strand.length]])
+        length = strand.length
+        arcs = np.concatenate([arcs - length, arcs, arcs + length, [2.0 * length]])
         index = np.concatenate([index, index, index, index[:1]])
     inner = np.flatnonzero((arcs > begin) & (arcs < end))
     places = np.concatenate([[begin], arcs[inner], [end]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A curve as poses of a tool, for robots: places and orientations, with ways there and back; no bpy.
+"""A curve as poses of a robot's tool: places and orientations, ways there and back; no bpy.
 
 The frame of the tool at every pose: its z axis points into the surface, against the normal, its x
 axis along the curve, at right angles to the normal, and its y axis completes a right-handed frame.
