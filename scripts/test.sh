@@ -153,6 +153,11 @@ first_row() {
     /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/sweep tests/mutation
   profile blender-4.5
   suite blender-4.5 900 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
+  # What is written for machines, by readers from the Python index that /usr/bin/python3 does not have.
+  profile readers
+  suite readers 300 "${in_profile[@]}" "$bpy_python" -m pytest -q -p no:cacheprovider \
+    tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/test_parts_by_length.py \
+    tests/core/test_what_machines_take.py
   window ui run.py 100
   window ui-undo undo.py 100
   window ui-live live.py 100

@@ -240,7 +240,8 @@ def test_dxf_is_what_another_reader_finds(tmp_path: Path) -> None:
     result = _sheet()
     splines = scenes.world_splines(result)
     for layout in ("SPACE", "FRONT"):
-        _export(tmp_path / "a.dxf", unit="IN", layout_as=layout, scale=0.1)
+        seen_edge_on = layout == "FRONT"
+        _export(tmp_path / "a.dxf", unit="IN", layout_as=layout, scale=0.1, force=seen_edge_on)
         document = ezdxf.readfile(tmp_path / "a.dxf")
         assert not document.audit().errors
         assert document.header["$INSUNITS"] == 1
