@@ -63,7 +63,8 @@ def write_curve(
     tolerance   as few points as keep the chords between them this near the curve
     drawing     of drawings only, named as the flags of the command are: layout ("space", "top",
                 "front", "side"), unit ("mm", "cm", "in"), scale, size, line_width, feed,
-                travel_feed, lift, layer_offset, layers, layer_height, extrusion, stitch_length.
+                travel_feed, lift, layer_offset, layers, layer_height, extrusion, tool, machine,
+                power, servo_down, servo_up, relative, arcs, stitch_length, stitch_tolerance, force.
                 A unit of the mesh is a metre
 
     Raises FileError: the file cannot be written, or an option means nothing for its format.
@@ -92,7 +93,12 @@ def write_curve(
     if kind is None:
         toolpath.write(path, strands, library_version())
         return
-    drawn = export.prepared(strands, kind, values, metres=1.0)
+    spacing = float(flow.statistics()["spacing_target"])
+    drawn = export.prepared(strands, kind, values, metres=1.0, spacing=spacing)
+    problem = None if values["force"] else export.unusable(drawn)
+    if problem is not None:
+        way = "choose another layout" if problem.edge else "choose a size, or a smaller scale"
+        raise FileError(f"the drawing {problem.what}; {way}, or force=True")
     export.write(path, kind, drawn, values, path.stem, library_version())
 
 

@@ -123,3 +123,30 @@ def test_a_large_file_is_read_in_a_moment_and_in_little_memory(kind: str, tmp_pa
     # Half a second for 950,000 faces on an idle machine; a line at a time in Python it was 6.
     assert seconds < 4.0 * max(size / 40e6, faces / 950_000)
     assert memory < 4 * size + 8e6
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("a.obj", "# x\nv 0 0 0\n\nv nan 0 0\nv 1 1 0\nf 1 2 3\n", "Vertex 2 (line 4) has a"),
+        ("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no b\nf 1 2 3 4\nf 1 2 2\n",
+         "Face 2 (line 7) uses vertex 2 (line 2) twice"),
+        ("a.ply", "vertex 3|nan 0 0\n1 0 0\n1 1 0\n|face 1|3 0 1 2\n", "Vertex 0 has a"),
+        ("a.ply", "vertex 3|0 0 0\n1 0 0\n1 1 0\n|face 1|3 0 1 9\n", "refers to vertex 9"),
+        ("a.stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex inf 1 0\nendloop\n",
+         "Vertex at inf 1 0 has a"),
+    ],
+)  # fmt: skip
+def test_elements_are_counted_as_the_file_does(name, text, words, tmp_path, capsys) -> None:
+    path = tmp_path / name
+    if name.endswith(".ply"):
+        vertices, places, faces, rows = text.split("|")
+        text = (
+            f"ply\nformat ascii 1.0\nelement {vertices}\nproperty float x\nproperty float y\n"
+            f"property float z\nelement {faces}\nproperty list uchar int vertex_indices\n"
+            f"end_header\n{places}{rows}"
+        )
+    path.write_text(text)
+    given = ["--input", str(path), "--output", str(tmp_path / "o.obj"), "--spacing", "0.3"]
+    assert batch.main([*given, "--quiet", "--strict"]) == 2
+    assert words in capsys.readouterr().err

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/failure.h"
 #include "mesh/mesh_check.h"
 #include "test_meshes.h"
 
@@ -167,6 +168,40 @@ TEST(Prepare, ACrownOfFlatFacesLeavesNoSlit) {
   const CheckedMesh checked = check_mesh(prepared.vertices, prepared.faces, pool);
   EXPECT_GE(checked.component_count, 1u);
   EXPECT_NEAR(area(prepared.vertices, prepared.faces), 1, 1e-9);
+}
+
+TEST(Prepare, ARepairIsCancelledAtEveryAsk) {
+  // Every triangle by itself, so that all of it is to be welded; some are flat, some doubled.
+  const Mesh whole = sphere(5);
+  Mesh soup;
+  for (size_t f = 0; f < whole.face_count(); ++f) {
+    std::array<uint32_t, 3> corners;
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3 p = whole.at(whole.faces[3 * f + k]);
+      corners[k] = soup.add(p.x(), p.y(), p.z());
+    }
+    soup.face(corners[0], corners[1], corners[2]);
+    if (f % 7 == 0) soup.face(corners[0], corners[2], corners[1]);
+    if (f % 11 == 0) soup.face(corners[0], corners[1], corners[1]);
+  }
+  PrepareSettings settings;
+  settings.merge_distance = 1e-9;
+  settings.drop_degenerate = settings.make_manifold = true;
+  settings.weld_distance = 1e-4;
+  size_t asks = 0;
+  const PreparedMesh prepared = prepare_mesh(soup.vertices, soup.faces, settings, [&] { return ++asks, false; });
+  EXPECT_EQ(prepared.faces.size(), whole.faces.size());
+  EXPECT_GT(asks, 10u);
+  for (size_t last = 0; last < asks; ++last) {
+    size_t asked = 0;
+    try {
+      prepare_mesh(soup.vertices, soup.faces, settings, [&] { return asked++ == last; });
+      ADD_FAILURE() << "it went on after ask " << last;
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.kind, FailureKind::kCancelled);
+    }
+    EXPECT_EQ(asked, last + 1) << "it asks once and ends";
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ class MeshOfFile:
     polygons   (m,) the face of the file, from 0, that each triangle is a part of; None: itself
     lines      (p,) of each face of the file, its line, from 1; None: it has no lines
     first      how the file counts its first face and vertex, 0 or 1
+    path       of the file
     joined     whether the file gives places at every face, so that its vertices have no numbers
     """
 
@@ -31,6 +33,7 @@ class MeshOfFile:
     lines: NDArray[np.uint32] | None = None
     first: int = 1
     joined: bool = False
+    path: Path | None = None
 
 
 def triangles_of(

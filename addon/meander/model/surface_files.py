@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
+from .file_text import read_plain
 from .mesh_files import read_obj
 from .ply_files import read_ply
 from .polygons import MeshOfFile
@@ -34,7 +36,9 @@ def read(path: str | Path) -> MeshOfFile:
     if reader is None:
         kinds = ", ".join(SUFFIXES[:-1])
         raise FileError(f"{path} is no {kinds} or {SUFFIXES[-1]} file; export the mesh as one")
-    return reader(path)
+    mesh = reader(path)
+    mesh.path = path
+    return mesh
 
 
 def read_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]]:
@@ -59,10 +63,25 @@ def in_file(error: core.MeanderError, mesh: MeshOfFile) -> core.MeanderError:
             line = f" (line {mesh.lines[polygon]})"
         return f"{polygon + mesh.first}{line}"
 
+    def line_of_vertex(number: int) -> str:
+        """Looked for in the file again: nobody else wants to know."""
+        if mesh.path is None or mesh.path.suffix.lower() != ".obj":
+            return ""
+        try:
+            text = read_plain(mesh.path)
+        except FileError:  # it has gone meanwhile
+            return ""
+        places = re.finditer(rb"^[ \t]*v[ \t]", text.replace(b"\r\n", b"\n"), re.MULTILINE)
+        found = next(itertools.islice(places, number, None), None)
+        if found is None:
+            return ""
+        line = found.string.count(b"\n", 0, found.start()) + 1
+        return f" (line {line})"
+
     def vertex(match: re.Match[str]) -> str:
         number = int(match[0])
         if not mesh.joined:
-            return str(number + mesh.first)
+            return f"{number + mesh.first}{line_of_vertex(number)}"
         x, y, z = mesh.vertices[number]
         return f"at {x:.6g} {y:.6g} {z:.6g}"
 

@@ -50,6 +50,15 @@ class ExportOptions:
         }
 
 
+# Settings that mean nothing for other tools.
+_OF_TOOLS = {
+    "lift": ("PEN", "SPINDLE"),
+    "power": ("LASER", "SPINDLE"),
+    "servo_down": ("SERVO",),
+    "servo_up": ("SERVO",),
+}
+
+
 class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
     """Write the curve to a file for plotters, lasers, mills, printers or embroidery"""
 
@@ -113,6 +122,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             layout.prop(self, "selected")
         for setting in () if kind is None else kind.options:
             if setting == "visible_only" and not export.is_seen(kind, self.layout_as.lower()):
+                continue
+            if self.tool not in _OF_TOOLS.get(setting, (self.tool,)):
                 continue
             row = layout.row()
             row.active = setting != "scale" or self.size == 0.0

@@ -112,7 +112,7 @@ std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertic
     made->surface = faultless_surface(vertices, faces, settings.weld_distance, options.threads, cancelled);
     if (made->surface) return made;
   }
-  PreparedMesh mesh = prepare_mesh(vertices, faces, settings);
+  PreparedMesh mesh = prepare_mesh(vertices, faces, settings, cancelled);
   made->surface = surface_of(mesh, options.threads, cancelled);
   made->prepared = mesh.counts;
   made->map = std::make_shared<const MeshMap>(std::move(mesh.map));

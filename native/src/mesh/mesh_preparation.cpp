@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/cancel_poll.h"
 #include "base/disjoint_sets.h"
 #include "base/failure.h"
 #include "mesh/edge_splits.h"
@@ -43,8 +44,9 @@ uint64_t edge_key(uint32_t a, uint32_t b) { return (uint64_t{std::min(a, b)} << 
 /// The mesh while it is being prepared.
 class MeshPreparation {
  public:
-  MeshPreparation(std::span<const double> vertices, std::span<const uint32_t> faces)
-      : caller_vertices_(vertices.size() / 3), caller_faces_(faces.size() / 3) {
+  MeshPreparation(std::span<const double> vertices, std::span<const uint32_t> faces,
+                  const std::function<bool()>& cancelled)
+      : poll_(cancelled, 1 << 14), caller_vertices_(vertices.size() / 3), caller_faces_(faces.size() / 3) {
     positions_.resize(caller_vertices_);
     origins_.resize(caller_vertices_);
     for (uint32_t v = 0; v < caller_vertices_; ++v) {
@@ -76,6 +78,8 @@ class MeshPreparation {
   void drop_small_parts(double size);
   PreparedMesh result();
   bool empty() const { return faces_.empty(); }
+  /// Throws where the caller has cancelled.
+  void ask() const { poll_.now(); }
 
  private:
   struct Face {
@@ -116,6 +120,7 @@ class MeshPreparation {
   /// Per edge, in order of the key: key and face.
   std::vector<std::pair<uint64_t, uint32_t>> edges() const;
 
+  mutable CancelPoll poll_;
   size_t caller_vertices_, caller_faces_;
   std::vector<Vec3> positions_;
   std::vector<MeshMap::VertexOrigin> origins_;
@@ -141,6 +146,7 @@ std::vector<std::pair<uint64_t, uint32_t>> MeshPreparation::edges() const {
   std::vector<std::pair<uint64_t, uint32_t>> edges;
   edges.reserve(3 * faces_.size());
   for (uint32_t f = 0; f < faces_.size(); ++f) {
+    poll_();
     const Triangle& v = faces_[f].v;
     for (size_t k = 0; k < 3; ++k) edges.emplace_back(edge_key(v[k], v[(k + 1) % 3]), f);
   }
@@ -190,6 +196,7 @@ void MeshPreparation::merge_vertices(double distance) {
   std::vector<uint8_t> merged(positions_.size(), 0);
   DisjointSets sets(positions_.size());
   for (uint32_t v = 0; v < positions_.size(); ++v) {
+    poll_();
     if (!used[v] || merged[v]) continue;
     const Cell cell = cell_of(positions_[v]);
     for (double dx = -1; dx <= 1; ++dx) {
@@ -223,6 +230,7 @@ void MeshPreparation::dissolve_degenerate() {
 std::vector<uint32_t> MeshPreparation::flat_faces() const {
   std::vector<uint32_t> flat;
   for (uint32_t f = 0; f < faces_.size(); ++f) {
+    poll_();
     const Triangle& v = faces_[f].v;
     const Vec3 a = positions_[v[1]] - positions_[v[0]], b = positions_[v[2]] - positions_[v[0]];
     const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
@@ -640,8 +648,9 @@ PreparedMesh MeshPreparation::result() {
 }
 
 PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
-                          const PrepareSettings& settings) {
-  MeshPreparation mesh(vertices, faces);
+                          const PrepareSettings& settings, const std::function<bool()>& cancelled) {
+  MeshPreparation mesh(vertices, faces, cancelled);
+  mesh.ask();
   if (!settings.face_mask.empty()) {
     mesh.mask_faces(settings.face_mask);
     if (mesh.empty()) {
@@ -650,14 +659,17 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
   }
   if (settings.merge_distance > 0) mesh.merge_vertices(settings.merge_distance);
   if (settings.drop_degenerate) mesh.dissolve_degenerate();
+  mesh.ask();
   if (settings.weld_distance > 0) {
     const bool split = mesh.split_edges(settings.weld_distance);
+    mesh.ask();
     if ((mesh.weld_seams(settings.weld_distance) || split) && settings.drop_degenerate) mesh.dissolve_degenerate();
   }
   if (mesh.empty()) {
     throw Failure(FailureKind::kInvalidMesh,
                   "Merging and dropping leave no faces of the mesh; choose a smaller merge distance.");
   }
+  mesh.ask();
   if (!settings.vertex_mask.empty()) {
     mesh.clip(settings.vertex_mask, settings.mask_threshold);
     if (mesh.empty()) {
@@ -666,12 +678,14 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
                         number(settings.mask_threshold) + "; choose a lower threshold.");
     }
   }
+  mesh.ask();
   if (!settings.make_manifold) {
     mesh.split_vertices(settings.split_bow_ties, settings.cut_non_manifold);
     if (settings.smallest_part > 0) mesh.drop_small_parts(settings.smallest_part);
     return mesh.result();
   }
   if (settings.drop_degenerate) mesh.drop_flat();
+  mesh.ask();
   if (mesh.empty()) {
     throw Failure(FailureKind::kInvalidMesh, "No face of the mesh has an area; give a mesh with a surface.");
   }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -58,7 +59,10 @@ struct PreparedMesh {
 ///   diagonal below smallest_part go.
 /// The result is as strict a mesh as the settings allow; check_mesh finds what is left. Throws
 /// Failure(FailureKind::kInvalidMesh) when nothing is left.
+///
+/// cancelled   or empty; asked before every step and now and then within the long ones: where it says yes,
+///             Failure(FailureKind::kCancelled) is thrown
 PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
-                          const PrepareSettings& settings);
+                          const PrepareSettings& settings, const std::function<bool()>& cancelled = {});
 
 }  // namespace meander
