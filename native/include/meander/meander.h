@@ -361,11 +361,11 @@ MEANDER_API meander_status meander_surface_options_init(meander_surface_options*
  * separates them at either of its ends, they stay joined.
  *
  * Refused with MEANDER_STATUS_INVALID_MESH, naming the first element: no faces, also after masks,
- * merging and smallest_part; a coordinate of a face that is NaN or infinite; an index out of range; a vertex twice in a face; a
- * face without area (its height less than 1e-8 of the size of the whole mesh); an edge with more
- * than two faces; a vertex where fans of faces meet in one point (bow-tie); a component that cannot
- * be oriented (Moebius strip). Lengths matter only relative to the mesh: a mesh times 0.001 gives
- * the same curve times 0.001. Any thread. */
+ * merging and smallest_part; a coordinate of a face that is NaN or infinite; an index out of range; a
+ * vertex twice in a face; a face without area (its height less than 1e-8 of the size of the whole mesh);
+ * an edge with more than two faces; a vertex where fans of faces meet in one point (bow-tie); a component
+ * that cannot be oriented (Moebius strip). Lengths matter only relative to the mesh: a mesh times 0.001
+ * gives the same curve times 0.001. Any thread. */
 MEANDER_API meander_status meander_surface_create(const double* vertices, size_t vertex_count,
                                                   const uint32_t* faces, size_t face_count,
                                                   const meander_surface_options* options,

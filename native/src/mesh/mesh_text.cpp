@@ -28,7 +28,9 @@ double beyond_range(std::string_view word) {
   const bool minus = word.front() == '-';
   if (minus) word.remove_prefix(1);
   const size_t e = word.find_first_of("eE");
-  const bool small = e != std::string_view::npos ? e + 1 < word.size() && word[e + 1] == '-' : word.front() == '0' || word.front() == '.';
+  const bool has_exponent = e != std::string_view::npos;
+  const bool small =
+      has_exponent ? e + 1 < word.size() && word[e + 1] == '-' : word.front() == '0' || word.front() == '.';
   const double value = small ? 0 : std::numeric_limits<double>::infinity();
   return minus ? -value : value;
 }
@@ -211,7 +213,9 @@ void Reader::obj_polygon(size_t begin, uint32_t line, size_t least, const char* 
   for (std::string_view word = scanner_.word(true); !word.empty(); word = scanner_.word(true)) {
     add_corner(index(word, begin, line, wanted));
   }
-  if (least == 2 && polygons_.corner_count - begun_ < least) malformed(line, scanner_.quoted(begin) + " is not " + wanted);
+  if (least == 2 && polygons_.corner_count - begun_ < least) {
+    malformed(line, scanner_.quoted(begin) + " is not " + wanted);
+  }
   close_polygon(line, least);
 }
 

@@ -31,7 +31,8 @@ struct TextPolygons {
 /// Reads a text in one pass. Lines end with \n, \r or both.
 ///
 /// OBJ: a backslash at the end of a v, f or l line continues it, `#` ends it; of a reference such as 7/1/3 the vertex
-/// is taken, negative ones count back from the line. Everything that is not asked for is passed over, whatever it holds.
+/// is taken, negative ones count back from the line. Everything that is not asked for is passed over, whatever it
+/// holds.
 /// STL: `vertex` and its three numbers; a loop may have more than three of them. Names behind `solid` and `endsolid`
 /// are passed over.
 ///

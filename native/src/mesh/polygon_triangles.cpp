@@ -141,7 +141,9 @@ class EarCutter {
     }
     // Each has moved to its end; what is the end of a cell is now the beginning of the next.
   }
-  size_t column(double x) const { return std::min(columns_ - 1, static_cast<size_t>(std::max(0.0, (x - low_.x) / size_))); }
+  size_t column(double x) const {
+    return std::min(columns_ - 1, static_cast<size_t>(std::max(0.0, (x - low_.x) / size_)));
+  }
   size_t row(double y) const { return std::min(rows_ - 1, static_cast<size_t>(std::max(0.0, (y - low_.y) / size_))); }
   size_t cell_of(Vec2 p) const { return row(p.y) * columns_ + column(p.x); }
 
