@@ -132,7 +132,7 @@ def in_edit_mode() -> Iterator[float]:
 
 def faults() -> Iterator[float]:
     step("faults that Strict refuses are said in the panel, selected and framed by Show")
-    places = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, 1), (-1, 0, 0), (-1, -1, 0)]
+    places = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, 1), (-1, -2, 0), (-1, -1, 0)]
     mesh = bpy.data.meshes.new("Torn")
     mesh.from_pydata(places, [], [(0, 1, 2), (0, 2, 3), (0, 2, 4), (1, 5, 6)])
     torn = bpy.data.objects.new("Torn", mesh)
