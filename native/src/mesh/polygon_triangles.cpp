@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/elementary.h"
 #include "base/plane.h"
 
 namespace meander {
@@ -256,7 +257,7 @@ class PolygonDivision {
     }
     const double length = normal.norm();
     normal = length > 0 ? Vec3(normal / length) : Vec3(0, 0, 1);
-    const double flat = std::hypot(normal.x(), normal.y());
+    const double flat = elementary::hypot(normal.x(), normal.y());
     const Vec3 right = flat > 0 ? Vec3(normal.y() / flat, -normal.x() / flat, 0) : Vec3(1, 0, 0);
     const Vec3 up = normal.cross(right);
     points_.clear();
