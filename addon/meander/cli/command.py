@@ -120,7 +120,8 @@ def _remarks(
     if record["bridges"]["count"]:
         length = f"{record['bridges']['length']:.3g}"
         told.append(bridges.described(record["bridges"]["count"], length))
-    told.append(last_run.roughness(figures["smoothing"], figures["stretch"]))
+    rough = last_run.roughness(figures["smoothing"], figures["stretch"])
+    told.append(rough[:1].lower() + rough[1:])
     told.append(_lines(record["lines"]))
     told.append(summary(figures))
     return [line for line in told if line]
