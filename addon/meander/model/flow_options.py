@@ -47,6 +47,30 @@ ROWS: tuple[Option, ...] = (
         flag=Flag("--preset", "weights, step and stopping rule; default: even", default="even"),
     ),
     Option(
+        "start",
+        "Start",
+        "What the curve begins as, where no strand is drawn",
+        _ADVANCED,
+        kind=str,
+        default="grow",
+        choices=(
+            ("grow", "Grow", "A small loop that grows until it fills the surface, as coral does"),
+            (
+                "full",
+                "Full",
+                "A curve that fills the surface already, in long rows along the direction, or "
+                "along a smooth one: more even, with a third of the hairpins, in half the time",
+            ),
+        ),
+        field="start",
+        flag=Flag(
+            "--start",
+            "begin with a small loop that grows (grow), or with a curve that fills the surface "
+            "already, in rows along --direction or a smooth field (full); default: grow",
+            default="grow",
+        ),
+    ),
+    Option(
         "medial_axis",
         "Distances",
         "How distances between strands are measured",

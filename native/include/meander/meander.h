@@ -569,6 +569,15 @@ enum {
                                     iterations in a row */
 };
 
+/* What a curve starts from. */
+typedef uint32_t meander_start;
+enum {
+  MEANDER_START_GROW = 0, /* its seed, or a small loop, which grows until it fills the surface: it winds as coral does */
+  MEANDER_START_FULL = 1  /* a curve that fills the surface already: it walks round evenly spaced streamlines of the
+                             field of meander_flow_set_directions or, where there is none, of the smoothest field, and
+                             the flow only makes it even. It is laid in the first iteration */
+};
+
 /* Options of one flow. Always start from meander_flow_options_init, which is the only place where
  * defaults live. Weights have no unit and mean the same at every scale and segment length. */
 typedef struct meander_flow_options {
@@ -624,7 +633,9 @@ typedef struct meander_flow_options {
   uint32_t polish;          /* 1: close the gaps at the end with length weights that follow the spacing */
   uint32_t iteration_limit; /* of a run, counted over the life of the flow; at least 1 */
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
-  uint64_t reserved[8];
+  meander_start start;
+  uint32_t reserved32;
+  uint64_t reserved[7];
 } meander_flow_options;
 
 /* Fills in the defaults of a preset; see "Structs".

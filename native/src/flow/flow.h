@@ -97,6 +97,8 @@ class Flow {
     return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase());
   }
   void iterate();
+  void start_full();
+  FlowSettings as_started(FlowSettings settings) const;
   void find_medial_axis(FlowState& state, const AtRest& known, MedialPlan plan = {});
   void find_medial_axis(const Plan& plan);
   IterationFigures figures_of(const NodeData<Vec2>& displacement);
@@ -109,6 +111,9 @@ class Flow {
 
   ThreadPool pool_;
   SeedFit seed_fit_;
+  size_t drawn_;       // strands of the seed
+  bool starts_full_;   // none of them grows, and the first iteration lays a curve that fills the surface;
+  bool start_is_due_;  // it has not been yet
   // What a run is about, and how far it has come.
   FlowState state_;
   Convergence convergence_;

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seed/full_start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "curve/guide_samples.h"
+#include "mesh/fields.h"
+#include "seed/line_tree.h"
+#include "seed/streamlines.h"
+#include "seed/tree_tour.h"
+
+namespace meander {
+namespace {
+
+/// The curve runs so far from the tree, in r: a half would be its distance at the spacing, and from there the flow pushes
+/// strands apart within some ten iterations. Nearer to it fewer corners meet.
+constexpr double kOffset = 0.45;
+
+/// Walls are known by places this far apart, in r.
+constexpr double kWallStep = 0.5;
+
+/// How far patches look, in r; see SurfacePatches.
+constexpr double kClamp = 3;
+
+/// Work between two asks, in pieces of some hundred nanoseconds.
+constexpr uint32_t kPieces = 1024;
+
+bool has_direction(Vec2 line) { return norm(line) > 1e-9; }
+
+/// Every component of the surface that has no direction.
+std::vector<uint8_t> without_field(const Surface& surface, const LineField& field) {
+  std::vector<uint8_t> without(surface.component_count(), 1);
+  for (uint32_t f = 0; f < surface.face_count() && !field.empty(); ++f) {
+    if (has_direction(field.at(make_point(f, 1, 1, 1)))) without[surface.component(f)] = 0;
+  }
+  return without;
+}
+
+/// The field, and the smoothest one on components without any.
+LineField completed(const Surface& surface, const LineField& field) {
+  const std::vector<uint8_t> without = without_field(surface, field);
+  if (std::ranges::count(without, 1) == 0) return field;
+  const LineField smooth(surface, smoothest_directions(surface), false);
+  if (field.empty()) return smooth;
+  LineField both = field;
+  both.replace(smooth, [&](uint32_t f) { return without[surface.component(f)] != 0; });
+  return both;
+}
+
+void add_boundary(const RadiusField& radius, LineNetwork& network) {
+  const Surface& s = network.surface();
+  for (const HalfEdge e : s.boundary()) {
+    const double r = radius.at(s, make_point(face_of(e), 1, 1, 1));
+    const double parts = std::clamp(std::ceil(norm(s.along(e)) / (kWallStep * r)), 1.0, 1e6);
+    for (double k = 0.5; k < parts; ++k) {
+      const Vec2 b = on_edge(e, clear_of_ends(k / parts));
+      network.add_node(network.make_node(make_point(face_of(e), 1 - b.x - b.y, b.x, b.y), LineNetwork::kBoundary, 0));
+    }
+  }
+}
+
+/// The first `drawn` strands, which stay.
+void add_walls(const Curve& curve, size_t drawn, const RadiusField& radius, LineNetwork& network) {
+  const Surface& s = network.surface();
+  for (size_t k = 0; k < drawn; ++k) {
+    const Strand& strand = curve.strands[k];
+    for (uint32_t i = strand.first; i < strand.first + strand.segment_count(); ++i) {
+      curve.pieces_of(i, [&](const Piece& piece) {
+        network.add_obstacle(piece);
+        const SurfacePoint from{piece.face, piece.from};
+        const double length = (position(s, SurfacePoint{piece.face, piece.to}) - position(s, from)).norm();
+        const double parts = std::clamp(std::ceil(length / (kWallStep * radius.at(s, from))), 1.0, 1e6);
+        for (double t = 0.5; t < parts; ++t) {
+          const Vec2 b = piece.from + (t / parts) * (piece.to - piece.from);
+          network.add_node(network.make_node(make_point(piece.face, 1 - b.x - b.y, b.x, b.y), LineNetwork::kWall, 0));
+        }
+      });
+    }
+  }
+}
+
+/// Which region of the surface a place is in: guides divide a component.
+class Regions {
+ public:
+  Regions(const Surface& surface, const Curve& curve, const RadiusField& radius) : surface_(surface) {
+    if (!curve.has_guides()) return;
+    guided_.assign(surface.component_count(), 0);
+    for (const Strand& s : curve.strands) {
+      if (s.guide) guided_[surface.component(curve.nodes[s.first].face)] = 1;
+    }
+    samples_.emplace(surface, curve, radius, guided_);
+  }
+
+  /// Alike for places in the same region; nothing where guides hide the place.
+  std::optional<std::pair<uint32_t, uint32_t>> of(const SurfacePoint& p) {
+    const uint32_t component = surface_.component(p.face);
+    if (guided_.empty() || !guided_[component]) return std::pair{component, 0u};
+    const uint32_t region = samples_->region_of(p);
+    if (region == kNone) return std::nullopt;
+    return std::pair{component, region};
+  }
+
+ private:
+  const Surface& surface_;
+  std::vector<uint8_t> guided_;  // per component; empty: none is
+  std::optional<GuideSamples> samples_;
+};
+
+void append(Curve& curve, const Curve& other, const Strand& strand) {
+  const auto copy = [&](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin() + strand.first, from.begin() + strand.end());
+  };
+  curve.strands.push_back({curve.size(), strand.count, strand.closed, strand.guide});
+  copy(curve.nodes, other.nodes);
+  copy(curve.fixed, other.fixed);
+  copy(curve.paths, other.paths);
+  copy(curve.shapes, other.shapes);
+}
+
+/// A node of the largest tree in each of these places' regions; kNone where there is none.
+std::vector<uint32_t> largest_trees(const std::vector<std::optional<std::pair<uint32_t, uint32_t>>>& wanted,
+                                    const std::vector<Streamline>& lines, const std::vector<uint32_t>& tree,
+                                    const LineNetwork& network, Regions& regions) {
+  std::vector<size_t> size(lines.size(), 0);
+  for (uint32_t k = 0; k < lines.size(); ++k) size[tree[k]] += lines[k].nodes.size();
+  std::vector<uint32_t> best(wanted.size(), kNone);
+  std::vector<size_t> most(wanted.size(), 0);
+  std::vector<std::pair<std::pair<uint32_t, uint32_t>, size_t>> known;
+  for (size_t k = 0; k < wanted.size(); ++k) {
+    if (wanted[k]) known.emplace_back(*wanted[k], k);
+  }
+  std::ranges::sort(known);
+  for (uint32_t k = 0; k < lines.size(); ++k) {
+    if (tree[k] != k) continue;
+    const uint32_t root = lines[k].nodes[lines[k].nodes.size() / 2];
+    const auto region = regions.of(network.nodes()[root].point);
+    if (!region) continue;
+    const auto found = std::ranges::lower_bound(known, std::pair{*region, size_t{0}});
+    if (found == known.end() || found->first != *region || size[k] <= most[found->second]) continue;
+    most[found->second] = size[k];
+    best[found->second] = root;
+  }
+  return best;
+}
+
+}  // namespace
+
+Curve full_start(const Surface& surface, const Curve& loops, size_t drawn, const RadiusField& radius,
+                 const LineField& field, const SurfacePatches* patches, double boundary_distance, ThreadPool& pool) {
+  std::unique_ptr<const SurfacePatches> own;
+  if (!patches) {
+    own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
+    patches = own.get();
+  }
+  LineNetwork network(surface, *patches, radius);
+  add_boundary(radius, network);
+  add_walls(loops, drawn, radius, network);
+  LineSpacing spacing;
+  spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
+  const CancelPoll poll = pool.poll(kPieces);
+  const std::vector<Streamline> lines =
+      draw_streamlines(completed(surface, field), radius, spacing, network, poll);
+  const std::vector<uint32_t> tree = join_lines(lines, network, poll);
+
+  Regions regions(surface, loops, radius);
+  std::vector<std::optional<std::pair<uint32_t, uint32_t>>> wanted(loops.strands.size());
+  for (size_t k = drawn; k < wanted.size(); ++k) {
+    wanted[k] = regions.of(loops.nodes[loops.strands[k].first]);
+  }
+  const std::vector<uint32_t> root_of = largest_trees(wanted, lines, tree, network, regions);
+  std::vector<uint32_t> roots, strand_of;
+  for (uint32_t k = 0; k < root_of.size(); ++k) {
+    if (root_of[k] == kNone) continue;
+    roots.push_back(root_of[k]);
+    strand_of.push_back(k);
+  }
+  std::vector<uint32_t> walked;
+  const Curve round = walk_round(network, roots, kOffset, pool, walked);
+  std::vector<uint32_t> filled(loops.strands.size(), kNone);
+  for (uint32_t k = 0; k < walked.size(); ++k) filled[strand_of[walked[k]]] = k;
+  Curve curve;
+  for (uint32_t k = 0; k < filled.size(); ++k) {
+    filled[k] == kNone ? append(curve, loops, loops.strands[k]) : append(curve, round, round.strands[filled[k]]);
+  }
+  curve.link();
+  return curve;
+}
+
+}  // namespace meander
