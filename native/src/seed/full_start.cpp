@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -42,10 +43,14 @@ std::vector<uint8_t> without_field(const Surface& surface, const LineField& fiel
 }
 
 /// The field, and the smoothest one on components without any.
-LineField completed(const Surface& surface, const LineField& field) {
+LineField completed(const Surface& surface, const LineField& field, const CancelPoll& ask) {
   const std::vector<uint8_t> without = without_field(surface, field);
   if (std::ranges::count(without, 1) == 0) return field;
-  const LineField smooth(surface, smoothest_directions(surface), false);
+  const std::function<bool()> cancelled = [&] {
+    ask.now();  // throws
+    return false;
+  };
+  const LineField smooth(surface, smooth_directions(surface, cancelled), false);
   if (field.empty()) return smooth;
   LineField both = field;
   both.replace(smooth, [&](uint32_t f) { return without[surface.component(f)] != 0; });
@@ -164,7 +169,7 @@ Curve full_start(const Surface& surface, const Curve& loops, size_t drawn, const
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelPoll poll = pool.poll(kPieces);
   const std::vector<Streamline> lines =
-      draw_streamlines(completed(surface, field), radius, spacing, network, poll);
+      draw_streamlines(completed(surface, field, poll), radius, spacing, network, poll);
   const std::vector<uint32_t> tree = join_lines(lines, network, poll);
 
   Regions regions(surface, loops, radius);

@@ -44,14 +44,14 @@ uint32_t LineNetwork::add_node(const Node& node) {
 }
 
 template <class Put>
-void LineNetwork::pieces_of(uint32_t from, uint32_t to, const SurfacePoint& begin, const SurfacePoint& end,
-                            const Path& path, const Put& put) {
-  Owned owned{{begin.face, 0, begin.b, {}}, from, kNone};
+void LineNetwork::pieces_of(uint32_t edge, uint32_t from, uint32_t to, const SurfacePoint& begin,
+                            const SurfacePoint& end, const Path& path, const Put& put) {
+  Owned owned{{begin.face, 0, begin.b, {}}, from, kNone, edge, 0};
   for (const Crossing& c : path) {
     owned.piece.to = on_edge(c.e, c.t);
     put(owned);
     const Crossing r = reversed(c);
-    owned = {{face_of(r.e), 0, on_edge(r.e, r.t), {}}, kNone, kNone};
+    owned = {{face_of(r.e), 0, on_edge(r.e, r.t), {}}, kNone, kNone, edge, owned.index + 1};
   }
   owned.piece.to = end.b;
   owned.end = to;
@@ -60,7 +60,7 @@ void LineNetwork::pieces_of(uint32_t from, uint32_t to, const SurfacePoint& begi
 
 bool LineNetwork::touches(uint32_t from, uint32_t to, const SurfacePoint& end, const Path& path) const {
   bool any = false;
-  pieces_of(from, to, nodes_[from].point, end, path, [&](const Owned& mine) {
+  pieces_of(kNone, from, to, nodes_[from].point, end, path, [&](const Owned& mine) {
     if (any) return;
     const auto others = pieces_.find(mine.piece.face);
     if (others == pieces_.end()) return;
@@ -83,8 +83,29 @@ bool LineNetwork::touches(uint32_t from, uint32_t to, const SurfacePoint& end, c
   return any;
 }
 
+std::optional<LineNetwork::Meeting> LineNetwork::first_met(uint32_t from, const SurfacePoint& end,
+                                                           const Path& path) const {
+  std::optional<Meeting> met;
+  double nearest = 0;
+  pieces_of(kNone, from, kNone, nodes_[from].point, end, path, [&](const Owned& mine) {
+    if (met && met->crossings < mine.index) return;
+    const auto others = pieces_.find(mine.piece.face);
+    if (others == pieces_.end()) return;
+    for (const Owned& other : others->second) {
+      if (mine.start != kNone && (mine.start == other.start || mine.start == other.end)) continue;
+      if (!touch(mine.piece, other.piece)) continue;
+      const Vec2 along = mine.piece.to - mine.piece.from, line = other.piece.to - other.piece.from;
+      const double share = cross(other.piece.from - mine.piece.from, line) / cross(along, line);
+      if (met && !(share < nearest)) continue;
+      nearest = share;
+      met = {other.edge, mine.index, other.index};
+    }
+  });
+  return met;
+}
+
 void LineNetwork::add_edge(uint32_t from, uint32_t to, Path path, const PathShape& shape) {
-  pieces_of(from, to, nodes_[from].point, nodes_[to].point, path,
+  pieces_of(static_cast<uint32_t>(edges_.size()), from, to, nodes_[from].point, nodes_[to].point, path,
             [&](const Owned& owned) { pieces_[owned.piece.face].push_back(owned); });
   edges_.push_back({from, to, std::move(path), shape});
 }
@@ -93,7 +114,7 @@ void LineNetwork::take_back(const Mark& mark) {
   // What came last is last in every list.
   for (; edges_.size() > mark.edges; edges_.pop_back()) {
     const Edge& edge = edges_.back();
-    pieces_of(edge.from, edge.to, nodes_[edge.from].point, nodes_[edge.to].point, edge.path,
+    pieces_of(kNone, edge.from, edge.to, nodes_[edge.from].point, nodes_[edge.to].point, edge.path,
               [&](const Owned& owned) { pieces_[owned.piece.face].pop_back(); });
   }
   for (; nodes_.size() > mark.nodes; nodes_.pop_back()) {

@@ -3,8 +3,11 @@
 // Lines drawn on the surface that meet nowhere but in common nodes.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "curve/curve.h"
@@ -50,10 +53,18 @@ class LineNetwork {
   uint32_t add_node(const Node& node);
   /// Whether an edge from node `from` to a point, which is node `to` or, kNone, none yet, would touch any other.
   bool touches(uint32_t from, uint32_t to, const SurfacePoint& end, const Path& path) const;
+  /// An edge that a walk meets, and how far both have come there.
+  struct Meeting {
+    uint32_t edge;
+    size_t crossings;         ///< of the walk before it
+    size_t crossings_of_edge; ///< of the edge before it
+  };
+  /// The first edge, or obstacle (kNone), that a walk from a node to a point meets; nothing where it meets none.
+  std::optional<Meeting> first_met(uint32_t from, const SurfacePoint& end, const Path& path) const;
   /// Of an edge that touches none.
   void add_edge(uint32_t from, uint32_t to, Path path, const PathShape& shape);
   /// What no edge may touch, and belongs to none.
-  void add_obstacle(const Piece& piece) { pieces_[piece.face].push_back({piece, kNone, kNone}); }
+  void add_obstacle(const Piece& piece) { pieces_[piece.face].push_back({piece, kNone, kNone, kNone, 0}); }
 
   Mark mark() const { return {nodes_.size(), edges_.size()}; }
   void take_back(const Mark& mark);
@@ -90,6 +101,8 @@ class LineNetwork {
   struct Owned {
     Piece piece;
     uint32_t start, end;  // the nodes at its ends, kNone where it ends at an edge of the mesh
+    uint32_t edge;        // kNone: an obstacle
+    size_t index;         // so many pieces of the edge come before
   };
 
   double cell_size(size_t level) const { return least_cell_ * static_cast<double>(uint64_t{1} << level); }
@@ -98,7 +111,7 @@ class LineNetwork {
   std::pair<size_t, uint64_t> cell_of(const Node& node) const;
   double along_surface(const Node& a, const Node& b, double chord) const;
   template <class Put>
-  static void pieces_of(uint32_t from, uint32_t to, const SurfacePoint& begin, const SurfacePoint& end,
+  static void pieces_of(uint32_t edge, uint32_t from, uint32_t to, const SurfacePoint& begin, const SurfacePoint& end,
                         const Path& path, const Put& put);
 
   const Surface& surface_;

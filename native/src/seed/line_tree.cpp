@@ -20,11 +20,16 @@ struct LinkRules {
   double ahead;       ///< at a tip, a link deviates from straight ahead by no more than this,
   double sideways;    ///< and elsewhere from a right angle
   size_t from_tip;    ///< nodes between a link that leaves sideways and a tip, at least
-  double clear;       ///< of third lines
 };
 
-/// Links that leave by about 50 degrees from straight ahead or sideways, and, for lines that none of them reaches, others.
-constexpr LinkRules kUsual{6.5, 0.5, 0.6, 2, 0.9}, kLast{10, 0, 0.92, 1, 0.6};
+/// Links that leave by about 50 degrees from straight ahead or sideways, and, for trees that none of them joins, others.
+constexpr LinkRules kUsual{6.5, 0.5, 0.6, 2}, kLast{12, 0, 0.92, 1};
+
+/// The first ones keep this distance from third lines, in r.
+constexpr double kClear = 0.9;
+
+/// What a search counts for, in pieces of work.
+constexpr size_t kSearched = 64;
 
 /// A tip that is joined saves a hairpin, which is worth this length, in r.
 constexpr double kTipWorth = 1.5;
@@ -65,8 +70,8 @@ class Joiner {
   }
 
   std::vector<uint32_t> join() {
-    join(kUsual, std::vector<uint8_t>(lines_.size(), 1));
-    join(kLast, not_in_largest());
+    join_near();
+    while (join_met()) continue;
     std::vector<uint32_t> tree(lines_.size());
     for (uint32_t k = 0; k < lines_.size(); ++k) tree[k] = trees_.find(k);
     return tree;
@@ -115,33 +120,31 @@ class Joiner {
     return length - kTipWorth * tips + kFromTip * std::min({from_tip(a), from_tip(b), kFarFromTip});
   }
 
-  void join(const LinkRules& rules, const std::vector<uint8_t>& marked) {
+  /// Joins what is near through space and along the surface.
+  void join_near() {
     std::vector<Candidate> candidates;
-    for (uint32_t k = 0; k < lines_.size(); ++k) {
-      if (!marked[k]) continue;
-      for (const uint32_t node : lines_[k].nodes) find_candidates(rules, node, marked, candidates);
+    for (const Streamline& line : lines_) {
+      for (const uint32_t node : line.nodes) find_candidates(node, candidates);
     }
     std::sort(candidates.begin(), candidates.end());
     for (const Candidate& c : candidates) {
       if (trees_.find(line_of(c.from)) == trees_.find(line_of(c.to))) continue;
-      poll_(64);
-      link(rules, c);
+      poll_(kSearched);
+      link_near(c);
     }
   }
 
   /// The best link from a node to each line near it, and one at a tip of that besides.
-  void find_candidates(const LinkRules& rules, uint32_t node, const std::vector<uint8_t>& marked,
-                       std::vector<Candidate>& candidates) {
+  void find_candidates(uint32_t node, std::vector<Candidate>& candidates) {
     const LineNetwork::Node& here = network_.nodes()[node];
     best_.clear();
-    network_.near(here, rules.longest * here.radius, [&](uint32_t i, double distance) {
+    network_.near(here, kUsual.longest * here.radius, [&](uint32_t i, double distance) {
       poll_();
       const LineNetwork::Node& other = network_.nodes()[i];
-      if (other.line >= LineNetwork::kBoundary || other.line == here.line) return false;
-      if (marked[other.line] && other.line < here.line) return false;  // it is looked at from there
+      if (other.line >= LineNetwork::kBoundary || other.line <= here.line) return false;
       const Vec3 chord = other.place - here.place;
-      const Exit a = exit_of(rules, node, unit(s_.to_plane(here.point.face, chord)));
-      const Exit b = exit_of(rules, i, unit(s_.to_plane(other.point.face, -chord)));
+      const Exit a = exit_of(kUsual, node, unit(s_.to_plane(here.point.face, chord)));
+      const Exit b = exit_of(kUsual, i, unit(s_.to_plane(other.point.face, -chord)));
       if (a == Exit::kNone || b == Exit::kNone) return false;
       const Candidate c{cost(node, i, distance / here.radius, a, b), node, i};
       const auto [best, added] = best_.try_emplace({other.line, b == Exit::kTip}, c);
@@ -151,25 +154,78 @@ class Joiner {
     for (const auto& [key, candidate] : best_) candidates.push_back(candidate);
   }
 
-  /// Adds a link, if it is one that may be.
-  void link(const LinkRules& rules, const Candidate& c) {
+  void link_near(const Candidate& c) {
     const LineNetwork::Node &a = network_.nodes()[c.from], &b = network_.nodes()[c.to];
     Chart chart = Chart::at(a.point, a.place);
-    if (!chart.advance_to(s_, b.point, b.place, rules.longest * a.radius)) return;
+    if (!chart.advance_to(s_, b.point, b.place, kUsual.longest * a.radius)) return;
     const double length = norm(chart.place);
-    if (!(length > 0) || length > 1.2 * rules.longest * a.radius) return;
+    if (!(length > 0) || length > kUsual.longest * a.radius || passes_over_another(a, b, chart.place)) return;
     Path path;
     trace_geodesic(s_, a.point, chart.place, path);
-    const std::optional<PathShape> shape = shortener_.adopt(a.point, b.point, path);
-    if (!shape || !(shape->length > 0)) return;
-    const Exit at_a = exit_of(rules, c.from, shape->leaving), at_b = exit_of(rules, c.to, -shape->arriving);
-    if (at_a == Exit::kNone || at_b == Exit::kNone) return;
-    if (is_used(c.from, at_a) || is_used(c.to, at_b)) return;
-    if (passes_over_another(rules, a, b, chart.place) || network_.touches(c.from, c.to, b.point, path)) return;
-    used_[a.line].push_back({c.from, at_a});
-    used_[b.line].push_back({c.to, at_b});
-    trees_.join(a.line, b.line);
-    network_.add_edge(c.from, c.to, std::move(path), *shape);
+    if (const auto shape = shortener_.adopt(a.point, b.point, path)) link(kUsual, c, std::move(path), *shape);
+  }
+
+  /// Joins trees by what straight walks from them meet, as round the edge of a fold. Whether it has joined any.
+  bool join_met() {
+    const std::vector<uint8_t> marked = not_in_largest();
+    struct Walk {
+      double length;
+      Candidate ends;
+      Path path;
+      PathShape shape;
+    };
+    std::vector<Walk> walks;
+    for (uint32_t k = 0; k < lines_.size(); ++k) {
+      if (!marked[k]) continue;
+      for (const uint32_t node : lines_[k].nodes) {
+        for (const Vec2 direction : {Vec2{0, 1}, Vec2{0, -1}, Vec2{1, 0}, Vec2{-1, 0}}) {
+          poll_(kSearched);
+          const auto to = walk(node, direction * tangent_[node]);
+          if (!to) continue;
+          walks.push_back({to->second.length / network_.nodes()[node].radius, {0, node, to->first}, std::move(walked_),
+                           to->second});
+        }
+      }
+    }
+    std::ranges::stable_sort(walks, {}, &Walk::length);
+    bool any = false;
+    for (Walk& w : walks) any = link(kLast, w.ends, std::move(w.path), w.shape) || any;
+    return any;
+  }
+
+  /// Where a walk meets a line of another tree: a node beside that place, and the shape of the path there, which is
+  /// then in walked_.
+  std::optional<std::pair<uint32_t, PathShape>> walk(uint32_t node, Vec2 direction) {
+    const LineNetwork::Node& here = network_.nodes()[node];
+    if (exit_of(kLast, node, direction) == Exit::kNone) return std::nullopt;
+    walked_.clear();
+    const Trace there = trace_geodesic(s_, here.point, kLast.longest * here.radius * direction, walked_);
+    const auto met = network_.first_met(node, there.end, walked_);
+    if (!met || met->edge == kNone) return std::nullopt;
+    const LineNetwork::Edge& edge = network_.edges()[met->edge];
+    if (line_of(edge.from) != line_of(edge.to) || trees_.find(line_of(edge.to)) == trees_.find(here.line)) {
+      return std::nullopt;
+    }
+    walked_.resize(met->crossings);
+    walked_.insert(walked_.end(), edge.path.begin() + static_cast<std::ptrdiff_t>(met->crossings_of_edge),
+                   edge.path.end());
+    const PathShape shape = shortener_.shorten(here.point, network_.nodes()[edge.to].point, walked_);
+    return std::pair{edge.to, shape};
+  }
+
+  /// Adds a link, if it is one that may be; whether it has.
+  bool link(const LinkRules& rules, const Candidate& c, Path path, const PathShape& shape) {
+    const uint32_t a = line_of(c.from), b = line_of(c.to);
+    if (trees_.find(a) == trees_.find(b) || !(shape.length > 0)) return false;
+    const Exit at_a = exit_of(rules, c.from, shape.leaving), at_b = exit_of(rules, c.to, -shape.arriving);
+    if (at_a == Exit::kNone || at_b == Exit::kNone) return false;
+    if (is_used(c.from, at_a) || is_used(c.to, at_b)) return false;
+    if (network_.touches(c.from, c.to, network_.nodes()[c.to].point, path)) return false;
+    used_[a].push_back({c.from, at_a});
+    used_[b].push_back({c.to, at_b});
+    trees_.join(a, b);
+    network_.add_edge(c.from, c.to, std::move(path), shape);
+    return true;
   }
 
   bool is_used(uint32_t node, Exit exit) const {
@@ -179,13 +235,12 @@ class Joiner {
     });
   }
 
-  bool passes_over_another(const LinkRules& rules, const LineNetwork::Node& a, const LineNetwork::Node& b,
-                           Vec2 link) const {
+  bool passes_over_another(const LineNetwork::Node& a, const LineNetwork::Node& b, Vec2 link) const {
     for (const double share : {0.25, 0.5, 0.75}) {
       Path path;
       const Trace there = trace_geodesic(s_, a.point, share * link, path);
       const LineNetwork::Node node = network_.make_node(there.end, kNone, 0);
-      if (network_.near(node, rules.clear * node.radius, [&](uint32_t i, double) {
+      if (network_.near(node, kClear * node.radius, [&](uint32_t i, double) {
             const uint32_t line = network_.nodes()[i].line;
             return line != a.line && line != b.line && line != LineNetwork::kBoundary;
           })) {
@@ -203,6 +258,7 @@ class Joiner {
   PathShortener shortener_;
   std::vector<uint32_t> index_;  // per node: its place in its line
   std::vector<Vec2> tangent_;    // per node, in the plane of its face, along its line
+  Path walked_;
   std::vector<std::vector<std::pair<uint32_t, Exit>>> used_;  // per line
   std::map<std::pair<uint32_t, bool>, Candidate> best_;       // of one node, per line and whether at its tip
 };

@@ -16,6 +16,8 @@ namespace meander {
 /// link goes on straight from a tip, that one is gone. So links at tips come first, then those near to tips, then short
 /// ones. None passes over a third line, and links on one side of a line keep a spacing from one another.
 ///
+/// Trees that no such link joins, as on either side of a fold, are joined by what straight walks from them meet first.
+///
 /// Returns for every line the number of its tree, that of one of its lines. Source of the search: Kruskal's minimum
 /// spanning tree.
 std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, LineNetwork& network, CancelPoll poll);

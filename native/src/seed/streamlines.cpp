@@ -26,6 +26,12 @@ constexpr size_t kEvery = 4;
 /// the second.
 constexpr double kShortest = 1, kShortestBetween = 2;
 
+/// Between others lines begin in gaps that are narrower by this, in r, from turn to turn.
+constexpr double kNarrower = 0.2;
+
+/// Lines are as many as there is room for when they are this long, over area / (4 r).
+constexpr double kFull = 1;
+
 /// And another begins where there is this much of the room that it is to have.
 constexpr double kRoom = 0.97;
 
@@ -40,13 +46,20 @@ class Drawer {
  public:
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, LineNetwork& network,
          CancelPoll poll)
-      : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll) {}
+      : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll),
+        drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0) {
+    for (uint32_t f = 0; f < s_.face_count(); ++f) {
+      const double r = radius_.at(s_, make_point(f, 1, 1, 1));
+      wanted_[s_.component(f)] += kFull * s_.face_area(f) / (spacing_.apart * r * r);
+    }
+  }
 
   std::vector<Streamline> draw() {
     fill(spacing_.apart, kShortest);
-    // Where lines diverge.
-    for (const Streamline& line : std::vector<Streamline>(lines_)) offer_beside(line, spacing_.between);
-    fill(spacing_.between, kShortestBetween);
+    // Where lines diverge: the widest gaps first, until there are as many lines as there is room for.
+    for (double between = spacing_.apart - kNarrower; between > spacing_.between; between -= kNarrower) {
+      fill_between(between);
+    }
     return std::move(lines_);
   }
 
@@ -54,7 +67,6 @@ class Drawer {
   void fill(double apart, double shortest) {
     apart_ = apart;
     shortest_ = shortest;
-    draw_beside();
     // In an order that has nothing to do with that of the faces, so that lines begin all over the surface.
     const auto faces = static_cast<uint32_t>(s_.face_count());
     uint32_t stride = static_cast<uint32_t>(0.6180339887 * faces) | 1u;
@@ -66,6 +78,22 @@ class Drawer {
         draw_beside();
       });
     }
+  }
+
+  void fill_between(double apart) {
+    apart_ = apart;
+    shortest_ = kShortestBetween;
+    for (size_t k = 0, before = lines_.size(); k < before; ++k) {
+      if (is_full(network_.nodes()[lines_[k].nodes[0]].point)) continue;
+      offer_beside(lines_[k], apart);
+      draw_beside();
+    }
+  }
+
+  /// Has the component of a point as many lines as there is room for?
+  bool is_full(const SurfacePoint& p) const {
+    const uint32_t component = s_.component(p.face);
+    return drawn_[component] >= wanted_[component];
   }
 
   template <class Visit>
@@ -83,7 +111,9 @@ class Drawer {
   }
 
   void draw_beside() {
-    for (; !beside_.empty(); beside_.pop_front()) begin_at(beside_.front());
+    for (; !beside_.empty(); beside_.pop_front()) {
+      if (apart_ == spacing_.apart || !is_full(beside_.front())) begin_at(beside_.front());
+    }
   }
 
   /// Is `p` too near to something, where a line begins or, else, where one is at `arc`?
@@ -118,6 +148,7 @@ class Drawer {
         network_.nodes()[drawn.nodes.back()].arc - network_.nodes()[drawn.nodes.front()].arc;
     if (length < shortest_ * spacing_.apart) return network_.take_back(mark);
     offer_beside(drawn, apart_);
+    drawn_[s_.component(p.face)] += length;
     lines_.push_back(std::move(drawn));
   }
 
@@ -188,6 +219,7 @@ class Drawer {
   const Surface& s_;
   CancelPoll poll_;
   double apart_ = 0, shortest_ = 0;  // of the lines that are drawn
+  std::vector<double> drawn_, wanted_;  // per component: length of its lines, in the local r
   std::vector<Streamline> lines_;
   std::deque<SurfacePoint> beside_;
 };
@@ -196,6 +228,7 @@ class Drawer {
 
 std::vector<Streamline> draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
                                          LineNetwork& network, CancelPoll poll) {
+  if (field.empty()) return {};
   return Drawer(field, radius, spacing, network, poll).draw();
 }
 
