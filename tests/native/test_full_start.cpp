@@ -157,18 +157,38 @@ TEST(FullStart, LeavesTheCurveAsItWasWhenItIsCancelled) {
   EXPECT_GT(flow.curve().length() * 2 * flow.settings().radius, 0.8 * surface->area());
 }
 
-TEST(FullStart, LeavesADrawnStrandToGrow) {
+/// Strands as drawn: closed, a stroke with fixed ends, an open one, two at once.
+std::vector<std::vector<Line>> drawings() {
+  const Line triangle{{{0.3, 0.3, 0}, {0.7, 0.3, 0}, {0.5, 0.7, 0}}, true, false};
+  const Line stroke{{{0.1, 0.1, 0}, {0.9, 0.8, 0}}, false, false, true};
+  const Line open{{{0.2, 0.85, 0}, {0.5, 0.8, 0}, {0.8, 0.9, 0}}, false, false};
+  return {{triangle}, {stroke}, {open}, {triangle, open}};
+}
+
+TEST(FullStart, LeavesADrawnStrandOnBothSides) {
   const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(9)));
-  const std::vector<Line> lines{{{{0.3, 0.3, 0}, {0.7, 0.3, 0}, {0.5, 0.7, 0}}, true, false}};
-  const SeedStrands seed = seed_of(lines, false);
-  std::vector<double> first;
-  for (const uint32_t start : {MEANDER_START_GROW, MEANDER_START_FULL}) {
-    meander_flow_options options = options_of(0.08);
-    options.start = start;
+  for (const std::vector<Line>& lines : drawings()) {
+    const SeedStrands seed = seed_of(lines, false);
+    meander_flow_options options = options_of(0.04);
+    options.start = MEANDER_START_FULL;
     Flow flow(surface, &seed, {}, checked_settings(options, *surface));
-    for (int k = 0; k < 5; ++k) ASSERT_TRUE(flow.step(kNeverCancelled));
-    if (first.empty()) first = bytes_of(flow.curve());
-    EXPECT_EQ(bytes_of(flow.curve()), first);
+    const auto fixed_of = [&](const Curve& c) {
+      std::vector<Vec3> places;
+      for (uint32_t i = 0; i < c.size(); ++i) {
+        if (c.fixed[i]) places.push_back(position(*surface, c.nodes[i]));
+      }
+      return places;
+    };
+    const std::vector<Vec3> before = fixed_of(flow.curve());
+    for (int k = 0; k < 8; ++k) {
+      ASSERT_TRUE(flow.step(kNeverCancelled));
+      ASSERT_TRUE(whole(*surface, flow.curve()));
+      ASSERT_TRUE(exact_crossings(*surface, flow.curve()).empty()) << "iteration " << k;
+    }
+    ASSERT_EQ(flow.curve().strands.size(), lines.size());
+    for (size_t k = 0; k < lines.size(); ++k) EXPECT_EQ(flow.curve().strands[k].closed, lines[k].closed);
+    EXPECT_EQ(fixed_of(flow.curve()), before);
+    EXPECT_GT(flow.curve().length() * 2 * flow.settings().radius / surface->area(), 0.75);
   }
 }
 

@@ -49,12 +49,16 @@ ROWS: tuple[Option, ...] = (
     Option(
         "start",
         "Start",
-        "What the curve begins as, where no strand is drawn",
+        "What the curve begins as",
         _ADVANCED,
         kind=str,
         default="grow",
         choices=(
-            ("grow", "Grow", "A small loop that grows until it fills the surface, as coral does"),
+            (
+                "grow",
+                "Grow",
+                "A small loop, or what is drawn, grows until it fills the surface, as coral does",
+            ),
             (
                 "full",
                 "Full",
@@ -65,8 +69,8 @@ ROWS: tuple[Option, ...] = (
         field="start",
         flag=Flag(
             "--start",
-            "begin with a small loop that grows (grow), or with a curve that fills the surface "
-            "already, in rows along --direction or a smooth field (full); default: grow",
+            "begin with what is drawn or a small loop, which grows (grow), or with a curve that "
+            "fills the surface already, in rows along --direction or a smooth field (full); default: grow",
             default="grow",
         ),
     ),

@@ -573,9 +573,10 @@ enum {
 typedef uint32_t meander_start;
 enum {
   MEANDER_START_GROW = 0, /* its seed, or a small loop, which grows until it fills the surface: it winds as coral does */
-  MEANDER_START_FULL = 1  /* a curve that fills the surface already: it walks round evenly spaced streamlines of the
-                             field of meander_flow_set_directions or, where there is none, of the smoothest field, and
-                             the flow only makes it even. It is laid in the first iteration */
+  MEANDER_START_FULL = 1  /* a curve that fills the surface already, and that the flow only makes even: it walks round
+                             evenly spaced streamlines of the field of meander_flow_set_directions or, where there is
+                             none, of a smooth one. A strand that is drawn stays, and the rest leaves it on both sides.
+                             It is laid in the first iteration; hairpin_removal_iterations count as 0 */
 };
 
 /* Options of one flow. Always start from meander_flow_options_init, which is the only place where

@@ -29,10 +29,10 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
   return {settings, std::move(domain), std::move(curve), {}, {}};
 }
 
-/// Whether all strands of a seed are guides.
-bool nothing_grows(const SeedStrands* seed) {
-  return !seed || seed->offsets.size() < 2 ||
-         (!seed->guides.empty() && std::ranges::all_of(seed->guides, [](uint8_t guide) { return guide != 0; }));
+/// A curve that fills the surface from its start has few hairpins, and they hold its pattern: none are drawn in.
+FlowSettings as_started(FlowSettings settings) {
+  if (settings.full_start) settings.hairpin_removal_iterations = 0;
+  return settings;
 }
 
 }  // namespace
@@ -41,8 +41,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
            const FlowSettings& settings, const std::function<bool()>& cancelled)
     : pool_(settings.threads),
       drawn_(seed && !seed->offsets.empty() ? seed->offsets.size() - 1 : 0),
-      starts_full_(settings.full_start && nothing_grows(seed)),
-      start_is_due_(starts_full_),
+      start_is_due_(settings.full_start),
       state_(first_state(std::move(surface), seed, density, as_started(settings), pool_, seed_fit_, cancelled)),
       convergence_(settings.stop_rule, settings.polish, state_.settings.hairpin_removal_iterations),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
@@ -86,13 +85,6 @@ StopReason Flow::run(const std::function<bool()>& cancelled, const std::function
   }
   progress(1);
   return stop_reason();
-}
-
-/// A curve that fills the surface from its start has few hairpins, and they hold its pattern: none are drawn in.
-FlowSettings Flow::as_started(FlowSettings settings) const {
-  settings.full_start = starts_full_;
-  if (starts_full_) settings.hairpin_removal_iterations = 0;
-  return settings;
 }
 
 /// Puts a curve that fills the surface in the place of the loops. Whatever it throws, all is then as it was.

@@ -98,7 +98,6 @@ class Flow {
   }
   void iterate();
   void start_full();
-  FlowSettings as_started(FlowSettings settings) const;
   void find_medial_axis(FlowState& state, const AtRest& known, MedialPlan plan = {});
   void find_medial_axis(const Plan& plan);
   IterationFigures figures_of(const NodeData<Vec2>& displacement);
@@ -112,8 +111,7 @@ class Flow {
   ThreadPool pool_;
   SeedFit seed_fit_;
   size_t drawn_;       // strands of the seed
-  bool starts_full_;   // none of them grows, and the first iteration lays a curve that fills the surface;
-  bool start_is_due_;  // it has not been yet
+  bool start_is_due_;  // the first iteration is to lay a curve that fills the surface
   // What a run is about, and how far it has come.
   FlowState state_;
   Convergence convergence_;

@@ -39,7 +39,7 @@ struct FlowSettings {
   BoundaryRule boundary_rule = BoundaryRule::kCentre;
   double boundary_distance = 0.5;  ///< of the last strand from the boundary, in (local) spacings
   MedialAxis medial_axis = MedialAxis::kEuclidean;
-  bool full_start = false;  ///< where no strand that grows is drawn, begin with a curve that fills the surface already
+  bool full_start = false;  ///< begin with a curve that fills the surface already
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "curve/crossings.h"
 #include "curve/guide_samples.h"
 #include "mesh/fields.h"
 #include "seed/line_tree.h"
@@ -74,11 +75,11 @@ void add_boundary(const RadiusField& radius, LineNetwork& network) {
   }
 }
 
-/// The first `drawn` strands, which stay.
-void add_walls(const Curve& curve, size_t drawn, const RadiusField& radius, LineNetwork& network) {
+/// Guides stay as they are, and nothing comes near them.
+void add_guides(const Curve& curve, const RadiusField& radius, LineNetwork& network) {
   const Surface& s = network.surface();
-  for (size_t k = 0; k < drawn; ++k) {
-    const Strand& strand = curve.strands[k];
+  for (const Strand& strand : curve.strands) {
+    if (!strand.guide) continue;
     for (uint32_t i = strand.first; i < strand.first + strand.segment_count(); ++i) {
       curve.pieces_of(i, [&](const Piece& piece) {
         network.add_obstacle(piece);
@@ -93,6 +94,41 @@ void add_walls(const Curve& curve, size_t drawn, const RadiusField& radius, Line
     }
   }
 }
+
+/// The strands that were drawn to grow, as lines of the network and as trunks.
+struct Trunks {
+  std::vector<uint32_t> strands;  ///< of the curve
+  std::vector<Trunk> trunks;
+  std::vector<uint8_t> holds;     ///< per node of the network: a fixed one
+
+  void add(const Curve& curve, size_t drawn, LineNetwork& network, std::vector<Streamline>& lines) {
+    for (uint32_t k = 0; k < drawn; ++k) {
+      const Strand& strand = curve.strands[k];
+      if (strand.guide) continue;
+      Streamline line{{}, true, strand.closed};
+      Trunk trunk{{}, {}, strand.closed};
+      double arc = 0;
+      for (uint32_t i = strand.first; i < strand.end(); ++i) {
+        const auto node = network.make_node(curve.nodes[i], static_cast<uint32_t>(lines.size()), arc);
+        line.nodes.push_back(network.add_node(node));
+        trunk.fixed.push_back(curve.fixed[i]);
+        if (curve.has_segment(i)) arc += curve.shapes[i].length / node.radius;
+      }
+      trunk.nodes = line.nodes;
+      for (uint32_t i = 0; i < strand.segment_count(); ++i) {
+        const uint32_t from = strand.first + i;
+        network.add_edge(line.nodes[i], line.nodes[(i + 1) % strand.count], curve.paths[from], curve.shapes[from]);
+      }
+      for (size_t i = 0; i < line.nodes.size(); ++i) {
+        holds.resize(line.nodes[i] + size_t{1}, 0);
+        holds[line.nodes[i]] = trunk.fixed[i];
+      }
+      strands.push_back(k);
+      trunks.push_back(std::move(trunk));
+      lines.push_back(std::move(line));
+    }
+  }
+};
 
 /// Which region of the surface a place is in: guides divide a component.
 class Regions {
@@ -146,7 +182,7 @@ std::vector<uint32_t> largest_trees(const std::vector<std::optional<std::pair<ui
   }
   std::ranges::sort(known);
   for (uint32_t k = 0; k < lines.size(); ++k) {
-    if (tree[k] != k) continue;
+    if (tree[k] != k || lines[k].trunk) continue;
     const uint32_t root = lines[k].nodes[lines[k].nodes.size() / 2];
     const auto region = regions.of(network.nodes()[root].point);
     if (!region) continue;
@@ -160,7 +196,7 @@ std::vector<uint32_t> largest_trees(const std::vector<std::optional<std::pair<ui
 
 }  // namespace
 
-Curve full_start(const Surface& surface, const Curve& loops, size_t drawn, const RadiusField& radius,
+Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                  const LineField& field, const SurfacePatches* patches, double boundary_distance, ThreadPool& pool) {
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
@@ -169,37 +205,42 @@ Curve full_start(const Surface& surface, const Curve& loops, size_t drawn, const
   }
   LineNetwork network(surface, *patches, radius);
   add_boundary(radius, network);
-  add_walls(loops, drawn, radius, network);
+  add_guides(first, radius, network);
+  std::vector<Streamline> lines;
+  Trunks trunks;
+  trunks.add(first, drawn, network, lines);
   LineSpacing spacing;
   if (!field.empty()) spacing.least = kLeastAlong;
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelPoll poll = pool.poll(kPieces);
-  const std::vector<Streamline> lines =
-      draw_streamlines(completed(surface, field, poll), radius, spacing, network, poll);
-  const std::vector<uint32_t> tree = join_lines(lines, network, poll);
+  draw_streamlines(completed(surface, field, poll), radius, spacing, network, poll, lines);
+  const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, network, poll);
 
-  Regions regions(surface, loops, radius);
-  std::vector<std::optional<std::pair<uint32_t, uint32_t>>> wanted(loops.strands.size());
-  for (size_t k = drawn; k < wanted.size(); ++k) {
-    wanted[k] = regions.of(loops.nodes[loops.strands[k].first]);
-  }
+  Regions regions(surface, first, radius);
+  std::vector<std::optional<std::pair<uint32_t, uint32_t>>> wanted(first.strands.size());
+  for (size_t k = drawn; k < wanted.size(); ++k) wanted[k] = regions.of(first.nodes[first.strands[k].first]);
   const std::vector<uint32_t> root_of = largest_trees(wanted, lines, tree, network, regions);
-  std::vector<uint32_t> roots, strand_of;
+  std::vector<uint32_t> roots, strand_of = trunks.strands;
   for (uint32_t k = 0; k < root_of.size(); ++k) {
     if (root_of[k] == kNone) continue;
     roots.push_back(root_of[k]);
     strand_of.push_back(k);
   }
+  Curve guides;
+  for (const Strand& strand : first.strands) {
+    if (strand.guide) append(guides, first, strand);
+  }
   std::vector<uint32_t> walked;
-  const Curve round = walk_round(network, roots, kOffset, pool, walked);
-  std::vector<uint32_t> filled(loops.strands.size(), kNone);
+  const Curve round = walk_round(network, trunks.trunks, roots, kOffset, guides, pool, walked);
+  std::vector<uint32_t> filled(first.strands.size(), kNone);
   for (uint32_t k = 0; k < walked.size(); ++k) filled[strand_of[walked[k]]] = k;
   Curve curve;
   for (uint32_t k = 0; k < filled.size(); ++k) {
-    filled[k] == kNone ? append(curve, loops, loops.strands[k]) : append(curve, round, round.strands[filled[k]]);
+    filled[k] == kNone ? append(curve, first, first.strands[k]) : append(curve, round, round.strands[filled[k]]);
   }
   curve.link();
-  return curve;
+  // A strand that stays as it was, for want of room, may lie where another one has come to.
+  return CrossingTest().find(surface, curve, pool).empty() ? curve : first;
 }
 
 }  // namespace meander

@@ -11,17 +11,18 @@
 namespace meander {
 
 /// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: streamlines of a
-/// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. Guides and
-/// the boundary are walls; a loop where no tree fits stays as it is.
+/// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. A strand
+/// that was drawn to grow is a trunk: it keeps its ends, its fixed nodes and its sides, and trees leave it on either one.
+/// Guides and the boundary are walls; what has no room for a tree stays as it is.
 ///
-/// `loops`              see first_curve; no two of its segments touch, nor do any of the result's
-/// `drawn`              so many of its first strands were drawn by the caller; they stay, as walls
-/// `field`              where a component of the surface has none anywhere, the smoothest one is taken
+/// `first`              see first_curve; no two of its segments touch, nor do any of the result's
+/// `drawn`              so many of its first strands were drawn by the caller, the others are loops
+/// `field`              where a component of the surface has none anywhere, a smooth one is taken
 /// `patches`            of this surface, about as large as r; null: they are found
 /// `boundary_distance`  of the last strand from the boundary, in local spacings
 ///
 /// Throws Failure(FailureKind::kCancelled) where the watch of the pool says so.
-Curve full_start(const Surface& surface, const Curve& loops, size_t drawn, const RadiusField& radius,
+Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
                  const LineField& field, const SurfacePatches* patches, double boundary_distance, ThreadPool& pool);
 
 }  // namespace meander

@@ -28,6 +28,9 @@ constexpr LinkRules kUsual{6.5, 0.5, 0.6, 2}, kLast{12, 0, 0.92, 1};
 /// The first ones keep this distance from third lines, in r.
 constexpr double kClear = 0.9;
 
+/// And all of them this one from ends and fixed nodes of trunks.
+constexpr double kFromHeld = 1.5;
+
 /// What a search counts for, in pieces of work.
 constexpr size_t kSearched = 64;
 
@@ -54,19 +57,36 @@ struct Candidate {
 
 class Joiner {
  public:
-  Joiner(const std::vector<Streamline>& lines, LineNetwork& network, CancelPoll poll)
+  Joiner(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds, LineNetwork& network,
+         CancelPoll poll)
       : lines_(lines), network_(network), s_(network.surface()), poll_(poll), trees_(lines.size()),
         shortener_(network.surface()), index_(network.nodes().size(), kNone), tangent_(network.nodes().size()),
-        used_(lines.size()) {
+        trunk_(lines.size(), 0), held_(network.nodes().size(), 0), used_(lines.size()) {
     for (const Streamline& line : lines) {
       for (size_t k = 0; k < line.nodes.size(); ++k) index_[line.nodes[k]] = static_cast<uint32_t>(k);
     }
     for (const LineNetwork::Edge& e : network.edges()) {
-      const double sign = index_[e.to] > index_[e.from] ? 1 : -1;
+      const bool closing = lines[line_of(e.from)].trunk && index_[e.to] == 0;
+      const double sign = index_[e.to] > index_[e.from] || closing ? 1 : -1;
       tangent_[e.from] = tangent_[e.from] + sign * e.shape.leaving;
       tangent_[e.to] = tangent_[e.to] + sign * e.shape.arriving;
     }
     for (Vec2& t : tangent_) t = unit(t);
+    for (uint32_t k = 0; k < lines.size(); ++k) {
+      if (!lines[k].trunk) continue;
+      trunk_[k] = 1;
+      for (size_t i = 0; i < lines[k].nodes.size(); ++i) {
+        const uint32_t node = lines[k].nodes[i];
+        const bool end = !lines[k].closed && (i == 0 || i + 1 == lines[k].nodes.size());
+        if (!end && !(node < holds.size() && holds[node])) continue;
+        const LineNetwork::Node& here = network.nodes()[node];
+        held_[node] = 1;
+        network.near(here, kFromHeld * here.radius, [&](uint32_t near, double) {
+          held_[near] = 1;
+          return false;
+        });
+      }
+    }
   }
 
   std::vector<uint32_t> join() {
@@ -85,6 +105,9 @@ class Joiner {
     std::vector<size_t> nodes(lines_.size(), 0);
     std::vector<uint32_t> largest(s_.component_count(), kNone);
     for (uint32_t k = 0; k < lines_.size(); ++k) nodes[trees_.find(k)] += lines_[k].nodes.size();
+    for (uint32_t k = 0; k < lines_.size(); ++k) {
+      if (lines_[k].trunk) nodes[trees_.find(k)] += network_.nodes().size();  // never joined to another
+    }
     const auto component = [&](uint32_t k) {
       return s_.component(network_.nodes()[lines_[k].nodes[0]].point.face);
     };
@@ -94,7 +117,9 @@ class Joiner {
       if (best == kNone || nodes[root] > nodes[best]) best = root;
     }
     std::vector<uint8_t> marked(lines_.size());
-    for (uint32_t k = 0; k < lines_.size(); ++k) marked[k] = trees_.find(k) != largest[component(k)];
+    for (uint32_t k = 0; k < lines_.size(); ++k) {
+      marked[k] = trees_.find(k) != largest[component(k)] && !trunk_[trees_.find(k)];
+    }
     return marked;
   }
 
@@ -102,6 +127,9 @@ class Joiner {
   Exit exit_of(const LinkRules& rules, uint32_t node, Vec2 direction) const {
     const size_t k = index_[node], last = lines_[line_of(node)].nodes.size() - 1;
     const double cosine = dot(direction, tangent_[node]);
+    if (lines_[line_of(node)].trunk) {
+      return std::abs(cosine) > kUsual.sideways || held_[node] ? Exit::kNone : Exit::kLeft;
+    }
     if (k == last && cosine > rules.ahead) return Exit::kTip;
     if (k == 0 && cosine < -rules.ahead) return Exit::kTip;
     if (k < rules.from_tip || k + rules.from_tip > last || std::abs(cosine) > rules.sideways) return Exit::kNone;
@@ -110,6 +138,7 @@ class Joiner {
 
   /// Distance along its line from the nearer tip, in r.
   double from_tip(uint32_t node) const {
+    if (lines_[line_of(node)].trunk) return 0;
     const std::vector<uint32_t>& nodes = lines_[line_of(node)].nodes;
     const auto arc = [&](uint32_t i) { return network_.nodes()[i].arc; };
     return std::min(arc(nodes.back()) - arc(node), arc(node) - arc(nodes.front()));
@@ -216,7 +245,8 @@ class Joiner {
   /// Adds a link, if it is one that may be; whether it has.
   bool link(const LinkRules& rules, const Candidate& c, Path path, const PathShape& shape) {
     const uint32_t a = line_of(c.from), b = line_of(c.to);
-    if (trees_.find(a) == trees_.find(b) || !(shape.length > 0)) return false;
+    const uint32_t tree_a = trees_.find(a), tree_b = trees_.find(b);
+    if (tree_a == tree_b || (trunk_[tree_a] && trunk_[tree_b]) || !(shape.length > 0)) return false;
     const Exit at_a = exit_of(rules, c.from, shape.leaving), at_b = exit_of(rules, c.to, -shape.arriving);
     if (at_a == Exit::kNone || at_b == Exit::kNone) return false;
     if (is_used(c.from, at_a) || is_used(c.to, at_b)) return false;
@@ -224,6 +254,7 @@ class Joiner {
     used_[a].push_back({c.from, at_a});
     used_[b].push_back({c.to, at_b});
     trees_.join(a, b);
+    trunk_[trees_.find(a)] = trunk_[tree_a] || trunk_[tree_b];
     network_.add_edge(c.from, c.to, std::move(path), shape);
     return true;
   }
@@ -258,6 +289,8 @@ class Joiner {
   PathShortener shortener_;
   std::vector<uint32_t> index_;  // per node: its place in its line
   std::vector<Vec2> tangent_;    // per node, in the plane of its face, along its line
+  std::vector<uint8_t> trunk_;   // per tree: one of its lines is a trunk
+  std::vector<uint8_t> held_;    // per node: no link of a trunk begins there
   Path walked_;
   std::vector<std::vector<std::pair<uint32_t, Exit>>> used_;  // per line
   std::map<std::pair<uint32_t, bool>, Candidate> best_;       // of one node, per line and whether at its tip
@@ -265,8 +298,9 @@ class Joiner {
 
 }  // namespace
 
-std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, LineNetwork& network, CancelPoll poll) {
-  return Joiner(lines, network, poll).join();
+std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
+                                 LineNetwork& network, CancelPoll poll) {
+  return Joiner(lines, holds, network, poll).join();
 }
 
 }  // namespace meander

@@ -18,8 +18,14 @@ namespace meander {
 ///
 /// Trees that no such link joins, as on either side of a fold, are joined by what straight walks from them meet first.
 ///
+/// Trunks are lines that belong to different trees; links leave them sideways only, no nearer to a fixed node than 1.5 r,
+/// and only one from a place. What cannot be joined to the trunk of its component stays a tree of its own.
+///
+/// `holds`  per node of the network, or shorter: 1 where a node of a trunk must stay
+///
 /// Returns for every line the number of its tree, that of one of its lines. Source of the search: Kruskal's minimum
 /// spanning tree.
-std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, LineNetwork& network, CancelPoll poll);
+std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
+                                 LineNetwork& network, CancelPoll poll);
 
 }  // namespace meander

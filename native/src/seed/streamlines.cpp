@@ -45,28 +45,29 @@ constexpr uint32_t kMostRows = 256;
 class Drawer {
  public:
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, LineNetwork& network,
-         CancelPoll poll)
+         CancelPoll poll, std::vector<Streamline>& lines)
       : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll),
-        drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0) {
+        lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
       wanted_[s_.component(f)] += kFull * s_.face_area(f) / (spacing_.apart * r * r);
     }
   }
 
-  std::vector<Streamline> draw() {
+  void draw() {
+    for (const Streamline& trunk : lines_) offer_beside(trunk, spacing_.from_walls);
     fill(spacing_.apart, kShortest);
     // Where lines diverge: the widest gaps first, until there are as many lines as there is room for.
     for (double between = spacing_.apart - kNarrower; between > spacing_.between; between -= kNarrower) {
       fill_between(between);
     }
-    return std::move(lines_);
   }
 
  private:
   void fill(double apart, double shortest) {
     apart_ = apart;
     shortest_ = shortest;
+    draw_beside();
     // In an order that has nothing to do with that of the faces, so that lines begin all over the surface.
     const auto faces = static_cast<uint32_t>(s_.face_count());
     uint32_t stride = static_cast<uint32_t>(0.6180339887 * faces) | 1u;
@@ -83,7 +84,7 @@ class Drawer {
   void fill_between(double apart) {
     apart_ = apart;
     shortest_ = kShortestBetween;
-    for (size_t k = 0, before = lines_.size(); k < before; ++k) {
+    for (size_t k = trunks_, before = lines_.size(); k < before; ++k) {
       if (is_full(network_.nodes()[lines_[k].nodes[0]].point)) continue;
       offer_beside(lines_[k], apart);
       draw_beside();
@@ -125,7 +126,7 @@ class Drawer {
     return network_.near(p, std::max({apart, walls, boundary}), [&](uint32_t i, double distance) {
       const LineNetwork::Node& other = network_.nodes()[i];
       if (other.line == LineNetwork::kBoundary) return distance < boundary;
-      if (other.line == LineNetwork::kWall) return distance < walls;
+      if (other.line == LineNetwork::kWall || other.line < trunks_) return distance < walls;
       if (other.line == p.line && std::abs(other.arc - p.arc) < own) return false;
       return distance < apart;
     });
@@ -219,17 +220,17 @@ class Drawer {
   const Surface& s_;
   CancelPoll poll_;
   double apart_ = 0, shortest_ = 0;  // of the lines that are drawn
+  std::vector<Streamline>& lines_;
+  size_t trunks_;                       // the first of them
   std::vector<double> drawn_, wanted_;  // per component: length of its lines, in the local r
-  std::vector<Streamline> lines_;
   std::deque<SurfacePoint> beside_;
 };
 
 }  // namespace
 
-std::vector<Streamline> draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
-                                         LineNetwork& network, CancelPoll poll) {
-  if (field.empty()) return {};
-  return Drawer(field, radius, spacing, network, poll).draw();
+void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
+                      LineNetwork& network, CancelPoll poll, std::vector<Streamline>& lines) {
+  if (!field.empty()) Drawer(field, radius, spacing, network, poll, lines).draw();
 }
 
 }  // namespace meander

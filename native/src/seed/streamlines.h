@@ -15,6 +15,8 @@ namespace meander {
 /// The nodes of one streamline: consecutive ones are joined by edges of the network.
 struct Streamline {
   std::vector<uint32_t> nodes;
+  /// One that was drawn by the caller: a curve runs along it once, and not round it.
+  bool trunk = false, closed = false;
 };
 
 /// How far apart lines are to be. All in the local r.
@@ -28,18 +30,18 @@ struct LineSpacing {
   double between = 2.8;    ///< and, where they begin later, between two that diverge, at least
   double least = 2.6;      ///< a line ends before it comes nearer to another one
   double step = 0.5;       ///< between two nodes
-  double from_walls = 3;   ///< as `apart`, from guides and strands that are there already
+  double from_walls = 3;   ///< as `apart`, from guides and trunks
   double least_from_walls = 1.9;
   double from_boundary = 1.2;  ///< no line comes nearer to the boundary
 };
 
-/// Draws streamlines into a network that holds nothing but walls: as long as they can be, at these distances from one
+/// Draws streamlines into a network that holds nothing but walls and trunks, and appends them to these: as long as they can be, at these distances from one
 /// another, measured along the surface, until there is no room for another one. A closed line ends before it meets
 /// itself. Where the field has no direction, or turns by more than 60 degrees in a step, a line ends.
 ///
 /// `radius`  r, which may vary
 /// `poll`    is called for every node
-std::vector<Streamline> draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
-                                         LineNetwork& network, CancelPoll poll);
+void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
+                      LineNetwork& network, CancelPoll poll, std::vector<Streamline>& lines);
 
 }  // namespace meander
