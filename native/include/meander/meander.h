@@ -406,7 +406,9 @@ typedef uint32_t meander_directions;
 enum {
   MEANDER_DIRECTIONS_CURVATURE_MIN = 0, /* in which the surface bends least: along a cylinder */
   MEANDER_DIRECTIONS_CURVATURE_MAX = 1, /* in which it bends most: around a cylinder */
-  MEANDER_DIRECTIONS_SMOOTH = 2         /* the smoothest field of lines */
+  MEANDER_DIRECTIONS_SMOOTH = 2,        /* the smoothest field of lines */
+  MEANDER_DIRECTIONS_BOUNDARY = 3       /* parallel to the boundary, and as smooth as it can be between; zero on
+                                           components without a boundary */
 };
 
 /* A field of lines on the surface, for meander_flow_set_directions.

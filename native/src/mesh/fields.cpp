@@ -244,4 +244,16 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
   return g.to_space(x, 1e-12);
 }
 
+VertexData<Vec3> boundary_directions(const Surface& surface, const std::function<bool()>& cancelled) {
+  std::vector<Vec3> ends;
+  for (const HalfEdge e : surface.boundary()) {
+    const Triangle& corners = surface.face(face_of(e));
+    ends.push_back(surface.position(corners[corner_of(e)]));
+    ends.push_back(surface.position(corners[next_corner(corner_of(e))]));
+  }
+  std::vector<Stroke> strokes;
+  for (size_t k = 0; k < ends.size(); k += 2) strokes.push_back(std::span(ends).subspan(k, 2));
+  return extended_directions(surface, strokes, cancelled);
+}
+
 }  // namespace meander

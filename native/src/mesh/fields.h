@@ -43,4 +43,7 @@ using Stroke = std::span<const Vec3>;
 VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes,
                                      const std::function<bool()>& cancelled = {});
 
+/// The same for the edges of the boundary: lines parallel to it. Zero on components without one.
+VertexData<Vec3> boundary_directions(const Surface& surface, const std::function<bool()>& cancelled = {});
+
 }  // namespace meander
