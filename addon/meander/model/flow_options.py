@@ -70,7 +70,8 @@ ROWS: tuple[Option, ...] = (
         flag=Flag(
             "--start",
             "begin with what is drawn or a small loop, which grows (grow), or with a curve that "
-            "fills the surface already, in rows along --direction or a smooth field (full); default: grow",
+            "fills the surface already, in rows along --direction or a smooth field (full); "
+            "default: grow",
             default="grow",
         ),
     ),

@@ -19,13 +19,14 @@
 namespace meander {
 namespace {
 
-/// The curve runs so far from the tree, in r: a half would be its distance at the spacing, and from there the flow pushes
-/// strands apart within some ten iterations. Nearer to it fewer corners meet.
+/// The curve runs so far from the tree, in r: a half would be its distance at the spacing, and from there the flow
+/// pushes strands apart within some ten iterations. Nearer to it fewer corners meet.
 constexpr double kOffset = 0.45;
 
-/// Lines of a field that was asked for go on until they are as near to others as this, in r: more of the curve then lies
-/// along it. Within 15 degrees of the x-axis, and near_target along the surface, with a weight of 2, on bunny and spot:
-/// .81 .94 and .71 .90 with 2.6 as for a smooth field, .82 .94 and .75 .90 with 1.9, .81 .95 and .74 .90 with 1.6.
+/// Lines of a field that was asked for go on until they are as near to others as this, in r: more of the curve then
+/// lies along it. Within 15 degrees of the x-axis, and near_target along the surface, with a weight of 2, on bunny and
+/// spot: .81 .94 and .71 .90 with 2.6 as for a smooth field, .82 .94 and .75 .90 with 1.9, .81 .95 and .74 .90 with
+/// 1.6.
 constexpr double kLeastAlong = 1.9;
 
 /// Walls are known by places this far apart, in r.

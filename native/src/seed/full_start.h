@@ -12,8 +12,8 @@ namespace meander {
 
 /// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: streamlines of a
 /// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. A strand
-/// that was drawn to grow is a trunk: it keeps its ends, its fixed nodes and its sides, and trees leave it on either one.
-/// Guides and the boundary are walls; what has no room for a tree stays as it is.
+/// that was drawn to grow is a trunk: it keeps its ends, its fixed nodes and its sides, and trees leave it on either
+/// one. Guides and the boundary are walls; what has no room for a tree stays as it is.
 ///
 /// `first`              see first_curve; no two of its segments touch, nor do any of the result's
 /// `drawn`              so many of its first strands were drawn by the caller, the others are loops

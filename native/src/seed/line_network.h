@@ -77,7 +77,8 @@ class LineNetwork {
     for (size_t level = 0; level < levels_.size(); ++level) {
       if (levels_[level].empty()) continue;
       const double size = cell_size(level);
-      const auto low = cell(node.place - Vec3::Constant(reach), size), high = cell(node.place + Vec3::Constant(reach), size);
+      const auto low = cell(node.place - Vec3::Constant(reach), size);
+      const auto high = cell(node.place + Vec3::Constant(reach), size);
       for (int64_t x = low[0]; x <= high[0]; ++x) {
         for (int64_t y = low[1]; y <= high[1]; ++y) {
           for (int64_t z = low[2]; z <= high[2]; ++z) {

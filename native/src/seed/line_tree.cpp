@@ -22,7 +22,8 @@ struct LinkRules {
   size_t from_tip;    ///< nodes between a link that leaves sideways and a tip, at least
 };
 
-/// Links that leave by about 50 degrees from straight ahead or sideways, and, for trees that none of them joins, others.
+/// Links that leave by about 50 degrees from straight ahead or sideways, and, for trees that none of them joins,
+/// others.
 constexpr LinkRules kUsual{6.5, 0.5, 0.6, 2}, kLast{12, 0, 0.92, 1};
 
 /// The first ones keep this distance from third lines, in r.
@@ -37,8 +38,8 @@ constexpr size_t kSearched = 64;
 /// A tip that is joined saves a hairpin, which is worth this length, in r.
 constexpr double kTipWorth = 1.5;
 
-/// A link far from tips parts long stretches: this share of its distance from the nearest tip, of no more than so many r,
-/// counts as length.
+/// A link far from tips parts long stretches: this share of its distance from the nearest tip, of no more than so many
+/// r, counts as length.
 constexpr double kFromTip = 0.15, kFarFromTip = 20;
 
 /// Two links on one side of a line keep this distance, in r.

@@ -23,8 +23,8 @@ struct Streamline {
 ///
 /// A curve on both sides of all lines has its strands at their spacing where lines are 4 r apart. Where lines converge
 /// one ends, and where they diverge another one begins, the widest gaps first and until all lines are as long as they
-/// should be: what a start is too dense or too wide in the end the curve is too. With one distance for all lines, 3.2 to
-/// 4, near_target along the surface was .89 to .99 on stuffedtoy, and packing .95 to 1.03.
+/// should be: what a start is too dense or too wide in the end the curve is too. With one distance for all lines, 3.2
+/// to 4, near_target along the surface was .89 to .99 on stuffedtoy, and packing .95 to 1.03.
 struct LineSpacing {
   double apart = 4;        ///< where lines begin beside others,
   double between = 2.8;    ///< and, where they begin later, between two that diverge, at least
@@ -35,9 +35,10 @@ struct LineSpacing {
   double from_boundary = 1.2;  ///< no line comes nearer to the boundary
 };
 
-/// Draws streamlines into a network that holds nothing but walls and trunks, and appends them to these: as long as they can be, at these distances from one
-/// another, measured along the surface, until there is no room for another one. A closed line ends before it meets
-/// itself. Where the field has no direction, or turns by more than 60 degrees in a step, a line ends.
+/// Draws streamlines into a network that holds nothing but walls and trunks, and appends them to these: as long as they
+/// can be, at these distances from one another, measured along the surface, until there is no room for another one. A
+/// closed line ends before it meets itself. Where the field has no direction, or turns by more than 60 degrees in a
+/// step, a line ends.
 ///
 /// `radius`  r, which may vary
 /// `poll`    is called for every node

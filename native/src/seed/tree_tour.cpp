@@ -350,7 +350,10 @@ class Laying {
       Stop& stop = *stop_of_[i];
       stop.trace.clear();
       const SurfacePoint& from = network_.nodes()[stop.node].point;
-      stop.point = !(stop.reach > 0) ? from : trace_geodesic(network_.surface(), from, stop.reach * stop.direction, stop.trace).end;
+      stop.point = from;
+      if (stop.reach > 0) {
+        stop.point = trace_geodesic(network_.surface(), from, stop.reach * stop.direction, stop.trace).end;
+      }
       curve_.nodes[i] = stop.point;
     }
   }

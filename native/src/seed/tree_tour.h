@@ -23,9 +23,9 @@ struct Trunk {
 /// from the trunk: the curve runs along that, and round what leaves it on either side.
 ///
 /// Every node of a curve is placed by a straight walk from a node of the tree into the sector between two edges, and
-/// two neighbours are joined along the edges between them. The closer the nodes are to the tree, the less is there for a
-/// path to meet but the edges themselves, in whose order it runs: since no two edges touch, halving the distances where
-/// segments touch comes to an end.
+/// two neighbours are joined along the edges between them. The closer the nodes are to the tree, the less is there for
+/// a path to meet but the edges themselves, in whose order it runs: since no two edges touch, halving the distances
+/// where segments touch comes to an end.
 ///
 /// `roots`   a node of every tree without a trunk
 /// `kept`    strands that stay, and touch neither each other nor an edge
