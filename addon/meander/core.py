@@ -25,7 +25,16 @@ Python thread of its own starts the flow, and the library runs it on one that kn
 
 from __future__ import annotations
 
-from .binding.abi import ABI_VERSION, VERSION, BoundaryRule, MedialAxis, Status, StopRule, Text
+from .binding.abi import (
+    ABI_VERSION,
+    VERSION,
+    BoundaryRule,
+    MedialAxis,
+    Start,
+    Status,
+    StopRule,
+    Text,
+)
 from .binding.choices import (
     ALIGNMENTS,
     CURVATURES,
@@ -86,6 +95,7 @@ __all__ = [
     "Preview",
     "Seed",
     "Status",
+    "Start",
     "StopRule",
     "Surface",
     "SurfaceOptions",

@@ -14,7 +14,7 @@ from meander.ui import presets
 from panel_layout import Layout
 from scenes import activate, cube, fill, poly_curve, sphere
 
-SHIPPED = ("Even", "Organic", "Few_Corners", "Rows", "As_Published")
+SHIPPED = ("Even", "Flowing", "Organic", "Few_Corners", "Rows", "As_Published")
 
 AS_PUBLISHED = presets.SHIPPED / "As_Published.py"
 

@@ -11,7 +11,7 @@ import pytest
 SOURCES = Path(__file__).resolve().parents[2] / "native" / "src"
 
 # In the order of the data; docs/architecture.md says what each is for.
-ROOMS = ("base", "mesh", "geodesic", "curve", "medial", "model", "flow", "api")
+ROOMS = ("base", "mesh", "geodesic", "curve", "seed", "medial", "model", "flow", "api")
 # In quotes, or in angle brackets where what is named could be ours.
 OURS = "|".join((*ROOMS, "meander"))
 INCLUDE = re.compile(rf'^\s*#\s*include\s+(?:"([^"]+)"|<((?:{OURS})/[^>]+)>)', re.MULTILINE)

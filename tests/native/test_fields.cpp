@@ -219,5 +219,44 @@ TEST(LineField, SquareRootsAreRoots) {
   EXPECT_EQ(norm(square_root({0, 0})), 0);
 }
 
+TEST(BoundaryDirections, AreParallelToTheBoundaryAndZeroWhereThereIsNone) {
+  const Surface surface = make_surface(joined(flat_grid(8), octahedron(), 4));
+  const VertexData<Vec3> directions = boundary_directions(surface);
+  size_t seen = 0;
+  for (const HalfEdge e : surface.boundary()) {
+    const Triangle& t = surface.face(face_of(e));
+    const uint32_t a = t[corner_of(e)], b = t[next_corner(corner_of(e))];
+    const Vec3 along = (surface.position(b) - surface.position(a)).normalized();
+    const bool corner = (directions[a] - directions[b]).norm() > 0.5 && (directions[a] + directions[b]).norm() > 0.5;
+    if (corner) continue;  // where two sides meet
+    EXPECT_GT(std::abs(directions[a].dot(along)) + std::abs(directions[b].dot(along)), 1.8);
+    ++seen;
+  }
+  EXPECT_GT(seen, 16u);
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    if (surface.component(f) == 0) continue;
+    for (const uint32_t v : surface.face(f)) EXPECT_EQ(directions[v].norm(), 0);
+  }
+}
+
+TEST(SmoothDirections, AreAboutAsSmoothAsTheSmoothest) {
+  // By how much lines turn from corner to corner of the faces, all in all.
+  const auto turning = [](const Surface& s, const VertexData<Vec3>& lines) {
+    double sum = 0;
+    for (uint32_t f = 0; f < s.face_count(); ++f) {
+      for (uint32_t k = 0; k < 3; ++k) {
+        const double cosine = std::abs(lines[s.face(f)[k]].dot(lines[s.face(f)[next_corner(k)]]));
+        sum += 1 - std::min(cosine, 1.0);
+      }
+    }
+    return sum / static_cast<double>(s.face_count());
+  };
+  for (const Mesh& mesh : {torus(48, 24), sphere(4), bumpy_grid(24)}) {
+    const Surface surface = make_surface(mesh);
+    // A torus has a field without singularities, and relaxation leaves some pairs of them.
+    EXPECT_LT(turning(surface, smooth_directions(surface)), 4 * turning(surface, smoothest_directions(surface)) + 0.01);
+  }
+}
+
 }  // namespace
 }  // namespace meander::test

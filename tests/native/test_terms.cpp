@@ -85,7 +85,7 @@ class Draw {
         {"r", o.radius},       {"h", o.segment_length},     {"r_max", o.max_radius},
         {"t", o.length_weight}, {"b", o.bending_weight},     {"beta", o.alignment_weight},
         {"p", o.length_power}, {"q", o.medial_power},       {"boundary", o.boundary_rule},
-        {"step", o.step},      {"start", o.start_spacing_factor}};
+        {"step", o.step},      {"start", o.start_spacing_factor}, {"full", o.start}};
     for (const auto& [name, value] : values) text += std::string(", ") + name + " " + number(value);
     return text;
   }
@@ -110,6 +110,7 @@ class Draw {
     if (maybe()) o.step = rng_.in(0.5, 2);
     o.boundary_rule = rng_.below(2);
     across_ = rng_.below(2);
+    o.start = rng_.below(2);
   }
 
   /// Strands within faces that are large enough: a line with a fixed end, or a triangle.

@@ -59,7 +59,7 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     assert libraries == [f"meander/native/linux-x64/libmeander-{version}.so"]
     presets = {name for name in names if name.startswith("meander/presets/meander/")}
     assert {Path(name).stem for name in presets} == {
-        "Even", "Organic", "Few_Corners", "Rows", "As_Published"
+        "Even", "Flowing", "Organic", "Few_Corners", "Rows", "As_Published"
     }
     assert {"meander/docs/index.md", "meander/docs/density.md"} <= set(names)
     assert not [name for name in names if "__pycache__" in name or name.endswith(".pyc")]

@@ -8,7 +8,7 @@ from ctypes import byref, c_double, c_size_t, c_uint32
 from dataclasses import dataclass, fields, make_dataclass
 from typing import TYPE_CHECKING
 
-from .abi import BoundaryRule, FlowOptionsRecord, MedialAxis, StopRule
+from .abi import BoundaryRule, FlowOptionsRecord, MedialAxis, Start, StopRule
 from .choices import C_OPTIONS, PRESETS
 from .native_library import MeanderError, call, chosen, native, prepared
 
@@ -19,6 +19,7 @@ _KINDS: dict[str, type] = {
     "stop_rule": StopRule,
     "boundary_rule": BoundaryRule,
     "medial_axis": MedialAxis,
+    "start": Start,
 }
 _PYTHON_NAMES = {c_name: name for name, c_name in C_OPTIONS.items()}
 
@@ -27,7 +28,7 @@ def _fields_of_the_header() -> list[tuple[str, type]]:
     """Names and kinds of the options, in the order of the header."""
     found = []
     for c_name, c_kind in FlowOptionsRecord._fields_:
-        if c_name not in ("struct_size", "reserved"):
+        if c_name not in ("struct_size", "reserved32", "reserved"):
             name = _PYTHON_NAMES.get(c_name, c_name)
             found.append((name, _KINDS.get(name, float if c_kind is c_double else int)))
     return found
@@ -68,6 +69,7 @@ if TYPE_CHECKING:
         threads: int
         hairpin_removal_gentleness: float
         roughness: float
+        start: Start
 
 else:
     # Made from the header, in its order.

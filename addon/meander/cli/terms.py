@@ -17,6 +17,7 @@ _WORDS = {
     "curvature": ("CURVATURE", "MIN"),
     "curvature-max": ("CURVATURE", "MAX"),
     "smooth": ("SMOOTH", ""),
+    "boundary": ("BOUNDARY", ""),
     "x": ("AXIS", "X"),
     "y": ("AXIS", "Y"),
     "z": ("AXIS", "Z"),
@@ -33,8 +34,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--direction",
         metavar="ATTRIBUTE",
         help="the field that the curve lies along: a vector attribute of the points of the "
-        ".blend's object, or curvature (where the surface bends least), curvature-max, smooth, an "
-        "axis of the object (x, y, z), or lines of its UV map (u, v)",
+        ".blend's object, or curvature (where the surface bends least), curvature-max, smooth, "
+        "boundary (parallel to it), an axis of the object (x, y, z), or lines of its UV map (u, v)",
     )
     group.add_argument(
         "--direction-object", metavar="NAME", help="curve object whose splines give the directions"
@@ -93,7 +94,9 @@ def directions_without_a_scene(
         return axis_directions(np.eye(3), alignment.choice, vertex_count)
     if alignment.source == "CURVATURE":
         return computed(f"curvature_{alignment.choice.lower()}", alignment.smoothing * radius)
-    return computed("smooth") if alignment.source == "SMOOTH" else None
+    if alignment.source in ("SMOOTH", "BOUNDARY"):
+        return computed(alignment.source.lower())
+    return None
 
 
 def echo(arguments: argparse.Namespace, options: core.FlowOptions) -> dict[str, Any]:

@@ -46,6 +46,35 @@ ROWS: tuple[Option, ...] = (
         flag=Flag("--preset", "weights, step and stopping rule; default: even", default="even"),
     ),
     Option(
+        "start",
+        "Start",
+        "What the curve begins as",
+        _ADVANCED,
+        kind=str,
+        default="grow",
+        choices=(
+            (
+                "grow",
+                "Grow",
+                "A small loop, or what is drawn, grows until it fills the surface, as coral does",
+            ),
+            (
+                "full",
+                "Full",
+                "A curve that fills the surface already, in long rows along the direction, or "
+                "along a smooth one: more even, with a third of the hairpins, in half the time",
+            ),
+        ),
+        field="start",
+        flag=Flag(
+            "--start",
+            "begin with what is drawn or a small loop, which grows (grow), or with a curve that "
+            "fills the surface already, in rows along --direction or a smooth field (full); "
+            "default: grow",
+            default="grow",
+        ),
+    ),
+    Option(
         "medial_axis",
         "Distances",
         "How distances between strands are measured",

@@ -19,6 +19,9 @@ Values = Mapping[str, Any]
 # The choice that means the preset's own value, where a row offers it.
 OF_PRESET = "preset"
 
+# The fields whose choices the library knows by number.
+_NUMBERED = {"medial_axis": core.MedialAxis, "start": core.Start}
+
 
 @dataclass(frozen=True)
 class Flag:
@@ -119,8 +122,8 @@ def apply(options: Iterable[Option], values: Values, flow_options: core.FlowOpti
         value = values.get(option.setting)
         if value is None or value == OF_PRESET or not option.field:
             continue
-        if option.field == "medial_axis":
-            value = core.MedialAxis[value.upper()]
+        if option.field in _NUMBERED:
+            value = _NUMBERED[option.field][value.upper()]
         elif option.unit == "r":
             value *= flow_options.radius
         before = getattr(flow_options, option.field)

@@ -91,8 +91,8 @@ def directions_of(
     if alignment.source == "CURVATURE":
         kind = f"curvature_{alignment.choice.lower()}"
         return computed(kind, alignment.smoothing * radius)
-    if alignment.source == "SMOOTH":
-        return computed("smooth")
+    if alignment.source in ("SMOOTH", "BOUNDARY"):
+        return computed(alignment.source.lower())
     if alignment.source == "STROKES":
         return _continued_strokes(alignment, depsgraph)
     with surface_mesh(surface, depsgraph) as (mesh, matrix):

@@ -26,6 +26,7 @@ SHIPPED = _HOME / "presets" / SUBDIR
 
 SETTINGS = (
     "preset",
+    "start",
     "medial_axis",
     "use_weights",
     "length_weight",

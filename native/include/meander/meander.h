@@ -489,7 +489,9 @@ typedef uint32_t meander_directions;
 enum {
   MEANDER_DIRECTIONS_CURVATURE_MIN = 0, /* in which the surface bends least: along a cylinder */
   MEANDER_DIRECTIONS_CURVATURE_MAX = 1, /* in which it bends most: around a cylinder */
-  MEANDER_DIRECTIONS_SMOOTH = 2         /* the smoothest field of lines */
+  MEANDER_DIRECTIONS_SMOOTH = 2,        /* the smoothest field of lines */
+  MEANDER_DIRECTIONS_BOUNDARY = 3       /* parallel to the boundary, and as smooth as it can be between; zero on
+                                           components without a boundary */
 };
 
 /* A field of lines on the surface, for meander_flow_set_directions.
@@ -652,6 +654,16 @@ enum {
                                     iterations in a row */
 };
 
+/* What a curve starts from. */
+typedef uint32_t meander_start;
+enum {
+  MEANDER_START_GROW = 0, /* its seed, or a small loop, which grows until it fills the surface: it winds as coral does */
+  MEANDER_START_FULL = 1  /* a curve that fills the surface already, and that the flow only makes even: it walks round
+                             evenly spaced streamlines of the field of meander_flow_set_directions or, where there is
+                             none, of a smooth one. A strand that is drawn stays, and the rest leaves it on both sides.
+                             It is laid in the first iteration; hairpin_removal_iterations count as 0 */
+};
+
 /* Options of one flow. Always start from meander_flow_options_init, which is the only place where
  * defaults live. Weights have no unit and mean the same at every scale and segment length. */
 typedef struct meander_flow_options {
@@ -719,7 +731,9 @@ typedef struct meander_flow_options {
                                is crumpled below r, vertices are smoothed by a Gaussian of up to .75 r,
                                and r shrinks as lengths do there. At 1 it is measured on the surface
                                as it is. Only with MEANDER_MEDIAL_AXIS_GEODESIC */
-  uint64_t reserved[6];
+  meander_start start;
+  uint32_t reserved32;
+  uint64_t reserved[5];
 } meander_flow_options;
 
 /* Fills in the defaults of a preset; see "Structs".

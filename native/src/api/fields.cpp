@@ -71,6 +71,15 @@ std::vector<Vec3> checked_points(const double* points, size_t count, const Surfa
   return inside;
 }
 
+VertexData<Vec3> directions_of(const Surface& s, meander_directions kind, double radius,
+                               const std::function<bool()>& asked) {
+  switch (kind) {
+    case MEANDER_DIRECTIONS_SMOOTH: return smoothest_directions(s, asked);
+    case MEANDER_DIRECTIONS_BOUNDARY: return boundary_directions(s, asked);
+    default: return principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius, asked);
+  }
+}
+
 }  // namespace
 
 meander_status meander_surface_compute_curvature(const meander_surface* surface, meander_curvature kind,
@@ -98,17 +107,14 @@ meander_status meander_surface_compute_directions(const meander_surface* surface
                                                   meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require(surface != nullptr, "The surface is NULL.");
-    require(kind <= MEANDER_DIRECTIONS_SMOOTH, "The kind is none of MEANDER_DIRECTIONS_...");
+    require(kind <= MEANDER_DIRECTIONS_BOUNDARY, "The kind is none of MEANDER_DIRECTIONS_...");
     const Surface& s = *surface->surface;
     const MeshMap* map = surface->map.get();
     require_vertices(vertex_count, s, map, directions);
     const double radius = checked_smoothing(smoothing, s);
     check_cancelled(context);
     const std::function<bool()> asked = question(context);
-    const VertexData<Vec3> found = kind == MEANDER_DIRECTIONS_SMOOTH
-                                        ? smoothest_directions(s, asked)
-                                        : principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius,
-                                                               asked);
+    const VertexData<Vec3> found = directions_of(s, kind, radius, asked);
     check_cancelled(context);
     write(s, map, found, directions);
   });

@@ -89,6 +89,7 @@ void set_rules(const meander_flow_options& o, FlowSettings& s) {
           "A boundary_distance other than 0.5 needs MEANDER_BOUNDARY_RULE_CENTRE; with MEANDER_BOUNDARY_RULE_OBSTACLE "
           "strands stay a spacing away from the boundary.");
   require(o.medial_axis <= MEANDER_MEDIAL_AXIS_GEODESIC, "The option medial_axis is none of MEANDER_MEDIAL_AXIS_...");
+  require(o.start <= MEANDER_START_FULL, "The option start is none of MEANDER_START_...");
   require(o.iteration_limit >= 1, "The iteration limit must be at least 1.");
   require_threads(o.threads);
   s.stop_rule = o.stop_rule == MEANDER_STOP_RULE_PAPER ? StopRule::kPaper : StopRule::kSettled;
@@ -97,6 +98,7 @@ void set_rules(const meander_flow_options& o, FlowSettings& s) {
   require_range(o.roughness, 0, 1, "roughness");
   s.roughness = o.roughness;
   s.medial_axis = o.medial_axis == MEANDER_MEDIAL_AXIS_GEODESIC ? MedialAxis::kGeodesic : MedialAxis::kEuclidean;
+  s.full_start = o.start == MEANDER_START_FULL;
   s.iteration_limit = o.iteration_limit;
   s.threads = o.threads;
 }

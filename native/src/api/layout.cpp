@@ -53,7 +53,8 @@ constexpr auto flow_options_layout() {
                                 AT(polish_length_gain), AT(polish_medial_power), AT(boundary_rule),
                                 AT(medial_axis), AT(stop_rule), AT(grow_into_empty), AT(widen_loops),
                                 AT(hold_ends), AT(hairpin_removal_iterations), AT(polish), AT(iteration_limit),
-                                AT(threads), AT(hairpin_removal_gentleness), AT(roughness), AT(reserved)});
+                                AT(threads), AT(hairpin_removal_gentleness), AT(roughness), AT(start),
+                                AT(reserved32), AT(reserved)});
 }
 
 constexpr auto extent_layout() {

@@ -15,6 +15,7 @@
 #include "flow/invariant.h"
 #include "flow/progress.h"
 #include "flow/weighting.h"
+#include "seed/full_start.h"
 
 namespace meander {
 namespace {
@@ -29,14 +30,22 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
   return {settings, std::move(domain), std::move(curve), {}, {}};
 }
 
+/// A curve that fills the surface from its start has few hairpins, and they hold its pattern: none are drawn in.
+FlowSettings as_started(FlowSettings settings) {
+  if (settings.full_start) settings.hairpin_removal_iterations = 0;
+  return settings;
+}
+
 }  // namespace
 
 Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
            const FlowSettings& settings, const std::function<bool()>& cancelled)
     : pool_(settings.threads),
-      state_(first_state(std::move(surface), seed, density, settings, pool_, seed_fit_, cancelled)),
-      convergence_(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations,
-                   settings.hairpin_removal_gentleness),
+      drawn_(seed && !seed->offsets.empty() ? seed->offsets.size() - 1 : 0),
+      start_is_due_(settings.full_start),
+      state_(first_state(std::move(surface), seed, density, as_started(settings), pool_, seed_fit_, cancelled)),
+      convergence_(settings.stop_rule, settings.polish, state_.settings.hairpin_removal_iterations,
+                   state_.settings.hairpin_removal_gentleness),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   const ThreadPool::Watch watch(pool_, cancelled);
   if (at_scale()) {
@@ -89,10 +98,23 @@ StopReason Flow::run(const std::function<bool()>& cancelled, const std::function
   return stop_reason();
 }
 
+/// Puts a curve that fills the surface in the place of the loops. Whatever it throws, all is then as it was.
+void Flow::start_full() {
+  const Domain& domain = state_.domain;
+  FlowState full{state_.settings, domain, full_start(*domain.surface, state_.curve, drawn_, domain.radius,
+                                                     domain.directions, domain.patches.get(),
+                                                     state_.settings.boundary_distance, pool_), {}, {}};
+  refiner_.refine(full, plan(), pool_);
+  state_ = std::move(full);
+  start_is_due_ = false;
+}
+
 /// One iteration of section 3.
 void Flow::iterate() {
   Stopwatch total, watch;
   FlowSeconds& seconds = record_.seconds;
+  if (start_is_due_) start_full();
+  watch.lap();
 
   // What this iteration is about, and the medial axis of the curve as it is (3.2.2).
   const Plan plan = this->plan();

@@ -105,6 +105,7 @@ class Flow {
     return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase());
   }
   void iterate();
+  void start_full();
   void find_medial_axis(FlowState& state, const AtRest& known, MedialPlan plan = {});
   void find_medial_axis(const Plan& plan);
   /// Those of the last medial axis become radii(), once nothing can fail any more.
@@ -120,6 +121,8 @@ class Flow {
 
   ThreadPool pool_;
   SeedFit seed_fit_;
+  size_t drawn_;       // strands of the seed
+  bool start_is_due_;  // the first iteration is to lay a curve that fills the surface
   // What a run is about, and how far it has come.
   FlowState state_;
   Convergence convergence_;

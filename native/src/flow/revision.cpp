@@ -39,6 +39,8 @@ bool grows_otherwise(const FlowSettings& a, const FlowSettings& b) {
 }  // namespace
 
 void Flow::revise(FlowSettings settings, const VertexData<double>* density) {
+  settings.full_start = state_.settings.full_start;
+  if (settings.full_start) settings.hairpin_removal_iterations = 0;
   settings.threads = state_.settings.threads;
   FlowState next{settings, state_.domain.revised(state_.settings, settings, density, pool_), {}, {}, {}};
   if (settings == state_.settings && next.domain.wanted_radius == state_.domain.wanted_radius) return;

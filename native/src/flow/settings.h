@@ -41,6 +41,7 @@ struct FlowSettings {
   double boundary_distance = 0.5;  ///< of the last strand from the boundary, in (local) spacings
   MedialAxis medial_axis = MedialAxis::kEuclidean;
   double roughness = 1;  ///< how much of the surface's roughness the spacing follows; see Domain::surface
+  bool full_start = false;  ///< begin with a curve that fills the surface already
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;
 

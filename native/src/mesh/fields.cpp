@@ -9,6 +9,7 @@
 #include "base/elementary.h"
 #include "base/failure.h"
 #include "mesh/closest_point.h"
+#include "mesh/line_relaxation.h"
 #include "mesh/sparse_factors.h"
 #include "mesh/vertex_geometry.h"
 
@@ -178,6 +179,22 @@ VertexData<Vec3> smoothest_directions(const Surface& surface, const std::functio
   return g.to_space(x, 1e-9);
 }
 
+VertexData<Vec3> smooth_directions(const Surface& surface, const std::function<bool()>& cancelled) {
+  constexpr double kAxis = 0.05;
+  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
+  Lines first = least_bending(g, 0);
+  const double size = mean_size(first);
+  if (size > 0) first /= size;
+  for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
+    if (g.used(v)) first[v] = g.area()[v] * (first[v] + kAxis * g.line_along(v, Vec3::UnitX()));
+  }
+  Lines lines = relaxed_lines(g.line_laplacian(), first, g.poll());
+  for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
+    if (!g.used(v)) lines[v] = 0;
+  }
+  return g.to_space(lines, 1e-9);
+}
+
 VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes,
                                      const std::function<bool()>& cancelled) {
   // How much stiffer a stroke of the length of an edge is than the field around it.
@@ -225,6 +242,18 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
   }
   // Far from its strokes the field is faint, but it still points somewhere.
   return g.to_space(x, 1e-12);
+}
+
+VertexData<Vec3> boundary_directions(const Surface& surface, const std::function<bool()>& cancelled) {
+  std::vector<Vec3> ends;
+  for (const HalfEdge e : surface.boundary()) {
+    const Triangle& corners = surface.face(face_of(e));
+    ends.push_back(surface.position(corners[corner_of(e)]));
+    ends.push_back(surface.position(corners[next_corner(corner_of(e))]));
+  }
+  std::vector<Stroke> strokes;
+  for (size_t k = 0; k < ends.size(); k += 2) strokes.push_back(std::span(ends).subspan(k, 2));
+  return extended_directions(surface, strokes, cancelled);
 }
 
 }  // namespace meander

@@ -31,6 +31,10 @@ VertexData<Vec3> principal_directions(const Surface& surface, bool most, double 
 /// (Knoppel, Crane, Pinkall, Schroder, "Globally Optimal Direction Fields", 2013).
 VertexData<Vec3> smoothest_directions(const Surface& surface, const std::function<bool()>& cancelled = {});
 
+/// A field of lines that is about as smooth, in a time that grows with the number of vertices; see relaxed_lines. On a
+/// flat sheet it is parallel to the x-axis.
+VertexData<Vec3> smooth_directions(const Surface& surface, const std::function<bool()>& cancelled = {});
+
 /// A polyline in space close to the surface, whose direction the field is to take there.
 using Stroke = std::span<const Vec3>;
 
@@ -38,5 +42,8 @@ using Stroke = std::span<const Vec3>;
 /// without a stroke.
 VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes,
                                      const std::function<bool()>& cancelled = {});
+
+/// The same for the edges of the boundary: lines parallel to it. Zero on components without one.
+VertexData<Vec3> boundary_directions(const Surface& surface, const std::function<bool()>& cancelled = {});
 
 }  // namespace meander

@@ -27,6 +27,14 @@ class LineField {
   /// Carries the lines along when the corners of the faces move; both surfaces have the same faces.
   void ride(const Surface& from, const Surface& to);
 
+  /// Takes the lines of another field of the same surface, which has some, in the faces for which replaced(f) holds.
+  template <class Replaced>
+  void replace(const LineField& other, const Replaced& replaced) {
+    for (size_t k = 0; k < square_.size(); ++k) {
+      if (replaced(static_cast<uint32_t>(k / 3))) square_[k] = other.square_[k];
+    }
+  }
+
   /// No direction anywhere.
   bool empty() const { return square_.empty(); }
 

@@ -4,6 +4,7 @@ import bpy
 settings = bpy.context.active_object.meander
 
 settings.preset = "PAPER"
+settings.start = "GROW"
 settings.medial_axis = "GEODESIC"
 settings.use_weights = True
 settings.length_weight = 1.0

@@ -4,6 +4,7 @@ import bpy
 settings = bpy.context.active_object.meander
 
 settings.preset = "EVEN"
+settings.start = "FULL"
 settings.medial_axis = "PRESET"
 settings.use_weights = False
 settings.length_weight = 0.0

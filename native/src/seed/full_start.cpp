@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seed/full_start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "curve/crossings.h"
+#include "curve/guide_samples.h"
+#include "mesh/fields.h"
+#include "seed/line_tree.h"
+#include "seed/streamlines.h"
+#include "seed/tree_tour.h"
+
+namespace meander {
+namespace {
+
+/// The curve runs so far from the tree, in r: a half would be its distance at the spacing, and from there the flow
+/// pushes strands apart within some ten iterations. Nearer to it fewer corners meet.
+constexpr double kOffset = 0.45;
+
+/// Lines of a field that was asked for go on until they are as near to others as this, in r: more of the curve then
+/// lies along it. Within 15 degrees of the x-axis, and near_target along the surface, with a weight of 2, on bunny and
+/// spot: .81 .94 and .71 .90 with 2.6 as for a smooth field, .82 .94 and .75 .90 with 1.9, .81 .95 and .74 .90 with
+/// 1.6.
+constexpr double kLeastAlong = 1.9;
+
+/// Walls are known by places this far apart, in r.
+constexpr double kWallStep = 0.5;
+
+/// How far patches look, in r; see SurfacePatches.
+constexpr double kClamp = 3;
+
+/// Work between two asks, in pieces of some hundred nanoseconds.
+constexpr uint32_t kPieces = 1024;
+
+bool has_direction(Vec2 line) { return norm(line) > 1e-9; }
+
+/// Every component of the surface that has no direction.
+std::vector<uint8_t> without_field(const Surface& surface, const LineField& field) {
+  std::vector<uint8_t> without(surface.component_count(), 1);
+  for (uint32_t f = 0; f < surface.face_count() && !field.empty(); ++f) {
+    if (has_direction(field.at(make_point(f, 1, 1, 1)))) without[surface.component(f)] = 0;
+  }
+  return without;
+}
+
+/// The field, and the smoothest one on components without any.
+LineField completed(const Surface& surface, const LineField& field, const CancelPoll& ask) {
+  const std::vector<uint8_t> without = without_field(surface, field);
+  if (std::ranges::count(without, 1) == 0) return field;
+  const std::function<bool()> cancelled = [&] {
+    ask.now();  // throws
+    return false;
+  };
+  const LineField smooth(surface, smooth_directions(surface, cancelled), false);
+  if (field.empty()) return smooth;
+  LineField both = field;
+  both.replace(smooth, [&](uint32_t f) { return without[surface.component(f)] != 0; });
+  return both;
+}
+
+void add_boundary(const RadiusField& radius, LineNetwork& network) {
+  const Surface& s = network.surface();
+  for (const HalfEdge e : s.boundary()) {
+    const double r = radius.at(s, make_point(face_of(e), 1, 1, 1));
+    const double parts = std::clamp(std::ceil(norm(s.along(e)) / (kWallStep * r)), 1.0, 1e6);
+    for (double k = 0.5; k < parts; ++k) {
+      const Vec2 b = on_edge(e, clear_of_ends(k / parts));
+      network.add_node(network.make_node(make_point(face_of(e), 1 - b.x - b.y, b.x, b.y), LineNetwork::kBoundary, 0));
+    }
+  }
+}
+
+/// Guides stay as they are, and nothing comes near them.
+void add_guides(const Curve& curve, const RadiusField& radius, LineNetwork& network) {
+  const Surface& s = network.surface();
+  for (const Strand& strand : curve.strands) {
+    if (!strand.guide) continue;
+    for (uint32_t i = strand.first; i < strand.first + strand.segment_count(); ++i) {
+      curve.pieces_of(i, [&](const Piece& piece) {
+        network.add_obstacle(piece);
+        const SurfacePoint from{piece.face, piece.from};
+        const double length = (position(s, SurfacePoint{piece.face, piece.to}) - position(s, from)).norm();
+        const double parts = std::clamp(std::ceil(length / (kWallStep * radius.at(s, from))), 1.0, 1e6);
+        for (double t = 0.5; t < parts; ++t) {
+          const Vec2 b = piece.from + (t / parts) * (piece.to - piece.from);
+          network.add_node(network.make_node(make_point(piece.face, 1 - b.x - b.y, b.x, b.y), LineNetwork::kWall, 0));
+        }
+      });
+    }
+  }
+}
+
+/// The strands that were drawn to grow, as lines of the network and as trunks.
+struct Trunks {
+  std::vector<uint32_t> strands;  ///< of the curve
+  std::vector<Trunk> trunks;
+  std::vector<uint8_t> holds;     ///< per node of the network: a fixed one
+
+  void add(const Curve& curve, size_t drawn, LineNetwork& network, std::vector<Streamline>& lines) {
+    for (uint32_t k = 0; k < drawn; ++k) {
+      const Strand& strand = curve.strands[k];
+      if (strand.guide) continue;
+      Streamline line{{}, true, strand.closed};
+      Trunk trunk{{}, {}, strand.closed};
+      double arc = 0;
+      for (uint32_t i = strand.first; i < strand.end(); ++i) {
+        const auto node = network.make_node(curve.nodes[i], static_cast<uint32_t>(lines.size()), arc);
+        line.nodes.push_back(network.add_node(node));
+        trunk.fixed.push_back(curve.fixed[i]);
+        if (curve.has_segment(i)) arc += curve.shapes[i].length / node.radius;
+      }
+      trunk.nodes = line.nodes;
+      for (uint32_t i = 0; i < strand.segment_count(); ++i) {
+        const uint32_t from = strand.first + i;
+        network.add_edge(line.nodes[i], line.nodes[(i + 1) % strand.count], curve.paths[from], curve.shapes[from]);
+      }
+      for (size_t i = 0; i < line.nodes.size(); ++i) {
+        holds.resize(line.nodes[i] + size_t{1}, 0);
+        holds[line.nodes[i]] = trunk.fixed[i];
+      }
+      strands.push_back(k);
+      trunks.push_back(std::move(trunk));
+      lines.push_back(std::move(line));
+    }
+  }
+};
+
+/// Which region of the surface a place is in: guides divide a component.
+class Regions {
+ public:
+  Regions(const Surface& surface, const Curve& curve, const RadiusField& radius) : surface_(surface) {
+    if (!curve.has_guides()) return;
+    guided_.assign(surface.component_count(), 0);
+    for (const Strand& s : curve.strands) {
+      if (s.guide) guided_[surface.component(curve.nodes[s.first].face)] = 1;
+    }
+    samples_.emplace(surface, curve, radius, guided_);
+  }
+
+  /// Alike for places in the same region; nothing where guides hide the place.
+  std::optional<std::pair<uint32_t, uint32_t>> of(const SurfacePoint& p) {
+    const uint32_t component = surface_.component(p.face);
+    if (guided_.empty() || !guided_[component]) return std::pair{component, 0u};
+    const uint32_t region = samples_->region_of(p);
+    if (region == kNone) return std::nullopt;
+    return std::pair{component, region};
+  }
+
+ private:
+  const Surface& surface_;
+  std::vector<uint8_t> guided_;  // per component; empty: none is
+  std::optional<GuideSamples> samples_;
+};
+
+void append(Curve& curve, const Curve& other, const Strand& strand) {
+  const auto copy = [&](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin() + strand.first, from.begin() + strand.end());
+  };
+  curve.strands.push_back({curve.size(), strand.count, strand.closed, strand.guide});
+  copy(curve.nodes, other.nodes);
+  copy(curve.fixed, other.fixed);
+  copy(curve.paths, other.paths);
+  copy(curve.shapes, other.shapes);
+}
+
+/// A node of the largest tree in each of these places' regions; kNone where there is none.
+std::vector<uint32_t> largest_trees(const std::vector<std::optional<std::pair<uint32_t, uint32_t>>>& wanted,
+                                    const std::vector<Streamline>& lines, const std::vector<uint32_t>& tree,
+                                    const LineNetwork& network, Regions& regions) {
+  std::vector<size_t> size(lines.size(), 0);
+  for (uint32_t k = 0; k < lines.size(); ++k) size[tree[k]] += lines[k].nodes.size();
+  std::vector<uint32_t> best(wanted.size(), kNone);
+  std::vector<size_t> most(wanted.size(), 0);
+  std::vector<std::pair<std::pair<uint32_t, uint32_t>, size_t>> known;
+  for (size_t k = 0; k < wanted.size(); ++k) {
+    if (wanted[k]) known.emplace_back(*wanted[k], k);
+  }
+  std::ranges::sort(known);
+  for (uint32_t k = 0; k < lines.size(); ++k) {
+    if (tree[k] != k || lines[k].trunk) continue;
+    const uint32_t root = lines[k].nodes[lines[k].nodes.size() / 2];
+    const auto region = regions.of(network.nodes()[root].point);
+    if (!region) continue;
+    const auto found = std::ranges::lower_bound(known, std::pair{*region, size_t{0}});
+    if (found == known.end() || found->first != *region || size[k] <= most[found->second]) continue;
+    most[found->second] = size[k];
+    best[found->second] = root;
+  }
+  return best;
+}
+
+}  // namespace
+
+Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
+                 const LineField& field, const SurfacePatches* patches, double boundary_distance, ThreadPool& pool) {
+  std::unique_ptr<const SurfacePatches> own;
+  if (!patches) {
+    own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
+    patches = own.get();
+  }
+  LineNetwork network(surface, *patches, radius);
+  add_boundary(radius, network);
+  add_guides(first, radius, network);
+  std::vector<Streamline> lines;
+  Trunks trunks;
+  trunks.add(first, drawn, network, lines);
+  LineSpacing spacing;
+  if (!field.empty()) spacing.least = kLeastAlong;
+  spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
+  const CancelPoll poll = pool.poll(kPieces);
+  draw_streamlines(completed(surface, field, poll), radius, spacing, network, poll, lines);
+  const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, network, poll);
+
+  Regions regions(surface, first, radius);
+  std::vector<std::optional<std::pair<uint32_t, uint32_t>>> wanted(first.strands.size());
+  for (size_t k = drawn; k < wanted.size(); ++k) wanted[k] = regions.of(first.nodes[first.strands[k].first]);
+  const std::vector<uint32_t> root_of = largest_trees(wanted, lines, tree, network, regions);
+  std::vector<uint32_t> roots, strand_of = trunks.strands;
+  for (uint32_t k = 0; k < root_of.size(); ++k) {
+    if (root_of[k] == kNone) continue;
+    roots.push_back(root_of[k]);
+    strand_of.push_back(k);
+  }
+  Curve guides;
+  for (const Strand& strand : first.strands) {
+    if (strand.guide) append(guides, first, strand);
+  }
+  std::vector<uint32_t> walked;
+  const Curve round = walk_round(network, trunks.trunks, roots, kOffset, guides, pool, walked);
+  std::vector<uint32_t> filled(first.strands.size(), kNone);
+  for (uint32_t k = 0; k < walked.size(); ++k) filled[strand_of[walked[k]]] = k;
+  Curve curve;
+  for (uint32_t k = 0; k < filled.size(); ++k) {
+    filled[k] == kNone ? append(curve, first, first.strands[k]) : append(curve, round, round.strands[filled[k]]);
+  }
+  curve.link();
+  // A strand that stays as it was, for want of room, may lie where another one has come to.
+  return CrossingTest().find(surface, curve, pool).empty() ? curve : first;
+}
+
+}  // namespace meander

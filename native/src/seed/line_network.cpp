@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seed/line_network.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "curve/crossings.h"
+
+namespace meander {
+namespace {
+
+/// Nodes are looked for about this far away, in r.
+constexpr double kCell = 4;
+
+/// Farther away than this through space, in r, patches do not know whether one is hidden from another; there a place
+/// that faces away by more than this (a cosine) is taken for hidden.
+constexpr double kKnown = 2.7, kFacing = 0.2;
+
+/// Whether two pieces that begin in a common point lie on one another.
+bool overlap(Vec2 common, Vec2 p, Vec2 q) {
+  return orientation(common, p, q) == 0 && dot(p - common, q - common) > 0;
+}
+
+}  // namespace
+
+LineNetwork::LineNetwork(const Surface& surface, const SurfacePatches& patches, const RadiusField& radius)
+    : surface_(surface), patches_(patches), radius_(radius), least_cell_(kCell * radius.least()) {}
+
+LineNetwork::Node LineNetwork::make_node(const SurfacePoint& p, uint32_t line, double arc) const {
+  return {p, position(surface_, p), patches_.patch_of(surface_, p), line, arc, radius_.at(surface_, p)};
+}
+
+uint32_t LineNetwork::add_node(const Node& node) {
+  const auto index = static_cast<uint32_t>(nodes_.size());
+  const auto [level, cell] = cell_of(node);
+  if (level >= levels_.size()) levels_.resize(level + 1);
+  nodes_.push_back(node);
+  levels_[level][cell].push_back(index);
+  return index;
+}
+
+template <class Put>
+void LineNetwork::pieces_of(uint32_t edge, uint32_t from, uint32_t to, const SurfacePoint& begin,
+                            const SurfacePoint& end, const Path& path, const Put& put) {
+  Owned owned{{begin.face, 0, begin.b, {}}, from, kNone, edge, 0};
+  for (const Crossing& c : path) {
+    owned.piece.to = on_edge(c.e, c.t);
+    put(owned);
+    const Crossing r = reversed(c);
+    owned = {{face_of(r.e), 0, on_edge(r.e, r.t), {}}, kNone, kNone, edge, owned.index + 1};
+  }
+  owned.piece.to = end.b;
+  owned.end = to;
+  put(owned);
+}
+
+bool LineNetwork::touches(uint32_t from, uint32_t to, const SurfacePoint& end, const Path& path) const {
+  bool any = false;
+  pieces_of(kNone, from, to, nodes_[from].point, end, path, [&](const Owned& mine) {
+    if (any) return;
+    const auto others = pieces_.find(mine.piece.face);
+    if (others == pieces_.end()) return;
+    for (const Owned& other : others->second) {
+      // Where they share a node they may touch there, and only there.
+      const Vec2 ends[2] = {mine.piece.from, mine.piece.to}, theirs[2] = {other.piece.from, other.piece.to};
+      const uint32_t mine_at[2] = {mine.start, mine.end}, theirs_at[2] = {other.start, other.end};
+      bool shared = false;
+      for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 2; ++j) {
+          if (mine_at[i] == kNone || mine_at[i] != theirs_at[j]) continue;
+          shared = true;
+          any = any || overlap(ends[i], ends[1 - i], theirs[1 - j]);
+        }
+      }
+      if (!shared && touch(mine.piece, other.piece)) any = true;
+      if (any) return;
+    }
+  });
+  return any;
+}
+
+std::optional<LineNetwork::Meeting> LineNetwork::first_met(uint32_t from, const SurfacePoint& end,
+                                                           const Path& path) const {
+  std::optional<Meeting> met;
+  double nearest = 0;
+  pieces_of(kNone, from, kNone, nodes_[from].point, end, path, [&](const Owned& mine) {
+    if (met && met->crossings < mine.index) return;
+    const auto others = pieces_.find(mine.piece.face);
+    if (others == pieces_.end()) return;
+    for (const Owned& other : others->second) {
+      if (mine.start != kNone && (mine.start == other.start || mine.start == other.end)) continue;
+      if (!touch(mine.piece, other.piece)) continue;
+      const Vec2 along = mine.piece.to - mine.piece.from, line = other.piece.to - other.piece.from;
+      const double share = cross(other.piece.from - mine.piece.from, line) / cross(along, line);
+      if (met && !(share < nearest)) continue;
+      nearest = share;
+      met = {other.edge, mine.index, other.index};
+    }
+  });
+  return met;
+}
+
+void LineNetwork::add_edge(uint32_t from, uint32_t to, Path path, const PathShape& shape) {
+  pieces_of(static_cast<uint32_t>(edges_.size()), from, to, nodes_[from].point, nodes_[to].point, path,
+            [&](const Owned& owned) { pieces_[owned.piece.face].push_back(owned); });
+  edges_.push_back({from, to, std::move(path), shape});
+}
+
+void LineNetwork::take_back(const Mark& mark) {
+  // What came last is last in every list.
+  for (; edges_.size() > mark.edges; edges_.pop_back()) {
+    const Edge& edge = edges_.back();
+    pieces_of(kNone, edge.from, edge.to, nodes_[edge.from].point, nodes_[edge.to].point, edge.path,
+              [&](const Owned& owned) { pieces_[owned.piece.face].pop_back(); });
+  }
+  for (; nodes_.size() > mark.nodes; nodes_.pop_back()) {
+    const auto [level, cell] = cell_of(nodes_.back());
+    levels_[level][cell].pop_back();
+  }
+}
+
+std::array<int64_t, 3> LineNetwork::cell(const Vec3& p, double size) {
+  return {static_cast<int64_t>(std::floor(p.x() / size)), static_cast<int64_t>(std::floor(p.y() / size)),
+          static_cast<int64_t>(std::floor(p.z() / size))};
+}
+
+uint64_t LineNetwork::key(int64_t x, int64_t y, int64_t z) {
+  const auto part = [](int64_t i) { return static_cast<uint64_t>(i) & 0x1fffff; };
+  return part(x) | part(y) << 21 | part(z) << 42;
+}
+
+std::pair<size_t, uint64_t> LineNetwork::cell_of(const Node& node) const {
+  const int octave = std::ilogb(kCell * node.radius / least_cell_);
+  const auto level = static_cast<size_t>(std::clamp(octave, 0, 40));
+  const auto [x, y, z] = cell(node.place, cell_size(level));
+  return {level, key(x, y, z)};
+}
+
+double LineNetwork::along_surface(const Node& a, const Node& b, double chord) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  if (a.patch == b.patch) return chord;
+  if (patches_.hidden(a.patch, b.patch) || patches_.hidden(b.patch, a.patch)) return kFar;
+  const double facing = std::clamp(patches_.normal(a.patch).dot(patches_.normal(b.patch)), -1.0, 1.0);
+  if (chord > kKnown * a.radius && facing < kFacing) return kFar;
+  // The arc of a circle to which both normals are perpendicular: half of its angle over the sine of that, whose square
+  // this is. The last term is for half a circle.
+  const double square = 0.5 * (1 - facing), cube = square * square * square;
+  return chord * (1 + square / 6 + 0.075 * square * square + 0.329 * cube * cube);
+}
+
+}  // namespace meander

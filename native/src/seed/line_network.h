@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lines drawn on the surface that meet nowhere but in common nodes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "curve/curve.h"
+#include "geodesic/surface_patches.h"
+#include "mesh/radius_field.h"
+
+namespace meander {
+
+/// Nodes joined by geodesic edges. That no two edges share a point but a common node is tested with sign-exact
+/// predicates before an edge is added, so it always holds; and what is near to a place along the surface is found fast.
+/// Refers to what it is given. One thread at a time.
+class LineNetwork {
+ public:
+  /// Lines are numbered from 0 on; these are none that can be joined.
+  static constexpr uint32_t kWall = UINT32_MAX - 1;   ///< a guide
+  static constexpr uint32_t kBoundary = UINT32_MAX - 2;
+
+  struct Node {
+    SurfacePoint point;
+    Vec3 place;
+    uint32_t patch;
+    uint32_t line;
+    double arc;     ///< along its line, from where that was begun; in r
+    double radius;  ///< r there
+  };
+  struct Edge {
+    uint32_t from, to;
+    Path path;
+    PathShape shape;
+  };
+  /// So far a network has come: what was added since can be taken back.
+  struct Mark {
+    size_t nodes, edges;
+  };
+
+  LineNetwork(const Surface& surface, const SurfacePatches& patches, const RadiusField& radius);
+
+  const Surface& surface() const { return surface_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<Edge>& edges() const { return edges_; }
+
+  Node make_node(const SurfacePoint& p, uint32_t line, double arc) const;
+  uint32_t add_node(const Node& node);
+  /// Whether an edge from node `from` to a point, which is node `to` or, kNone, none yet, would touch any other.
+  bool touches(uint32_t from, uint32_t to, const SurfacePoint& end, const Path& path) const;
+  /// An edge that a walk meets, and how far both have come there.
+  struct Meeting {
+    uint32_t edge;
+    size_t crossings;         ///< of the walk before it
+    size_t crossings_of_edge; ///< of the edge before it
+  };
+  /// The first edge, or obstacle (kNone), that a walk from a node to a point meets; nothing where it meets none.
+  std::optional<Meeting> first_met(uint32_t from, const SurfacePoint& end, const Path& path) const;
+  /// Of an edge that touches none.
+  void add_edge(uint32_t from, uint32_t to, Path path, const PathShape& shape);
+  /// What no edge may touch, and belongs to none.
+  void add_obstacle(const Piece& piece) { pieces_[piece.face].push_back({piece, kNone, kNone, kNone, 0}); }
+
+  Mark mark() const { return {nodes_.size(), edges_.size()}; }
+  void take_back(const Mark& mark);
+
+  /// Calls visit(node, distance) for the nodes nearer to `node` than `reach`, as far as is known of the distance along
+  /// the surface: an arc whose ends are turned to each other as the surface is there. In no particular order, but
+  /// always in the same. Stops where it returns true; whether it did.
+  template <class Visit>
+  bool near(const Node& node, double reach, const Visit& visit) const {
+    for (size_t level = 0; level < levels_.size(); ++level) {
+      if (levels_[level].empty()) continue;
+      const double size = cell_size(level);
+      const auto low = cell(node.place - Vec3::Constant(reach), size);
+      const auto high = cell(node.place + Vec3::Constant(reach), size);
+      for (int64_t x = low[0]; x <= high[0]; ++x) {
+        for (int64_t y = low[1]; y <= high[1]; ++y) {
+          for (int64_t z = low[2]; z <= high[2]; ++z) {
+            const auto found = levels_[level].find(key(x, y, z));
+            if (found == levels_[level].end()) continue;
+            for (const uint32_t i : found->second) {
+              const double chord = (nodes_[i].place - node.place).norm();
+              if (!(chord < reach)) continue;
+              const double distance = along_surface(node, nodes_[i], chord);
+              if (distance < reach && visit(i, distance)) return true;
+            }
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  using Cells = std::unordered_map<uint64_t, std::vector<uint32_t>>;
+  struct Owned {
+    Piece piece;
+    uint32_t start, end;  // the nodes at its ends, kNone where it ends at an edge of the mesh
+    uint32_t edge;        // kNone: an obstacle
+    size_t index;         // so many pieces of the edge come before
+  };
+
+  double cell_size(size_t level) const { return least_cell_ * static_cast<double>(uint64_t{1} << level); }
+  static std::array<int64_t, 3> cell(const Vec3& p, double size);
+  static uint64_t key(int64_t x, int64_t y, int64_t z);
+  std::pair<size_t, uint64_t> cell_of(const Node& node) const;
+  double along_surface(const Node& a, const Node& b, double chord) const;
+  template <class Put>
+  static void pieces_of(uint32_t edge, uint32_t from, uint32_t to, const SurfacePoint& begin, const SurfacePoint& end,
+                        const Path& path, const Put& put);
+
+  const Surface& surface_;
+  const SurfacePatches& patches_;
+  const RadiusField& radius_;
+  double least_cell_;
+  std::vector<Node> nodes_;
+  std::vector<Edge> edges_;
+  std::vector<Cells> levels_;
+  std::unordered_map<uint32_t, std::vector<Owned>> pieces_;  // per face that holds any
+};
+
+}  // namespace meander

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seed/line_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "base/disjoint_sets.h"
+#include "geodesic/chart.h"
+
+namespace meander {
+namespace {
+
+/// What links may be like. Lengths are in r, angles cosines with the line.
+struct LinkRules {
+  double longest;     ///< a link
+  double ahead;       ///< at a tip, a link deviates from straight ahead by no more than this,
+  double sideways;    ///< and elsewhere from a right angle
+  size_t from_tip;    ///< nodes between a link that leaves sideways and a tip, at least
+};
+
+/// Links that leave by about 50 degrees from straight ahead or sideways, and, for trees that none of them joins,
+/// others.
+constexpr LinkRules kUsual{6.5, 0.5, 0.6, 2}, kLast{12, 0, 0.92, 1};
+
+/// The first ones keep this distance from third lines, in r.
+constexpr double kClear = 0.9;
+
+/// And all of them this one from ends and fixed nodes of trunks.
+constexpr double kFromHeld = 1.5;
+
+/// What a search counts for, in pieces of work.
+constexpr size_t kSearched = 64;
+
+/// A tip that is joined saves a hairpin, which is worth this length, in r.
+constexpr double kTipWorth = 1.5;
+
+/// A link far from tips parts long stretches: this share of its distance from the nearest tip, of no more than so many
+/// r, counts as length.
+constexpr double kFromTip = 0.15, kFarFromTip = 20;
+
+/// Two links on one side of a line keep this distance, in r.
+constexpr double kApart = 2;
+
+/// How a link leaves a line.
+enum class Exit : uint8_t { kNone, kTip, kLeft, kRight };
+
+struct Candidate {
+  double cost;
+  uint32_t from, to;
+  bool operator<(const Candidate& other) const {
+    return std::tie(cost, from, to) < std::tie(other.cost, other.from, other.to);
+  }
+};
+
+class Joiner {
+ public:
+  Joiner(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds, LineNetwork& network,
+         CancelPoll poll)
+      : lines_(lines), network_(network), s_(network.surface()), poll_(poll), trees_(lines.size()),
+        shortener_(network.surface()), index_(network.nodes().size(), kNone), tangent_(network.nodes().size()),
+        trunk_(lines.size(), 0), held_(network.nodes().size(), 0), used_(lines.size()) {
+    for (const Streamline& line : lines) {
+      for (size_t k = 0; k < line.nodes.size(); ++k) index_[line.nodes[k]] = static_cast<uint32_t>(k);
+    }
+    for (const LineNetwork::Edge& e : network.edges()) {
+      const bool closing = lines[line_of(e.from)].trunk && index_[e.to] == 0;
+      const double sign = index_[e.to] > index_[e.from] || closing ? 1 : -1;
+      tangent_[e.from] = tangent_[e.from] + sign * e.shape.leaving;
+      tangent_[e.to] = tangent_[e.to] + sign * e.shape.arriving;
+    }
+    for (Vec2& t : tangent_) t = unit(t);
+    for (uint32_t k = 0; k < lines.size(); ++k) {
+      if (!lines[k].trunk) continue;
+      trunk_[k] = 1;
+      for (size_t i = 0; i < lines[k].nodes.size(); ++i) {
+        const uint32_t node = lines[k].nodes[i];
+        const bool end = !lines[k].closed && (i == 0 || i + 1 == lines[k].nodes.size());
+        if (!end && !(node < holds.size() && holds[node])) continue;
+        const LineNetwork::Node& here = network.nodes()[node];
+        held_[node] = 1;
+        network.near(here, kFromHeld * here.radius, [&](uint32_t near, double) {
+          held_[near] = 1;
+          return false;
+        });
+      }
+    }
+  }
+
+  std::vector<uint32_t> join() {
+    join_near();
+    while (join_met()) continue;
+    std::vector<uint32_t> tree(lines_.size());
+    for (uint32_t k = 0; k < lines_.size(); ++k) tree[k] = trees_.find(k);
+    return tree;
+  }
+
+ private:
+  uint32_t line_of(uint32_t node) const { return network_.nodes()[node].line; }
+
+  /// The lines of all trees but the one with the most nodes of each component of the surface.
+  std::vector<uint8_t> not_in_largest() {
+    std::vector<size_t> nodes(lines_.size(), 0);
+    std::vector<uint32_t> largest(s_.component_count(), kNone);
+    for (uint32_t k = 0; k < lines_.size(); ++k) nodes[trees_.find(k)] += lines_[k].nodes.size();
+    for (uint32_t k = 0; k < lines_.size(); ++k) {
+      if (lines_[k].trunk) nodes[trees_.find(k)] += network_.nodes().size();  // never joined to another
+    }
+    const auto component = [&](uint32_t k) {
+      return s_.component(network_.nodes()[lines_[k].nodes[0]].point.face);
+    };
+    for (uint32_t k = 0; k < lines_.size(); ++k) {
+      uint32_t& best = largest[component(k)];
+      const uint32_t root = trees_.find(k);
+      if (best == kNone || nodes[root] > nodes[best]) best = root;
+    }
+    std::vector<uint8_t> marked(lines_.size());
+    for (uint32_t k = 0; k < lines_.size(); ++k) {
+      marked[k] = trees_.find(k) != largest[component(k)] && !trunk_[trees_.find(k)];
+    }
+    return marked;
+  }
+
+  /// How a link in this direction, in the plane of the node, leaves the line.
+  Exit exit_of(const LinkRules& rules, uint32_t node, Vec2 direction) const {
+    const size_t k = index_[node], last = lines_[line_of(node)].nodes.size() - 1;
+    const double cosine = dot(direction, tangent_[node]);
+    if (lines_[line_of(node)].trunk) {
+      return std::abs(cosine) > kUsual.sideways || held_[node] ? Exit::kNone : Exit::kLeft;
+    }
+    if (k == last && cosine > rules.ahead) return Exit::kTip;
+    if (k == 0 && cosine < -rules.ahead) return Exit::kTip;
+    if (k < rules.from_tip || k + rules.from_tip > last || std::abs(cosine) > rules.sideways) return Exit::kNone;
+    return cross(tangent_[node], direction) > 0 ? Exit::kLeft : Exit::kRight;
+  }
+
+  /// Distance along its line from the nearer tip, in r.
+  double from_tip(uint32_t node) const {
+    if (lines_[line_of(node)].trunk) return 0;
+    const std::vector<uint32_t>& nodes = lines_[line_of(node)].nodes;
+    const auto arc = [&](uint32_t i) { return network_.nodes()[i].arc; };
+    return std::min(arc(nodes.back()) - arc(node), arc(node) - arc(nodes.front()));
+  }
+
+  double cost(uint32_t a, uint32_t b, double length, Exit at_a, Exit at_b) const {
+    const double tips = (at_a == Exit::kTip) + (at_b == Exit::kTip);
+    return length - kTipWorth * tips + kFromTip * std::min({from_tip(a), from_tip(b), kFarFromTip});
+  }
+
+  /// Joins what is near through space and along the surface.
+  void join_near() {
+    std::vector<Candidate> candidates;
+    for (const Streamline& line : lines_) {
+      for (const uint32_t node : line.nodes) find_candidates(node, candidates);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    for (const Candidate& c : candidates) {
+      if (trees_.find(line_of(c.from)) == trees_.find(line_of(c.to))) continue;
+      poll_(kSearched);
+      link_near(c);
+    }
+  }
+
+  /// The best link from a node to each line near it, and one at a tip of that besides.
+  void find_candidates(uint32_t node, std::vector<Candidate>& candidates) {
+    const LineNetwork::Node& here = network_.nodes()[node];
+    best_.clear();
+    network_.near(here, kUsual.longest * here.radius, [&](uint32_t i, double distance) {
+      poll_();
+      const LineNetwork::Node& other = network_.nodes()[i];
+      if (other.line >= LineNetwork::kBoundary || other.line <= here.line) return false;
+      const Vec3 chord = other.place - here.place;
+      const Exit a = exit_of(kUsual, node, unit(s_.to_plane(here.point.face, chord)));
+      const Exit b = exit_of(kUsual, i, unit(s_.to_plane(other.point.face, -chord)));
+      if (a == Exit::kNone || b == Exit::kNone) return false;
+      const Candidate c{cost(node, i, distance / here.radius, a, b), node, i};
+      const auto [best, added] = best_.try_emplace({other.line, b == Exit::kTip}, c);
+      if (!added && c < best->second) best->second = c;
+      return false;
+    });
+    for (const auto& [key, candidate] : best_) candidates.push_back(candidate);
+  }
+
+  void link_near(const Candidate& c) {
+    const LineNetwork::Node &a = network_.nodes()[c.from], &b = network_.nodes()[c.to];
+    Chart chart = Chart::at(a.point, a.place);
+    if (!chart.advance_to(s_, b.point, b.place, kUsual.longest * a.radius)) return;
+    const double length = norm(chart.place);
+    if (!(length > 0) || length > kUsual.longest * a.radius || passes_over_another(a, b, chart.place)) return;
+    Path path;
+    trace_geodesic(s_, a.point, chart.place, path);
+    if (const auto shape = shortener_.adopt(a.point, b.point, path)) link(kUsual, c, std::move(path), *shape);
+  }
+
+  /// Joins trees by what straight walks from them meet, as round the edge of a fold. Whether it has joined any.
+  bool join_met() {
+    const std::vector<uint8_t> marked = not_in_largest();
+    struct Walk {
+      double length;
+      Candidate ends;
+      Path path;
+      PathShape shape;
+    };
+    std::vector<Walk> walks;
+    for (uint32_t k = 0; k < lines_.size(); ++k) {
+      if (!marked[k]) continue;
+      for (const uint32_t node : lines_[k].nodes) {
+        for (const Vec2 direction : {Vec2{0, 1}, Vec2{0, -1}, Vec2{1, 0}, Vec2{-1, 0}}) {
+          poll_(kSearched);
+          const auto to = walk(node, direction * tangent_[node]);
+          if (!to) continue;
+          walks.push_back({to->second.length / network_.nodes()[node].radius, {0, node, to->first}, std::move(walked_),
+                           to->second});
+        }
+      }
+    }
+    std::ranges::stable_sort(walks, {}, &Walk::length);
+    bool any = false;
+    for (Walk& w : walks) any = link(kLast, w.ends, std::move(w.path), w.shape) || any;
+    return any;
+  }
+
+  /// Where a walk meets a line of another tree: a node beside that place, and the shape of the path there, which is
+  /// then in walked_.
+  std::optional<std::pair<uint32_t, PathShape>> walk(uint32_t node, Vec2 direction) {
+    const LineNetwork::Node& here = network_.nodes()[node];
+    if (exit_of(kLast, node, direction) == Exit::kNone) return std::nullopt;
+    walked_.clear();
+    const Trace there = trace_geodesic(s_, here.point, kLast.longest * here.radius * direction, walked_);
+    const auto met = network_.first_met(node, there.end, walked_);
+    if (!met || met->edge == kNone) return std::nullopt;
+    const LineNetwork::Edge& edge = network_.edges()[met->edge];
+    if (line_of(edge.from) != line_of(edge.to) || trees_.find(line_of(edge.to)) == trees_.find(here.line)) {
+      return std::nullopt;
+    }
+    walked_.resize(met->crossings);
+    walked_.insert(walked_.end(), edge.path.begin() + static_cast<std::ptrdiff_t>(met->crossings_of_edge),
+                   edge.path.end());
+    const PathShape shape = shortener_.shorten(here.point, network_.nodes()[edge.to].point, walked_);
+    return std::pair{edge.to, shape};
+  }
+
+  /// Adds a link, if it is one that may be; whether it has.
+  bool link(const LinkRules& rules, const Candidate& c, Path path, const PathShape& shape) {
+    const uint32_t a = line_of(c.from), b = line_of(c.to);
+    const uint32_t tree_a = trees_.find(a), tree_b = trees_.find(b);
+    if (tree_a == tree_b || (trunk_[tree_a] && trunk_[tree_b]) || !(shape.length > 0)) return false;
+    const Exit at_a = exit_of(rules, c.from, shape.leaving), at_b = exit_of(rules, c.to, -shape.arriving);
+    if (at_a == Exit::kNone || at_b == Exit::kNone) return false;
+    if (is_used(c.from, at_a) || is_used(c.to, at_b)) return false;
+    if (network_.touches(c.from, c.to, network_.nodes()[c.to].point, path)) return false;
+    used_[a].push_back({c.from, at_a});
+    used_[b].push_back({c.to, at_b});
+    trees_.join(a, b);
+    trunk_[trees_.find(a)] = trunk_[tree_a] || trunk_[tree_b];
+    network_.add_edge(c.from, c.to, std::move(path), shape);
+    return true;
+  }
+
+  bool is_used(uint32_t node, Exit exit) const {
+    const auto arc = [&](uint32_t i) { return network_.nodes()[i].arc; };
+    return std::ranges::any_of(used_[line_of(node)], [&](const auto& other) {
+      return other.second == exit && std::abs(arc(other.first) - arc(node)) < kApart;
+    });
+  }
+
+  bool passes_over_another(const LineNetwork::Node& a, const LineNetwork::Node& b, Vec2 link) const {
+    for (const double share : {0.25, 0.5, 0.75}) {
+      Path path;
+      const Trace there = trace_geodesic(s_, a.point, share * link, path);
+      const LineNetwork::Node node = network_.make_node(there.end, kNone, 0);
+      if (network_.near(node, kClear * node.radius, [&](uint32_t i, double) {
+            const uint32_t line = network_.nodes()[i].line;
+            return line != a.line && line != b.line && line != LineNetwork::kBoundary;
+          })) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const std::vector<Streamline>& lines_;
+  LineNetwork& network_;
+  const Surface& s_;
+  CancelPoll poll_;
+  DisjointSets trees_;
+  PathShortener shortener_;
+  std::vector<uint32_t> index_;  // per node: its place in its line
+  std::vector<Vec2> tangent_;    // per node, in the plane of its face, along its line
+  std::vector<uint8_t> trunk_;   // per tree: one of its lines is a trunk
+  std::vector<uint8_t> held_;    // per node: no link of a trunk begins there
+  Path walked_;
+  std::vector<std::vector<std::pair<uint32_t, Exit>>> used_;  // per line
+  std::map<std::pair<uint32_t, bool>, Candidate> best_;       // of one node, per line and whether at its tip
+};
+
+}  // namespace
+
+std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
+                                 LineNetwork& network, CancelPoll poll) {
+  return Joiner(lines, holds, network, poll).join();
+}
+
+}  // namespace meander

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seed/streamlines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <numeric>
+#include <optional>
+
+#include "geodesic/geodesic_trace.h"
+
+namespace meander {
+namespace {
+
+/// A line ends where the field turns by more than 60 degrees from one node to the next (a cosine), or is this weak.
+constexpr double kMostTurn = 0.5, kLeastField = 1e-6;
+
+/// A line sees itself at what is farther along it than this, in units of `apart`.
+constexpr double kOwn = 1.6;
+
+/// Others begin beside every so many nodes of a line.
+constexpr size_t kEvery = 4;
+
+/// A line that is shorter than this, in units of `apart`, is not drawn, nor is one between others that is shorter than
+/// the second.
+constexpr double kShortest = 1, kShortestBetween = 2;
+
+/// Between others lines begin in gaps that are narrower by this, in r, from turn to turn.
+constexpr double kNarrower = 0.2;
+
+/// Lines are as many as there is room for when they are this long, over area / (4 r).
+constexpr double kFull = 1;
+
+/// And another begins where there is this much of the room that it is to have.
+constexpr double kRoom = 0.97;
+
+/// Nodes of one line are no more than this.
+constexpr size_t kMostNodes = 1u << 22;
+
+/// Places to look at in faces larger than this, in r, lie no farther apart.
+constexpr double kPlaces = 2;
+constexpr uint32_t kMostRows = 256;
+
+class Drawer {
+ public:
+  Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, LineNetwork& network,
+         CancelPoll poll, std::vector<Streamline>& lines)
+      : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll),
+        lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0) {
+    for (uint32_t f = 0; f < s_.face_count(); ++f) {
+      const double r = radius_.at(s_, make_point(f, 1, 1, 1));
+      wanted_[s_.component(f)] += kFull * s_.face_area(f) / (spacing_.apart * r * r);
+    }
+  }
+
+  void draw() {
+    for (const Streamline& trunk : lines_) offer_beside(trunk, spacing_.from_walls);
+    fill(spacing_.apart, kShortest);
+    // Where lines diverge: the widest gaps first, until there are as many lines as there is room for.
+    for (double between = spacing_.apart - kNarrower; between > spacing_.between; between -= kNarrower) {
+      fill_between(between);
+    }
+  }
+
+ private:
+  void fill(double apart, double shortest) {
+    apart_ = apart;
+    shortest_ = shortest;
+    draw_beside();
+    // In an order that has nothing to do with that of the faces, so that lines begin all over the surface.
+    const auto faces = static_cast<uint32_t>(s_.face_count());
+    uint32_t stride = static_cast<uint32_t>(0.6180339887 * faces) | 1u;
+    while (std::gcd(stride, faces) != 1) stride += 2;
+    for (uint32_t k = 0, f = 0; k < faces; ++k, f = static_cast<uint32_t>((uint64_t{f} + stride) % faces)) {
+      for_places(f, [&](const SurfacePoint& p) {
+        poll_();
+        begin_at(p);
+        draw_beside();
+      });
+    }
+  }
+
+  void fill_between(double apart) {
+    apart_ = apart;
+    shortest_ = kShortestBetween;
+    for (size_t k = trunks_, before = lines_.size(); k < before; ++k) {
+      if (is_full(network_.nodes()[lines_[k].nodes[0]].point)) continue;
+      offer_beside(lines_[k], apart);
+      draw_beside();
+    }
+  }
+
+  /// Has the component of a point as many lines as there is room for?
+  bool is_full(const SurfacePoint& p) const {
+    const uint32_t component = s_.component(p.face);
+    return drawn_[component] >= wanted_[component];
+  }
+
+  template <class Visit>
+  void for_places(uint32_t f, const Visit& visit) const {
+    double longest = 0;
+    for (uint32_t k = 0; k < 3; ++k) longest = std::max(longest, norm(s_.along(3 * f + k)));
+    const double r = radius_.at(s_, make_point(f, 1, 1, 1));
+    const auto rows = static_cast<uint32_t>(std::clamp(std::ceil(longest / (kPlaces * r)), 1.0, double{kMostRows}));
+    for (uint32_t i = 0; i < rows; ++i) {
+      for (uint32_t j = 0; i + j < rows; ++j) {
+        const double x = (i + 1.0 / 3) / rows, y = (j + 1.0 / 3) / rows;
+        visit(make_point(f, 1 - x - y, x, y));
+      }
+    }
+  }
+
+  void draw_beside() {
+    for (; !beside_.empty(); beside_.pop_front()) {
+      if (apart_ == spacing_.apart || !is_full(beside_.front())) begin_at(beside_.front());
+    }
+  }
+
+  /// Is `p` too near to something, where a line begins or, else, where one is at `arc`?
+  bool is_crowded(const LineNetwork::Node& p, bool begins) const {
+    const double apart = (begins ? kRoom * apart_ : spacing_.least) * p.radius;
+    const double walls = (begins ? kRoom * spacing_.from_walls : spacing_.least_from_walls) * p.radius;
+    const double boundary = spacing_.from_boundary * p.radius;
+    const double own = kOwn * spacing_.apart;
+    return network_.near(p, std::max({apart, walls, boundary}), [&](uint32_t i, double distance) {
+      const LineNetwork::Node& other = network_.nodes()[i];
+      if (other.line == LineNetwork::kBoundary) return distance < boundary;
+      if (other.line == LineNetwork::kWall || other.line < trunks_) return distance < walls;
+      if (other.line == p.line && std::abs(other.arc - p.arc) < own) return false;
+      return distance < apart;
+    });
+  }
+
+  void begin_at(const SurfacePoint& p) {
+    const auto line = static_cast<uint32_t>(lines_.size());
+    const Vec2 direction = unit(field_.at(p));
+    if (!(norm(direction) > 0) || norm(field_.at(p)) < kLeastField) return;
+    const LineNetwork::Node first = network_.make_node(p, line, 0);
+    if (is_crowded(first, true)) return;
+    const LineNetwork::Mark mark = network_.mark();
+    const uint32_t start = network_.add_node(first);
+    Streamline drawn;
+    trace(start, -direction, -1, drawn.nodes);
+    std::ranges::reverse(drawn.nodes);
+    drawn.nodes.push_back(start);
+    trace(start, direction, 1, drawn.nodes);
+    const double length =
+        network_.nodes()[drawn.nodes.back()].arc - network_.nodes()[drawn.nodes.front()].arc;
+    if (length < shortest_ * spacing_.apart) return network_.take_back(mark);
+    offer_beside(drawn, apart_);
+    drawn_[s_.component(p.face)] += length;
+    lines_.push_back(std::move(drawn));
+  }
+
+  void offer_beside(const Streamline& line, double apart) {
+    for (size_t k = 0; k < line.nodes.size(); k += kEvery) offer_beside(network_.nodes()[line.nodes[k]], apart);
+  }
+
+  /// Places to both sides of a node where another line may begin.
+  void offer_beside(const LineNetwork::Node& node, double apart) {
+    const Vec2 direction = unit(field_.at(node.point));
+    for (const double side : {1.0, -1.0}) {
+      Path path;
+      const Trace there =
+          trace_geodesic(s_, node.point, Vec2{0, side * apart * node.radius} * direction, path);
+      if (!there.hit_boundary) beside_.push_back(there.end);
+    }
+  }
+
+  /// Follows the field from a node until the line has to end.
+  void trace(uint32_t from, Vec2 direction, double sign, std::vector<uint32_t>& nodes) {
+    const uint32_t line = network_.nodes()[from].line;
+    for (size_t k = 0; k < kMostNodes; ++k) {
+      poll_();
+      const LineNetwork::Node here = network_.nodes()[from];
+      const double step = spacing_.step * here.radius;
+      const auto turn = turn_ahead(here.point, direction, 0.5 * step);
+      if (!turn) return;
+      Path path;
+      const Trace there = trace_geodesic(s_, here.point, step * (direction * *turn), path);
+      if (there.hit_boundary) return;
+      const auto next = direction_at(there.end, there.direction);
+      if (!next) return;
+      const LineNetwork::Node node = network_.make_node(there.end, line, here.arc + sign * spacing_.step);
+      if (is_crowded(node, false) || network_.touches(from, kNone, there.end, path)) return;
+      const PathShape shape = measure_path(s_, here.point, there.end, path);
+      if (!(shape.length > 0)) return;
+      const uint32_t to = network_.add_node(node);
+      network_.add_edge(from, to, std::move(path), shape);
+      nodes.push_back(to);
+      from = to;
+      direction = *next;
+    }
+  }
+
+  /// The direction of the field at a point for a line that arrives there in this one.
+  std::optional<Vec2> direction_at(const SurfacePoint& p, Vec2 arriving) const {
+    const Vec2 line = field_.at(p);
+    if (norm(line) < kLeastField) return std::nullopt;
+    const Vec2 along = unit(line);
+    const double cosine = dot(along, arriving);
+    if (std::abs(cosine) < kMostTurn) return std::nullopt;
+    return cosine < 0 ? -along : along;
+  }
+
+  /// By how much the field turns until half of a step ahead: the midpoint rule.
+  std::optional<Vec2> turn_ahead(const SurfacePoint& p, Vec2 direction, double half) const {
+    Path path;
+    const Trace middle = trace_geodesic(s_, p, half * direction, path);
+    const auto there = direction_at(middle.end, middle.direction);
+    if (!there) return std::nullopt;
+    return *there * conj(middle.direction);
+  }
+
+  const LineField& field_;
+  const RadiusField& radius_;
+  const LineSpacing& spacing_;
+  LineNetwork& network_;
+  const Surface& s_;
+  CancelPoll poll_;
+  double apart_ = 0, shortest_ = 0;  // of the lines that are drawn
+  std::vector<Streamline>& lines_;
+  size_t trunks_;                       // the first of them
+  std::vector<double> drawn_, wanted_;  // per component: length of its lines, in the local r
+  std::deque<SurfacePoint> beside_;
+};
+
+}  // namespace
+
+void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
+                      LineNetwork& network, CancelPoll poll, std::vector<Streamline>& lines) {
+  if (!field.empty()) Drawer(field, radius, spacing, network, poll, lines).draw();
+}
+
+}  // namespace meander

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender script: makes the pictures of full starts in docs/terms.md.
+
+    blender --background --python-exit-code 1 --python scripts/start_pictures.py -- [FOLDER]
+
+FOLDER is docs/images by default; see strands_pictures.py.
+"""
+
+import sys
+from pathlib import Path
+
+import bpy
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import strands_pictures  # noqa: E402  (the path comes first)
+from strands_pictures import begin, fill, meander, surface_of  # noqa: E402
+from strands_pictures import render as render_to  # noqa: E402
+
+APART = 1.35
+
+
+def head(place: float) -> bpy.types.Object:
+    bpy.ops.mesh.primitive_monkey_add(location=(place, 0.0, 0.0))
+    modifier = bpy.context.active_object.modifiers.new("Smooth", "SUBSURF")
+    modifier.levels = modifier.render_levels = 2
+    return bpy.context.active_object
+
+
+def torus(place: float) -> bpy.types.Object:
+    bpy.ops.mesh.primitive_torus_add(
+        major_radius=0.9, minor_radius=0.38, major_segments=64, minor_segments=28
+    )
+    bpy.context.active_object.location = (place, 0.0, 0.0)
+    return bpy.context.active_object
+
+
+def pair(make, spacing: float, path: Path, eye: tuple, **settings) -> None:
+    """The same surface grown, on the left, and with a full start."""
+    begin()
+    for place, start in ((-APART, "GROW"), (APART, "FULL")):
+        surface = surface_of(make(place))
+        bpy.context.view_layer.update()
+        fill(surface, spacing, start=start, **settings)
+    strands_pictures.SIZE = (720, 360)
+    render_to(path, eye, lens=72.0)
+
+
+if __name__ == "__main__":
+    names = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
+    target = Path(names[0]) if names else ROOT / "docs/images"
+    meander.register()
+    pair(head, 0.07, target / "start_flowing.png", (0.0, -10.5, 1.4))
+    pair(
+        torus, 0.09, target / "start_rows.png", (0.0, -7.2, 8.9),
+        alignment_source="CURVATURE", alignment_weight=2.0,
+    )
+    meander.unregister()

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Full starts: a first curve that fills the surface, has one strand a component, and crosses nothing, before the flow
+// and after every iteration of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "seed/full_start.h"
+#include "test_curves.h"
+#include "test_seeds.h"
+#include "thin_surfaces.h"
+
+namespace meander::test {
+namespace {
+
+struct Shape {
+  const char* name;
+  Mesh mesh;
+  double spacing;
+  double least_length;  // of the start, over that of a curve that fills the surface
+};
+
+// Tips and the boundary take their share: the more of it, the fewer spacings a surface is wide.
+std::vector<Shape> shapes() {
+  return {
+      {"sphere", sphere(4), 0.1, 0.85},
+      {"noisy_sphere", with_noise(sphere(4), 0.3, 5), 0.15, 0.8},
+      {"torus", torus(48, 24), 0.1, 0.85},
+      {"square", flat_grid(9), 0.05, 0.8},
+      {"square_of_two_faces", flat_grid(1), 0.05, 0.8},
+      {"holes", grid_with_hole(16), 0.05, 0.75},
+      {"cube", cube(), 0.15, 0.8},
+      {"thin_plate", plate(1, 0.01, 12), 0.06, 0.75},
+      {"leaf", leaf(1, 0.02, 0.3, 16), 0.06, 0.7},
+      {"cloth", folded_cloth(1, 1, 0.02, 4, 12), 0.06, 0.7},
+      {"cone", cone(7, 5, 3), 0.3, 0.6},
+      {"two_parts", joined(torus(24, 12), sphere(3), 4), 0.15, 0.8},
+      {"specks", joined(sphere(3), scaled(octahedron(), 0.01), 4), 0.15, 0.75},
+  };
+}
+
+Flow flow_of(const std::shared_ptr<const Surface>& surface, double spacing, uint32_t threads = 1) {
+  meander_flow_options options = options_of(spacing);
+  options.start = MEANDER_START_FULL;
+  options.threads = threads;
+  return Flow(surface, nullptr, {}, checked_settings(options, *surface));
+}
+
+std::vector<double> bytes_of(const Curve& c) {
+  std::vector<double> bytes;
+  for (uint32_t i = 0; i < c.size(); ++i) {
+    bytes.insert(bytes.end(), {double(c.nodes[i].face), c.nodes[i].b.x, c.nodes[i].b.y});
+    for (const Crossing& x : c.paths[i]) bytes.insert(bytes.end(), {double(x.e), x.t});
+  }
+  return bytes;
+}
+
+TEST(FullStart, FillsEverySurfaceWithOneStrandAComponent) {
+  for (const Shape& shape : shapes()) {
+    SCOPED_TRACE(shape.name);
+    const auto surface = std::make_shared<const Surface>(make_surface(shape.mesh));
+    const Flow flow = flow_of(surface, shape.spacing);
+    const double r = flow.settings().radius;
+    ThreadPool pool(1);
+    const Curve full = full_start(*surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool);
+    ASSERT_TRUE(whole(*surface, full));
+    EXPECT_TRUE(exact_crossings(*surface, full).empty());
+    ASSERT_EQ(full.strands.size(), surface->component_count());
+    for (uint32_t k = 0; k < full.strands.size(); ++k) {
+      const Strand& strand = full.strands[k];
+      EXPECT_TRUE(strand.closed);
+      EXPECT_EQ(surface->component(full.nodes[strand.first].face), k);
+    }
+    EXPECT_GT(full.length() * 2 * r / surface->area(), shape.least_length);
+  }
+}
+
+TEST(FullStart, CrossesNothingInAnyIteration) {
+  for (const Shape& shape : shapes()) {
+    SCOPED_TRACE(shape.name);
+    const auto surface = std::make_shared<const Surface>(make_surface(shape.mesh));
+    Flow flow = flow_of(surface, shape.spacing);
+    for (int k = 0; k < 12 && !HasFatalFailure(); ++k) {
+      ASSERT_TRUE(flow.step(kNeverCancelled));
+      ASSERT_TRUE(whole(*surface, flow.curve()));
+      ASSERT_TRUE(exact_crossings(*surface, flow.curve()).empty()) << "iteration " << k;
+    }
+    EXPECT_EQ(flow.curve().strands.size(), surface->component_count());
+  }
+}
+
+TEST(FullStart, IsTheSameForAnyNumberOfThreadsAndAtAnyScale) {
+  const Mesh mesh = with_noise(sphere(4), 0.2, 3);
+  std::vector<double> first;
+  for (const double scale : {1.0, 1e-3, 1e3}) {
+    for (const uint32_t threads : {1u, 3u}) {
+      const auto surface = std::make_shared<const Surface>(make_surface(scaled(mesh, scale)));
+      Flow flow = flow_of(surface, 0.15 * scale, threads);
+      for (int k = 0; k < 3; ++k) ASSERT_TRUE(flow.step(kNeverCancelled));
+      const std::vector<double> bytes = bytes_of(flow.curve());
+      if (first.empty()) first = bytes;
+      EXPECT_EQ(bytes, first) << scale << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST(FullStart, FollowsTheField) {
+  const Surface surface = make_surface(flat_grid(9));
+  const double r = 0.025 / surface.scale();
+  ThreadPool pool(1);
+  const Flow flow = flow_of(std::make_shared<const Surface>(make_surface(flat_grid(9))), 0.05);
+  for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0.6, 0.8, 0)}) {
+    const LineField field(surface, VertexData<Vec3>(std::vector<Vec3>(surface.vertex_count(), along)), false);
+    const Curve full = full_start(surface, flow.curve(), 0, RadiusField(r), field, nullptr, 0.5, pool);
+    double aligned = 0;
+    for (uint32_t i = 0; i < full.size(); ++i) {
+      const Vec3 d = position(surface, full.nodes[full.next(i)]) - position(surface, full.nodes[i]);
+      if (std::abs(d.dot(along)) > std::cos(kPi / 12) * d.norm()) aligned += full.shapes[i].length;
+    }
+    EXPECT_GT(aligned, 0.85 * full.length());
+  }
+}
+
+TEST(FullStart, GivesEveryRegionAStrandOfItsOwn) {
+  // Two guides part a square into three regions.
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(12)));
+  const std::vector<Line> lines{{{{0.35, 0, 0}, {0.3, 1, 0}}}, {{{0.6, 0, 0}, {0.7, 1, 0}}}};
+  const SeedStrands seed = seed_of(lines, true);
+  meander_flow_options options = options_of(0.04);
+  options.start = MEANDER_START_FULL;
+  Flow flow(surface, &seed, {}, checked_settings(options, *surface));
+  for (int k = 0; k < 10; ++k) {
+    ASSERT_TRUE(flow.step(kNeverCancelled));
+    ASSERT_TRUE(crossings_of_what_grows(*surface, flow.curve()).empty());
+  }
+  ASSERT_EQ(flow.curve().strands.size(), 5u);
+  for (uint32_t k = 2; k < 5; ++k) {
+    const Strand& strand = flow.curve().strands[k];
+    double length = 0;
+    for (uint32_t i = strand.first; i < strand.end(); ++i) length += flow.curve().shapes[i].length;
+    EXPECT_GT(length * surface->scale() * 0.04, 0.2) << "of an area of about a third";
+  }
+}
+
+TEST(FullStart, LeavesTheCurveAsItWasWhenItIsCancelled) {
+  const auto surface = std::make_shared<const Surface>(make_surface(sphere(4)));
+  Flow flow = flow_of(surface, 0.1);
+  const std::vector<double> before = bytes_of(flow.curve());
+  int asked = 0;
+  EXPECT_FALSE(flow.step([&] { return ++asked > 3; }));
+  EXPECT_EQ(bytes_of(flow.curve()), before);
+  ASSERT_TRUE(flow.step(kNeverCancelled));
+  EXPECT_GT(flow.curve().length() * 2 * flow.settings().radius, 0.8 * surface->area());
+}
+
+/// Strands as drawn: closed, a stroke with fixed ends, an open one, two at once.
+std::vector<std::vector<Line>> drawings() {
+  const Line triangle{{{0.3, 0.3, 0}, {0.7, 0.3, 0}, {0.5, 0.7, 0}}, true, false};
+  const Line stroke{{{0.1, 0.1, 0}, {0.9, 0.8, 0}}, false, false, true};
+  const Line open{{{0.2, 0.85, 0}, {0.5, 0.8, 0}, {0.8, 0.9, 0}}, false, false};
+  return {{triangle}, {stroke}, {open}, {triangle, open}};
+}
+
+TEST(FullStart, LeavesADrawnStrandOnBothSides) {
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(9)));
+  for (const std::vector<Line>& lines : drawings()) {
+    const SeedStrands seed = seed_of(lines, false);
+    meander_flow_options options = options_of(0.04);
+    options.start = MEANDER_START_FULL;
+    Flow flow(surface, &seed, {}, checked_settings(options, *surface));
+    const auto fixed_of = [&](const Curve& c) {
+      std::vector<Vec3> places;
+      for (uint32_t i = 0; i < c.size(); ++i) {
+        if (c.fixed[i]) places.push_back(position(*surface, c.nodes[i]));
+      }
+      return places;
+    };
+    const std::vector<Vec3> before = fixed_of(flow.curve());
+    for (int k = 0; k < 8; ++k) {
+      ASSERT_TRUE(flow.step(kNeverCancelled));
+      ASSERT_TRUE(whole(*surface, flow.curve()));
+      ASSERT_TRUE(exact_crossings(*surface, flow.curve()).empty()) << "iteration " << k;
+    }
+    ASSERT_EQ(flow.curve().strands.size(), lines.size());
+    for (size_t k = 0; k < lines.size(); ++k) EXPECT_EQ(flow.curve().strands[k].closed, lines[k].closed);
+    EXPECT_EQ(fixed_of(flow.curve()), before);
+    EXPECT_GT(flow.curve().length() * 2 * flow.settings().radius / surface->area(), 0.75);
+  }
+}
+
+}  // namespace
+}  // namespace meander::test
