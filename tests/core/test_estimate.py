@@ -164,6 +164,16 @@ def test_the_curvature_of_a_sphere_is_four_pi_and_a_flat_sheet_has_none():
     assert extent_of(flat, squares).curvature < 1e-9
 
 
+def test_a_full_start_takes_less_than_half_the_time():
+    options = options_of("even", 0.1)
+    extent = core.Extent(1000, 50.0, 50.0, 7.0)
+    grown = core.estimate_cost(extent, options)
+    options.start = core.Start.FULL
+    full = core.estimate_cost(extent, options)
+    assert 0.2 < full.processor_seconds / grown.processor_seconds < 0.5
+    assert full.nodes == grown.nodes
+
+
 def test_a_crumpled_surface_takes_longer():
     options = options_of("even", 0.1)
     plain = core.estimate_cost(core.Extent(0, 50.0, 50.0, 0.0), options)

@@ -28,6 +28,8 @@ constexpr double kCrossings = 2 / std::numbers::pi;
 /// Iterations beside those that remove hairpins, on a curve of kFewNodes, and the power of the nodes that they grow by.
 constexpr double kIterations = 98, kUnpolishedIterations = 33;
 constexpr double kFewNodes = 3000, kIterationGrowth = 0.2;
+/// Those of a curve that fills the surface from its start, which is laid in the time of some of them.
+constexpr double kFullIterations = 55;
 /// Processor seconds of an iteration for each node, and for each point, whose faces have to be fetched.
 constexpr double kSecondsPerNode = 0.17e-6, kSecondsPerPoint = 0.2e-6;
 /// Where the curvature of a disc of radius r is this much, in absolute value and radians, an iteration takes so many
@@ -46,6 +48,7 @@ double iterations_of(double nodes, const FlowSettings& s) {
   const double growth = elementary::pow(std::max(1.0, nodes / kFewNodes), kIterationGrowth);
   const double removal = s.hairpin_removal_iterations;
   const double longer = polish_iterations(s.hairpin_removal_gentleness) - tuning::kPolishIterations;
+  if (s.polish && s.full_start) return std::min(kFullIterations + longer, static_cast<double>(s.iteration_limit));
   const double all = (s.polish ? removal + longer : 0) + growth * (s.polish ? kIterations : kUnpolishedIterations);
   return std::min(all, static_cast<double>(s.iteration_limit));
 }

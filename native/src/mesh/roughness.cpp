@@ -14,10 +14,10 @@ namespace {
 /// Cubes of the average, in r: about as wide a spread as that of a disc of 3.5 r. Hills about as wide as the spacing
 /// cancel out over that, while one hollow or limb on a smooth surface does not: with cubes of .85 r a displaced grid has
 /// a roughness of .5 in the median, and spot's nostrils have 2.5; with cubes of 3 r 1.5 and .9.
-constexpr double kCubes = 3;
+constexpr double kRoughnessCubes = 3;
 
 /// The sum of angles around a vertex, as the product of as many unit vectors and the half turns that it has made.
-struct Turn {
+struct AngleSum {
   Vec2 direction{1, 0};
   uint32_t half_turns = 0;
 
@@ -53,7 +53,7 @@ std::vector<std::array<double, kSums>> vertex_sums(const Surface& surface, Cance
 }  // namespace
 
 VertexData<double> angle_defects(const Surface& surface, CancelPoll poll) {
-  std::vector<Turn> turns(surface.vertex_count());
+  std::vector<AngleSum> turns(surface.vertex_count());
   std::vector<uint8_t> used(surface.vertex_count(), 0);
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     poll();
@@ -82,7 +82,7 @@ VertexData<double> roughness(const Surface& surface, const RadiusField& radius, 
   }();
   bool any = false;
   average_over_radius<kSums>(
-      surface, radius, kCubes, poll, [&](uint32_t v) { return sums[v]; },
+      surface, radius, kRoughnessCubes, poll, [&](uint32_t v) { return sums[v]; },
       [&](std::vector<std::array<double, kSums>>& corners) {
         // What cancels out is a figure of a corner, and in between it is the mean of eight of them.
         bool rough_here = false;

@@ -23,9 +23,9 @@ namespace {
 constexpr double kSmooth = 1, kHalf = 0.4, kWidth = 0.75;
 
 /// Cubes of the average of areas, in r.
-constexpr double kCubes = 1;
+constexpr double kAreaCubes = 1;
 
-constexpr uint32_t kPieces = 1u << 16;
+constexpr uint32_t kSmoothedPieces = 1u << 16;
 
 double doubled_area(const Triangle& t, const VertexData<Vec3>& p) {
   return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
@@ -67,7 +67,7 @@ VertexData<double> shrinkage_between(const Surface& given, const Surface& smooth
   }
   VertexData<double> shrinkage(n, 0);
   average_over_radius<2>(
-      given, radius, kCubes, poll, [&](uint32_t v) { return areas[v]; },
+      given, radius, kAreaCubes, poll, [&](uint32_t v) { return areas[v]; },
       [](const std::vector<Sums>&) { return true; },
       [&](uint32_t v, const Sums& sums, double share) {
         shrinkage[v] += share * (sums[0] > 0 ? std::sqrt(sums[1] / sums[0]) : 1);
@@ -89,7 +89,7 @@ SurfaceAtScale at_scale(std::shared_ptr<const Surface> given, const RadiusField&
                         ThreadPool& pool) {
   SurfaceAtScale result{given, {}, {}};
   if (followed >= 1) return result;
-  const CancelPoll poll = pool.poll(kPieces);
+  const CancelPoll poll = pool.poll(kSmoothedPieces);
   const VertexData<double> rough = roughness(*given, radius, kSmooth, poll);
   if (rough.empty()) return result;
   VertexData<double> width(rough.size(), 0);  // in r

@@ -27,7 +27,7 @@ constexpr double kLeftOut = 2;
 constexpr int kHalvings = 24;
 
 /// Segments joined between two asks.
-constexpr uint32_t kPieces = 1024;
+constexpr uint32_t kTourPieces = 1024;
 
 /// Half-edge 2 e runs along edge e of a network, 2 e + 1 the other way.
 using Way = uint32_t;
@@ -287,7 +287,7 @@ class Laying {
  public:
   Laying(const LineNetwork& network, const Ways& ways, std::vector<Walk> walks, const Curve& kept, ThreadPool& pool)
       : network_(network), ways_(ways), walks_(std::move(walks)), pool_(pool), shortener_(network.surface()),
-        poll_(pool.poll(kPieces)) {
+        poll_(pool.poll(kTourPieces)) {
     for (uint32_t w = 0; w < walks_.size(); ++w) {
       const auto count = static_cast<uint32_t>(walks_[w].stops.size());
       curve_.strands.push_back({static_cast<uint32_t>(stop_of_.size()), count, walks_[w].closed});
@@ -417,7 +417,7 @@ class Laying {
 Curve walk_round(const LineNetwork& network, std::span<const Trunk> trunks, std::span<const uint32_t> roots,
                  double offset, const Curve& kept, ThreadPool& pool, std::vector<uint32_t>& walked) {
   const Ways ways(network);
-  Stops stops(network, ways, offset, pool.poll(kPieces));
+  Stops stops(network, ways, offset, pool.poll(kTourPieces));
   std::vector<Walk> walks;
   for (const Trunk& trunk : trunks) walks.push_back(stops.along_trunk(trunk));
   for (const uint32_t root : roots) walks.push_back(stops.round_tree(root));
