@@ -20,6 +20,7 @@ from pathlib import Path
 NUMBERS = {
     "char": "c_char",
     "double": "c_double",
+    "float": "c_float",
     "int32_t": "c_int32",
     "size_t": "c_size_t",
     "uint8_t": "c_uint8",

@@ -87,7 +87,7 @@ DECLARATION = "MEANDER_API uint32_t meander_abi_version(void);"
 @pytest.mark.parametrize(
     ("new", "complaint"),
     [
-        ("MEANDER_API float meander_abi_version(void);", "unknown type float"),
+        ("MEANDER_API short meander_abi_version(void);", "unknown type short"),
         ("MEANDER_API uint32_t meander_abi_version(int x[3]);", "unknown type int"),
         ("MEANDER_API uint32_t meander_abi_version(double);", "expected a name"),
         ("MEANDER_API uint32_t abi_version(void);", "does not begin with meander_"),
@@ -98,7 +98,7 @@ DECLARATION = "MEANDER_API uint32_t meander_abi_version(void);"
         ("typedef uint32_t meander_kind; enum { MEANDER_SORT_A = 0 };", "does not begin with"),
         ("typedef uint32_t meander_kind; enum { MEANDER_KIND_A };", "expected '='"),
         ("typedef uint32_t meander_kind; enum { MEANDER_KIND_A = 1 << 2 };", "unknown character"),
-        ("typedef struct meander_x { float y; } meander_x;", "unknown type float"),
+        ("typedef struct meander_x { short y; } meander_x;", "unknown type short"),
         ("typedef struct meander_x { uint32_t a : 3; } meander_x;", "unknown character"),
         ("typedef struct meander_x { union { double a; } b; } meander_x;", "unknown type union"),
         ("#define MEANDER_API_2 MEANDER_API\n", "unknown preprocessor line"),

@@ -1101,14 +1101,13 @@ typedef struct meander_flow_statistics {
   double evenness;        /* share of the sides of all nodes on which twice the medial radius is within
                              a fifth of spacing_target, scaled as the percentiles are; in [0, 1] */
   uint32_t small_components; /* of the surface: the diagonal of their bounding box is below spacing_target */
-  uint32_t reserved32;
-  double roughness;       /* mean over the surface, in radians for a disc of radius r: of the curvature,
+  float roughness;        /* mean over the surface, in radians for a disc of radius r: of the curvature,
                              in absolute value, what cancels out within a few r; 0 where nothing was
                              smoothed */
-  uint64_t reserved[1];
-  double smoothing;       /* mean width of the Gaussian that the surface was smoothed by, in r */
-  double stretch;         /* lengths on the surface in those at the scale of the spacing: the root of the
+  float smoothing;        /* mean width of the Gaussian that the surface was smoothed by, in r */
+  float stretch;          /* lengths on the surface in those at the scale of the spacing: the root of the
                              ratio of areas; 1 where nothing was smoothed */
+  uint64_t reserved[1];
 } meander_flow_statistics;
 
 /* Prepares the struct; see "Structs".

@@ -85,7 +85,7 @@ constexpr auto flow_statistics_layout() {
                                 AT(seconds_reconnect), AT(seconds_crossings), AT(seconds_refine),
                                 AT(seed_distance), AT(seed_jump_length), AT(seed_point), AT(seed_jumps),
                                 AT(seed_jump_point), AT(seed_jump_point2), AT(evenness), AT(small_components),
-                                AT(reserved32), AT(roughness), AT(reserved), AT(smoothing), AT(stretch)});
+                                AT(roughness), AT(smoothing), AT(stretch), AT(reserved)});
 }
 
 constexpr auto iteration_layout() {

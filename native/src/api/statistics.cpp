@@ -96,9 +96,9 @@ meander_flow_statistics statistics_of(const meander_flow& handle) {
   figures.spacing_median = percentile(m.spacing, 0.5) * scale;
   figures.spacing_p95 = percentile(m.spacing, 0.95) * scale;
   figures.evenness = share_within(m.spacing, 2 * flow.settings().radius, kEvenWithin);
-  figures.roughness = flow.roughness().mean;
-  figures.smoothing = flow.roughness().smoothing;
-  figures.stretch = flow.roughness().stretch;
+  figures.roughness = static_cast<float>(flow.roughness().mean);
+  figures.smoothing = static_cast<float>(flow.roughness().smoothing);
+  figures.stretch = static_cast<float>(flow.roughness().stretch);
   add_seconds(flow.seconds(), figures);
   add_fit(flow, figures);
   return figures;

@@ -133,8 +133,7 @@ void FaultSearch::add_seams(double distance) {
   }
   for (const EdgeSplit& split : find_edge_splits(points_, triangles_, boundary, distance)) note(split.side);
   std::ranges::sort(edges);
-  const auto repeated = std::ranges::unique(edges);
-  edges.erase(repeated.begin(), repeated.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const VertexPair& e : edges) add(FaultKind::kSeam, e[0], e[1]);
 }
 
