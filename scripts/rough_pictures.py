@@ -3,8 +3,8 @@
 
     blender --background --python-exit-code 1 --python scripts/rough_pictures.py -- [FOLDER]
 
-Each shows the same surface twice: with a spacing that follows every bump (roughness 1), and with one
-that is measured on the surface as it is at the scale of the spacing. FOLDER is docs/images by
+Each shows the same surface twice: with a spacing that follows every bump (roughness 1), and with
+one that is measured on the surface as it is at the scale of the spacing. FOLDER is docs/images by
 default; see strands_pictures.py.
 """
 

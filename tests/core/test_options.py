@@ -160,7 +160,8 @@ def test_distances_are_the_presets_or_as_the_flag_says(
 
 
 def test_how_gently_hairpins_are_removed_is_the_presets() -> None:
-    gentleness = {name: core.default_options(name).hairpin_removal_gentleness for name in core.PRESETS}
+    presets = {name: core.default_options(name) for name in core.PRESETS}
+    gentleness = {name: options.hairpin_removal_gentleness for name, options in presets.items()}
     assert gentleness == {"even": 0.0, "paper": 0.0, "finest": 1.0}
 
 

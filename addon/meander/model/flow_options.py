@@ -116,7 +116,8 @@ ROWS: tuple[Option, ...] = (
         "roughness",
         "Follow Roughness",
         "How much of a rough surface's bumps the spacing follows. At 0 it is measured on the "
-        "surface smoothed at the scale of the spacing; at 1 on every bump, and the curve may never settle",
+        "surface smoothed at the scale of the spacing; at 1 on every bump, and the curve may "
+        "never settle",
         _ADVANCED,
         low="calm lines, also where the surface is crumpled",
         high="lengths over every bump count; slow on rough surfaces, and uneven",

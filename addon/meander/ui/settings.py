@@ -77,7 +77,8 @@ class MeanderFigures(bpy.types.PropertyGroup):
     )
     smoothing: FloatProperty(
         name="Smoothing",
-        description="What a rough surface was smoothed by where its spacing is measured, in half spacings",
+        description="What a rough surface was smoothed by where its spacing is measured, in half "
+        "spacings",
         options=set(),
     )
     stretch: FloatProperty(
