@@ -2,6 +2,7 @@
 #include "inputs.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace meander::fuzz {
 namespace {
@@ -353,6 +354,21 @@ void Inputs::set_density(const Record& r) {
   if (transcript_.open()) transcript_.line("density = " + written(density) + ";");
 }
 
+void Inputs::set_reserved(const Record& r) {
+  const size_t of_options = r.b % std::size(options.reserved), of_seed = r.b % std::size(seed.reserved);
+  const size_t of_surface = r.b % std::size(surface_options.reserved);
+  if (r.a % 4 == 0) options.reserved[of_options] = r.c;
+  if (r.a % 4 == 1) seed.reserved[of_seed] = r.c;
+  if (r.a % 4 == 2) surface_options.reserved[of_surface] = r.c;
+  if (!transcript_.open()) return;
+  const auto tell = [&](const char* name, size_t k, uint64_t value) {
+    transcript_.line(name + ("[" + std::to_string(k)) + "] = " + written(value) + ";");
+  };
+  tell("options.reserved", of_options, options.reserved[of_options]);
+  tell("seed.reserved", of_seed, seed.reserved[of_seed]);
+  tell("surface_options.reserved", of_surface, surface_options.reserved[of_surface]);
+}
+
 void Inputs::set_struct_size(const Record& r) {
   constexpr uint32_t kWhole[kStructCount] = {
       sizeof(meander_seed), sizeof(meander_flow_options), sizeof(meander_surface_options), sizeof(meander_error),
@@ -447,17 +463,7 @@ bool Inputs::apply(const Record& r) {
     case kSeedField: set_seed_field(r); return true;
     case kDensity: set_density(r); return true;
     case kStructSize: set_struct_size(r); return true;
-    case kReserved:
-      if (r.a % 4 == 0) options.reserved[r.b % 8] = r.c;
-      if (r.a % 4 == 1) seed.reserved[r.b % 3] = r.c;
-      if (r.a % 4 == 2) surface_options.reserved[r.b % 5] = r.c;
-      if (!transcript_.open()) return true;
-      transcript_.line("options.reserved[" + std::to_string(r.b % 8) +
-                       "] = " + written(options.reserved[r.b % 8]) + ";");
-      transcript_.line("seed.reserved[" + std::to_string(r.b % 3) + "] = " + written(seed.reserved[r.b % 3]) + ";");
-      transcript_.line("surface_options.reserved[" + std::to_string(r.b % 5) +
-                       "] = " + written(surface_options.reserved[r.b % 5]) + ";");
-      return true;
+    case kReserved: set_reserved(r); return true;
     default: return false;
   }
 }

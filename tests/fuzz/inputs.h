@@ -66,6 +66,7 @@ class Inputs {
   void set_mask(const Record& r);
   void set_density(const Record& r);
   void set_struct_size(const Record& r);
+  void set_reserved(const Record& r);
   void write_mesh() const;
   void write_seed() const;
 

@@ -149,7 +149,7 @@ TEST(Guides, AreKeptFromAtTheSpacing) {
   const Strand& guide = flow.curve().strands[0];
   std::vector<double> radii;
   for (uint32_t i = guide.first + 3; i + 3 < guide.end(); ++i) {
-    for (const double r : flow.radii()[i]) radii.push_back(r / radius_of(flow));
+    for (const double r : flow.radii_of(i)) radii.push_back(r / radius_of(flow));
   }
   std::ranges::sort(radii);
   EXPECT_NEAR(radii[radii.size() / 2], 1, 0.15);
