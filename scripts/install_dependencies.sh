@@ -23,7 +23,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 header_packages=(libeigen3-dev libnanoflann-dev libopenmesh-dev)
-build_packages=(cmake ninja-build g++ pkgconf python3 "${header_packages[@]}" libgtest-dev)
+build_packages=(ccache cmake ninja-build g++ pkgconf python3 "${header_packages[@]}" libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
 blender_packages=(blender python3-numpy python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
 # A JavaScript engine of half a megabyte, in which the job type for Flamenco is tested.
