@@ -178,7 +178,7 @@ def test_a_crumpled_surface_takes_longer():
     options = options_of("even", 0.1)
     plain = core.estimate_cost(core.Extent(0, 50.0, 50.0, 0.0), options)
     crumpled = core.estimate_cost(core.Extent(0, 50.0, 50.0, 0.0, 1e4), options)
-    assert 2.0 < crumpled.processor_seconds / plain.processor_seconds < 5.0
+    assert 2.0 < crumpled.processor_seconds / plain.processor_seconds < 8.0
     assert crumpled.nodes == plain.nodes
 
 
