@@ -75,16 +75,15 @@ def test_what_live_cannot_take_leaves_its_timer_alive():
     before = point_count(result)
     activate(surface)
     live.drop()  # as after a file has been opened: the curve goes on from its points
-    window = bpy.context.window_manager.windows[0]
-    with bpy.context.temp_override(window=window):
-        live_operator._look()
-        surface.meander.density_source = "ATTRIBUTE"
-        surface.meander.density_attribute = "Nothing"
-        live_operator._look()  # Blender drops a timer that raises
-        assert point_count(result) == before
-        surface.meander.density_source = "NONE"
-        surface.meander.spacing = 0.9 * SPACING
-        live_operator._look()
+    windows = bpy.context.window_manager.windows
+    live_operator._look_at(windows)
+    surface.meander.density_source = "ATTRIBUTE"
+    surface.meander.density_attribute = "Nothing"
+    live_operator._look_at(windows)  # Blender drops a timer that raises
+    assert point_count(result) == before
+    surface.meander.density_source = "NONE"
+    surface.meander.spacing = 0.9 * SPACING
+    live_operator._look_at(windows)
     assert result.meander.spacing == pytest.approx(0.9 * SPACING)
 
 

@@ -124,6 +124,38 @@ def after_a_run() -> Iterator[float]:
     suspended.drop()
 
 
+def in_a_second_window() -> Iterator[float]:
+    step("a curve follows its settings in a second window, which shows another scene")
+    windows = bpy.context.window_manager.windows
+    first = set(windows)
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.wm.window_new_main()
+    second = next(window for window in windows if window not in first)
+    home = windows[0].scene
+    with bpy.context.temp_override(window=second):
+        bpy.ops.scene.new(type="NEW")
+    yield 0.5
+    view = next(area for area in second.screen.areas if area.type == "VIEW_3D")
+    with bpy.context.temp_override(window=second, area=view):
+        bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=3, radius=1.0)
+        ball = bpy.context.view_layer.objects.active
+        ball.meander.spacing, ball.meander.live = SPACING, True
+        assert bpy.ops.meander.run() == {"FINISHED"}
+    result = ball.meander.last_result
+    assert second.scene != home and result.users_scene[:] == (second.scene,)
+    yield 0.5  # the timer has looked
+    before = splines_of(result.name)
+    choose(result, "spacing", 0.9 * SPACING)
+    yield from follows()
+    assert splines_of(result.name) != before
+    assert result.users_scene[:] == (second.scene,)
+    other = second.scene
+    with bpy.context.temp_override(window=second):
+        bpy.ops.wm.window_close()
+    bpy.data.scenes.remove(other)
+    yield 0.5
+
+
 def while_painting() -> Iterator[float]:
     step("a curve follows the brush")
     suzanne = activate(SURFACE)
@@ -181,6 +213,7 @@ def while_painting() -> Iterator[float]:
 
 def story() -> Iterator[float]:
     yield from after_a_run()
+    yield from in_a_second_window()
     yield from while_painting()
     step("Live off gives the flow back")
     choose(bpy.data.objects[SURFACE], "live", False)

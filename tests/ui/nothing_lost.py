@@ -20,6 +20,7 @@ from meander.run import estimates, session, suspended  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
     FINE,
+    FINEST_THAT_ENDS,
     RESULT,
     SURFACE,
     assert_nothing_left_over,
@@ -223,6 +224,38 @@ def repeat_last() -> Iterator[float]:
     yield from until(ended, "the end after Esc")
 
 
+def another_scene_meanwhile() -> Iterator[float]:
+    step("a result goes to the scene of its surface, though the window shows another by then")
+    surface = activate_surface()
+    former = splines_of(surface.meander.last_result.name)
+    choose_spacing(FINEST_THAT_ENDS)
+    press_run()
+    yield from until(lambda: shown_points() > 0, "a first curve")
+    window = bpy.context.window_manager.windows[0]
+    home = window.scene
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.scene.new(type="NEW")
+    other = window.scene
+    assert other != home
+    yield 0.5
+    picture("5_other_scene")
+    yield from until(ended, "the end of the run")
+    assert window.scene == other, "what the window shows is the user's"
+    assert not other.objects, list(other.objects)
+    window.scene = home
+    yield 0.5
+    result = bpy.data.objects["Monkey"].meander.last_result
+    assert result.users_scene[:] == (home,)
+    assert splines_of(result.name) != former
+    bpy.data.scenes.remove(other)
+    picture("5_home_again")
+
+
+def activate_surface() -> bpy.types.Object:
+    activate("Monkey")
+    return bpy.data.objects["Monkey"]
+
+
 def large_run() -> Iterator[float]:
     step("a large run asks first")
     choose_spacing(HUGE)
@@ -253,6 +286,7 @@ def story() -> Iterator[float]:
     yield from esc_and_resume(before)
     yield from renamed_during_a_run()
     yield from repeat_last()
+    yield from another_scene_meanwhile()
     yield from large_run()
 
 

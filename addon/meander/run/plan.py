@@ -27,6 +27,7 @@ from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
 from ..scene.fillable import shows_instances, why_not
 from ..scene.flow_options import options_of
+from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
 from ..scene.look import Look
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
@@ -40,6 +41,7 @@ class Plan:
     """Everything that a run needs to know of the scene, read once when it begins."""
 
     problem: Problem
+    home: HomeScene  # of the surface
     surface: Key
     settings: Key  # whose settings were used: the surface or the result
     result: Key | None  # the result that gets the curve; None makes a new one
@@ -117,6 +119,7 @@ def plan_of(
         problem=Problem(
             vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline
         ),
+        home=HomeScene(scene, depsgraph.view_layer),
         surface=Key(surface),
         settings=Key(active),
         result=Key(earlier) if earlier is not None else None,

@@ -10,6 +10,7 @@ import bpy
 from .. import core
 from ..model.estimate import Estimate
 from ..scene.errors import DataError
+from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
 from ..scene.region import selected_faces
 from ..scene.settings import adopt, is_untouched, surface_of
@@ -27,6 +28,7 @@ class Queue:
         """
         self._waiting = [Key(thing) for thing in _objects_of(context)]
         self._active = Key(context.active_object)
+        self._home = HomeScene(context.scene, context.view_layer)
         self._restart, self._beside = restart, beside
         self._count = len(self._waiting)
 
@@ -41,18 +43,20 @@ class Queue:
         return f"{self._count - len(self._waiting)} of {self._count}" if self._count > 1 else ""
 
     def next_plan(self, context: bpy.types.Context) -> Plan | None:
-        """Plans the next one; None where it has been deleted.
+        """Plans the next one, in the scene in which they were lined up; None where it has been
+        deleted.
 
         What nobody has set up takes the choices of the active object. Raises DataError and
         core.MeanderError.
         """
         thing, active = self._waiting.pop(0).find(), self._active.find()
-        if thing is None:
+        if thing is None or self._home.find(thing) is None:
             return None
         if active is not None and thing != active:
             adopt(active.meander, thing.meander)
-        depsgraph = context.evaluated_depsgraph_get()
-        return plan_of(thing, context.scene, depsgraph, self._restart, self._beside)
+        with self._home.entered(context, thing) as home:
+            depsgraph = home.evaluated_depsgraph_get()
+            return plan_of(thing, home.scene, depsgraph, self._restart, self._beside)
 
     def estimate_of_rest(self, context: bpy.types.Context, first: Plan) -> Estimate | None:
         """What all of them come to, the first of which is planned; None where that is not known."""

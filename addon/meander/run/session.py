@@ -135,8 +135,9 @@ class Session:
         now = meaning_of(active)
         self._seen = {number_of(active): now}
         try:
-            depsgraph = context.evaluated_depsgraph_get()
-            wish = live.wish_of(active, self.plan, self.stepper.density, depsgraph)
+            with self.plan.home.entered(context, self.plan.surface.find()) as home:
+                depsgraph = home.evaluated_depsgraph_get()
+                wish = live.wish_of(active, self.plan, self.stepper.density, depsgraph)
             if wish is not None and self._grows_large(wish):
                 raise DataError("The curve would be very large; fill the mesh again for that")
         except (DataError, core.MeanderError) as error:
@@ -244,20 +245,24 @@ class Session:
         return preparation_text(self.plan, self.stepper)
 
     def keep(self, context: bpy.types.Context) -> tuple[bpy.types.Object, dict[str, Any]]:
-        """Waits for the end of the run and makes what has grown the result.
+        """Waits for the end of the run and makes what has grown the result, where its surface is.
 
         Returns the curve object and the figures of the run. Raises what went wrong in the run.
         """
+        self.stepper.join()
+        self._check_alive()
+        with self.plan.home.entered(context, self.plan.surface.find()) as home:
+            return self._keep(home)
+
+    def _keep(self, context: bpy.types.Context) -> tuple[bpy.types.Object, dict[str, Any]]:
         try:
             outcome = self.stepper.result()
         except core.MeanderError as error:
-            self._check_alive()
             refused_mesh.explain(self.plan, error)
             named = in_polygons(error, self.plan.surface.find(), context.evaluated_depsgraph_get())
             raise strands.explained(
                 named, self.plan.parts, lambda value: length_text(context.scene, value)
             ) from error
-        self._check_alive()
         if self._preview is not None:
             self._preview.end()
         with edit_mode.left(context):
@@ -283,12 +288,13 @@ class Session:
         """
         plan = self.plan
         radius = plan.problem.options.radius
+        scene, _view_layer = plan.home.find(plan.surface.find()) or (context.scene, None)
         remark = strands.fit_remark(
-            figures, plan.parts, radius, lambda value: length_text(context.scene, value)
+            figures, plan.parts, radius, lambda value: length_text(scene, value)
         )
         joined = result.meander.figures
         if joined.bridge_count:
-            length = length_text(context.scene, joined.bridge_length)
+            length = length_text(scene, joined.bridge_length)
             remark = "; ".join(
                 filter(None, (remark, bridges.described(joined.bridge_count, length)))
             )
@@ -317,7 +323,7 @@ class Session:
             self._preview.end()
 
     def _check_alive(self) -> None:
-        if self.plan.surface.find() is None:
+        if self.plan.home.find(self.plan.surface.find()) is None:
             raise DataError("The surface was deleted while the curve was growing; start again")
         # A surface that is filled again gets a new curve where the last one is gone.
         if not self.plan.from_surface and not is_present(self.plan.result.find()):

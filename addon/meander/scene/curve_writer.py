@@ -96,8 +96,9 @@ def place_beside(thing: bpy.types.Object, other: bpy.types.Object) -> None:
     shown = [layer.collection for layer in _included(view_layer.layer_collection)]
     own = (one for one in other.users_collection if one.library is None and one in shown)
     next(own, bpy.context.scene.collection).objects.link(thing)
-    screen = bpy.context.screen
-    for area in screen.areas if screen is not None else ():
+    window = bpy.context.window
+    shows_it = window is not None and window.scene == bpy.context.scene
+    for area in window.screen.areas if shows_it else ():
         space = area.spaces.active
         if area.type == "VIEW_3D" and space.local_view is not None:
             if view_layer.objects.get(other.name) == other and other.local_view_get(space):

@@ -8,6 +8,7 @@ events; such a run ends when the brush has been let go.
 from __future__ import annotations
 
 import time
+from collections.abc import Iterable
 from dataclasses import replace
 
 import bpy
@@ -81,22 +82,20 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
         return False
 
 
-# The object that was active when the timer looked last, and what a run on it would have meant.
-_seen: tuple[int, Meaning] | None = None
+# For every window, by its address: the object that was active when the timer looked last, and what a
+# run on it would have meant.
+_seen: dict[int, tuple[int, Meaning]] = {}
 
 
 def _tick() -> float:
-    global _seen
     running = session.current()
     windows = bpy.context.window_manager.windows
     if running is None:
-        if len(windows):
-            with bpy.context.temp_override(window=windows[0]):
-                _look()
+        _look_at(windows)
         return _WAITING
-    _seen = None
+    _seen.clear()
     if running.live and time.perf_counter() - running.ticked > _SILENCE and len(windows):
-        with bpy.context.temp_override(window=windows[0]):
+        with bpy.context.temp_override(window=_window_of(running, windows)):
             try:
                 running.tick(bpy.context)
             except DataError:  # which the operator will find and report
@@ -104,25 +103,46 @@ def _tick() -> float:
     return _GROWING
 
 
-def _look() -> None:
-    """Lets the curve go on when something has changed since the last look."""
-    global _seen
-    context = bpy.context
-    active = context.view_layer.objects.active
-    before, _seen = _seen, None
-    if surface_of(active) is None or context.mode == "EDIT_MESH":
-        return
-    if not active.meander.live:
+def _window_of(
+    running: session.Session, windows: Iterable[bpy.types.Window]
+) -> bpy.types.Window:
+    """A window that shows the scene of a run; where none does, the first one."""
+    every = list(windows)
+    home = running.plan.home.find(running.plan.surface.find())
+    return next((one for one in every if home and one.scene == home[0]), every[0])
+
+
+def _look_at(windows: Iterable[bpy.types.Window]) -> None:
+    """Lets the curve of the active object of a window go on when something has changed since the
+    last look. Lets go of a finished run where what is active can be filled, but is live in no
+    window.
+    """
+    found = set()
+    for window in windows:
+        with bpy.context.temp_override(window=window):
+            active = bpy.context.view_layer.objects.active
+            if surface_of(active) is None or bpy.context.mode == "EDIT_MESH":
+                _seen.pop(window.as_pointer(), None)
+                continue
+            found.add(active.meander.live)
+            if not active.meander.live:
+                _seen.pop(window.as_pointer(), None)
+            elif _has_changed(window, active) and MEANDER_OT_run.poll(bpy.context):
+                _press()
+                return
+    if found == {False}:
         live.drop()
-        return
+
+
+def _has_changed(window: bpy.types.Window, active: bpy.types.Object) -> bool:
+    """Whether what a run on the object would mean is another than at the last look."""
     now = meaning_of(active)
-    _seen = (number_of(active), now)
-    if before is None or before[0] != _seen[0] or not live.differs(before[1], now):
-        return
-    if active.type == "MESH" and last_result(active, context.scene) is None:
-        return  # nothing has been filled yet
-    if MEANDER_OT_run.poll(context):
-        _press()
+    before = _seen.get(window.as_pointer())
+    _seen[window.as_pointer()] = (number_of(active), now)
+    if before is None or before[0] != number_of(active) or not live.differs(before[1], now):
+        return False
+    # Where nothing has been filled yet, there is no curve to go on.
+    return active.type != "MESH" or last_result(active, bpy.context.scene) is not None
 
 
 def _press() -> None:
@@ -138,8 +158,7 @@ def _press() -> None:
 @persistent
 def _on_change(*_arguments: object) -> None:
     """What was undone is not to be done again."""
-    global _seen
-    _seen = None
+    _seen.clear()
 
 
 _HANDLERS = ("load_post", "undo_post", "redo_post")

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where a run belongs, and its result goes: where the surface is, whatever a window shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import bpy
+
+from .errors import DataError
+from .identity import Key
+
+
+class HomeScene:
+    """The scene and the view layer in which a surface was found."""
+
+    def __init__(self, scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> None:
+        self._scene = Key(scene)
+        self._view_layer = view_layer.name
+
+    def find(
+        self, surface: bpy.types.Object | None
+    ) -> tuple[bpy.types.Scene, bpy.types.ViewLayer] | None:
+        """Scene and view layer as they are now; None where the surface is in no scene any more.
+
+        Where the scene has been deleted or has lost the surface, another one that has it; where the
+        view layer has been deleted, renamed or has lost it, another one of the scene that has it.
+        """
+        scenes = surface.users_scene if surface is not None else ()
+        first = self._scene.find()
+        scene = first if first in scenes else next(iter(scenes), None)
+        if scene is None:
+            return None
+        layers = [scene.view_layers.get(self._view_layer), *scene.view_layers]
+        with_surface = (
+            layer
+            for layer in layers
+            if layer is not None and layer.objects.get(surface.name) == surface
+        )
+        return scene, next(with_surface, scene.view_layers[0])
+
+    @contextmanager
+    def entered(
+        self, context: bpy.types.Context, surface: bpy.types.Object | None
+    ) -> Iterator[bpy.types.Context]:
+        """The context of that scene for the block, `bpy.context` too.
+
+        Raises DataError where the surface is in no scene any more.
+        """
+        found = self.find(surface)
+        if found is None:
+            raise DataError("The surface was deleted while the curve was growing; start again")
+        scene, view_layer = found
+        if context.scene == scene and context.view_layer == view_layer:
+            yield context
+            return
+        with context.temp_override(scene=scene, view_layer=view_layer):
+            yield bpy.context
