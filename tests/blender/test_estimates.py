@@ -10,13 +10,14 @@ import pytest
 from meander.model.estimate import Estimate
 from meander.run import estimates
 from meander.run.plan import plan_run
+from meander.run.queue import Queue, objects_of
 from meander.ui import preferences, run_operators
 from scenes import activate, cube, fill, grid, sphere
 
 
 @pytest.fixture(autouse=True)
 def nothing_measured(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(estimates, "_measured", None)
+    monkeypatch.setattr(estimates, "_measured", {})
     monkeypatch.setattr(estimates, "speeds", estimates.Speeds())
 
 
@@ -29,9 +30,9 @@ def measured(thing: bpy.types.Object) -> Estimate:
 
 def up_to_date(thing: bpy.types.Object) -> bool:
     """Whether a redraw of the panel orders no measuring."""
-    estimates._ordered = None
+    estimates._ordered.clear()
     estimates.shown(thing)
-    return estimates._ordered is None
+    return not estimates._ordered
 
 
 def point_count(result: bpy.types.Object) -> int:
@@ -78,7 +79,7 @@ def test_nothing_is_measured_while_a_panel_is_drawn(monkeypatch):
     surface = sphere()
     monkeypatch.setattr(estimates, "triangles_of", lambda *_: pytest.fail("a panel measures"))
     assert estimates.shown(surface) is None
-    assert estimates._ordered is not None
+    assert estimates._ordered
 
 
 def test_measured_once_until_the_shape_changes():
@@ -152,6 +153,43 @@ def test_automatic_spacing_is_what_the_run_takes():
     assert measured(surface).points == pytest.approx(
         estimates.of_plan(plan_run(bpy.context)).points, rel=1e-6
     )
+
+
+def test_several_objects_are_estimated_together():
+    first, second, third = sphere(), cube(), grid()
+    for thing in (second, third):
+        thing.location.x = 3.0
+    first.meander.spacing = 0.2
+    third.meander.spacing = 0.3
+    activate(first)
+    for thing in (second, third):
+        thing.select_set(True)
+    bpy.context.view_layer.update()
+    objects = objects_of(bpy.context)
+    assert set(objects) == {first, second, third} and objects[0] == first
+    assert estimates.shown_together(objects) is None
+    for thing in objects:
+        estimates.measure(thing)
+    queue = Queue(bpy.context, restart=False, beside=False)
+    expected = queue.estimate_of_rest(bpy.context, queue.next_plan(bpy.context))
+    assert estimates.shown_together(objects).points == pytest.approx(expected.points, rel=1e-3)
+    assert estimates.shown_together([first]) == estimates.shown(first)
+
+
+def test_what_cannot_be_filled_counts_for_nothing_among_others():
+    good, bad = sphere(), sphere()
+    good.meander.spacing = bad.meander.spacing = 0.2
+    bad.meander.density_source = "ATTRIBUTE"
+    for thing in (good, bad):
+        estimates.measure(thing)
+    assert estimates.shown_together([good, bad]) == estimates.shown(good)
+
+
+def test_the_panel_says_what_automatic_comes_to():
+    surface = sphere()
+    assert estimates.automatic(surface) == 0.0
+    estimates.measure(surface)
+    assert estimates.automatic(surface) == pytest.approx(plan_run(bpy.context).spacing)
 
 
 # -- the question ----------------------------------------------------------------------------------

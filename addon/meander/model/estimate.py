@@ -127,6 +127,17 @@ def estimated(
     return Estimate(_whole(cost.points), speeds.seconds(options, cost), _whole(memory))
 
 
+def together(estimates: list[Estimate]) -> Estimate | None:
+    """What runs one after another come to; None for none. Their memory is that of the largest."""
+    if not estimates:
+        return None
+    return Estimate(
+        sum(one.points for one in estimates),
+        sum(one.seconds for one in estimates),
+        max(one.memory for one in estimates),
+    )
+
+
 def _whole(value: float) -> int:
     """The nearest whole number; the largest that Blender shows for what is infinite."""
     return round(min(value, 1e18))

@@ -15,15 +15,15 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .. import core
-from ..model.estimate import Estimate, Speeds, estimated, extent_of
+from ..model.estimate import Estimate, Speeds, estimated, extent_of, together
 from ..model.field import evaluated
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
-from ..scene.identity import Key
+from ..scene.identity import Key, number_of
 from ..scene.meshes import area_of, spacing_for, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
-from ..scene.settings import surface_of
+from ..scene.settings import is_untouched, surface_of
 from .meaning import Meaning, meaning_of
 from .plan import Plan
 from .window import redraw
@@ -43,8 +43,11 @@ class _Measured:
     automatic: float  # the spacing that 0 stands for
 
 
-_measured: _Measured | None = None
-_ordered: Key | None = None
+# By the number of the object whose settings count, at most so many, the newest last.
+_measured: dict[int, _Measured] = {}
+_MOST = 256
+# What is to be measured.
+_ordered: list[Key] = []
 _next = 0.0  # when the next measuring may begin
 
 
@@ -53,19 +56,52 @@ def shown(active: bpy.types.Object) -> Estimate | None:
 
     Cheap, for panels; the sidebars are redrawn when there is more to show.
     """
+    found = _known(active)
+    return None if found is None else _estimate(found, active.meander, active.meander.spacing)
+
+
+def shown_together(objects: list[bpy.types.Object]) -> Estimate | None:
+    """What runs on several objects come to, one after another, as far as all of them are known.
+
+    Those that nobody has set up take the choices of the first, as Queue has it. What cannot be
+    filled counts for nothing.
+    """
+    estimates = []
+    for thing in objects:
+        found = _known(thing)
+        if found is None and number_of(thing) not in _measured:
+            return None
+        settings = objects[0].meander if is_untouched(thing.meander) else thing.meander
+        estimate = None if found is None else _estimate(found, settings, settings.spacing)
+        estimates += [] if estimate is None else [estimate]
+    return together(estimates)
+
+
+def automatic(active: bpy.types.Object) -> float:
+    """The spacing that 0 stands for on an object; 0 while that is not known."""
+    found = _known(active)
+    return 0.0 if found is None else found.automatic
+
+
+def _known(active: bpy.types.Object) -> _Measured | None:
+    """What is known of an object that can be filled; orders what is not."""
     meaning = meaning_of(active)
     if meaning is None:
         return None
-    if _measured is None or not meaning.same_as(_measured.meaning, _ARITHMETIC):
+    found = _measured.get(number_of(active))
+    if found is None or not meaning.same_as(found.meaning, _ARITHMETIC):
         _order(active)
-        if _measured is None or _measured.meaning.shape[0] != meaning.shape[0]:
+        if found is None or found.meaning.shape[0] != meaning.shape[0]:
             return None  # of another surface
-    if _measured.extent is None:
-        return None
-    settings = active.meander
+    return found if found.extent is not None else None
+
+
+def _estimate(
+    found: _Measured, settings: bpy.types.PropertyGroup, spacing: float
+) -> Estimate | None:
     try:
-        options = options_of(settings, settings.spacing or _measured.automatic)
-        return estimated(_measured.extent, options, settings.use_bevel, speeds)
+        options = options_of(settings, spacing or found.automatic)
+        return estimated(found.extent, options, settings.use_bevel, speeds)
     except core.MeanderError:  # the button says why
         return None
 
@@ -80,27 +116,33 @@ def of_plan(plan: Plan) -> Estimate:
 
 
 def _order(active: bpy.types.Object) -> None:
-    global _ordered
-    _ordered = Key(active)
+    if not any(key.find() == active for key in _ordered):
+        _ordered.append(Key(active))
     if not bpy.app.background and not bpy.app.timers.is_registered(_measure_ordered):
         wait = max(0.0, _next - time.perf_counter())
         bpy.app.timers.register(_measure_ordered, first_interval=wait)
 
 
-def _measure_ordered() -> None:
+def _measure_ordered() -> float | None:
+    """Measures one of what is ordered, if it is still selected; the rest at its next call."""
     global _next
     begin = time.perf_counter()
-    active = _ordered.find() if _ordered is not None else None
-    if active is not None and active == bpy.context.view_layer.objects.active:
-        measure(active)
+    view_layer = bpy.context.view_layer
+    while _ordered:
+        thing = _ordered.pop(0).find()
+        if thing is None or view_layer.objects.get(thing.name) != thing:
+            continue
+        if thing == view_layer.objects.active or thing.select_get():
+            measure(thing)
+            break
     end = time.perf_counter()
     _next = end + (end - begin) / _SHARE
     redraw("UI")
+    return _next - end if _ordered else None
 
 
 def measure(active: bpy.types.Object) -> None:
     """Measures the surface of an object, so that shown() knows it."""
-    global _measured
     meaning = meaning_of(active)
     if meaning is None:
         return
@@ -117,7 +159,10 @@ def measure(active: bpy.types.Object) -> None:
         extent = _extent(vertices, faces, density, prepared, options)
     except (DataError, core.MeanderError):
         pass  # the button says what is wrong
-    _measured = _Measured(meaning_of(active), extent, automatic)
+    _measured.pop(number_of(active), None)
+    _measured[number_of(active)] = _Measured(meaning_of(active), extent, automatic)
+    if len(_measured) > _MOST:
+        del _measured[next(iter(_measured))]
 
 
 def _extent(vertices, faces, density, prepared, options) -> core.Extent:
@@ -131,8 +176,8 @@ def _extent(vertices, faces, density, prepared, options) -> core.Extent:
 
 @persistent
 def _on_load(*_arguments: object) -> None:
-    global _measured, _ordered
-    _measured = _ordered = None
+    _measured.clear()
+    _ordered.clear()
 
 
 def register() -> None:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import bpy
 
 from .. import core
-from ..model.estimate import Estimate
+from ..model.estimate import Estimate, together
 from ..scene.errors import DataError
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
@@ -26,7 +26,7 @@ class Queue:
 
         In Edit Mode those being edited; if faces are selected, those that have some.
         """
-        self._waiting = [Key(thing) for thing in _objects_of(context)]
+        self._waiting = [Key(thing) for thing in objects_of(context)]
         self._active = Key(context.active_object)
         self._home = HomeScene(context.scene, context.view_layer)
         self._restart, self._beside = restart, beside
@@ -72,16 +72,11 @@ class Queue:
                 found.append(estimates.of_plan(plan))
             except (DataError, core.MeanderError):  # which its run will report
                 continue
-        if not found:
-            return None
-        return Estimate(
-            sum(one.points for one in found),
-            sum(one.seconds for one in found),
-            max(one.memory for one in found),
-        )
+        return together(found)
 
 
-def _objects_of(context: bpy.types.Context) -> list[bpy.types.Object]:
+def objects_of(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """What one Fill fills: the active object first, then what else is selected."""
     active = context.active_object
     if context.mode == "EDIT_MESH":
         edited = [active, *(thing for thing in context.objects_in_mode if thing != active)]

@@ -192,13 +192,15 @@ class Session:
             self._apply(wish)
         self.stepper.run()
 
+    def is_about(self, thing: bpy.types.Object | None) -> bool:
+        """Whether the run is on this surface, or for this result."""
+        result = self.plan.result.find() if self.plan.result is not None else None
+        return thing is not None and thing in (self.plan.surface.find(), result)
+
     def _asker(self, context: bpy.types.Context) -> bpy.types.Object | None:
         """The object whose settings count: the active one, if it is part of this run."""
-        plan, active = self.plan, context.view_layer.objects.active
-        result = plan.result.find() if plan.result is not None else None
-        if active is not None and active in (plan.surface.find(), result):
-            return active
-        return plan.settings.find()
+        active = context.view_layer.objects.active
+        return active if self.is_about(active) else self.plan.settings.find()
 
     def _take_copy(self) -> None:
         """Takes the newest copy of the curve if there is one, and has the run make another."""

@@ -82,8 +82,8 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
         return False
 
 
-# For every window, by its address: the object that was active when the timer looked last, and what a
-# run on it would have meant.
+# For every window, by its address: the object that was active when the timer looked last, and what
+# a run on it would have meant.
 _seen: dict[int, tuple[int, Meaning]] = {}
 
 

@@ -11,6 +11,7 @@ from bpy.props import FloatProperty
 from ..model import last_run
 from ..model.estimate import described
 from ..run import estimates, gap_marks, session, suspended
+from ..run.queue import objects_of
 from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
 from ..scene.results import last_result
@@ -54,7 +55,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         if running is not None:
             self._draw_progress(layout, context, running)
         elif surface is not None:
-            self._draw_buttons(layout, context.active_object, context.scene)
+            self._draw_buttons(layout, context)
             draw_faults(layout, context.active_object)
 
     def _draw_settings(
@@ -82,8 +83,9 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         switch(live, settings, "live")
 
     def _draw_buttons(
-        self, layout: bpy.types.UILayout, active: bpy.types.Object, scene: bpy.types.Scene
+        self, layout: bpy.types.UILayout, context: bpy.types.Context
     ) -> None:
+        active, scene = context.active_object, context.scene
         layout.operator_context = "INVOKE_DEFAULT"
         column = layout.column(align=True)
         column.scale_y = 1.4
@@ -103,10 +105,13 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             column.operator(MEANDER_OT_run.bl_idname, text="Fill Again", icon="FILE_REFRESH")
             new = column.operator(MEANDER_OT_run.bl_idname, text="New Curve", icon="ADD")
             new.beside = True
+        objects = objects_of(context)
         if active.meander.spacing == 0.0:
-            layout.label(text="Spacing 0: automatic", icon="INFO")
+            layout.label(text=_automatic(context, objects), icon="INFO")
+        if len(objects) > 1:
+            layout.label(text=f"{len(objects)} objects", icon="OUTLINER_OB_MESH")
         # The same row from the first moment on, so that the panel does not jump.
-        estimate = estimates.shown(active)
+        estimate = estimates.shown_together(objects)
         row = layout.row()
         row.active = False
         row.label(text=described(estimate) if estimate is not None else "")
@@ -115,6 +120,9 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         self, layout: bpy.types.UILayout, context: bpy.types.Context, running: session.Session
     ) -> None:
         column = layout.column(align=True)
+        if not running.is_about(context.active_object):
+            grows = running.plan.surface.find()
+            column.label(text=grows.name if grows is not None else "", icon="MESH_DATA")
         if not draw_progress(column, running.progress(), running.progress_text()):
             bar = column.column()
             bar.enabled = False
@@ -193,6 +201,14 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
 
 def _evenness(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
     return (("Even", last_run.evenness(figures.evenness)),) if figures.evenness >= 0.0 else ()
+
+
+def _automatic(context: bpy.types.Context, objects: list[bpy.types.Object]) -> str:
+    """What a spacing of 0 comes to."""
+    if len(objects) > 1:
+        return "Automatic for each"
+    spacing = estimates.automatic(objects[0])
+    return f"Automatic: {_length(context, spacing)}" if spacing > 0.0 else "Automatic"
 
 
 def _length(context: bpy.types.Context, value: float) -> str:
