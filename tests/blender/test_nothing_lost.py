@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -10,7 +11,8 @@ import bpy
 import meander
 import numpy as np
 import pytest
-from meander.run import session, suspended
+from meander import core
+from meander.run import live, session, suspended
 from meander.run.plan import plan_run
 from scenes import activate, counts, fill, grid, sphere, world_splines
 from watched_runs import begin, tick_until
@@ -469,3 +471,28 @@ def test_a_run_whose_surface_was_deleted_can_be_resumed_after_undo():
     surface = activate(bpy.data.objects["Icosphere"])
     bpy.context.view_layer.update()
     assert running.plan.surface.find() == surface
+
+
+def flows() -> int:
+    """How many flows are alive."""
+    gc.collect()
+    return sum(isinstance(thing, core.Flow) for thing in gc.get_objects())
+
+
+@pytest.mark.parametrize("filled", [1, 2])
+def test_blender_keeps_operators_that_have_run_but_not_their_flows(filled):
+    live.drop()
+    before = flows()
+    things = [sphere() for _ in range(filled)]
+    activate(things[0])
+    for thing in things:
+        thing.meander.spacing = 0.4
+        thing.select_set(True)
+    # With an undo step, as from a window, Blender keeps it for Adjust Last Operation.
+    assert bpy.ops.meander.run("EXEC_DEFAULT", True) == {"FINISHED"}
+    assert flows() == before
+    activate(things[0])
+    suspend_early(things[0], 0.1)
+    assert flows() == before + 1, "what was ended can be resumed"
+    assert bpy.ops.meander.resume("EXEC_DEFAULT", True) == {"FINISHED"}
+    assert flows() == before

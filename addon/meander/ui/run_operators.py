@@ -92,7 +92,9 @@ class Watched:
     undo too: the run follows its objects, and changes no data until its end.
     """
 
-    _session: session.Session
+    # None before and after a run: Blender keeps operators that have run, and would keep the flow of
+    # the last one with them.
+    _session: session.Session | None = None
 
     def _new_session(self, plan: Plan, run: SuspendedRun | None = None) -> session.Session:
         """A session that asks nobody whether a wish may be large: it refuses those that are."""
@@ -138,7 +140,8 @@ class Watched:
 
     def cancel(self, context: bpy.types.Context) -> None:
         """Called by Blender when it closes the window or the file under a run."""
-        self._finish(context, keep=False)
+        if self._session is not None:
+            self._finish(context, keep=False)
 
     def _finish(self, context: bpy.types.Context, keep: bool) -> set[str]:
         """Every end of a run comes through here."""
@@ -158,6 +161,7 @@ class Watched:
             self.report({"ERROR"}, sentence_of(error))
         finally:
             self._session.end()
+            self._session = None
         return {"CANCELLED"}
 
 
