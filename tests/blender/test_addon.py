@@ -227,6 +227,6 @@ def test_panel_says_what_to_expect():
 def test_menu_entry():
     assert bpy.ops.meander.run.get_rna_type().name == "Fill with Curve"
     assert any(
-        getattr(entry, "__module__", "") == "meander.ui.run_operators"
+        getattr(entry, "__module__", "") == "meander.ui.menu"
         for entry in bpy.types.VIEW3D_MT_object._dyn_ui_initialize()
     )

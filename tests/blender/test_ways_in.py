@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import fnmatch
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import pytest
 from mathutils import Vector
 from meander.ui import help as pages
 from meander.ui import presets
+from meander.ui.menu import MEANDER_MT_object
 from panel_layout import Layout
 from scenes import activate, cube, fill, poly_curve, sphere
 
@@ -156,8 +158,31 @@ def shown_in(menu: str) -> list[str]:
 
 def test_the_menus_offer_to_fill():
     cube()
-    assert shown_in("VIEW3D_MT_object") == ["Fill with Curve"]
+    for menu in ("VIEW3D_MT_object", "VIEW3D_MT_edit_mesh", "VIEW3D_MT_paint_weight"):
+        assert shown_in(menu) == ["Meander"]
     assert shown_in("VIEW3D_MT_curve_add") == ["Fill with Curve (Meander)"]
+
+
+def test_the_menu_has_every_operator():
+    """Menu Search finds what is in a menu."""
+    called = []
+
+    class Noted(Layout):
+        def operator(self, idname, text=None, **options):
+            given = super().operator(idname, text, **options)
+            called.append((idname, text, given))
+            return given
+
+    this = SimpleNamespace(layout=Noted())
+    MEANDER_MT_object.draw(this, bpy.context)
+    # Menu Search shows the text alone: no two may be the same.
+    texts = [item.label for item in this.layout.children]
+    assert len(set(texts)) == len(texts) and "Done" not in texts and "Show" not in texts
+    of_panels = {"live", "ask_run", "use_preset", "add_preset"}
+    operators = {f"meander.{name}" for name in set(dir(bpy.ops.meander)) - of_panels}
+    assert {idname for idname, _text, _given in called} == operators
+    run = [vars(given) for idname, _text, given in called if idname == "meander.run"]
+    assert run == [{}, {"restart": True}, {"beside": True}]
 
 
 def test_every_page_exists_and_every_setting_has_one():

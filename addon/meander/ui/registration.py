@@ -13,6 +13,7 @@ from . import (
     light_operator,
     live_operator,
     look_panel,
+    menu,
     motion_panel,
     operators,
     panels,
@@ -61,6 +62,7 @@ _MODULES = (
     seed_drawing,
     seed_operators,
     strand_panel,
+    menu,
 )
 
 

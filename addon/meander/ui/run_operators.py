@@ -363,24 +363,16 @@ def _add_menu(self: bpy.types.Menu, context: bpy.types.Context) -> None:
         )
 
 
-def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
-    self.layout.separator()
-    self.layout.operator_context = "INVOKE_DEFAULT"
-    self.layout.operator(MEANDER_OT_run.bl_idname, icon="MOD_CURVE")
-
-
 _CLASSES = (MEANDER_OT_run, MEANDER_OT_ask_run, MEANDER_OT_resume, MEANDER_OT_stop)
 
 
 def register() -> None:
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
-    bpy.types.VIEW3D_MT_object.append(_menu)
     bpy.types.VIEW3D_MT_curve_add.append(_add_menu)
 
 
 def unregister() -> None:
     bpy.types.VIEW3D_MT_curve_add.remove(_add_menu)
-    bpy.types.VIEW3D_MT_object.remove(_menu)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The menu "Meander" in the menus Object, Mesh and Weights of the 3D viewport.
+
+It has every operator, so that all of them are found by Menu Search (F3) and reached by keys.
+"""
+
+from __future__ import annotations
+
+import bpy
+
+# In groups: the operator, a text where its own would not say enough, and what it is called with.
+_ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
+    (
+        ("run", "", {}),
+        ("run", "Start Over", {"restart": True}),
+        ("run", "New Curve", {"beside": True}),
+        ("resume", "Resume Filling", {}),
+        ("stop", "Stop Filling", {}),
+    ),
+    (("propose_spacing", "", {}), ("show_gaps", "", {}), ("select_problem", "Show Faults", {})),
+    (
+        ("draw_seed", "", {}),
+        ("end_seed", "End Drawing Seed", {}),
+        ("seed_from_edges", "", {}),
+        ("seed_from_boundary", "", {}),
+        ("stroke_from_vertices", "", {}),
+        ("preview_seed", "", {}),
+    ),
+    (
+        ("two_tone", "", {}),
+        ("relief", "", {}),
+        ("ribbon", "", {}),
+        ("cut_along_curve", "", {}),
+        ("add_look", "", {}),
+    ),
+    (("bake_motion", "", {}), ("bake_growth", "", {}), ("clear_bake", "", {})),
+    (
+        ("make_light", "", {}),
+        ("points_to_mesh", "", {}),
+        ("points_to_curves", "", {}),
+        ("export_toolpath", "", {}),
+    ),
+    (("open_help", "", {}),),
+)
+
+
+class MEANDER_MT_object(bpy.types.Menu):
+    bl_idname = "MEANDER_MT_object"
+    bl_label = "Meander"
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.operator_context = "INVOKE_DEFAULT"
+        for number, group in enumerate(_ENTRIES):
+            if number:
+                layout.separator()
+            for name, text, given in group:
+                entry = {"text": text} if text else {}
+                operator = layout.operator(f"meander.{name}", **entry)
+                for option, value in given.items():
+                    setattr(operator, option, value)
+
+
+def _in_menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    self.layout.separator()
+    self.layout.menu(MEANDER_MT_object.bl_idname, text="Meander", icon="MOD_CURVE")
+
+
+_MENUS = ("VIEW3D_MT_object", "VIEW3D_MT_edit_mesh", "VIEW3D_MT_paint_weight")
+
+
+def register() -> None:
+    bpy.utils.register_class(MEANDER_MT_object)
+    for name in _MENUS:
+        getattr(bpy.types, name).append(_in_menu)
+
+
+def unregister() -> None:
+    for name in reversed(_MENUS):
+        getattr(bpy.types, name).remove(_in_menu)
+    bpy.utils.unregister_class(MEANDER_MT_object)
