@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 import scenes
 from mathutils.bvhtree import BVHTree
+from meander.ui.motion_panel import MEANDER_PT_motion
+from panel_layout import drawn
 
 # Points that nearly coincide are one in what is written: half a hundredth of the spacing, and some.
 ON_SURFACE = 0.006
@@ -311,3 +313,21 @@ def test_bake_refuses_with_one_sentence_and_bakes_nothing(
         bpy.ops.meander.bake_motion(frame_start=1, frame_end=3)
     assert scenes.counts() == before
     assert not result.hide_render
+
+
+@pytest.mark.parametrize("chosen", ["mesh", "frame", "curve"])
+def test_a_bake_can_be_deleted_from_what_is_seen(
+    tube: bpy.types.Object, result: bpy.types.Object, chosen: str
+) -> None:
+    scenes.activate(result)
+    bpy.ops.meander.bake_motion(frame_start=1, frame_end=3)
+    frame = result.meander.bake.objects[0]
+    scenes.sphere()
+    assert not bpy.ops.meander.clear_bake.poll(), "this mesh has nothing to do with it"
+    assert drawn(MEANDER_PT_motion, bpy.context) is None
+    scenes.activate({"mesh": tube, "frame": frame, "curve": result}[chosen])
+    texts = [text.text for text in drawn(MEANDER_PT_motion, bpy.context).texts()]
+    assert "Delete Bake" in texts
+    assert bpy.ops.meander.clear_bake() == {"FINISHED"}
+    assert result.visible_get() and result.meander.bake is None
+    assert bpy.context.view_layer.objects.active == (tube if chosen == "mesh" else result)

@@ -96,6 +96,26 @@ class Frames:
         self._result.hide_viewport = True
 
 
+def baked_result(thing: bpy.types.Object | None) -> bpy.types.Object | None:
+    """The result whose baked frames an object stands for: itself, one on this surface, or the one
+    that this is a frame of. None where there is none.
+
+    A result with a bake is hidden, and cannot be chosen in a view.
+    """
+    if thing is None:
+        return None
+    if thing.meander.bake is not None:
+        return thing
+    surface = thing.parent if thing.type == "CURVE" else thing
+    if surface is None:
+        return None
+    for result in (surface.meander.last_result, *surface.children):
+        bake = result.meander.bake if result is not None else None
+        if bake is not None and (thing == surface or bake in thing.users_collection[:]):
+            return result
+    return None
+
+
 def clear(result: bpy.types.Object) -> None:
     """Takes the baked frames of a result away and shows it again."""
     collection = result.meander.bake

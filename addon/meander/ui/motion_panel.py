@@ -9,7 +9,7 @@ import bpy
 from bpy.props import IntProperty
 
 from .. import core
-from ..run import baking, following
+from ..run import baking, following, session
 from ..scene import baked_frames
 from ..scene.errors import DataError
 from ..scene.fillable import is_result
@@ -79,23 +79,35 @@ class MEANDER_OT_bake_growth(_OnResult, bpy.types.Operator):
         return self._bake(context, baking.bake_growth, context.scene.frame_start, self.every)
 
 
-class MEANDER_OT_clear_bake(_OnResult, bpy.types.Operator):
+class MEANDER_OT_clear_bake(bpy.types.Operator):
     """Delete the baked frames of this curve, and show the curve itself again"""
 
     bl_idname = "meander.clear_bake"
     bl_label = "Delete Bake"
+    bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        if not super().poll(context):
-            return False
-        if context.active_object.meander.bake is None:
-            cls.poll_message_set("This curve has no baked frames")
-            return False
-        return True
+        result = baked_frames.baked_result(context.active_object)
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif result is None:
+            cls.poll_message_set("Choose a curve with baked frames, one of them, or its mesh")
+        elif context.mode != "OBJECT":
+            cls.poll_message_set("Works in Object Mode")
+        elif result.library is not None:
+            cls.poll_message_set("The curve is linked from another file")
+        else:
+            return True
+        return False
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        baked_frames.clear(context.active_object)
+        active = context.active_object
+        result = baked_frames.baked_result(active)
+        of_frame = active not in (result, result.meander.surface)
+        baked_frames.clear(result)
+        if of_frame and context.view_layer.objects.get(result.name) == result:
+            context.view_layer.objects.active = result
         return {"FINISHED"}
 
 
@@ -108,12 +120,18 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
+        if baked_frames.baked_result(active) is not None:
+            return True
         return is_result(active) and super().poll(context)
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
         result = context.active_object
+        if not is_result(result):
+            notice(layout, f"{baked_frames.baked_result(result).name} is hidden")
+            layout.operator(MEANDER_OT_clear_bake.bl_idname, icon="TRASH")
+            return
         settings: MeanderSettings = result.meander
         layout.prop(settings, "motion")
         row = layout.row()
