@@ -23,7 +23,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 header_packages=(libeigen3-dev libnanoflann-dev libopenmesh-dev)
-build_packages=(ccache cmake ninja-build g++ pkgconf python3 "${header_packages[@]}" libgtest-dev)
+build_packages=(ccache cmake ninja-build g++ pkgconf python3 python3-markdown
+  "${header_packages[@]}" libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
 blender_packages=(blender python3-numpy python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
 # A JavaScript engine of half a megabyte, in which the job type for Flamenco is tested.
@@ -34,7 +35,7 @@ bpy_packages=(ca-certificates python3-venv
   libsm6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1)
 # Clang compiles with sanitizers in half of the time that GCC takes.
 sanitizer_packages=(clang libclang-rt-dev python3-clang)
-package_packages=(ca-certificates cmake ninja-build python3 python3-venv "${header_packages[@]}")
+package_packages=(ca-certificates cmake ninja-build python3 python3-markdown python3-venv "${header_packages[@]}")
 emulator_packages=(python3-pytest python3-numpy gcc libc6-dev binutils llvm googletest
   wine wine64 qemu-user libc6-arm64-cross)
 

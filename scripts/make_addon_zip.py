@@ -84,9 +84,9 @@ def manifest_for(manifest_file: Path, platforms: list[str]) -> bytes:
 
 def contents(
     addon: Path, native: list[tuple[str, Path]], licences: list[Path], pages: Path | None
-) -> dict[str, Path]:
-    """Name inside the zip -> file."""
-    files = {}
+) -> dict[str, Path | bytes]:
+    """Name inside the zip -> file, or what it holds."""
+    files: dict[str, Path | bytes] = {}
     for path in addon.rglob("*"):
         inside = path.relative_to(addon)
         skipped = SKIPPED_FOLDERS.intersection(inside.parts) or path.suffix in SKIPPED_SUFFIXES
@@ -96,13 +96,16 @@ def contents(
         files[f"{FOLDER}/native/{platform}/{path.name}"] = path
     for path in licences:
         files[f"{FOLDER}/{path.name}"] = path
-    # The texts alone: the pictures are larger than the add-on itself.
-    for path in sorted(pages.rglob("*.md")) if pages is not None else ():
-        files[f"{FOLDER}/docs/{path.relative_to(pages).as_posix()}"] = path
+    if pages is not None:
+        from help_pages import help_pages  # needs a package that nobody else here does
+
+        menu = [(name, label) for name, label, _tip in literal(addon / "ui" / "help.py", "PAGES")]
+        for name, page in help_pages(pages, menu).items():
+            files[f"{FOLDER}/docs/{name}"] = page
     return files
 
 
-def write_zip(output: Path, files: dict[str, Path], manifest: bytes) -> None:
+def write_zip(output: Path, files: dict[str, Path | bytes], manifest: bytes) -> None:
     # Written under a temporary name and renamed, so that a zip is always whole.
     unfinished = output.with_suffix(".zip.part")
     with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
@@ -113,13 +116,14 @@ def write_zip(output: Path, files: dict[str, Path], manifest: bytes) -> None:
         folder.create_system = 3
         folder.external_attr = (0o40755 << 16) | 0x10
         archive.writestr(folder, b"")
-        for name, path in sorted(files.items()):
+        for name, content in sorted(files.items()):
             entry = zipfile.ZipInfo(name, TIMESTAMP)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.create_system = 3  # Unix, on any machine: the permissions below are Unix's
-            entry.external_attr = (0o755 if path.suffix in LIBRARIES else 0o644) << 16
-            data = manifest if name == f"{FOLDER}/{MANIFEST}" else path.read_bytes()
-            archive.writestr(entry, data)
+            entry.external_attr = (0o755 if Path(name).suffix in LIBRARIES else 0o644) << 16
+            if name == f"{FOLDER}/{MANIFEST}":
+                content = manifest
+            archive.writestr(entry, content if isinstance(content, bytes) else content.read_bytes())
     unfinished.replace(output)
 
 

@@ -18,6 +18,7 @@ from scenes import activate, cube, fill, poly_curve, sphere
 
 SHIPPED = ("Even", "Flowing", "Organic", "Few_Corners", "Rows", "As_Published")
 
+ROOT = Path(__file__).resolve().parents[2]
 AS_PUBLISHED = presets.SHIPPED / "As_Published.py"
 
 
@@ -185,9 +186,26 @@ def test_the_menu_has_every_operator():
     assert run == [{}, {"restart": True}, {"beside": True}]
 
 
+def test_help_opens_a_page_or_says_why_not(tmp_path, monkeypatch, capfd):
+    opened = []
+    monkeypatch.setattr(pages, "_HOME", tmp_path)  # as if installed, with the pages in docs
+    (tmp_path / "blender_manifest.toml").write_text('id = "meander"\n')
+    (tmp_path / "docs").mkdir()
+    monkeypatch.setattr(pages.webbrowser, "open", lambda address: opened.append(address) or True)
+    with pytest.raises(RuntimeError, match="The pages are not built; run scripts/build_site.sh"):
+        bpy.ops.meander.open_help(page="density")
+    (tmp_path / "docs" / "density.html").write_text("<html></html>")
+    assert bpy.ops.meander.open_help(page="density") == {"FINISHED"}
+    assert opened == [(tmp_path / "docs" / "density.html").as_uri()]
+    monkeypatch.setattr(pages.webbrowser, "open", lambda _address: False)
+    capfd.readouterr()
+    assert bpy.ops.meander.open_help(page="density") == {"FINISHED"}
+    assert "No browser opens; the page is file://" in capfd.readouterr().out
+
+
 def test_every_page_exists_and_every_setting_has_one():
     for page, _label, _tip in pages.PAGES:
-        assert pages.website() or Path(pages.address_of(page)[len("file://") :]).is_file(), page
+        assert (ROOT / "docs" / f"{page}.md").is_file(), page
     prefix, mapping = pages.manual_map()
     assert (prefix, mapping[0][1]) == ("", pages.address_of("density"))
 

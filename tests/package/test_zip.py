@@ -2,12 +2,14 @@
 """The zip by itself: its shape, its contents, its manifest."""
 
 import os
+import posixpath
 import re
 import shutil
 import subprocess
 import sys
 import tomllib
 import zipfile
+from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
@@ -61,8 +63,51 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     assert {Path(name).stem for name in presets} == {
         "Even", "Flowing", "Organic", "Few_Corners", "Rows", "As_Published"
     }
-    assert {"meander/docs/index.md", "meander/docs/density.md"} <= set(names)
+    assert {"meander/docs/index.html", "meander/docs/make/rows.html"} <= set(names)
+    assert not [name for name in names if name.startswith("meander/docs/") and "html" not in name]
     assert not [name for name in names if "__pycache__" in name or name.endswith(".pyc")]
+
+
+class Page(HTMLParser):
+    """What a page links to, its headings' names, and its text."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.links: list[str] = []
+        self.names: set[str] = set()
+        self.loaded: list[str] = []
+        self.text = ""
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attributes: list) -> None:
+        given = dict(attributes)
+        self.links += [given["href"]] if "href" in given else []
+        self.names |= {given["id"]} if "id" in given else set()
+        self.loaded += [tag] if tag in {"img", "script", "link"} else []
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
+
+
+def test_every_page_of_the_help_reads_by_itself(addon_zip: Path) -> None:
+    with zipfile.ZipFile(addon_zip) as archive:
+        pages = {
+            name: Page(archive.read(name).decode())
+            for name in archive.namelist()
+            if name.startswith("meander/docs/")
+        }
+    assert len(pages) > 20
+    for name, page in pages.items():
+        assert not page.loaded, f"{name} loads something from elsewhere"
+        assert "\n|" not in page.text and "](" not in page.text, f"{name} shows Markdown"
+        for link in page.links:
+            if link.startswith("http"):
+                continue
+            path, _mark, heading = link.partition("#")
+            target = posixpath.normpath(posixpath.join(posixpath.dirname(name), path or name))
+            target = name if not path else target
+            assert target in pages, f"{name}: {link}"
+            assert not heading or heading in pages[target].names, f"{name}: {link}"
 
 
 def test_name_and_manifest_carry_the_version(addon_zip: Path, manifest: dict) -> None:
@@ -108,12 +153,12 @@ def test_same_contents_give_same_bytes(addon_zip: Path, tmp_path: Path) -> None:
     shutil.move(folder / "native", libraries)
     texts = [shutil.move(folder / name, tmp_path / name)
              for name in ("LICENSE", "THIRD_PARTY_NOTICES.md")]
-    pages = shutil.move(folder / "docs", tmp_path / "docs")
+    shutil.rmtree(folder / "docs")
     (folder / "__pycache__").mkdir()
     (folder / "__pycache__" / "core.cpython-311.pyc").write_bytes(b"left behind by a run")
 
     command = [sys.executable, ROOT / "scripts/make_addon_zip.py", "--addon", folder,
-               "--version", project_version(), "--pages", pages,
+               "--version", project_version(), "--pages", ROOT / "docs",
                "--output", tmp_path / "again.zip"]
     for library in sorted(libraries.glob("*/*"), reverse=True):
         command += ["--native", f"{library.parent.name}={library}"]

@@ -2,19 +2,22 @@
 """The way from the panel to the pages: a button, and Blender's own Online Manual on every setting.
 
 The pages are those of the website that the manifest names. As long as it names none they are the
-ones that come with the add-on, in its folder `docs`.
+ones that come with the add-on, in its folder `docs`, and from the sources those of the site that
+scripts/build_site.sh makes.
 """
 
 from __future__ import annotations
 
+import webbrowser
 from pathlib import Path
+from urllib.request import url2pathname
 
 import bpy
 from bpy.props import EnumProperty
 
 _HOME = Path(__file__).resolve().parents[1]
 # Beside the sources, where the add-on is used without being installed.
-_OF_THE_SOURCES = _HOME.parents[1] / "docs"
+_OF_THE_SOURCES = _HOME.parents[1] / "build" / "site"
 
 PAGES = (
     ("index", "Start", "The first curve"),
@@ -94,7 +97,13 @@ def address_of(page: str) -> str:
     if site:
         return f"{site}{page}.html"
     folder = _HOME / "docs"
-    return ((folder if folder.is_dir() else _OF_THE_SOURCES) / f"{page}.md").as_uri()
+    return ((folder if folder.is_dir() else _OF_THE_SOURCES) / f"{page}.html").as_uri()
+
+
+def is_there(address: str) -> bool:
+    """Whether there is such a page, as far as can be told without a network."""
+    path = address.removeprefix("file://")
+    return path == address or Path(url2pathname(path)).is_file()
 
 
 def manual_map() -> tuple[str, tuple[tuple[str, str], ...]]:
@@ -115,7 +124,13 @@ class MEANDER_OT_open_help(bpy.types.Operator):
     )
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
-        return bpy.ops.wm.url_open(url=address_of(self.page))
+        address = address_of(self.page)
+        if not is_there(address):
+            self.report({"ERROR"}, "The pages are not built; run scripts/build_site.sh")
+            return {"CANCELLED"}
+        if not webbrowser.open(address):
+            self.report({"WARNING"}, f"No browser opens; the page is {address}")
+        return {"FINISHED"}
 
 
 def register() -> None:
