@@ -7,6 +7,8 @@ import bpy
 import numpy as np
 import pytest
 from meander.scene.results import last_result
+from meander.ui.panels import MEANDER_PT_figures
+from panel_layout import drawn
 from scenes import activate, counts, fill, length_of, sphere, world_splines
 from watched_runs import begin, tick_until
 
@@ -162,3 +164,36 @@ def test_a_linked_surface_is_filled_again_into_its_curve(tmp_path):
     bpy.context.view_layer.objects.active = linked
     assert bpy.ops.meander.run() == {"FINISHED"}
     assert len(curves()) == 2
+
+
+def figures_shown() -> list[str]:
+    layout = drawn(MEANDER_PT_figures, bpy.context)
+    texts = [] if layout is None else [text.text for text in layout.texts()]
+    return [text for text in texts if text != "Show Gaps"]  # which a curve alone can
+
+
+@pytest.mark.parametrize("restart", [True, False])
+def test_a_curve_that_is_changed_by_itself_changes_what_its_mesh_says(restart):
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    activate(result)
+    result.meander.spacing, result.meander.iteration_limit = 0.4, 30
+    result.meander.density_source = "CURVATURE"
+    assert bpy.ops.meander.run(restart=restart) == {"FINISHED"}
+    assert figures_shown()
+    shown = figures_shown()
+    activate(surface)
+    assert surface.meander.spacing == pytest.approx(0.4)
+    assert surface.meander.density_source == "CURVATURE"
+    assert figures_shown() == shown
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert result.meander.spacing == pytest.approx(0.4), "filling again does not go back"
+
+
+def test_a_curve_that_is_deleted_takes_its_figures_with_it():
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    activate(surface)
+    assert figures_shown()
+    bpy.data.objects.remove(result)
+    assert not figures_shown()

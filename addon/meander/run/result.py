@@ -175,7 +175,6 @@ def _store(
     source = plan.settings.find()
     if source is None:
         source = result
-    targets = {source.name: source, result.name: result}.values()
     own_part = (result.meander.mask_source, result.meander.mask_attribute)
     if source != result:
         copy_settings(source.meander, result.meander)
@@ -185,7 +184,12 @@ def _store(
         result.meander.mask_source, result.meander.mask_attribute = own_part
         store_region(plan.region, surface, result.meander)
     results.remember(result, result.meander.surface)
-    for target in targets:
+    if source == result and surface.library is None:
+        # What fills the mesh again updates this curve: both panels say what it was made with.
+        part = (surface.meander.mask_source, surface.meander.mask_attribute)
+        copy_settings(result.meander, surface.meander)
+        surface.meander.mask_source, surface.meander.mask_attribute = part
+    for target in {thing.name_full: thing for thing in (source, surface, result)}.values():
         if target.library is not None:  # linked objects cannot be changed
             continue
         # A result tells what it was made with. A surface has the user's choice for the next run,

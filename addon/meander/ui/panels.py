@@ -165,6 +165,8 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
         active = context.active_object
         if session.current() is not None or surface_of(active) is None:
             return False
+        if not is_result(active) and last_result(active, context.scene) is None:
+            return False  # its curve is gone
         return bool(active.meander.figures.stop_reason)
 
     def draw(self, context: bpy.types.Context) -> None:
