@@ -88,6 +88,7 @@ def test_a_sphere_has_two_colours_of_the_same_area() -> None:
     # Each side as an object of its own, which together are the same.
     scenes.activate(result)
     assert bpy.ops.meander.two_tone(parts="TWO", hide=False) == {"FINISHED"}
+    assert [len(part.data.materials) for part in bpy.context.selected_objects] == [1, 1]
     parts = [Made(part) for part in bpy.context.selected_objects]
     assert len(parts) == 2
     assert sorted(part.areas().sum() for part in parts) == pytest.approx(sorted(halves), rel=1e-4)
@@ -114,6 +115,8 @@ def test_a_relief_rises_between_the_turns() -> None:
 def test_a_ribbon_has_a_map_along_the_line() -> None:
     scenes.fill(scenes.sphere(), SPACING)
     assert bpy.ops.meander.ribbon(detail=1.0) == {"FINISHED"}
+    materials = bpy.context.active_object.data.materials
+    assert [material.name for material in materials] == ["Meander Running Lights"]
     made = Made(bpy.context.active_object)
     check_sides(made)
     uv = made.uv("Ribbon")

@@ -87,13 +87,22 @@ def cut_result(
     return CutResult(cut, skin, plan, parted)
 
 
+def paint(thing: bpy.types.Object, material: bpy.types.Material) -> None:
+    """Gives a mesh one material, instead of those that it has."""
+    _paint(thing.data, [material], np.zeros(len(thing.data.polygons), dtype=np.int32))
+
+
 def paint_sides(thing: bpy.types.Object, materials: list[bpy.types.Material]) -> None:
     """Gives a cut's two sides two materials."""
     mesh = thing.data
     sides = np.empty(len(mesh.polygons), dtype=np.int32)
     mesh.attributes["side"].data.foreach_get("value", sides)
+    _paint(mesh, materials, (sides < 0).astype(np.int32))
+
+
+def _paint(mesh: bpy.types.Mesh, materials: list[bpy.types.Material], index: np.ndarray) -> None:
     mesh.materials.clear()
     for material in materials:
         mesh.materials.append(material)
-    mesh.polygons.foreach_set("material_index", (sides < 0).astype(np.int32))
+    mesh.polygons.foreach_set("material_index", index)
     mesh.update()

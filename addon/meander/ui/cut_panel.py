@@ -9,7 +9,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from .. import core
 from ..model.cut import one_side
 from ..run import session
-from ..run.cutting import CutResult, cut_result, paint_sides
+from ..run.cutting import CutResult, cut_result, paint, paint_sides
 from ..scene import assets
 from ..scene.cut_object import sharpen_line
 from ..scene.errors import DataError
@@ -166,7 +166,7 @@ class MEANDER_OT_two_tone(_Cut, bpy.types.Operator):
         made = []
         for side, material in zip((1, -1), materials, strict=True):
             thing = cut.make(name, one_side(cut.cut, side))
-            paint_sides(thing, [material, material])
+            paint(thing, material)
             made.append(thing)
         return made
 
@@ -193,9 +193,7 @@ class MEANDER_OT_relief(_Cut, bpy.types.Operator):
         group, material = assets.node_group("Meander Relief"), assets.material("Meander Coral")
         made = cut.make(name, keep_normals=False)
         sharpen_line(made)
-        made.data.materials.clear()
-        made.data.materials.append(material)
-        made.data.polygons.foreach_set("material_index", [0] * len(made.data.polygons))
+        paint(made, material)
         modifier = made.modifiers.new("Relief", "NODES")
         modifier.node_group = group
         set_value(modifier, "Spacing", cut.plan.spacing / mean_scale(cut.plan.matrix))
@@ -224,7 +222,7 @@ class MEANDER_OT_ribbon(_Cut, bpy.types.Operator):
         material = assets.material("Meander Running Lights") if self.running_lights else None
         made = cut.make(name)
         if material is not None:
-            paint_sides(made, [material, material])
+            paint(made, material)
         return [made]
 
 
