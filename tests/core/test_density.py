@@ -71,6 +71,26 @@ def test_the_range_suits_the_source():
     assert Choice("IMAGE").varies  # so that a missing image is refused and not overlooked
 
 
+@pytest.mark.parametrize("bend", [1e-3, 1.0, 50.0])
+def test_what_bends_the_same_everywhere_keeps_the_spacing(bend):
+    """A sphere, up to what its faces make of its curvature."""
+    values = bend * np.random.default_rng(2).uniform(0.99, 1.01, 1000)
+    density = Choice("CURVATURE", "mean").ramp(values).density(values)
+    assert density.max() < 1.1 and density.min() < 1.05
+
+
+def test_the_range_of_curvature_goes_on_from_little_contrast_to_much():
+    """Each a little more contrast than the one before: no step from one spacing to another."""
+    ramps = []
+    for flattest in np.linspace(1.0, 0.0, 201):
+        values = np.linspace(flattest, 1.0, 1001)
+        ramps.append(Choice("CURVATURE", "mean").ramp(values))
+    for before, after in zip(ramps, ramps[1:]):
+        assert abs(after.low - before.low) < 0.02 and abs(after.high - before.high) < 0.02
+    assert all(ramp.high - ramp.low > 0.45 for ramp in ramps)
+    assert (ramps[-1].low, ramps[-1].high) == (0.0, pytest.approx(0.95))
+
+
 def test_luminance():
     colors = np.array([[1.0, 0.0, 0.0, 0.3], [0.0, 1.0, 0.0, 0.3], [0.0, 0.0, 1.0, 0.3]])
     assert density.luminance(colors).tolist() == [0.2126, 0.7152, 0.0722]

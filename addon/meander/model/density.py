@@ -101,9 +101,13 @@ class Choice:
         elif self.source == "ATTRIBUTE":
             low, high = float(values.min()), float(values.max())
         elif self.source == "CURVATURE":
-            # From flat to what all but the sharpest places have: a sphere has one spacing, and a
-            # crease does not leave everything else on the low factor.
-            low, high = 0.0, float(np.percentile(values, 95.0))
+            # From flat to what all but the sharpest places have: a crease does not leave everything
+            # else on the low factor. Where even the flattest places bend more than half as much,
+            # the range begins later, and is never shorter than that half: on a sphere, which bends
+            # the same everywhere, all of it is on the low factor.
+            least, most = (float(value) for value in np.percentile(values, (5.0, 95.0)))
+            low = max(0.0, 2.0 * least - most)
+            high = max(most, low + 0.5 * most)
         else:
             low, high = 0.0, 1.0
         return Ramp(low, high, *self.factors, self.interpolation, self.stops)
