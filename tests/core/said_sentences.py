@@ -15,12 +15,14 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[2] / "addon" / "meander"
 ERRORS = {"BadInput", "FileError", "MeanderError", "_Malformed", "_Short", "ArgumentTypeError"}
-FINDERS = re.compile(r"problem_of|stroke_of|_read_stops|_no_faces|crossing_warning|_end_problem")
+FINDERS = re.compile(
+    r"problem_of|stroke_of|_read_stops|_no_faces|refusal|crossing_warning|_end_problem"
+)
 MODULES = (
     *sorted((PACKAGE / "cli").glob("*.py")),
     *(PACKAGE / "model" / f"{name}.py" for name in (
         "mesh_files", "ply_files", "stl_files", "surface_files", "file_text", "drawing",
-        "embroidery", "export", "gcode", "toolpath", "parts_by_length", "polygons",
+        "embroidery", "export", "gcode", "toolpath", "parts_by_length", "polygons", "least_bend",
     )),
 )  # fmt: skip
 

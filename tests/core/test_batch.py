@@ -446,7 +446,7 @@ def test_defect_is_not_bad_input(run, square: Path, monkeypatch: pytest.MonkeyPa
     def broken(*_: object) -> None:
         raise ZeroDivisionError
 
-    monkeypatch.setattr(command, "run", broken)
+    monkeypatch.setattr(command, "write_outputs", broken)
     code, _, err = run(square, *GOOD)
     assert code == 1 and "Traceback" in err
 

@@ -112,6 +112,8 @@ TRIES = """
 --output out.svg --scale 1e-9
 --output out.gcode --unit cm
 --output out.gcode --arcs 0.1
+--least-bend-radius 1 --bridge
+--least-bend-radius 1 --input cube.obj
 --output out.svg --layout top --input ball.obj --size 90 --iterations 200
 --output out.svg --layout top --chord-tolerance 0.3 --spacing 0.1 --iterations 300 --size 90
 """
@@ -128,6 +130,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     points = "".join(f"v {x} {y} 0\n" for x, y in SQUARE)
     (folder / "sheet.obj").write_text(text_of(geometry.grid(6)))
     (folder / "ball.obj").write_text(text_of(geometry.icosphere(2)))
+    (folder / "cube.obj").write_text(text_of(geometry.cube()))
     (folder / "line.obj").write_text(points + "l 1 2 3\n")
     (folder / "plain.obj").write_text(points)
     (folder / "branch.obj").write_text(points + "l 1 2 3\nl 2 4\n")
@@ -212,6 +215,8 @@ def others(folder: Path) -> list[str]:
         reading(folder, "g.ply", ply("0 0 0\n1 0 0\n1 1 0\n0 1 0\n-3 0 1 2\n", 1)),
         said_of(lambda: limits.refuse_large(cost, namespace)),
         said_of(lambda: batch.main(["--input", str(folder / "sheet.obj"), "--output", "a.obj"])),
+        said_of(lambda: batch.main(["--input", str(folder / "sheet.obj"), "--output", "a.obj",
+            "--target-length", "9", "--least-bend-radius", "1"])),
     ]  # fmt: skip
     if embroidery.is_there():
         found.append(said_of(lambda: embroidery.embroidery_bytes(wide, "a", ".dst")))

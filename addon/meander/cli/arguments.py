@@ -18,6 +18,7 @@ from . import (
     density,
     export,
     flags,
+    least_bend,
     limits,
     motion,
     preparation,
@@ -125,7 +126,7 @@ def check_options(arguments: argparse.Namespace) -> None:
     if arguments.output.suffix.lower() not in OUTPUTS:
         kinds = ", ".join(OUTPUTS[:-1])
         raise BadInput(f"--output {arguments.output} is no {kinds} or {OUTPUTS[-1]} file")
-    for output in (toolpath, export, cut):
+    for output in (toolpath, export, cut, least_bend):
         wrong = output.problem_of(arguments)
         if wrong is not None:
             raise BadInput(wrong)

@@ -18,7 +18,7 @@ from ..model.bend_radius import sharpest_bend
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
-from . import cut, limits, preparation, target_length
+from . import cut, least_bend, limits, preparation, target_length
 from .any_letters import print_any_letters
 from .arguments import check_arguments, parser
 from .flags import flow_options
@@ -27,7 +27,7 @@ from .input import Input
 from .place import Place
 from .reading import read_input
 from .values import BadInput
-from .watching import interruptible, run, summary
+from .watching import interruptible, summary
 from .writing import echo, write_outputs
 
 
@@ -52,7 +52,9 @@ def _process(argv: Sequence[str], place: Place) -> None:
         place.warn(warning)
     opened = _open(given, arguments, place)
     with opened.flow as flow:
-        reason = _run(opened, arguments, place)
+        reason, options = _run(opened, options, arguments, place)
+        if options != opened.problem.options:  # stiffer: what a .blend is to keep
+            arguments.bending = options.bending_weight
         figures = flow.statistics() | {"stop_reason": reason}
         record = report.build_report(
             core.library_version(),
@@ -86,11 +88,13 @@ def _process(argv: Sequence[str], place: Place) -> None:
             place.say(f"meander: wrote {written}")
 
 
-def _run(opened: Opened, arguments: argparse.Namespace, place: Place) -> str:
-    """Runs the flow to its end and returns the stop reason; a defect of the library leaves a bundle
-    beside the output."""
+def _run(
+    opened: Opened, options: core.FlowOptions, arguments: argparse.Namespace, place: Place
+) -> tuple[str, core.FlowOptions]:
+    """Runs the flow to its end, and returns the stop reason and the options that it has then; a
+    defect of the library leaves a bundle beside the output."""
     try:
-        return run(opened.flow, place.say)
+        return least_bend.run_until_held(opened, options, arguments, place)
     except core.MeanderError as failure:
         if bundle.is_defect(failure):
             path = arguments.output.with_name(f"{arguments.output.stem}.defect{bundle.SUFFIX}")

@@ -336,6 +336,31 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
+        "least_bend_radius",
+        "Least Bend Radius",
+        "No turn is to be sharper, as a filament or a tube asks: the curve gets stiffer until that "
+        "holds, up to a stiffness of 8. 0 asks for none",
+        _SHAPE,
+        low="0: turns are as sharp as they come",
+        high="stiffer, less even; from half a spacing on nothing holds",
+        row="Least Bend",
+        unit="length",
+        least=0.0,
+        soft_greatest=10.0,
+        digits=3,
+        step=1,
+        flag=Flag(
+            "--least-bend-radius",
+            "no turn may be sharper, over an arc of a quarter of the spacing, in scene units: the "
+            "curve gets stiffer until that holds, and is refused, with the place, where nothing "
+            "holds it",
+            _TERMS,
+            "L",
+            above=0.0,
+            entry="least_bend_radius",
+        ),
+    ),
+    Option(
         "border_distance",
         "Border Distance",
         "Distance of the last strand from borders and holes, in spacings. "

@@ -31,6 +31,7 @@ class Problem:
     directions: np.ndarray | FieldOn | None = None
     alignment: str = "along"
     outline: float = 0.0  # distance of outlines from the border; 0: none
+    least_bend_radius: float = 0.0  # that no turn is to fall short of; 0: none is asked for
 
 
 @dataclass(frozen=True)

@@ -115,10 +115,13 @@ def plan_of(
     earlier = active
     if active is surface:
         earlier = None if beside else results.last_result(surface, scene)
+    least_bend = float(f"{settings.least_bend_radius:.6g}")
+    problem = Problem(
+        vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline,
+        least_bend,
+    )  # fmt: skip
     plan = Plan(
-        problem=Problem(
-            vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline
-        ),
+        problem=problem,
         home=HomeScene(scene, depsgraph.view_layer),
         surface=Key(surface),
         settings=Key(active),

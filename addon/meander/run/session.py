@@ -118,7 +118,18 @@ class Session:
             self._window.picture_given()
         if text_due:
             self._window.show(context, self.progress_text(), self.progress())
-        return self._wish is not None or not self.stepper.finished
+        return self._wish is not None or not self.stepper.finished or self._goes_on_stiffer()
+
+    def _goes_on_stiffer(self) -> bool:
+        """Lets a run that has ended go on where its curve bends too sharply."""
+        if self.stop_wanted:
+            return False
+        self.stepper.join()
+        if self.stepper.failed or not self.stepper.stiffened():
+            return False
+        self._remaining = Remaining()
+        self.stepper.start()
+        return True
 
     @property
     def live(self) -> bool:
@@ -180,6 +191,7 @@ class Session:
         except core.MeanderError as error:
             self.refusal = str(error)
             return
+        self.stepper.stiffening.best = None
         self.plan, self.whole = wish.applied(self.plan), False
         asker = wish.asker.find()
         if asker is not None:
@@ -265,6 +277,9 @@ class Session:
             raise strands.explained(
                 named, self.plan.parts, lambda value: length_text(context.scene, value)
             ) from error
+        stiffening = self.stepper.stiffening
+        if not stiffening.held and outcome[2] != "cancelled":  # who stops it takes what is there
+            raise DataError(stiffening.refusal(lambda value: length_text(context.scene, value)))
         if self._preview is not None:
             self._preview.end()
         with edit_mode.left(context):
@@ -294,6 +309,9 @@ class Session:
         remark = strands.fit_remark(
             figures, plan.parts, radius, lambda value: length_text(scene, value)
         )
+        if self.stepper.stiffening.best is not None:
+            stiffness = self.stepper.problem.options.bending_weight
+            remark = "; ".join(filter(None, (remark, f"a stiffness of {stiffness:g}")))
         joined = result.meander.figures
         if joined.bridge_count:
             length = length_text(scene, joined.bridge_length)

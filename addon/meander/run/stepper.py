@@ -18,6 +18,8 @@ import numpy as np
 
 from .. import core
 from ..model import bundle
+from ..model.bend_radius import sharpest_bend
+from ..model.least_bend import Stiffening
 from ..model.problem import Problem, open_flow
 from ..model.whole_files import FileError
 
@@ -60,6 +62,7 @@ class Stepper:
         self.gaps: core.Gaps | None = None
         self.guides: np.ndarray | None = None
         self.point_data: core.PointData | None = None  # of every point
+        self.stiffening = Stiffening(problem.least_bend_radius)
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
         # Of the library, while the run was going.
         self._progress, self._phase = 0.0, "none"
@@ -82,6 +85,8 @@ class Stepper:
         try:
             self._begin()
             self._stop_reason = self._flow.run(self._context)
+            while self.stiffened():
+                self._stop_reason = self._flow.run(self._context)
         except Exception as error:
             self._note(error)
 
@@ -159,6 +164,24 @@ class Stepper:
         self.density = density
         self.problem = replace(self.problem, options=options, density=density)
         self._opened = replace(self._opened, options=options, density=density)
+
+    def stiffened(self) -> bool:
+        """Makes a curve stiffer that bends more sharply than it may; False where it does not.
+
+        Between two runs only; the run that follows lets it go on.
+        """
+        if not self.stiffening.least or self._flow is None or self._stop_reason == "cancelled":
+            return False
+        options = self.problem.options
+        try:
+            bend = sharpest_bend(self._flow.polylines(), options.radius)
+            following = self.stiffening.following(bend, options)
+            if following is not None:
+                self.revise(following, self.density)
+        except Exception as error:
+            self._note(error)
+            return False
+        return following is not None
 
     @property
     def failed(self) -> bool:

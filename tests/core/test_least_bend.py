@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A radius of bending that is asked for: it holds as others measure it, or is refused."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import geometry
+import numpy as np
+import pytest
+from meander import batch
+
+SPACING = 0.08
+
+
+@pytest.fixture
+def sheet(tmp_path: Path) -> Path:
+    return written(tmp_path / "sheet.obj", geometry.grid(20))
+
+
+def written(path: Path, mesh: geometry.Mesh) -> Path:
+    lines = ["v {!r} {!r} {!r}".format(*place) for place in mesh.vertices.tolist()]
+    lines += ["f {} {} {}".format(*(face + 1)) for face in mesh.faces]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def run(mesh: Path, *extra: str) -> int:
+    given = ["--input", mesh, "--output", mesh.with_name("a.obj"), "--spacing", SPACING]
+    given += ["--report", mesh.with_name("r.json")]
+    return batch.main([str(a) for a in (*given, *extra)])
+
+
+def least_radius(curve: Path) -> float:
+    """Of the circles through three points of a file's lines, an eighth of the spacing apart by
+    their chords: found by walking, without any of the product's code."""
+    points = [line.split()[1:] for line in curve.read_text().splitlines() if line[:2] == "v "]
+    places = np.array(points, dtype=float)
+    least = np.inf
+    for line in (text for text in curve.read_text().splitlines() if text[:2] == "l "):
+        numbers = [int(word) - 1 for word in line.split()[1:]]
+        if numbers[0] == numbers[-1]:
+            numbers += numbers[1:40]
+        way = places[numbers]
+        fine = np.concatenate([
+            np.linspace(a, b, 20, endpoint=False) for a, b in zip(way[:-1], way[1:], strict=True)
+        ])  # fmt: skip
+        along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(fine, axis=0), axis=1))])
+        for middle in range(0, len(fine), 5):
+            before = np.searchsorted(along, along[middle] - SPACING / 8)
+            after = np.searchsorted(along, along[middle] + SPACING / 8)
+            if before == 0 or after >= len(fine):
+                continue
+            a, b, c = fine[before], fine[middle], fine[after]
+            turn = np.arccos(np.clip(np.dot(b - a, c - b)
+                / np.linalg.norm(b - a) / np.linalg.norm(c - b), -1.0, 1.0))  # fmt: skip
+            if turn > 0.0:
+                # The circle's angle at the middle point: the chord from first to last is
+                # 2 R sin(turn).
+                least = min(least, float(np.linalg.norm(c - a) / (2.0 * np.sin(turn))))
+    return least
+
+
+def test_the_radius_holds(sheet: Path, capsys) -> None:
+    assert run(sheet, "--quiet") == 0
+    before = least_radius(sheet.with_name("a.obj"))
+    asked = 0.34 * SPACING / 2
+    assert before < 0.8 * asked
+    capsys.readouterr()
+    assert run(sheet, "--least-bend-radius", repr(asked)) == 0
+    tries = re.findall(r"at a stiffness of (\S+) the least bend radius is", capsys.readouterr().out)
+    assert 1 <= len(tries) <= 7
+    report = json.loads(sheet.with_name("r.json").read_text())
+    assert report["bend"]["least_radius"] >= asked
+    assert least_radius(sheet.with_name("a.obj")) > 0.95 * asked
+    assert report["options"]["bending"] > float(tries[-1])
+    assert report["options"]["least_bend_radius"] == asked
+    assert report["crossings"] == 0
+
+
+def test_what_holds_anyway_stays_as_it_is(sheet: Path) -> None:
+    assert run(sheet, "--quiet") == 0
+    before = sheet.with_name("a.obj").read_bytes()
+    assert run(sheet, "--quiet", "--least-bend-radius", "0.001") == 0
+    assert sheet.with_name("a.obj").read_bytes() == before
+    assert json.loads(sheet.with_name("r.json").read_text())["options"]["bending"] == 1.0
+
+
+def test_the_published_weights_have_no_stiffness_and_get_one(sheet: Path) -> None:
+    assert run(sheet, "--quiet", "--preset", "paper") == 0
+    before = json.loads(sheet.with_name("r.json").read_text())
+    assert before["options"]["bending"] == 0.0
+    asked = 1.2 * before["bend"]["least_radius"]
+    assert run(sheet, "--quiet", "--preset", "paper", "--least-bend-radius", repr(asked)) == 0
+    after = json.loads(sheet.with_name("r.json").read_text())
+    assert after["options"]["bending"] >= 1.0 and after["bend"]["least_radius"] >= asked
+
+
+def test_what_no_stiffness_holds_is_refused_with_the_place(tmp_path: Path, capsys) -> None:
+    """Over the edges of a cube every curve bends sharply."""
+    cube = written(tmp_path / "cube.obj", geometry.cube())
+    assert run(cube, "--quiet", "--least-bend-radius", "0.04") == 2
+    said = capsys.readouterr().err
+    assert "a bend radius of 0.04" in said and "larger spacing" in said
+    place = np.array([float(word) for word in re.search(r"\((.*?)\)", said)[1].split(",")])
+    vertices = np.asarray(geometry.cube().vertices)
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    off = np.minimum(np.abs(place - low), np.abs(place - high))
+    assert np.sort(off)[1] < SPACING / 4  # near two sides of the box, so beside one of its edges
+    assert not cube.with_name("a.obj").exists() and not cube.with_name("r.json").exists()
+
+
+@pytest.mark.parametrize(
+    ("extra", "words"),
+    [
+        (("0.1", "--bridge"), "--bridge makes corners"),
+        (("0",), "not greater than 0"),
+        (("nan",), "not a finite number"),
+    ],
+)
+def test_what_cannot_be_is_refused(sheet: Path, extra, words, capsys) -> None:
+    assert run(sheet, "--least-bend-radius", *extra) == 2
+    assert words in capsys.readouterr().err
+    assert not sheet.with_name("a.obj").exists()
