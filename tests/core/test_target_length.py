@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import geometry
 import pytest
 from meander import batch
-from meander.cli.target_length import CLOSE, nearest
+from meander.cli.target_length import CLOSE, Search, tried
+from meander.cli.values import BadInput
 
 
 @pytest.fixture
@@ -32,7 +34,7 @@ def run(mesh: Path, *extra: str) -> int:
 def test_the_curve_is_as_long_as_asked_for(ball: Path, length: str) -> None:
     assert run(ball, "--target-length", length) == 0
     report = json.loads(ball.with_name("r.json").read_text())
-    assert report["length"] == pytest.approx(float(length), rel=4 * CLOSE)
+    assert report["length"] == pytest.approx(float(length), rel=2 * CLOSE)
     assert report["options"]["target_length"] == float(length)
     # What was found is the spacing of a run without it, to the last bit.
     spacing = report["options"]["spacing"]
@@ -40,17 +42,46 @@ def test_the_curve_is_as_long_as_asked_for(ball: Path, length: str) -> None:
     assert json.loads(ball.with_name("r.json").read_text())["length"] == report["length"]
 
 
+def test_coarse_runs_come_first_and_mostly_one_whole_run(ball: Path, capsys) -> None:
+    """Counted by the lines that say what each run came to."""
+    whole = 0
+    for length in ("30", "60", "90"):
+        report = ball.with_name("r.json")
+        given = ["--input", ball, "--output", ball.with_name("a.obj"), "--report", report]
+        assert batch.main([str(a) for a in (*given, "--target-length", length)]) == 0
+        said = capsys.readouterr().out
+        assert 1 <= len(re.findall("the curve is about", said)) <= 3
+        runs = re.findall(r"at a spacing of (\S+) the curve is (\S+) long", said)
+        assert 1 <= len(runs) <= 4
+        whole += len(runs)
+        # The last of them is the one that is written: it is not made again.
+        assert float(runs[-1][1]) == pytest.approx(json.loads(report.read_text())["length"], 1e-5)
+        assert said.count(" iterations and ") == 1
+    assert whole <= 6
+
+
 @pytest.mark.parametrize("power", [-0.8, -1.0, -1.3])
 def test_the_search_needs_few_trials(power: float) -> None:
-    asked = []
+    trials = tried(lambda spacing: 12.0 * spacing**power, 3.0, 100.0, 0.005, 6)
+    spacing, length = trials[-1]
+    assert length == pytest.approx(100.0, rel=0.005) and length == 12.0 * spacing**power
+    assert len(trials) <= 4
 
-    def length_at(spacing: float) -> float:
-        asked.append(spacing)
-        return 12.0 * spacing**power
 
-    spacing, length = nearest(length_at, 3.0, 100.0)
-    assert length == pytest.approx(100.0, rel=CLOSE) and length == 12.0 * spacing**power
-    assert len(asked) <= 4
+def test_of_whole_runs_the_nearest_stays() -> None:
+    """Lengths that jump: the third run is the last but for the repeated best one."""
+    search = Search(100.0)
+    spacings, lengths = [1.0], [97.0, 103.0, 96.0, 97.0]
+    for length in lengths:
+        following = search.following(spacings[-1], length)
+        if following is None:
+            break
+        spacings.append(following)
+    assert len(spacings) == 4 and spacings[3] in spacings[:2]
+    with pytest.raises(BadInput, match="no spacing gives a length of 100"):
+        search = Search(100.0)
+        for length in (50.0, 200.0, 60.0):
+            search.following(1.0, length)
 
 
 @pytest.mark.parametrize(

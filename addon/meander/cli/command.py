@@ -22,7 +22,7 @@ from . import cut, least_bend, limits, preparation, target_length
 from .any_letters import print_any_letters
 from .arguments import check_arguments, parser
 from .flags import flow_options
-from .grown import grown_of
+from .grown import Grown, grown_of
 from .input import Input
 from .place import Place
 from .reading import read_input
@@ -40,15 +40,34 @@ def _process(argv: Sequence[str], place: Place) -> None:
         place.blender(arguments.output).refuse_points(arguments.points)
     if arguments.cut is not None and arguments.cut.suffix.lower() == ".blend":
         place.blender(arguments.cut)
-    if arguments.target_length is not None:
-        arguments.spacing = target_length.find_spacing(arguments, place)
+    search = target_length.begin(arguments, place)
+    filled = _filled(arguments, search, place, warned=False)
+    while filled is None:
+        filled = _filled(arguments, search, place, warned=True)
+    given, opened, grown, figures, record = filled
+    write_outputs(arguments, given, grown, record, place)
+    for line in _remarks(given, opened, figures, record):
+        place.say(f"meander: {line}")
+    for written in (arguments.output, arguments.cut):
+        if written is not None:
+            place.say(f"meander: wrote {written}")
+
+
+def _filled(
+    arguments: argparse.Namespace, search: target_length.Search | None, place: Place, warned: bool
+) -> tuple[Input, Opened, Grown, dict[str, Any], dict[str, Any]] | None:
+    """One run: what was read, opened and grown, the figures, and the report as far as it goes; None
+    where `search` asks for another one, whose spacing is then in the arguments.
+
+    warned   what there is to warn of has been said
+    """
     options = flow_options(arguments)
     given = read_input(arguments, options, place)
     warnings = [*given.warnings, *core.option_warnings(options)]
     library = core.library_notice()
     if library:
         warnings.insert(0, library)
-    for warning in warnings:
+    for warning in () if warned else warnings:
         place.warn(warning)
     opened = _open(given, arguments, place)
     with opened.flow as flow:
@@ -56,6 +75,13 @@ def _process(argv: Sequence[str], place: Place) -> None:
         if options != opened.problem.options:  # stiffer: what a .blend is to keep
             arguments.bending = options.bending_weight
         figures = flow.statistics() | {"stop_reason": reason}
+        if search is not None:
+            spacing, length = arguments.spacing, figures["length"]
+            place.say(f"meander: at a spacing of {spacing:.6g} the curve is {length:.6g} long")
+            following = search.following(spacing, length)
+            if following is not None:
+                arguments.spacing = following
+                return None
         record = report.build_report(
             core.library_version(),
             opened.figures,
@@ -68,6 +94,11 @@ def _process(argv: Sequence[str], place: Place) -> None:
         grown = replace(grown, cut=cut.cut_of(flow, arguments))
     record["warnings"] = warnings
     record["estimate"] = asdict(opened.cost)
+    record["lines"] = {
+        "parts": int(opened.figures["components"]),
+        "small_parts": figures["small_components"],
+    }
+    record["preparation"] = preparation.counts(opened.figures, given.loose_edges)
     bend = sharpest_bend(grown.curve, arguments.spacing / 2)
     if bend is not None:
         record["bend"] = {
@@ -75,17 +106,7 @@ def _process(argv: Sequence[str], place: Place) -> None:
             "place": bend.place.tolist(),
             "strand": bend.strand,
         }
-    record["lines"] = {
-        "parts": int(opened.figures["components"]),
-        "small_parts": figures["small_components"],
-    }
-    record["preparation"] = preparation.counts(opened.figures, given.loose_edges)
-    write_outputs(arguments, given, grown, record, place)
-    for line in _remarks(given, opened, figures, record):
-        place.say(f"meander: {line}")
-    for written in (arguments.output, arguments.cut):
-        if written is not None:
-            place.say(f"meander: wrote {written}")
+    return given, opened, grown, figures, record
 
 
 def _run(
