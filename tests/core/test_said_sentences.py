@@ -89,6 +89,8 @@ TRIES = """
 --direction x --direction-object Name
 --direction Name
 --direction x --direction-smoothing 1
+--direction-angle Name
+--direction x --direction-angle Name
 --alignment 2
 --across
 --output out.csv --resample-step 1 --chord-tolerance 1

@@ -186,6 +186,7 @@ TEST_F(ArrayLengths, AreUntouchedByACancelledCall) {
            meander_surface_compute_directions(surface_, MEANDER_DIRECTIONS_SMOOTH, 0, values.data(), count, c, &error_),
            meander_surface_compute_stroke_directions(surface_, mesh_.vertices.data(), 2, stroke, 1, values.data(),
                                                      count, c, &error_),
+           meander_surface_turn_directions(surface_, values.data(), values.data(), count, c, &error_),
            meander_surface_find_outlines(surface_, 0.1, 0.2, values.data(), count, &points, offsets.data(),
                                          closed.data(), 8, &strands, &skipped, c, &error_),
            meander_flow_compute_statistics(flow, &statistics, c, &error_),

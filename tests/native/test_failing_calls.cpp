@@ -224,6 +224,10 @@ std::vector<Call> surface_calls() {
                                                                       world.numbers.data(),
                                                                       world.mesh.vertex_count(), nullptr, error);
                    }});
+  calls.push_back({"turned_directions", make_square, [](World& world, meander_error* error) {
+                     return CALLED(surface_turn_directions)(world.surface, world.numbers.data(), world.given.data(),
+                                                            world.given.size(), nullptr, error);
+                   }});
   calls.push_back({"extent", make_square, [](World& world, meander_error* error) {
                      auto extent = prepared<meander_extent>();
                      const meander_status status = CALLED(surface_measure_extent)(

@@ -327,6 +327,35 @@ class Surface(Handle):
             )
         return directions
 
+    def turned_directions(
+        self, directions: ArrayLike, angles: ArrayLike, context: Context | None = None
+    ) -> NDArray[np.float64]:
+        """The lines of a field, each turned in the surface by an angle of its own.
+
+        directions  (n, 3) float64, of any length, such as `directions` gives
+        angles      (n,) radians, counterclockwise as seen from the side that faces show, each as
+                    its component's first one
+
+        Returns directions as `directions` does; zero stays. Raises MeanderError for numbers that
+        are not finite and another count of either, and soon after `context` has been cancelled.
+        """
+        lines = checked_array("the directions", directions, np.float64, 3).copy()
+        turns = checked_array("the angles", angles, np.float64, None)
+        if len(turns) != len(lines):
+            raise MeanderError(
+                f"there are {len(turns)} angles for {len(lines)} directions; give one for each"
+            )
+        with pointer_of(context) as cancelling:
+            call(
+                native().meander_surface_turn_directions,
+                self._alive(),
+                address_of(lines),
+                address_of(turns),
+                len(lines),
+                cancelling,
+            )
+        return lines
+
     def extended_directions(
         self, points: ArrayLike, offsets: ArrayLike, context: Context | None = None
     ) -> NDArray[np.float64]:

@@ -17,6 +17,7 @@ _REASONS = {
     "seed_object": _CURVE,
     "guides_object": _CURVE,
     "direction_object": _CURVE,
+    "direction_angle": _DATA,
     "density_group": _DATA,
     "density_attribute": _DATA,
     "density_color": _DATA,

@@ -43,7 +43,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--density-image", metavar="NAME", help="image in the .blend: its brightness")
     add("--density-curvature", choices=CURVATURES, help="absolute curvature of the surface")
     add_flags(group, "density")
-    add("--uv-map", metavar="NAME", help="for --density-image and --direction u; default: active")
+    add(
+        "--uv-map",
+        metavar="NAME",
+        help="for --density-image, --direction u and images of --direction-angle; default: active",
+    )
     add(
         "--density-range",
         type=number,
@@ -84,8 +88,11 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
                 option = detail.replace("_", "-")
                 return f"--{option} needs a source of density; give one such as --density-group"
     if arguments.uv_map is not None and arguments.density_image is None:
-        if arguments.direction not in ("u", "v"):
-            return "--uv-map is for --density-image and --direction u or v; give one of them"
+        if arguments.direction not in ("u", "v") and arguments.direction_angle is None:
+            return (
+                "--uv-map is for --density-image, --direction u or v, and the image of "
+                "--direction-angle; give one of them"
+            )
     if arguments.density_smoothing is not None:
         if arguments.density_curvature is None:
             return "--density-smoothing is for --density-curvature; give both or none"

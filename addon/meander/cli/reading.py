@@ -31,7 +31,6 @@ def read_input(
         mesh = surface_files.read(arguments.input)
         given = Input(Problem(mesh.vertices, mesh.faces, options), mesh_file=mesh)
         given.warnings += mesh.remarks
-    given.alignment = terms.alignment_of(arguments)
     given.repair = preparation.repair_of(arguments)
     problem = given.problem
     if arguments.input.suffix.lower() != ".blend":
@@ -66,6 +65,7 @@ def _put_seed_together(given: Input, arguments: argparse.Namespace) -> None:
 def _set_fields(given: Input, arguments: argparse.Namespace) -> None:
     """Density and directions of a mesh from a file of its own: what can be computed on it."""
     problem, radius = given.problem, arguments.spacing / 2
+    given.alignment = terms.alignment_of(arguments)
     given.density_choice = density.choice_of(arguments, Choice())
     if given.density_choice.source == "CURVATURE":
         problem.density = curvature_density(given.density_choice, radius)

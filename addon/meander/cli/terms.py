@@ -40,6 +40,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--direction-object", metavar="NAME", help="curve object whose splines give the directions"
     )
+    group.add_argument(
+        "--direction-angle",
+        metavar="NAME",
+        help="what turns that field in the surface, counterclockwise as seen from outside: a "
+        "vertex group, color attribute or image of the .blend, from 0 to 180 degrees, or a float "
+        "attribute of its points, in degrees",
+    )
 
 
 def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
@@ -50,6 +57,8 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
     if source == "NONE":
         if arguments.alignment:
             return "--alignment needs a field; give one to --direction, such as curvature"
+        if arguments.direction_angle is not None:
+            return "--direction-angle turns a field; give one to --direction, such as x"
         if arguments.across:
             return "--across needs a field; give one to --direction, such as curvature"
     if kind != ".blend" and source in _IN_A_SCENE:
@@ -58,6 +67,11 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
         return (
             f"--{option} {named!r} names something of a .blend, but --input is {kind}; "
             "choose curvature, curvature-max, smooth, x, y or z"
+        )
+    if kind != ".blend" and arguments.direction_angle is not None:
+        return (
+            f"--direction-angle {arguments.direction_angle!r} names something of a .blend, but "
+            f"--input is {kind}; give a .blend to --input"
         )
     if arguments.direction_smoothing is not None and source != "CURVATURE":
         return "--direction-smoothing is for --direction curvature and curvature-max"
@@ -106,5 +120,6 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions) -> dict[str, 
         "alignment": options.alignment_weight,
         "direction": arguments.direction,
         "direction_object": arguments.direction_object,
+        "direction_angle": arguments.direction_angle,
         "direction_smoothing": alignment.smoothing if alignment.source == "CURVATURE" else None,
     }

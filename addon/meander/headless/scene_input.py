@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 
 import bpy
 
@@ -13,7 +14,7 @@ from ..cli.input import Input
 from ..cli.values import BadInput
 from ..model import strands
 from ..model.problem import Problem
-from ..scene.alignment import directions_of
+from ..scene.alignment import angle_source_of, directions_of
 from ..scene.curve_reader import point_numbers, strands_of_curve
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
@@ -62,7 +63,14 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
     given.loose_edges = loose_edge_count(surface_object, depsgraph)
     given.has_instances = shows_instances(surface_object, depsgraph)
     radius = arguments.spacing / 2
-    alignment = terms.alignment_of(arguments)
+    alignment = given.alignment = terms.alignment_of(arguments)
+    if arguments.direction_angle is not None:
+        alignment = given.alignment = replace(
+            alignment,
+            angle_source=angle_source_of(arguments.direction_angle, surface_object, depsgraph),
+            angle_name=arguments.direction_angle,
+            angle_uv_map=arguments.uv_map or "",
+        )
     problem.density = density_of(choice, surface_object, depsgraph, radius)
     problem.directions = directions_of(alignment, surface_object, depsgraph, radius)
     if arguments.seed_object is not None:

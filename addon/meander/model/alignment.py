@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from .field import FieldOn
+from .field import FieldOn, evaluated
 
 # Per vertex (n, 3), or what computes them from the surface once that exists.
 Directions = NDArray[np.float64] | FieldOn
@@ -29,6 +29,10 @@ class Alignment:
     choice: str = ""  # "X", "Y", "Z"; "MIN", "MAX"; "U", "V"
     local: bool = False  # the axis is the object's
     smoothing: float = 2.0  # in units of r
+    # What turns it: "NONE", "GROUP", "ATTRIBUTE", "COLOR" or "IMAGE", its name, and an image's map.
+    angle_source: str = "NONE"
+    angle_name: str = ""
+    angle_uv_map: str = ""
 
     @property
     def kind(self) -> str:
@@ -48,6 +52,16 @@ def computed(kind: str, smoothing: float = 0.0) -> Directions:
         # Averaging over more than the mesh is no mistake worth stopping for.
         smoothing_here = min(smoothing, surface.statistics()["diagonal"])
         return surface.directions(kind, smoothing_here, context)
+
+    return on
+
+
+def turned(directions: Directions, degrees: NDArray[np.float64]) -> Directions:
+    """Directions, each turned in the surface by degrees of its own, per vertex."""
+
+    def on(surface: core.Surface, context: core.Context | None = None) -> NDArray[np.float64]:
+        lines = evaluated(directions, surface, context)
+        return surface.turned_directions(lines, np.radians(degrees), context)
 
     return on
 

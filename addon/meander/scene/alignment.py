@@ -17,10 +17,19 @@ from ..model.alignment import (
     axis_directions,
     computed,
     mean_lines,
+    turned,
     uv_lines,
 )
-from .attributes import is_point_vector, named_attribute, uv_layer_of
+from ..model.density import Choice
+from .attributes import (
+    is_color,
+    is_point_float,
+    is_point_vector,
+    named_attribute,
+    uv_layer_of,
+)
 from .curve_reader import strands_of_curve
+from .density import painted_values
 from .errors import DataError
 from .evaluated import surface_mesh
 from .transforms import to_world
@@ -47,7 +56,17 @@ def alignment_of(settings: bpy.types.PropertyGroup) -> Alignment:
         choice=choices.get(source, ""),
         local=settings.alignment_space == "LOCAL",
         smoothing=float(f"{settings.alignment_smoothing:.6g}"),
+        angle_source=settings.alignment_angle,
+        angle_name=_angle_name(settings),
+        angle_uv_map=settings.alignment_angle_uv_map,
     )
+
+
+def _angle_name(settings: bpy.types.PropertyGroup) -> str:
+    source = settings.alignment_angle
+    if source == "IMAGE":
+        return settings.alignment_angle_image.name if settings.alignment_angle_image else ""
+    return "" if source == "NONE" else getattr(settings, f"alignment_angle_{source.lower()}")
 
 
 def store_alignment(alignment: Alignment, settings: bpy.types.PropertyGroup) -> None:
@@ -57,6 +76,13 @@ def store_alignment(alignment: Alignment, settings: bpy.types.PropertyGroup) -> 
     settings.align_across = alignment.across
     settings.alignment_space = "LOCAL" if alignment.local else "WORLD"
     settings.alignment_smoothing = alignment.smoothing
+    settings.alignment_angle = alignment.angle_source
+    settings.alignment_angle_uv_map = alignment.angle_uv_map
+    if alignment.angle_source == "IMAGE":
+        settings.alignment_angle_image = bpy.data.images.get(alignment.angle_name)
+    elif alignment.angle_source != "NONE":
+        name = f"alignment_angle_{alignment.angle_source.lower()}"
+        setattr(settings, name, alignment.angle_name)
     if alignment.source == "STROKES":
         settings.alignment_strokes = bpy.data.objects.get(alignment.name)
     elif alignment.source == "ATTRIBUTE":
@@ -88,6 +114,55 @@ def directions_of(
     """
     if alignment.source == "NONE" or alignment.weight == 0.0:
         return None
+    named = _named_directions(alignment, surface, depsgraph, radius)
+    if alignment.angle_source == "NONE":
+        return named
+    return turned(named, _angles_of(alignment, surface, depsgraph))
+
+
+def angle_source_of(
+    name: str, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> str:
+    """What of a surface or of the file has this name, and can be an angle: a vertex group before a
+    float attribute, a color attribute and an image. Raises DataError where nothing has."""
+    if surface.type == "MESH" and name in surface.vertex_groups:
+        return "GROUP"
+    with surface_mesh(surface, depsgraph) as (mesh, _matrix):
+        attribute = mesh.attributes.get(name)
+        if attribute is not None and is_point_float(attribute):
+            return "ATTRIBUTE"
+        if attribute is not None and is_color(attribute):
+            return "COLOR"
+    if name in bpy.data.images:
+        return "IMAGE"
+    raise DataError(
+        f"'{surface.name}' has no vertex group, float attribute of points or color attribute "
+        f"'{name}', and the file has no such image; name one of these for the angle"
+    )
+
+
+# Of full weight or white; an attribute is in degrees by itself.
+_DEGREES = 180.0
+
+
+def _angles_of(
+    alignment: Alignment, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> NDArray[np.float64]:
+    """In degrees, per vertex."""
+    source, name = alignment.angle_source, alignment.angle_name
+    if source == "GROUP" and not name:
+        raise DataError("The angle has no vertex group; choose one, or paint one")
+    choice = Choice(source, name, uv_map=alignment.angle_uv_map)
+    values = painted_values(choice, surface, depsgraph, "angle")
+    return values if source == "ATTRIBUTE" else _DEGREES * values
+
+
+def _named_directions(
+    alignment: Alignment,
+    surface: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    radius: float,
+) -> Directions:
     if alignment.source == "CURVATURE":
         kind = f"curvature_{alignment.choice.lower()}"
         return computed(kind, alignment.smoothing * radius)

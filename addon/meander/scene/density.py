@@ -158,6 +158,22 @@ def density_of(
         return None
     if choice.source == "CURVATURE":
         return curvature_density(choice, radius)
+    values = painted_values(choice, surface, depsgraph, "density")
+    return choice.ramp(values).density(values)
+
+
+def painted_values(
+    choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph, what: str
+) -> Values:
+    """What a vertex group, an attribute, a color or an image has at the vertices of
+    meshes.triangles_of().
+
+    what   it is for, in a word
+
+    Raises DataError with one sentence for what is missing or of another kind.
+    """
+    if not choice.name and choice.source != "GROUP":
+        raise DataError(_MISSING[choice.source].format(what))
     values = _READERS[choice.source](choice, surface, depsgraph)
     if not np.isfinite(values).all():
         vertex = int(np.flatnonzero(~np.isfinite(values))[0])
@@ -165,7 +181,7 @@ def density_of(
             f"'{choice.name}' is not a finite number at vertex {vertex} of '{surface.name}'; "
             "correct its values"
         )
-    return choice.ramp(values).density(values)
+    return values
 
 
 # ------------------------------------------------------------------------------------------------
@@ -181,8 +197,6 @@ def _group_values(
 def _attribute_values(
     choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> Values:
-    if not choice.name:
-        raise DataError("The density has no attribute; choose a float attribute of points")
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         attribute = named_attribute(
             mesh, choice.name, surface, is_point_float, "float attribute of points"
@@ -195,8 +209,6 @@ def _attribute_values(
 def _color_values(
     choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> Values:
-    if not choice.name:
-        raise DataError("The density has no color attribute; choose one, or paint one")
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         attribute = named_attribute(mesh, choice.name, surface, is_color, "color attribute")
         colors = np.empty(4 * len(attribute.data), dtype=np.float32)
@@ -210,8 +222,6 @@ def _color_values(
 def _image_values(
     choice: Choice, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> Values:
-    if not choice.name:
-        raise DataError("The density has no image; open one, or choose another source")
     pixels, brightness = pixels_of(choice.name)
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
         layer = uv_layer_of(mesh, choice.uv_map, surface)
@@ -221,6 +231,11 @@ def _image_values(
         return mean_at_vertices(values, vertices_of_corners(mesh), len(mesh.vertices))
 
 
+_MISSING = {
+    "ATTRIBUTE": "The {} has no attribute; choose a float attribute of points",
+    "COLOR": "The {} has no color attribute; choose one, or paint one",
+    "IMAGE": "The {} has no image; open one, or choose another source",
+}
 _READERS = {
     "GROUP": _group_values,
     "ATTRIBUTE": _attribute_values,

@@ -25,7 +25,7 @@ def pixels_of(name: str) -> tuple[NDArray[np.float32], Callable[[NDArray], Value
         raise DataError(f"There is no image '{name}' in this file; open it, or choose another")
     if image.source not in {"FILE", "GENERATED"}:
         kind = {"TILED": "tiled (UDIM)", "VIEWER": "a render result"}.get(image.source, "a movie")
-        raise DataError(f"The image '{name}' is {kind}; the density needs a single still image")
+        raise DataError(f"The image '{name}' is {kind}; only a single still image serves")
     width, height = image.size
     if not width or not height or not len(image.pixels):
         raise DataError(

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import EnumProperty, PointerProperty, StringProperty
 
-from ..scene.attributes import vector_names
+from ..scene.attributes import attribute_names, color_names, vector_names
 
 
 def _is_curve(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
@@ -90,5 +90,52 @@ class AlignmentSettings:
         ),
         search=vector_names,
         search_options={"SUGGESTION"},
+        options=set(),
+    )
+    alignment_angle: EnumProperty(
+        name="Turned By",
+        description=(
+            "What is painted turns the direction in the surface, counterclockwise as seen from "
+            "outside"
+        ),
+        items=(
+            ("NONE", "Nothing", "The direction stays as it is"),
+            ("GROUP", "Vertex Group", "From 0 to 180 degrees by the weight, from 0 to 1"),
+            ("ATTRIBUTE", "Attribute", "Float attribute of points, in degrees"),
+            ("COLOR", "Color", "From 0 to 180 degrees by the brightness, from black to white"),
+            ("IMAGE", "Image", "From 0 to 180 degrees by the brightness, from black to white"),
+        ),
+        default="NONE",
+        options=set(),
+    )
+    alignment_angle_group: StringProperty(
+        name="Vertex Group", description="Vertex group of the angle", options=set()
+    )
+    alignment_angle_attribute: StringProperty(
+        name="Attribute",
+        description="Float attribute of points that has the angle in degrees",
+        search=attribute_names,
+        search_options={"SUGGESTION"},
+        options=set(),
+    )
+    alignment_angle_color: StringProperty(
+        name="Color Attribute",
+        description="Color attribute whose brightness is the angle, in scene-linear light",
+        search=color_names,
+        search_options={"SUGGESTION"},
+        options=set(),
+    )
+    alignment_angle_image: PointerProperty(
+        type=bpy.types.Image,
+        name="Image",
+        description=(
+            "Image whose brightness is the angle, read once per vertex. Set its color space to "
+            "Non-Color, so that half grey is 90 degrees"
+        ),
+        options=set(),
+    )
+    alignment_angle_uv_map: StringProperty(
+        name="UV Map",
+        description="UV map that lays the image on the surface. Empty: the active one",
         options=set(),
     )

@@ -109,8 +109,30 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
                 layout.prop_search(settings, "alignment_uv_map", surface.data, "uv_layers")
         elif source == "ATTRIBUTE":
             layout.prop(settings, "alignment_attribute", icon="SPREADSHEET")
+        self._draw_angle(layout, settings, surface_of(active))
         row(layout, settings, "alignment_weight")
         row(layout, settings, "align_across")
+
+
+    def _draw_angle(
+        self, layout: bpy.types.UILayout, settings: MeanderSettings, surface: bpy.types.Object
+    ) -> None:
+        layout.prop(settings, "alignment_angle")
+        source = settings.alignment_angle
+        if source == "GROUP":
+            layout.prop_search(
+                settings, "alignment_angle_group", surface, "vertex_groups", text="Group"
+            )
+        elif source == "ATTRIBUTE":
+            layout.prop(settings, "alignment_angle_attribute", icon="SPREADSHEET")
+        elif source == "COLOR":
+            layout.prop(settings, "alignment_angle_color", text="Color", icon="GROUP_VCOL")
+        elif source == "IMAGE":
+            layout.template_ID(settings, "alignment_angle_image", open="image.open", text="Image")
+            if surface.type == "MESH":
+                layout.prop_search(
+                    settings, "alignment_angle_uv_map", surface.data, "uv_layers"
+                )
 
 
 class MEANDER_PT_weights(SubPanel, bpy.types.Panel):

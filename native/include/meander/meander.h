@@ -541,6 +541,23 @@ MEANDER_API meander_status meander_surface_compute_stroke_directions(
     size_t stroke_count, double* directions, size_t vertex_count, meander_context* context,
     meander_error* error);
 
+/* Turns the lines of a field, each by an angle of its own: of a direction that is painted.
+ *
+ * directions    double[3 * vertex_count], finite, in and out: vectors in space of any length, such as
+ *               meander_surface_compute_directions gives; each is laid into the surface and turned about
+ *               the normal there, counterclockwise as seen from the side that its component's first face
+ *               shows. Afterwards they are unit and tangential; 0 0 0 stays, and what stands upright on the
+ *               surface becomes it
+ * angles        double[vertex_count], radians, within 2^30; lines have no sign, so that pi is 0
+ * vertex_count  as passed to meander_surface_create
+ * context       or NULL; asked before the work begins and all the while, as in
+ *               meander_surface_compute_curvature
+ *
+ * Where it fails, the directions are as they were. Takes as long as reading the surface. Any thread. */
+MEANDER_API meander_status meander_surface_turn_directions(const meander_surface* surface, double* directions,
+                                                           const double* angles, size_t vertex_count,
+                                                           meander_context* context, meander_error* error);
+
 /* Finds lines along the boundary at a distance from it, to be guides of a seed: the other strands
  * then fill the rest, and the boundary is outlined evenly.
  *

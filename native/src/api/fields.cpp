@@ -145,6 +145,38 @@ meander_status meander_surface_compute_stroke_directions(const meander_surface* 
   });
 }
 
+meander_status meander_surface_turn_directions(const meander_surface* surface, double* directions,
+                                               const double* angles, size_t vertex_count, meander_context* context,
+                                               meander_error* error) {
+  return guard(error, [&] {
+    require(surface != nullptr, "The surface is NULL.");
+    const Surface& s = *surface->surface;
+    const MeshMap* map = surface->map.get();
+    require_vertices(vertex_count, s, map, directions);
+    require(angles != nullptr, "The array of the angles is NULL.");
+    for (size_t v = 0; v < vertex_count; ++v) {
+      if (std::abs(angles[v]) <= 0x1p30) continue;
+      refuse("The angle of vertex " + std::to_string(v) + " is " + number(angles[v]) +
+             "; it must be a finite number of radians.");
+    }
+    for (size_t k = 0; k < 3 * vertex_count; ++k) {
+      if (std::isfinite(directions[k])) continue;
+      refuse("The direction of vertex " + std::to_string(k / 3) + " is not finite.");
+    }
+    check_cancelled(context);
+    VertexData<Vec3> lines(s.vertex_count(), Vec3::Zero());
+    VertexData<double> turns(s.vertex_count(), 0.0);
+    for (uint32_t v = 0; v < s.vertex_count(); ++v) {
+      const size_t theirs = caller_vertex(map, v);
+      lines[v] = Vec3(directions[3 * theirs], directions[3 * theirs + 1], directions[3 * theirs + 2]);
+      turns[v] = angles[theirs];
+    }
+    const VertexData<Vec3> turned = turned_directions(s, lines, turns, question(context));
+    check_cancelled(context);
+    write(s, map, turned, directions);
+  });
+}
+
 meander_status meander_flow_set_directions(meander_flow* flow, const double* directions, size_t vertex_count,
                                            meander_alignment alignment, meander_error* error) {
   return guard(error, [&] {

@@ -256,4 +256,15 @@ VertexData<Vec3> boundary_directions(const Surface& surface, const std::function
   return extended_directions(surface, strokes, cancelled);
 }
 
+VertexData<Vec3> turned_directions(const Surface& surface, const VertexData<Vec3>& lines,
+                                   const VertexData<double>& angles, const std::function<bool()>& cancelled) {
+  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
+  Lines turned(static_cast<Eigen::Index>(surface.vertex_count()));
+  // A line is kept as the square of its vector, so it turns twice as far.
+  for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
+    turned[v] = g.used(v) ? g.line_along(v, lines[v]) * polar(1, 2 * angles[v]) : Complex(0);
+  }
+  return g.to_space(turned, 0.5);
+}
+
 }  // namespace meander
