@@ -1,30 +1,40 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The table of sentences that the batch command and its readers of files can say, from the code.
+"""The table of sentences that the product can say, from the code, for the tests that see each come
+up: of the batch command and its readers of files, of jobs and of scenes.
 
-A sentence is a literal, or a formatted one, that is raised in one of our errors, or returned by a
-function whose name says that it finds what is wrong. Values in it match anything.
+In Python a sentence is a literal, or a formatted one, that is raised in one of our errors, or
+returned by a function whose name says that it finds what is wrong. Values in it match anything.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[2] / "addon" / "meander"
-ERRORS = {"BadInput", "FileError", "MeanderError", "_Malformed", "_Short", "ArgumentTypeError"}
+NATIVE = PACKAGE.parents[1] / "native" / "src"
+ERRORS = {
+    "BadInput", "FileError", "MeanderError", "_Malformed", "_Short", "ArgumentTypeError",
+    "JobError", "DataError",
+}  # fmt: skip
 FINDERS = re.compile(
-    r"problem_of|stroke_of|_read_stops|_no_faces|refusal|crossing_warning|_end_problem"
+    r"problem_of|stroke_of|_read_stops|_no_faces|refusal|crossing_warning|_end_problem|verdict"
+    r"|missing_program|warning_of|warnings_of"
 )
-MODULES = (
+OF_THE_COMMAND = (
     *sorted((PACKAGE / "cli").glob("*.py")),
     *(PACKAGE / "model" / f"{name}.py" for name in (
         "mesh_files", "ply_files", "stl_files", "surface_files", "file_text", "drawing",
         "embroidery", "export", "gcode", "toolpath", "parts_by_length", "polygons", "least_bend",
     )),
 )  # fmt: skip
+OF_JOBS = tuple(sorted((PACKAGE / "jobs").glob("*.py")))
+OF_SCENES = tuple(
+    path for room in ("scene", "run", "headless") for path in sorted((PACKAGE / room).glob("*.py"))
+)
 
 
 @dataclass(frozen=True)
@@ -62,9 +72,25 @@ def _is_sentence(text: str) -> bool:
     return len(text.replace("\0", " ").split()) >= 4
 
 
-def sentences() -> list[Sentence]:
+def missing(
+    modules: Iterable[Path], said: Iterable[str], elsewhere: Mapping[str, str]
+) -> list[str]:
+    """The sentences that nothing in `said` is, but for those that a key of `elsewhere` is part of,
+    and keys that are part of none."""
+    table, lines = sentences(modules), list(said)
+    unsaid = [
+        f"{sentence.place}: {sentence.text!r}"
+        for sentence in table
+        if not any(sentence.pattern.search(line) for line in lines)
+        and not any(part in sentence.text for part in elsewhere)
+    ]
+    idle = [part for part in elsewhere if not any(part in sentence.text for sentence in table)]
+    return unsaid + idle
+
+
+def sentences(modules: Iterable[Path]) -> list[Sentence]:
     found = []
-    for path in MODULES:
+    for path in modules:
         tree = ast.parse(path.read_text(encoding="utf-8"))
         for node in ast.walk(tree):
             values: list[ast.expr] = []
