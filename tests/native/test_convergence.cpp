@@ -52,7 +52,7 @@ class PhasesOf : public testing::TestWithParam<int> {
   Curve curve_;
   LocalMetric metric_;
   ThreadPool pool_{1};
-  Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval, 0};
+  Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval, tuning::kPolishIterations};
   FlowSettings settings_ = with_polish();
   int notes_ = 0;
 };
@@ -119,14 +119,21 @@ TEST(Plan, TakesOutSpikesInThePhasesOfGivenLength) {
 
 /// The same with the polish: as patient as what comes before it.
 TEST(Plan, PolishesLongerAfterAGentleRemoval) {
-  uint32_t last = tuning::kPolishIterations;
-  for (const double gentleness : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-    const uint32_t polish = polish_iterations(gentleness);
-    EXPECT_GE(polish, last);
-    EXPECT_EQ(polish == tuning::kPolishIterations, gentleness == 0);
-    EXPECT_EQ(polish == tuning::kLongPolishIterations, gentleness == 1);
-    last = polish;
-  }
+  const auto check = [](bool full, uint32_t least, uint32_t most) {
+    FlowSettings settings;
+    settings.full_start = full;
+    uint32_t last = least;
+    for (const double gentleness : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+      settings.hairpin_removal_gentleness = gentleness;
+      const uint32_t polish = polish_iterations(settings);
+      EXPECT_GE(polish, last);
+      EXPECT_EQ(polish == least, gentleness == 0);
+      EXPECT_EQ(polish == most, gentleness == 1);
+      last = polish;
+    }
+  };
+  check(false, tuning::kPolishIterations, tuning::kLongPolishIterations);
+  check(true, tuning::kFullPolishIterations, tuning::kLongFullPolishIterations);
 }
 
 /// Nothing is measured before the polish, nor in its first iterations; what was measured is kept by nodes at rest, but
@@ -180,7 +187,7 @@ TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
   for (const StopRule rule : {StopRule::kSettled, StopRule::kPaper}) {
     for (const double wanted : {0.0, 1e-3}) {
       for (const double moved : {0.0, 1e-6}) {
-        Convergence convergence(rule, true, kHairpinRemoval, 0);
+        Convergence convergence(rule, true, kHairpinRemoval, tuning::kPolishIterations);
         IterationFigures figures{1, 0, wanted, moved, 1};
         for (int k = 0; k < 4; ++k) convergence.note(surface, curve, metric, figures, pool);
         EXPECT_FALSE(convergence.stalled());
@@ -198,7 +205,7 @@ TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
 /// A curve that fills the surface, but has seen no hairpin removal when the surface first moves, is only
 /// finished; a curve that does not fill it continues to grow.
 TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {
-  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, 0), plain(StopRule::kSettled, false, 0, 0);
+  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, tuning::kPolishIterations), plain(StopRule::kSettled, false, 0, 0);
   EXPECT_EQ(growing.restarted(0).phase(), Phase::kFinishing);
   EXPECT_EQ(growing.restarted(0.5).phase(), Phase::kGrowing);
   EXPECT_EQ(plain.restarted(0).phase(), Phase::kGrowing);
@@ -510,7 +517,7 @@ TEST(Convergence, GrowsAgainWhereTooMuchIsRevised) {
 
 /// How much of the curve still sees nothing beside it decides whether it has filled the surface when this moves.
 TEST(Convergence, OnAMovedSurfaceGrowsOnlyWhereItHasNotFilledIt) {
-  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, 0);
+  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, tuning::kPolishIterations);
   EXPECT_EQ(growing.restarted(0.95 * tuning::kGrownClamped).phase(), Phase::kFinishing);
   EXPECT_EQ(growing.restarted(tuning::kGrownClamped).phase(), Phase::kGrowing);
   EXPECT_EQ(growing.restarted(1.05 * tuning::kGrownClamped).phase(), Phase::kGrowing);

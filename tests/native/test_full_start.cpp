@@ -79,6 +79,22 @@ TEST(FullStart, FillsEverySurfaceWithOneStrandAComponent) {
   }
 }
 
+/// What a start is too dense or too wide in the end the curve is too.
+TEST(FullStart, IsAsLongAsACurveAtTheSpacing) {
+  for (const auto& [name, mesh] : {std::pair{"sphere", sphere(4)}, {"noisy", with_noise(sphere(4), 0.3, 5)},
+                                   {"torus", torus(48, 24)}, {"leaf", leaf(1, 0.3, 0.5, 24)}}) {
+    const Surface surface = make_surface(mesh);
+    for (const double side : {30.0, 34.0, 38.0, 42.0}) {
+      SCOPED_TRACE(name + std::to_string(side));
+      const double r = 0.5 * std::sqrt(surface.area()) / side;
+      const Flow flow = flow_of(std::make_shared<const Surface>(make_surface(mesh)), 2 * r * surface.scale());
+      ThreadPool pool(1);
+      const Curve full = full_start(surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool);
+      EXPECT_NEAR(full.length() * 2 * r / surface.area(), 1.015, 0.035);
+    }
+  }
+}
+
 TEST(FullStart, CrossesNothingInAnyIteration) {
   for (const Shape& shape : shapes()) {
     SCOPED_TRACE(shape.name);

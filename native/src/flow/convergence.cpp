@@ -30,7 +30,7 @@ double mean_distance(const Curve& curve, const std::vector<Vec3>& nodes, const L
 }  // namespace
 
 Convergence Convergence::restarted(double clamped_share) const {
-  Convergence next(rule_, polish_wanted_, hairpin_removal_iterations_, hairpin_removal_gentleness_);
+  Convergence next(rule_, polish_wanted_, hairpin_removal_iterations_, polish_iterations_);
   next.removed_for_ = removed_for_;
   next.polished_ = polished_;
   next.fitting_ = fitting_;
@@ -45,7 +45,7 @@ Convergence Convergence::restarted(double clamped_share) const {
 
 Convergence Convergence::revised(const FlowSettings& settings, double change, bool regrow) const {
   Convergence next(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations,
-                   settings.hairpin_removal_gentleness);
+                   polish_iterations(settings));
   if (!settings.polish || !polish_wanted_ || phase_ == Phase::kGrowing) return next;
   next.change_ = change_ + change;
   if (regrow || next.change_ > tuning::kMostFitted) {
@@ -56,8 +56,7 @@ Convergence Convergence::revised(const FlowSettings& settings, double change, bo
   next.removed_for_ = removed_for_;
   const bool removing = phase_ == Phase::kHairpinRemoval && removed_for_ < next.hairpin_removal_iterations_;
   next.phase_ = removing ? phase_ : Phase::kPolishing;
-  const uint32_t polish = polish_iterations(settings.hairpin_removal_gentleness);
-  next.polished_ = std::min(polished_, polish - tuning::kFittingIterations);
+  next.polished_ = std::min(polished_, next.polish_iterations_ - tuning::kFittingIterations);
   return next;
 }
 
@@ -143,7 +142,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
       if (++removed_for_ >= hairpin_removal_iterations_) begin(Phase::kPolishing);
       break;
     case Phase::kPolishing:
-      if (++polished_ >= polish_iterations(hairpin_removal_gentleness_)) {
+      if (++polished_ >= polish_iterations_) {
         begin(fitting_ ? Phase::kCooling : Phase::kFinishing);
       }
       break;

@@ -34,11 +34,11 @@ class Convergence {
   };
 
   /// See FlowSettings.
-  Convergence(StopRule rule, bool polish, uint32_t hairpin_removal_iterations, double hairpin_removal_gentleness)
+  Convergence(StopRule rule, bool polish, uint32_t hairpin_removal_iterations, uint32_t polish_iterations)
       : rule_(rule),
         polish_wanted_(polish),
         hairpin_removal_iterations_(hairpin_removal_iterations),
-        hairpin_removal_gentleness_(hairpin_removal_gentleness) {}
+        polish_iterations_(polish_iterations) {}
 
   /// Takes note of an iteration and of the curve after it, whose metric is given. Whatever it throws, all is then as
   /// it was.
@@ -80,8 +80,7 @@ class Convergence {
   bool polish_wanted_, converged_ = false, stalled_ = false;
   bool fitting_ = false;  // the polish is followed by the last iterations
   double change_ = 0;     // of r since the curve grew; see revised()
-  uint32_t hairpin_removal_iterations_, removed_for_ = 0, polished_ = 0;
-  double hairpin_removal_gentleness_;
+  uint32_t hairpin_removal_iterations_, removed_for_ = 0, polish_iterations_, polished_ = 0;
   Phase phase_ = Phase::kGrowing;
   std::vector<double> lengths_;
   size_t phase_start_ = 0;  // iteration at which the phase began

@@ -45,7 +45,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
       start_is_due_(settings.full_start),
       state_(first_state(std::move(surface), seed, density, as_started(settings), pool_, seed_fit_, cancelled)),
       convergence_(settings.stop_rule, settings.polish, state_.settings.hairpin_removal_iterations,
-                   state_.settings.hairpin_removal_gentleness),
+                   polish_iterations(state_.settings)),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   const ThreadPool::Watch watch(pool_, cancelled);
   if (at_scale()) {

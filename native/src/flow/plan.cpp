@@ -33,9 +33,12 @@ double most_turn_in(const FlowSettings& settings, Phase phase) {
 
 }  // namespace
 
-uint32_t polish_iterations(double hairpin_removal_gentleness) {
-  const double iterations = std::lerp(static_cast<double>(tuning::kPolishIterations),
-                                      static_cast<double>(tuning::kLongPolishIterations), hairpin_removal_gentleness);
+uint32_t polish_iterations(const FlowSettings& settings) {
+  const bool full = settings.full_start;
+  const double iterations =
+      std::lerp(static_cast<double>(full ? tuning::kFullPolishIterations : tuning::kPolishIterations),
+                static_cast<double>(full ? tuning::kLongFullPolishIterations : tuning::kLongPolishIterations),
+                settings.hairpin_removal_gentleness);
   return static_cast<uint32_t>(std::lround(iterations));
 }
 

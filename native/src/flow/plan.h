@@ -44,8 +44,9 @@ struct Plan {
   bool reuse_balls = false;
 };
 
-/// How long the phase kPolishing is: as patient as the removal of hairpins before it is gentle.
-uint32_t polish_iterations(double hairpin_removal_gentleness);
+/// How long the phase kPolishing is: as patient as the removal of hairpins before it is gentle, and of a curve that
+/// fills the surface from its start in between.
+uint32_t polish_iterations(const FlowSettings& settings);
 
 /// The plan of an iteration in this phase, before which there have been so many in it: a function of the three alone.
 Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase = 0);

@@ -43,7 +43,7 @@ double slowed(double x) {
 /// The work of the phases of a flow with a polish, in iterations with long segments on a curve that fills the surface.
 double share_with_polish(const FlowSettings& settings, const ProgressFigures& figures) {
   const double removal = settings.hairpin_removal_iterations;
-  const double polish = polish_iterations(settings.hairpin_removal_gentleness);
+  const double polish = polish_iterations(settings);
   const double finishing = settings.growth_coarsening * tuning::kFinishingIterations;
   const double cooling = settings.growth_coarsening * tuning::kCoolingIterations;
   const double all = tuning::kGrowthWork + removal + polish + finishing + cooling;

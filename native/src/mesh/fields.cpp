@@ -9,7 +9,6 @@
 #include "base/elementary.h"
 #include "base/failure.h"
 #include "mesh/closest_point.h"
-#include "mesh/line_relaxation.h"
 #include "mesh/sparse_factors.h"
 #include "mesh/vertex_geometry.h"
 
@@ -177,22 +176,6 @@ VertexData<Vec3> smoothest_directions(const Surface& surface, const std::functio
     if (change < kSettled * kSettled) break;
   }
   return g.to_space(x, 1e-9);
-}
-
-VertexData<Vec3> smooth_directions(const Surface& surface, const std::function<bool()>& cancelled) {
-  constexpr double kAxis = 0.05;
-  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
-  Lines first = least_bending(g, 0);
-  const double size = mean_size(first);
-  if (size > 0) first /= size;
-  for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
-    if (g.used(v)) first[v] = g.area()[v] * (first[v] + kAxis * g.line_along(v, Vec3::UnitX()));
-  }
-  Lines lines = relaxed_lines(g.line_laplacian(), first, g.poll());
-  for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
-    if (!g.used(v)) lines[v] = 0;
-  }
-  return g.to_space(lines, 1e-9);
 }
 
 VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes,

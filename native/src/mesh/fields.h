@@ -31,10 +31,6 @@ VertexData<Vec3> principal_directions(const Surface& surface, bool most, double 
 /// (Knoppel, Crane, Pinkall, Schroder, "Globally Optimal Direction Fields", 2013).
 VertexData<Vec3> smoothest_directions(const Surface& surface, const std::function<bool()>& cancelled = {});
 
-/// A field of lines that is about as smooth, in a time that grows with the number of vertices; see relaxed_lines. On a
-/// flat sheet it is parallel to the x-axis.
-VertexData<Vec3> smooth_directions(const Surface& surface, const std::function<bool()>& cancelled = {});
-
 /// A polyline in space close to the surface, whose direction the field is to take there.
 using Stroke = std::span<const Vec3>;
 

@@ -3,6 +3,7 @@
 // The field of lines on the surface that the curve is to follow (eq. 11).
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "mesh/surface_point.h"
@@ -23,6 +24,9 @@ class LineField {
   /// Vectors in space, of any length; no direction where it is zero or not finite.
   /// `across`: the lines at right angles to them.
   LineField(const Surface& surface, const VertexData<Vec3>& directions, bool across);
+
+  /// The squares of lines at the corners of all faces, each in the plane of its face.
+  explicit LineField(std::vector<Vec2> squares) : square_(std::move(squares)) {}
 
   /// Carries the lines along when the corners of the faces move; both surfaces have the same faces.
   void ride(const Surface& from, const Surface& to);

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A smooth field of lines in a time that grows with the number of vertices.
+// A smooth field of lines in a time that grows with the number of faces.
 #pragma once
 
-#include "mesh/vertex_geometry.h"
+#include "base/cancel_poll.h"
+#include "mesh/line_field.h"
 
 namespace meander {
 
 /// A field close to the smoothest one, the least eigenvector of a connection Laplacian, which a factorization finds
-/// exactly but not in linear time.
+/// exactly but not in linear time. On a flat sheet it is parallel to the x-axis.
 ///
-/// Vertices are joined in pairs along the edges that hold most, and pairs again, until every component is a single one;
-/// a line of a pair is one line, carried along the edge. The coarsest field is the mean of `first`, and from level to
-/// level every line becomes the mean of its neighbours, as the Laplacian weighs them, some times. The levels are those
-/// of Jakob, Tarini, Panozzo and Sorkine-Hornung, "Instant Field-Aligned Meshes" (2015), as aggregates of algebraic
-/// multigrid: the coarse Laplacians are Galerkin's.
+/// Faces have a line each. They are joined in pairs across the edges that hold most, and pairs again, until every
+/// component is a single one; a line of a pair is one line, carried across the edge. The coarsest field is the mean of
+/// the directions of least bending, with a little of the x-axis, and from level to level every line becomes the mean of
+/// its neighbours some times. The levels are those of Jakob, Tarini, Panozzo and Sorkine-Hornung, "Instant
+/// Field-Aligned Meshes" (2015), as aggregates of algebraic multigrid: the coarse Laplacians are Galerkin's. Lines are
+/// carried by unfolding faces about their edges, so that not an angle has to be computed.
 ///
-/// `laplacian`  see VertexGeometry::line_laplacian
-/// `first`      decides between fields that are equally smooth, as on a flat sheet
-Lines relaxed_lines(const Eigen::SparseMatrix<Complex>& laplacian, const Lines& first, CancelPoll poll);
+/// `poll`  is called for every face, on every level
+LineField relaxed_field(const Surface& surface, CancelPoll poll);
 
 }  // namespace meander

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -11,7 +10,7 @@
 
 #include "curve/crossings.h"
 #include "curve/guide_samples.h"
-#include "mesh/fields.h"
+#include "mesh/line_relaxation.h"
 #include "seed/line_tree.h"
 #include "seed/streamlines.h"
 #include "seed/tree_tour.h"
@@ -53,11 +52,7 @@ std::vector<uint8_t> without_field(const Surface& surface, const LineField& fiel
 LineField completed(const Surface& surface, const LineField& field, const CancelPoll& ask) {
   const std::vector<uint8_t> without = without_field(surface, field);
   if (std::ranges::count(without, 1) == 0) return field;
-  const std::function<bool()> cancelled = [&] {
-    ask.now();  // throws
-    return false;
-  };
-  const LineField smooth(surface, smooth_directions(surface, cancelled), false);
+  const LineField smooth = relaxed_field(surface, ask);
   if (field.empty()) return smooth;
   LineField both = field;
   both.replace(smooth, [&](uint32_t f) { return without[surface.component(f)] != 0; });

@@ -46,6 +46,7 @@ class LineNetwork {
   LineNetwork(const Surface& surface, const SurfacePatches& patches, const RadiusField& radius);
 
   const Surface& surface() const { return surface_; }
+  uint32_t patch_count() const { return patches_.count(); }
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Edge>& edges() const { return edges_; }
 

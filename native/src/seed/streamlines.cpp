@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -29,8 +30,9 @@ constexpr double kShortest = 1, kShortestBetween = 2;
 /// Between others lines begin in gaps that are narrower by this, in r, from turn to turn.
 constexpr double kNarrower = 0.2;
 
-/// Lines are as many as there is room for when they are this long, over area / (4 r).
-constexpr double kFull = 1;
+/// Lines are as many as there is room for when they and their links, each of so many r, are this long, over
+/// area / (4 r).
+constexpr double kFull = 1.035, kLink = 3;
 
 /// And another begins where there is this much of the room that it is to have.
 constexpr double kRoom = 0.97;
@@ -40,6 +42,9 @@ constexpr size_t kMostNodes = 1u << 22;
 
 /// Places to look at in faces larger than this, in r, lie no farther apart.
 constexpr double kPlaces = 2;
+
+/// Around a place that is too near to something all others are, as far as by this share of what it is too near.
+constexpr double kAround = 0.7;
 constexpr uint32_t kMostRows = 256;
 
 class Drawer {
@@ -47,7 +52,7 @@ class Drawer {
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, LineNetwork& network,
          CancelPoll poll, std::vector<Streamline>& lines)
       : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll),
-        lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0) {
+        lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0), crowded_(network.patch_count()) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
       wanted_[s_.component(f)] += kFull * s_.face_area(f) / (spacing_.apart * r * r);
@@ -75,7 +80,15 @@ class Drawer {
     for (uint32_t k = 0, f = 0; k < faces; ++k, f = static_cast<uint32_t>((uint64_t{f} + stride) % faces)) {
       for_places(f, [&](const SurfacePoint& p) {
         poll_();
-        begin_at(p);
+        const LineNetwork::Node node = network_.make_node(p, static_cast<uint32_t>(lines_.size()), 0);
+        Crowded& known = crowded_[node.patch];
+        if ((node.place - known.place).norm() < known.around) return;
+        const double around = kAround * crowding(node, true);
+        if (around > 0) {
+          known = {node.place, around};
+          return;
+        }
+        begin_at(node);
         draw_beside();
       });
     }
@@ -91,11 +104,13 @@ class Drawer {
     }
   }
 
-  /// Has the component of a point as many lines as there is room for?
-  bool is_full(const SurfacePoint& p) const {
+  /// How long another line may be, in r: one that begins between others no longer than what is left to draw.
+  double room(const SurfacePoint& p) const {
+    if (apart_ == spacing_.apart) return std::numeric_limits<double>::infinity();
     const uint32_t component = s_.component(p.face);
-    return drawn_[component] >= wanted_[component];
+    return wanted_[component] - drawn_[component] - kLink;
   }
+  bool is_full(const SurfacePoint& p) const { return room(p) < kShortestBetween * spacing_.apart; }
 
   template <class Visit>
   void for_places(uint32_t f, const Visit& visit) const {
@@ -113,43 +128,54 @@ class Drawer {
 
   void draw_beside() {
     for (; !beside_.empty(); beside_.pop_front()) {
-      if (apart_ == spacing_.apart || !is_full(beside_.front())) begin_at(beside_.front());
+      const SurfacePoint& p = beside_.front();
+      if (is_full(p)) continue;
+      const LineNetwork::Node node = network_.make_node(p, static_cast<uint32_t>(lines_.size()), 0);
+      if (!(crowding(node, true) > 0)) begin_at(node);
     }
   }
 
-  /// Is `p` too near to something, where a line begins or, else, where one is at `arc`?
-  bool is_crowded(const LineNetwork::Node& p, bool begins) const {
+  /// By how much `p` is too near to something, or more than that: 0 if it is not. Where a line begins or, else, where
+  /// one is at `arc`.
+  double crowding(const LineNetwork::Node& p, bool begins) const {
     const double apart = (begins ? kRoom * apart_ : spacing_.least) * p.radius;
     const double walls = (begins ? kRoom * spacing_.from_walls : spacing_.least_from_walls) * p.radius;
     const double boundary = spacing_.from_boundary * p.radius;
-    const double own = kOwn * spacing_.apart;
-    return network_.near(p, std::max({apart, walls, boundary}), [&](uint32_t i, double distance) {
+    const double own = kOwn * spacing_.apart, enough = begins ? p.radius : 0;
+    double most = 0;
+    network_.near(p, std::max({apart, walls, boundary}), [&](uint32_t i, double distance) {
       const LineNetwork::Node& other = network_.nodes()[i];
-      if (other.line == LineNetwork::kBoundary) return distance < boundary;
-      if (other.line == LineNetwork::kWall || other.line < trunks_) return distance < walls;
-      if (other.line == p.line && std::abs(other.arc - p.arc) < own) return false;
-      return distance < apart;
+      double limit = apart;
+      if (other.line == LineNetwork::kBoundary) {
+        limit = boundary;
+      } else if (other.line == LineNetwork::kWall || other.line < trunks_) {
+        limit = walls;
+      } else if (other.line == p.line && std::abs(other.arc - p.arc) < own) {
+        return false;
+      }
+      most = std::max(most, limit - distance);
+      return most > enough;
     });
+    return most;
   }
 
-  void begin_at(const SurfacePoint& p) {
-    const auto line = static_cast<uint32_t>(lines_.size());
+  void begin_at(const LineNetwork::Node& first) {
+    const SurfacePoint& p = first.point;
     const Vec2 direction = unit(field_.at(p));
     if (!(norm(direction) > 0) || norm(field_.at(p)) < kLeastField) return;
-    const LineNetwork::Node first = network_.make_node(p, line, 0);
-    if (is_crowded(first, true)) return;
     const LineNetwork::Mark mark = network_.mark();
     const uint32_t start = network_.add_node(first);
     Streamline drawn;
-    trace(start, -direction, -1, drawn.nodes);
+    const double longest = room(p);
+    trace(start, -direction, -1, longest, drawn.nodes);
     std::ranges::reverse(drawn.nodes);
     drawn.nodes.push_back(start);
-    trace(start, direction, 1, drawn.nodes);
-    const double length =
-        network_.nodes()[drawn.nodes.back()].arc - network_.nodes()[drawn.nodes.front()].arc;
+    const double back = -network_.nodes()[drawn.nodes.front()].arc;
+    trace(start, direction, 1, longest - back, drawn.nodes);
+    const double length = network_.nodes()[drawn.nodes.back()].arc + back;
     if (length < shortest_ * spacing_.apart) return network_.take_back(mark);
     offer_beside(drawn, apart_);
-    drawn_[s_.component(p.face)] += length;
+    drawn_[s_.component(p.face)] += length + kLink;
     lines_.push_back(std::move(drawn));
   }
 
@@ -168,10 +194,11 @@ class Drawer {
     }
   }
 
-  /// Follows the field from a node until the line has to end.
-  void trace(uint32_t from, Vec2 direction, double sign, std::vector<uint32_t>& nodes) {
+  /// Follows the field from a node until the line has to end, or is as long as it may be, in r.
+  void trace(uint32_t from, Vec2 direction, double sign, double longest, std::vector<uint32_t>& nodes) {
     const uint32_t line = network_.nodes()[from].line;
-    for (size_t k = 0; k < kMostNodes; ++k) {
+    const auto most = static_cast<size_t>(std::clamp(longest / spacing_.step, 0.0, double{kMostNodes}));
+    for (size_t k = 0; k < most; ++k) {
       poll_();
       const LineNetwork::Node here = network_.nodes()[from];
       const double step = spacing_.step * here.radius;
@@ -183,7 +210,7 @@ class Drawer {
       const auto next = direction_at(there.end, there.direction);
       if (!next) return;
       const LineNetwork::Node node = network_.make_node(there.end, line, here.arc + sign * spacing_.step);
-      if (is_crowded(node, false) || network_.touches(from, kNone, there.end, path)) return;
+      if (crowding(node, false) > 0 || network_.touches(from, kNone, there.end, path)) return;
       const PathShape shape = measure_path(s_, here.point, there.end, path);
       if (!(shape.length > 0)) return;
       const uint32_t to = network_.add_node(node);
@@ -224,6 +251,11 @@ class Drawer {
   size_t trunks_;                       // the first of them
   std::vector<double> drawn_, wanted_;  // per component: length of its lines, in the local r
   std::deque<SurfacePoint> beside_;
+  struct Crowded {
+    Vec3 place = Vec3::Zero();
+    double around = 0;
+  };
+  std::vector<Crowded> crowded_;  // per patch: places so far from here have no room for a line
 };
 
 }  // namespace
