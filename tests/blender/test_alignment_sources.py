@@ -195,3 +195,24 @@ def test_terms_reach_the_options():
 )
 def test_what_gives_no_directions(settings, words):
     assert words in refused(grid(cells=4), **settings)
+
+
+def test_a_direction_starts_full_unless_growth_or_a_seed_says_otherwise():
+    thing = grid(cells=6)
+    settings = thing.meander
+    settings.spacing = 0.1
+    assert settings.start == "PRESET"
+    started = lambda: plan_run(bpy.context).problem.options.start  # noqa: E731
+    assert started() == core.Start.GROW
+    settings.alignment_source = "AXIS"
+    assert started() == core.Start.FULL
+    settings.start = "GROW"
+    assert started() == core.Start.GROW
+    settings.start = "PRESET"
+    settings.preset = "FINEST"
+    settings.alignment_source = "NONE"
+    assert started() == core.Start.FULL
+    settings.preset, settings.alignment_source = "EVEN", "AXIS"
+    triangle = [(0.2, 0.2, 0.0), (0.6, 0.3, 0.0), (0.3, 0.6, 0.0)]
+    settings.seed = poly_curve("Drawn", [triangle], cyclic=True)
+    assert started() == core.Start.GROW

@@ -290,6 +290,24 @@ def test_bad_options(refused, square: Path, extra: tuple) -> None:
     refused(square, *extra)
 
 
+def test_directions_start_full_unless_growth_is_asked_for(
+    run, square: Path, tmp_path: Path
+) -> None:
+    shares = []
+    for extra, start in (((), "FULL"), (("--start", "grow"), "GROW")):
+        given = ("--spacing", "0.08", "--direction", "y", "--alignment", "1", *extra)
+        code, _out, err = run(square, *given, "--quiet")
+        assert code == 0, err
+        curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+        chord = np.diff(curve.points, axis=0)
+        length = np.linalg.norm(chord, axis=1)
+        along = length[np.abs(chord[:, 1]) > 0.966 * length].sum() / length.sum()
+        shares.append(along)
+        options = json.loads((tmp_path / "out.json").read_text())["options"]
+        assert options["start"] == start.lower()
+    assert min(shares) > 0.75
+
+
 def test_directions_on_a_mesh_file(run, square: Path, tmp_path: Path) -> None:
     """Along x most of the length lies along x, and across it along y."""
     shares = []

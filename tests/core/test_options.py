@@ -10,6 +10,7 @@ from enum import IntEnum
 from types import SimpleNamespace
 
 import geometry
+import numpy as np
 import pytest
 from conftest import REPOSITORY
 from meander import batch, core
@@ -19,6 +20,7 @@ from meander.cli.place import Place
 from meander.model.export_options import ROWS
 from meander.model.option import OF_PRESET, Option, apply, chosen, store
 from meander.model.options import BY_SETTING, OF_THE_FLOW, TABLE
+from meander.model.problem import Problem, begin_along_directions
 
 PARSER = parser(Place("test", print))
 
@@ -157,6 +159,50 @@ def test_distances_are_the_presets_or_as_the_flag_says(
     given = ["--input", "a.obj", "--output", "b.obj", "--spacing", "1", "--preset", preset]
     arguments = PARSER.parse_args(given + (["--medial-axis", word] if word else []))
     assert flow_options(arguments).medial_axis == core.MedialAxis[measure]
+
+
+@pytest.mark.parametrize(
+    ("preset", "word", "start"),
+    [
+        ("even", None, "GROW"),
+        ("even", "full", "FULL"),
+        ("finest", None, "FULL"),
+        ("finest", "preset", "FULL"),
+        ("finest", "grow", "GROW"),
+        ("paper", None, "GROW"),
+    ],
+)
+def test_the_start_is_the_presets_or_as_the_flag_says(
+    preset: str, word: str | None, start: str
+) -> None:
+    given = ["--input", "a.obj", "--output", "b.obj", "--spacing", "1", "--preset", preset]
+    arguments = PARSER.parse_args(given + (["--start", word] if word else []))
+    assert flow_options(arguments).start == core.Start[start]
+
+
+@pytest.mark.parametrize(
+    ("preset", "weight", "guides", "wide", "start"),
+    [
+        ("even", 1.0, None, 1.0, "FULL"),
+        ("even", 1.0, [1], 1.0, "FULL"),
+        ("even", 1.0, [0], 1.0, "GROW"),
+        ("even", 1.0, None, 2.0, "GROW"),
+        ("even", 0.0, None, 1.0, "GROW"),
+        ("paper", 1.0, None, 1.0, "GROW"),
+    ],
+)
+def test_a_direction_starts_full_where_nothing_drawn_grows(
+    preset: str, weight: float, guides: list[int] | None, wide: float, start: str
+) -> None:
+    options = core.default_options(preset)
+    options.alignment_weight, options.start_spacing_factor = weight, wide
+    line = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+    seed = None
+    if guides is not None:
+        seed = core.Seed(line, np.array([0, 2]), np.array([0]), guides=np.array(guides))
+    problem = Problem(line, np.zeros((0, 3)), options, seed, directions=line)
+    begin_along_directions(problem)
+    assert options.start == core.Start[start]
 
 
 def test_how_gently_hairpins_are_removed_is_the_presets() -> None:

@@ -8,7 +8,8 @@ import argparse
 from .. import core
 from ..model import mesh_files, strands, surface_files
 from ..model.density import Choice, curvature_density
-from ..model.problem import Problem
+from ..model.option import OF_PRESET
+from ..model.problem import Problem, begin_along_directions
 from . import density, preparation, terms
 from . import strands as strand_options
 from .input import Input
@@ -42,6 +43,8 @@ def read_input(
     options.alignment_weight = given.alignment.weight
     if arguments.outline:
         problem.outline = options.border_distance * arguments.spacing
+    if arguments.start == OF_PRESET:
+        begin_along_directions(problem)
     return given
 
 

@@ -39,7 +39,7 @@ ROWS: tuple[Option, ...] = (
         default="even",
         choices=(
             ("even", "Even", "Evenly spaced, few hairpins, no gaps"),
-            ("finest", "Finest", "A third fewer hairpins than Even, in about five times the time"),
+            ("finest", "Finest", "More even than Even, in long rows with a third of the hairpins"),
             ("paper", "As Published", "Faster, more winding, less even: the method as published"),
         ),
         field="preset",
@@ -51,8 +51,13 @@ ROWS: tuple[Option, ...] = (
         "What the curve begins as",
         _ADVANCED,
         kind=str,
-        default="grow",
+        default=OF_PRESET,
         choices=(
+            (
+                OF_PRESET,
+                "Automatic",
+                "Full in Finest, and along a direction where nothing is drawn; else Grow",
+            ),
             (
                 "grow",
                 "Grow",
@@ -65,13 +70,15 @@ ROWS: tuple[Option, ...] = (
                 "along a smooth one: more even, with a third of the hairpins, in half the time",
             ),
         ),
+        numbers=(2, 0, 1),
         field="start",
         flag=Flag(
             "--start",
             "begin with what is drawn or a small loop, which grows (grow), or with a curve that "
             "fills the surface already, in rows along --direction or a smooth field (full); "
-            "default: grow",
-            default="grow",
+            "default: preset, which is full in finest, and along --direction where no seed is "
+            "given, and grow else",
+            default=OF_PRESET,
         ),
     ),
     Option(

@@ -52,6 +52,19 @@ class Opened:
     cost: core.Cost | None = None
 
 
+def begin_along_directions(problem: Problem) -> None:
+    """What a start that was left to the rest is: full along directions where nothing drawn grows.
+
+    A curve that grows has turned before directions can hold it, and makes no rows. Not in the
+    preset paper, nor from a wide start, which are about growth.
+    """
+    options, seed = problem.options, problem.seed
+    drawn = seed is not None and not (seed.guides is not None and np.all(seed.guides))
+    directed = problem.directions is not None and options.alignment_weight > 0
+    if directed and not drawn and options.polish and options.start_spacing_factor == 1:
+        options.start = core.Start.FULL
+
+
 def open_flow(
     problem: Problem,
     context: core.Context | None = None,

@@ -101,6 +101,7 @@ def wish_of(
     fielded = problem.directions is not None
     options.alignment_weight = alignment_of(settings).weight if fielded else 0.0
     options.threads = problem.options.threads
+    options.start = problem.options.start  # that of a run that has begun
     choice = chosen_density(settings, surface_of(active))
     density = density_of(choice, surface_of(active), depsgraph, spacing / 2.0)
     if callable(density):

@@ -14,10 +14,10 @@ import numpy as np
 
 from .. import core
 from ..model import strands
-from ..model.option import chosen
+from ..model.option import OF_PRESET, chosen
 from ..model.options import in_panel
 from ..model.preparation import Mask
-from ..model.problem import Problem
+from ..model.problem import Problem, begin_along_directions
 from ..model.simplification import Light, light_of
 from ..scene import point_attributes, results
 from ..scene import strands as scene_strands
@@ -120,6 +120,8 @@ def plan_of(
         vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline,
         least_bend,
     )  # fmt: skip
+    if settings.start == OF_PRESET.upper():
+        begin_along_directions(problem)
     plan = Plan(
         problem=problem,
         home=HomeScene(scene, depsgraph.view_layer),

@@ -174,6 +174,7 @@ meander_flow_options default_options(meander_preset preset) {
   o.polish_medial_power = 8;
   o.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;
   o.iteration_limit = finest ? 2500 : 900;
+  o.start = finest ? MEANDER_START_FULL : MEANDER_START_GROW;
   return o;
 }
 

@@ -4,7 +4,7 @@ import bpy
 settings = bpy.context.active_object.meander
 
 settings.preset = "EVEN"
-settings.start = "GROW"
+settings.start = "PRESET"
 settings.medial_axis = "PRESET"
 settings.use_weights = False
 settings.length_weight = 0.0
