@@ -16,6 +16,7 @@ from meander.model.alignment import Alignment
 from meander.run.plan import plan_run
 from meander.scene import alignment as scene_alignment
 from meander.scene import attributes
+from meander.scene.errors import DataError
 from scenes import fill, grid, poly_curve, refused, sphere, world_splines, world_triangles
 
 
@@ -51,6 +52,22 @@ def test_axes_of_the_world_and_of_the_object():
     assert_lines(found, np.tile((1.0, 0.0, 0.0), (count, 1)))
     found = directions(thing, Alignment("AXIS", choice="X", local=True))
     assert_lines(found, np.tile((math.cos(math.pi / 6), math.sin(math.pi / 6), 0.0), (count, 1)))
+
+
+def test_the_axis_that_lies_best_is_followed_unless_another_is_chosen():
+    """A plane in x and z, and one in y and z: what stands straight up from it is never followed."""
+    for euler, expected in (((math.pi / 2, 0.0, 0.0), "X"), ((0.0, math.pi / 2, 0.0), "Y")):
+        thing = grid(cells=4)
+        thing.rotation_euler = euler
+        bpy.context.view_layer.update()
+        assert thing.meander.alignment_axis == "AUTO"
+        found = directions(thing, Alignment("AXIS", choice="AUTO"))
+        assert_lines(found, directions(thing, Alignment("AXIS", choice=expected)))
+        # Of the object it is its own X.
+        found = directions(thing, Alignment("AXIS", choice="AUTO", local=True))
+        assert_lines(found, directions(thing, Alignment("AXIS", choice="X", local=True)))
+    with pytest.raises(DataError, match="The X axis stands straight up .*; choose Y$"):
+        directions(thing, Alignment("AXIS", choice="X"))
 
 
 def test_a_vector_attribute_turns_with_the_object():
@@ -189,7 +206,7 @@ def test_terms_reach_the_options():
         ({"alignment_source": "ATTRIBUTE", "alignment_attribute": "x"}, "no vector attribute"),
         ({"alignment_source": "STROKES"}, "no curves to follow"),
         ({"alignment_source": "UV", "alignment_uv_map": "Nowhere"}, "no UV map 'Nowhere'"),
-        ({"alignment_source": "AXIS", "alignment_axis": "Z"}, "direction"),
+        ({"alignment_source": "AXIS", "alignment_axis": "Z"}, "The Z axis stands straight up"),
     ],
     ids=lambda value: value if isinstance(value, str) else "-".join(value.values()),
 )

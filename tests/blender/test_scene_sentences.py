@@ -46,6 +46,7 @@ from sentences import assert_sentence  # noqa: E402
 # no test, and why there is none.
 ELSEWHERE = {
     "of the add-on is missing; install": ("test_assets.py", "install Meander again"),
+    "was deleted while the curve": ("test_other_scenes.py", "was deleted while the curve was"),
     "The add-on's file has no": ("test_assets.py", "install Meander again"),
     "is hidden by its animation": ("test_hidden_data.py", "hidden by its animation at frame"),
     "is hidden, so that Blender": ("test_hidden_data.py", "that Blender does not"),

@@ -308,6 +308,16 @@ def test_directions_start_full_unless_growth_is_asked_for(
     assert min(shares) > 0.75
 
 
+def test_an_axis_that_stands_straight_up_is_refused_with_the_one_that_lies_best(
+    run, square: Path
+) -> None:
+    code, _out, err = run(square, "--spacing", "0.2", "--direction", "z")
+    assert (code, err.count("\n")) == (2, 1)
+    assert "The Z axis stands straight up from the whole surface" in err and "choose X" in err
+    code, *_ = run(square, "--spacing", "0.2", "--iterations", "3", "--direction", "axis")
+    assert code == 0
+
+
 def test_directions_on_a_mesh_file(run, square: Path, tmp_path: Path) -> None:
     """Along x most of the length lies along x, and across it along y."""
     shares = []
@@ -324,16 +334,21 @@ def test_directions_on_a_mesh_file(run, square: Path, tmp_path: Path) -> None:
 
 
 def test_curvature_makes_a_mesh_file_denser(run, tmp_path: Path) -> None:
-    """A sphere bends alike everywhere: it gets the high factor, and a square the low one."""
-    ball = write_mesh(tmp_path / "ball.obj", *geometry.icosphere(3))
+    """A sphere bends alike everywhere and keeps its spacing; a long ellipsoid does not."""
+    vertices, faces = geometry.icosphere(3)
+    ball = write_mesh(tmp_path / "ball.obj", vertices, faces)
+    egg = write_mesh(tmp_path / "egg.obj", vertices * (0.5, 0.5, 2.0), faces)
     lengths = {}
     for name in ("mean", "gaussian", None):
         density = ("--density-curvature", name) if name else ()
-        code, _out, err = run(ball, "--spacing", "0.3", "--iterations", "300", *density)
-        assert code == 0, err
-        lengths[name] = json.loads((tmp_path / "out.json").read_text())["length"]
-    assert lengths["mean"] / lengths[None] == pytest.approx(2.0, rel=0.1)
-    assert lengths["gaussian"] / lengths[None] == pytest.approx(2.0, rel=0.1)
+        for mesh in (ball, egg):
+            code, _out, err = run(mesh, "--spacing", "0.3", "--iterations", "300", *density)
+            assert code == 0, err
+            length = json.loads((tmp_path / "out.json").read_text())["length"]
+            lengths[mesh, name] = length
+    for name in ("mean", "gaussian"):
+        assert lengths[ball, name] / lengths[ball, None] == pytest.approx(1.0, rel=0.15)
+        assert 1.05 < lengths[egg, name] / lengths[egg, None] < 2.1
 
 
 def test_unknown_vertex_group_is_named(

@@ -26,7 +26,7 @@ API = re.compile(r"\b(?:meander|MEANDER)_\w+\b")
 # Not of the header: the benchmark, a job type, what is installed, and variables of the environment.
 OTHERS = re.compile(r"meander_(?:bench|core|fill|installed)|MEANDER_(?:LIBRARY|PYTHON313)")
 CMAKE_FILES = [ROOT / "CMakeLists.txt", *sorted((ROOT / "cmake").rglob("*.cmake"))]
-CMAKE_OPTION = re.compile(r"^\s*(?:option|set)\((MEANDER_\w+) ", re.MULTILINE)
+CMAKE_OPTION = re.compile(r"^\s*(?:option|set|find_program)\((MEANDER_\w+) ", re.MULTILINE)
 OPTIONS = {
     name for path in CMAKE_FILES for name in CMAKE_OPTION.findall(path.read_text(encoding="utf-8"))
 }

@@ -73,5 +73,5 @@ def _set_fields(given: Input, arguments: argparse.Namespace) -> None:
     if given.density_choice.source == "CURVATURE":
         problem.density = curvature_density(given.density_choice, radius)
     problem.directions = terms.directions_without_a_scene(
-        given.alignment, len(problem.vertices), radius
+        given.alignment, problem.vertices, problem.faces, radius
     )

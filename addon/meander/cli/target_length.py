@@ -80,7 +80,7 @@ class Search:
         self._settled = True
         found, length = _nearest(self.trials, self.wanted)
         if _distance(length, self.wanted) > _NEAR:
-            raise BadInput(_too_far(self.wanted, found, length))
+            raise BadInput(_refusal(self.wanted, found, length))
         return None if found == spacing else found
 
 
@@ -107,7 +107,7 @@ def begin(arguments: argparse.Namespace, place: Place) -> Search | None:
     trials = tried(length_at, spacing, wanted, _COARSE_CLOSE, _MOST_COARSE_RUNS)
     found, length = _nearest(trials, wanted)
     if _distance(length, wanted) > _COARSE_FAR:
-        raise BadInput(_too_far(wanted, found, length))
+        raise BadInput(_refusal(wanted, found, length))
     arguments.spacing = found * length / wanted
     return Search(wanted)
 
@@ -154,7 +154,7 @@ def _distance(length: float, wanted: float) -> float:
     return abs(length / wanted - 1.0)
 
 
-def _too_far(wanted: float, spacing: float, length: float) -> str:
+def _refusal(wanted: float, spacing: float, length: float) -> str:
     return (
         f"no spacing gives a length of {wanted:g}: the nearest one found is {length:.4g}, at a "
         f"spacing of {spacing:.4g}; choose another length, or that spacing"

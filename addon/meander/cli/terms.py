@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from .. import core
-from ..model.alignment import Alignment, Directions, axis_directions, computed
+from ..model.alignment import Alignment, Directions, axis_on, computed
 from .flags import add_flags
+from .values import BadInput
 
 # What --direction may be other than the name of an attribute: a source and a choice.
 _WORDS = {
@@ -18,6 +19,7 @@ _WORDS = {
     "curvature-max": ("CURVATURE", "MAX"),
     "smooth": ("SMOOTH", ""),
     "boundary": ("BOUNDARY", ""),
+    "axis": ("AXIS", "AUTO"),
     "x": ("AXIS", "X"),
     "y": ("AXIS", "Y"),
     "z": ("AXIS", "Z"),
@@ -35,7 +37,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="ATTRIBUTE",
         help="the field that the curve lies along: a vector attribute of the points of the "
         ".blend's object, or curvature (where the surface bends least), curvature-max, smooth, "
-        "boundary (parallel to it), an axis of the object (x, y, z), or lines of its UV map (u, v)",
+        "boundary (parallel to it), an axis of the object (x, y, z, or axis: the one that lies "
+        "best in the surface), or lines of its UV map (u, v)",
     )
     group.add_argument(
         "--direction-object", metavar="NAME", help="curve object whose splines give the directions"
@@ -66,7 +69,7 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
         named = arguments.direction or arguments.direction_object
         return (
             f"--{option} {named!r} names something of a .blend, but --input is {kind}; "
-            "choose curvature, curvature-max, smooth, x, y or z"
+            "choose curvature, curvature-max, smooth, boundary, axis, x, y or z"
         )
     if kind != ".blend" and arguments.direction_angle is not None:
         return (
@@ -101,11 +104,14 @@ def alignment_of(arguments: argparse.Namespace) -> Alignment:
 
 
 def directions_without_a_scene(
-    alignment: Alignment, vertex_count: int, radius: float
+    alignment: Alignment, vertices: np.ndarray, faces: np.ndarray, radius: float
 ) -> Directions | None:
-    """The directions on a mesh that came from a file of its own."""
+    """The directions on a mesh that came from a file of its own. Raises BadInput."""
     if alignment.source == "AXIS":
-        return axis_directions(np.eye(3), alignment.choice, vertex_count)
+        axis = axis_on(alignment.choice, np.eye(3), vertices, faces)
+        if axis.problem:
+            raise BadInput(axis.problem)
+        return axis.directions(len(vertices))
     if alignment.source == "CURVATURE":
         return computed(f"curvature_{alignment.choice.lower()}", alignment.smoothing * radius)
     if alignment.source in ("SMOOTH", "BOUNDARY"):

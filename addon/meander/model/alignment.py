@@ -26,7 +26,7 @@ class Alignment:
     weight: float = 1.0
     across: bool = False
     name: str = ""  # of the attribute, UV map or curve object
-    choice: str = ""  # "X", "Y", "Z"; "MIN", "MAX"; "U", "V"
+    choice: str = ""  # "AUTO", "X", "Y", "Z"; "MIN", "MAX"; "U", "V"
     local: bool = False  # the axis is the object's
     smoothing: float = 2.0  # in units of r
     # What turns it: "NONE", "GROUP", "ATTRIBUTE", "COLOR" or "IMAGE", its name, and an image's map.
@@ -40,9 +40,54 @@ class Alignment:
         return "across" if self.across else "along"
 
 
-def axis_directions(frame: NDArray[np.float64], axis: str, count: int) -> NDArray[np.float64]:
-    """The axis "X", "Y" or "Z" of a frame, whose columns are its axes, for every vertex."""
-    return np.tile(frame[:, "XYZ".index(axis)], (count, 1))
+@dataclass(frozen=True)
+class Axis:
+    """An axis to follow: "X", "Y" or "Z", as it lies on a surface.
+
+    vector    (3,), in the space of the surface's vertices
+    problem   why it gives no directions, a sentence without its full stop; empty: it does
+    """
+
+    name: str
+    vector: NDArray[np.float64]
+    problem: str = ""
+
+    def directions(self, count: int) -> NDArray[np.float64]:
+        """The axis for every one of so many vertices."""
+        return np.tile(self.vector, (count, 1))
+
+
+# An axis of which less than this share lies in the surface stands straight up from it.
+_LEAST_SHARE = 1e-6
+# And one that lies in it less than this share better than another is no better.
+_AS_WELL = 1e-3
+
+
+def axis_on(
+    choice: str,
+    frame: NDArray[np.float64],
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.integer],
+) -> Axis:
+    """The axis "X", "Y" or "Z" of a frame, whose columns are its axes; of "AUTO" the one that lies
+    best in the surface, by area, and of several that lie as well the first.
+    """
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    normals = np.cross(b - a, c - a)
+    areas = np.linalg.norm(normals, axis=1)
+    units = normals / np.where(areas > 0.0, areas, 1.0)[:, None]
+    axes = frame / np.linalg.norm(frame, axis=0)
+    # The mean of the squared length of what lies in the surface of an axis as long as 1.
+    shares = 1.0 - (areas[:, None] * (units @ axes) ** 2).sum(axis=0) / max(areas.sum(), 1e-300)
+    best = int(np.argmax(shares >= (1.0 - _AS_WELL) * shares.max()))
+    chosen = best if choice == "AUTO" else "XYZ".index(choice)
+    problem = ""
+    if shares[chosen] < _LEAST_SHARE:
+        problem = (
+            f"The {'XYZ'[chosen]} axis stands straight up from the whole surface, and nothing can "
+            f"run along it; choose {'XYZ'[best]}"
+        )
+    return Axis("XYZ"[chosen], frame[:, chosen], problem)
 
 
 def computed(kind: str, smoothing: float = 0.0) -> Directions:

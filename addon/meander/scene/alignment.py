@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..model.alignment import (
     Alignment,
     Directions,
-    axis_directions,
+    axis_on,
     computed,
     mean_lines,
     turned,
@@ -31,7 +31,8 @@ from .attributes import (
 from .curve_reader import strands_of_curve
 from .density import painted_values
 from .errors import DataError
-from .evaluated import surface_mesh
+from .evaluated import matrix_of, surface_mesh
+from .meshes import triangles_of
 from .transforms import to_world
 
 
@@ -170,10 +171,14 @@ def _named_directions(
         return computed(alignment.source.lower())
     if alignment.source == "STROKES":
         return _continued_strokes(alignment, depsgraph)
+    if alignment.source == "AXIS":
+        vertices, faces = triangles_of(surface, depsgraph)
+        frame = matrix_of(surface, depsgraph)[:3, :3] if alignment.local else np.eye(3)
+        axis = axis_on(alignment.choice, frame, vertices, faces)
+        if axis.problem:
+            raise DataError(axis.problem)
+        return axis.directions(len(vertices))
     with surface_mesh(surface, depsgraph) as (mesh, matrix):
-        if alignment.source == "AXIS":
-            frame = matrix[:3, :3] if alignment.local else np.eye(3)
-            return axis_directions(frame, alignment.choice, len(mesh.vertices))
         if alignment.source == "UV":
             return _lines_of_uv_map(alignment, surface, mesh, matrix)
         return _vectors(alignment, surface, mesh, matrix)

@@ -33,8 +33,13 @@ class AlignmentSettings:
     alignment_axis: EnumProperty(
         name="Axis",
         description="The axis that strands follow, projected onto the surface",
-        items=(("X", "X", "The X axis"), ("Y", "Y", "The Y axis"), ("Z", "Z", "The Z axis")),
-        default="Z",
+        items=(
+            ("X", "X", "The X axis"),
+            ("Y", "Y", "The Y axis"),
+            ("Z", "Z", "The Z axis"),
+            ("AUTO", "Auto", "The axis that lies best in the surface"),
+        ),
+        default="AUTO",
         options=set(),
     )
     alignment_space: EnumProperty(

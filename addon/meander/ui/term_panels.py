@@ -95,7 +95,7 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
         if source == "NONE":
             return
         if source == "AXIS":
-            layout.row().prop(settings, "alignment_axis", expand=True)
+            layout.prop(settings, "alignment_axis")
             layout.row().prop(settings, "alignment_space", expand=True)
         elif source == "CURVATURE":
             layout.row().prop(settings, "alignment_curvature", expand=True)
