@@ -10,6 +10,7 @@ import bpy
 import numpy as np
 import pytest
 import scenes
+from meander import batch
 
 
 def _points(result: bpy.types.Object) -> np.ndarray:
@@ -89,3 +90,16 @@ def test_what_cannot_be_light_says_why() -> None:
     with pytest.raises(RuntimeError, match="convert them to Poly"):
         bpy.ops.meander.make_light()
     assert not result.meander.use_light
+
+
+def test_a_light_result_that_crosses_itself_is_counted(tmp_path: Path) -> None:
+    """The report counts as a search of every pair does; what is near enough crosses nowhere."""
+    scenes.grid()
+    scene, report = tmp_path / "scene.blend", tmp_path / "r.json"
+    bpy.ops.wm.save_as_mainfile(filepath=str(scene))
+    for light in ((), ("--light", "0.01")):
+        given = ["--input", scene, "--output", tmp_path / "out.blend", "--report", report]
+        given += ["--spacing", "0.15", "--iterations", "150", "--quiet", *light]
+        assert batch.main([str(a) for a in given]) == 0
+        found = json.loads(report.read_text())["points"]["crossings"]
+        assert found == (0 if light else None)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers of the native library where a comma is the point, as in de_DE: sentences have a point, and
-files are read by it.
+"""Numbers of the native library where a comma is the point, as in de_DE: sentences have a point,
+and files are read by it.
 
 The locale is made here, so that none has to be installed: glibc's file of LC_NUMERIC is a table of
 six entries, and is asked for by LOCPATH, which is read when a process starts.
@@ -64,7 +64,8 @@ refused("part", lambda: core.Surface(vertices, faces, core.SurfaceOptions(smalle
 said["warning"] = "; ".join(core.option_warnings(options(bending_weight=12.5)))
 folder = Path(sys.argv[3])
 places = "".join(f"v {x!r} {y!r} {z!r}\\n" for x, y, z in vertices.tolist())
-(folder / "a.obj").write_text(places + "".join("f {} {} {}\\n".format(*(face + 1)) for face in faces))
+corners = "".join("f {} {} {}\\n".format(*(face + 1)) for face in faces)
+(folder / "a.obj").write_text(places + corners)
 corners = "".join(
     "facet normal 0 0 1\\nouter loop\\n"
     + "".join("vertex {!r} {!r} {!r}\\n".format(*vertices[v].tolist()) for v in face)
@@ -81,8 +82,8 @@ print(json.dumps({
 def write_locale(folder: Path) -> None:
     """LC_NUMERIC of glibc: a magic number, six offsets, and decimal point, separator of thousands,
     its groups, both as wide characters, and the name of the character set."""
-    entries = [b",\0", b".\0", b"\3\3\0\0", struct.pack("=I", ord(",")), struct.pack("=I", ord("."))]
-    entries.append(b"UTF-8\0")
+    wide = [struct.pack("=I", ord(letter)) for letter in ",."]
+    entries = [b",\0", b".\0", b"\3\3\0\0", *wide, b"UTF-8\0"]
     begin = 8 + 4 * len(entries)
     offsets = [begin + sum(map(len, entries[:index])) for index in range(len(entries))]
     folder.mkdir()

@@ -14,6 +14,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
 from .. import core
 from ..model import bridges, toolpath
 from .grown import Grown
@@ -40,9 +43,10 @@ class Host(Protocol):
 
     def write_scene(
         self, path: Path, arguments: argparse.Namespace, given: Input, grown: Grown
-    ) -> tuple[int, bridges.Joined | None]:
+    ) -> tuple[int, bridges.Joined | None, NDArray[np.float64] | None]:
         """Writes the curve beside its surface into a .blend at `path`. Returns the number of its
-        points, and what was joined to one line."""
+        points, what was joined to one line, and where a light curve crosses itself; None: it has
+        all points."""
 
     def write_cut_scene(
         self, path: Path, arguments: argparse.Namespace, given: Input, cut: core.CutSurface

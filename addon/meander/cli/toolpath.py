@@ -4,11 +4,15 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from .. import core
-from ..model import export, parts_by_length, poses, thinning, toolpath
+from ..model import export, parts_by_length, poses, surface_crossings, thinning, toolpath
 from . import export as export_options
 from . import flags
 from .grown import Grown
@@ -139,9 +143,9 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
 
 def write(
     path: Path, arguments: argparse.Namespace, given: Input, grown: Grown, place: Place
-) -> tuple[int, dict[str, Any] | None]:
-    """Writes the curve, resampled as the options say. Returns the number of points in the file, and
-    the report's "drawing", if it is one."""
+) -> tuple[int, dict[str, Any] | None, NDArray[np.float64] | None]:
+    """Writes the curve, resampled as the options say. Returns the number of points in the file, the
+    report's "drawing", if it is one, and else where a curve of fewer points crosses itself."""
     strands = in_space = toolpath.strands_of(grown.curve, grown.data)
     drawn = export.format_of(arguments.output) is not None
     if drawn:
@@ -152,19 +156,34 @@ def write(
         arguments.chord_tolerance,
         None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces),
     )
+    spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
+    places = None if drawn else _crossings(strands, spacing, arguments)
     if arguments.part_length is not None:
         mesh = None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces)
         overlap = arguments.part_overlap or 0.0
         strands = parts_by_length.parted(strands, arguments.part_length, overlap, mesh)
     if drawn:
-        spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
-        return export_options.write(path, arguments, strands, given, place, spacing, in_space)
+        done = export_options.write(path, arguments, strands, given, place, spacing, in_space)
+        return *done, None
     if arguments.poses:
         given_poses = [
             poses.poses_of(strand, arguments.standoff or 0.0, arguments.approach or 0.0)
             for strand in strands
         ]
         poses.write(path, given_poses, core.library_version())
-        return sum(len(each.places) for each in given_poses), None
+        return sum(len(each.places) for each in given_poses), None, places
     toolpath.write(path, strands, core.library_version())
-    return sum(len(strand.points) for strand in strands), None
+    return sum(len(strand.points) for strand in strands), None, places
+
+
+def _crossings(
+    strands: Sequence[toolpath.Strand], spacing: float, arguments: argparse.Namespace
+) -> NDArray[np.float64]:
+    """Where the way of the tool crosses itself."""
+    away = arguments.standoff or 0.0
+    return surface_crossings.crossings(
+        [strand.points + away * strand.normals for strand in strands],
+        [strand.normals for strand in strands],
+        [strand.closed for strand in strands],
+        spacing,
+    )

@@ -6,10 +6,13 @@ from __future__ import annotations
 import argparse
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from .. import core
-from ..model import bridges, last_run, mesh_files, report
+from ..model import bridges, last_run, mesh_files, report, surface_crossings, thinning
 from ..model.simplification import light_of
 from ..model.whole_files import naming, whole_files
 from . import cut, density, export, flags, motion, preparation, strands, terms
@@ -17,6 +20,21 @@ from . import toolpath as toolpath_options
 from .grown import Grown, bridge_figures, bridged, lightened
 from .input import Input
 from .place import Place
+
+
+class Written(NamedTuple):
+    """What an output has come to.
+
+    count       of points in the file
+    line        what was joined; None: nothing
+    crossings   (k, 3), where a curve of fewer points than all crosses itself; None: it has them all
+    drawing     the report's "drawing", if it is one
+    """
+
+    count: int
+    line: bridges.Joined | None
+    crossings: NDArray[np.float64] | None
+    drawing: dict[str, Any] | None = None
 
 
 def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input) -> dict[str, Any]:
@@ -63,9 +81,13 @@ def write_outputs(
     with whole_files([path for path in wanted if path is not None]) as temporary:
         paths = iter(temporary)
         with naming(arguments.output):
-            written, line, drawing = _write_curve(next(paths), arguments, given, grown, place)
-        record["drawing"] = drawing
-        record["points"] = {"all": len(grown.curve.positions), "written": written}
+            done = _write_curve(next(paths), arguments, given, grown, place)
+        line, record["drawing"] = done.line, done.drawing
+        counts = {"all": len(grown.curve.positions), "written": done.count}
+        record["points"] = counts | surface_crossings.figures(done.crossings)
+        warning = surface_crossings.crossing_warning(done.crossings)
+        if warning:
+            place.warn(warning)
         if grown.cut is not None:
             with naming(arguments.cut):
                 record["cut"] = cut.write(next(paths), arguments, given, grown.cut, place)
@@ -92,17 +114,20 @@ def _lines(
 
 def _write_curve(
     path: Path, arguments: argparse.Namespace, given: Input, grown: Grown, place: Place
-) -> tuple[int, bridges.Joined | None, dict[str, Any] | None]:
-    """Writes the output in the format of its name, and returns the number of points in it, what was
-    joined, and the report's "drawing", if it is one."""
+) -> Written:
+    """Writes the output in the format of its name."""
     if arguments.output.suffix.lower() == ".blend":
-        return *place.blender(arguments.output).write_scene(path, arguments, given, grown), None
+        return Written(*place.blender(arguments.output).write_scene(path, arguments, given, grown))
     light = light_of(flags.chosen(arguments))
     grown = lightened(grown, arguments.spacing / 2, light)
     if arguments.bridge:
         grown = bridged(grown, given.problem)
     if toolpath_options.is_wanted(arguments.output):
-        written, drawing = toolpath_options.write(path, arguments, given, grown, place)
-        return written, grown.line, drawing
+        count, drawing, places = toolpath_options.write(path, arguments, given, grown, place)
+        return Written(count, grown.line, places, drawing)
     mesh_files.write_obj_curve(path, grown.curve, pairs=arguments.lines == "pairs")
-    return len(grown.curve.positions), grown.line, None
+    places = None
+    if light is not None:
+        spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
+        places = surface_crossings.of_polylines(grown.curve, spacing)
+    return Written(len(grown.curve.positions), grown.line, places)

@@ -11,6 +11,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from .. import core
 from ..cli.grown import Grown
 from ..cli.input import Input
@@ -39,7 +42,7 @@ class Blender:
 
     def write_scene(
         self, path: Path, arguments: argparse.Namespace, given: Input, grown: Grown
-    ) -> tuple[int, bridges.Joined | None]:
+    ) -> tuple[int, bridges.Joined | None, NDArray[np.float64] | None]:
         from . import scene_output
 
         return scene_output.write_scene(path, arguments, given, grown)

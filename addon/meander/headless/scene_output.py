@@ -7,13 +7,14 @@ import argparse
 from pathlib import Path
 
 import bpy
+import numpy as np
 
 from .. import core
 from ..cli import flags
 from ..cli.grown import Grown, bridged
 from ..cli.input import Input
 from ..cli.values import BadInput
-from ..model import bridges, thinning, toolpath
+from ..model import bridges, surface_crossings, thinning, toolpath
 from ..model.option import store
 from ..model.options import TABLE
 from ..model.problem import Problem
@@ -53,15 +54,16 @@ def write_scene(
     arguments: argparse.Namespace,
     given: Input,
     grown: Grown,
-) -> tuple[int, bridges.Joined | None]:
+) -> tuple[int, bridges.Joined | None, np.ndarray | None]:
     """Adds the curve beside its surface and saves a copy of the scene at `path`.
 
     The curve keeps what it was made with, so that Continue works on it in a window. Returns the
-    number of its points, and what was joined to one line.
+    number of its points, what was joined to one line, and where a light curve crosses itself.
     """
     surface_object = given.surface_object or _new_surface(arguments.input.stem, given.problem)
     spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
-    kept = result_points(grown.curve, spacing, light_of(flags.chosen(arguments)))
+    light = light_of(flags.chosen(arguments))
+    kept = result_points(grown.curve, spacing, light)
     shown, radii = thinning.with_points(grown.curve, kept), grown.data.radii[kept]
     guides = grown.guides
     line = bridges.joined(shown, spacing, guides) if arguments.bridge else None
@@ -89,7 +91,8 @@ def write_scene(
             )
         _bake(arguments, curve_object)
         _save(path, arguments.output)
-    return len(shown.positions), line
+    places = None if light is None else surface_crossings.of_polylines(shown, spacing)
+    return len(shown.positions), line, places
 
 
 def write_cut_scene(

@@ -51,12 +51,19 @@ def crossings(
     pairs = np.unique(np.column_stack([first, second]), axis=0)
     first, second = pairs[:, 0], pairs[:, 1]
     a, b, c, d = begin[first] - low, end[first] - low, begin[second] - low, end[second] - low
+    cross, share = crossing_shares(a, b, c, d)
+    places = a + share[:, None] * (b - a) + low
+    return first[cross], second[cross], places[cross]
+
+
+def crossing_shares(
+    a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64], d: NDArray[np.float64]
+) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """Whether the segments a b and c d, (n, 2) each, cross within both, and where on a b."""
     one, other = _side(a, b, c), _side(a, b, d)
     three, four = _side(c, d, a), _side(c, d, b)
     cross = (one * other < 0) & (three * four < 0)
-    share = np.divide(three, three - four, out=np.zeros(len(three)), where=cross)
-    places = a + share[:, None] * (b - a) + low
-    return first[cross], second[cross], places[cross]
+    return cross, np.divide(three, three - four, out=np.zeros(len(three)), where=cross)
 
 
 def _side(a: np.ndarray, b: np.ndarray, p: np.ndarray) -> np.ndarray:

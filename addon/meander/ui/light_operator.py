@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import bpy
 
+from ..model import surface_crossings
 from ..model.option import chosen
 from ..model.options import in_panel
 from ..model.simplification import light_of
 from ..scene.errors import DataError
-from ..scene.light_curve import make_light
+from ..scene.light_curve import least_spacing, make_light
+from ..scene.surface_points import polylines_of
 from .on_result import OnOwnResult
 from .run_operators import sentence_of
 
@@ -32,6 +34,11 @@ class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):
             self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
         self.report({"INFO"}, f"{result.name}: {after:,} of {before:,} points")
+        curve, _index, _weights = polylines_of(result, context.evaluated_depsgraph_get())
+        places = surface_crossings.of_polylines(curve, least_spacing(result))
+        warning = surface_crossings.crossing_warning(places)
+        if warning:
+            self.report({"WARNING"}, sentence_of(warning))
         return {"FINISHED"}
 
 
