@@ -301,3 +301,38 @@ def test_flags_that_cannot_be_meant_are_refused(
 def test_formats_have_suffixes_of_their_own() -> None:
     assert len(set(export.SUFFIXES)) == len(export.SUFFIXES)
     assert set(embroidery.SUFFIXES) < set(export.SUFFIXES)
+
+
+@pytest.mark.parametrize("machine", ["generic", "grbl", "marlin", "klipper"])
+@pytest.mark.parametrize("tool", ["pen", "spindle", "laser", "servo"])
+def test_the_window_writes_for_machines_as_the_command_does(tmp_path: Path, machine, tool) -> None:
+    """Everything but the moves themselves: head, foot, and what switches the tool."""
+    result = _sheet()
+    _export(tmp_path / "window.gcode", machine=machine.upper(), tool=tool.upper(), size=90.0)
+    surface = result.meander.surface
+    bpy.context.view_layer.objects.active = surface
+    scene = tmp_path / "scene.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(scene))
+    given = ["--input", scene, "--object", surface.name, "--output", tmp_path / "command.gcode"]
+    given += ["--spacing", "0.3", "--quiet", "--machine", machine, "--tool", tool, "--size", "90"]
+    assert batch.main([str(a) for a in given]) == 0
+    words = []
+    for name in ("window", "command"):
+        lines = (tmp_path / f"{name}.gcode").read_text().splitlines()
+        kept = [line for line in lines if not re.match(r"(G0|G1)\b|;", line)]
+        words.append(list(dict.fromkeys(kept)))
+    assert words[0] == words[1] and len(words[0]) > 2
+    if machine == "klipper" and tool == "laser":
+        assert any("SET_PIN PIN=LASER" in line for line in words[0])
+
+
+def test_head_and_foot_of_ones_own(tmp_path: Path) -> None:
+    _sheet()
+    for name in ("head", "foot"):
+        (tmp_path / name).write_text(f"; my {name}\nG4 P1\n")
+    files = {"header": str(tmp_path / "head"), "footer": str(tmp_path / "foot")}
+    _export(tmp_path / "a.gcode", size=90.0, **files)
+    lines = (tmp_path / "a.gcode").read_text().splitlines()
+    assert lines.index("; my head") < lines.index("; my foot")
+    assert "M2 ; end" not in lines
+    assert "cannot be read" in _refused(tmp_path / "b.gcode", size=90.0, header="/no/such/file")

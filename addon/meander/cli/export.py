@@ -15,7 +15,6 @@ from .. import core
 from ..model import embroidery, export, toolpath
 from ..model.drawing import UNITS, Drawing, axes_of, seen_along
 from ..model.export_options import GROUP, ROWS
-from ..model.file_text import read_plain
 from . import flags
 from .input import Input
 from .place import Place
@@ -190,7 +189,7 @@ def write(
     _refuse_unusable(drawing, arguments, in_space, given)
     title = arguments.output.stem
     head, foot = (
-        None if file is None else read_plain(file).decode("utf-8", "replace").splitlines()
+        None if file is None else export.lines_of(file)
         for file in (arguments.header, arguments.footer)
     )
     export.write(path, kind, drawing, values, title, core.library_version(), head, foot)

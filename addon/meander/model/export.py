@@ -13,6 +13,7 @@ from . import embroidery
 from .drawing import VIEWS, Drawing, drawing_of
 from .dxf import dxf_text
 from .export_options import ROWS
+from .file_text import read_plain
 from .gcode import Motion, gcode_text
 from .option import Values
 from .svg import svg_text
@@ -184,6 +185,11 @@ def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:
     else:
         what = "its points are too far apart; choose a smaller tolerance or step"
     return f"the drawing crosses itself {many} at {where} {drawing.unit}: {what}"
+
+
+def lines_of(path: Path) -> list[str]:
+    """The lines of a file of G-code. Raises FileError."""
+    return read_plain(path).decode("utf-8", "replace").splitlines()
 
 
 def write(

@@ -12,7 +12,7 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
-from ..model import embroidery, export, toolpath
+from ..model import embroidery, export, surface_crossings, toolpath
 from ..model.drawing import Drawing, axes_of, seen_along
 from ..model.export_options import ROWS
 from ..model.whole_files import FileError
@@ -108,6 +108,16 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         description="Draw all selected curves that Meander has made, not only the active one",
         default=False,
     )
+    header: StringProperty(
+        name="Header",
+        description="File of lines of G-code behind the unit, in place of those of the machine",
+        subtype="FILE_PATH",
+    )
+    footer: StringProperty(
+        name="Footer",
+        description="File of lines of G-code at the end, in place of those of the machine",
+        subtype="FILE_PATH",
+    )
     uv_map: StringProperty(
         name="UV Map", description="UV map that lays the curve flat; the active one if empty"
     )
@@ -131,6 +141,9 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             if setting == "layout_as" and self.layout_as == "UV":
                 surface = context.active_object.meander.surface
                 layout.prop_search(self, "uv_map", surface.data, "uv_layers")
+        if kind is not None and kind.name == "GCODE":
+            layout.prop(self, "header")
+            layout.prop(self, "footer")
         if kind is not None and kind.name in ("DST", "PES"):
             if not embroidery.is_there():
                 notice(layout, f"{embroidery.PACKAGE} is not installed", "ERROR")
@@ -174,7 +187,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         path, kind = self._with_suffix(), _BY_NAME.get(self.file_format)
         try:
             if kind is None:
-                text = self._write_table(path, context)
+                text, warning = self._write_table(path, context)
             else:
                 drawing = self._write_drawing(path, kind, context)
                 text = drawing.described()
@@ -183,7 +196,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
         self.report({"INFO"}, f"{path.name}: {text}")
-        if kind is not None and warning:
+        if warning:
             self.report({"WARNING"}, sentence_of(warning))
         return {"FINISHED"}
 
@@ -207,14 +220,22 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             mesh,
         )
 
-    def _write_table(self, path: Path, context: bpy.types.Context) -> str:
+    def _write_table(self, path: Path, context: bpy.types.Context) -> tuple[str, str]:
+        """What to say of it, and what to warn of; empty if nothing."""
         result, depsgraph = context.active_object, context.evaluated_depsgraph_get()
         strands = strands_of_result(result, depsgraph)
         mesh = toolpath.Mesh(*triangles_of(result.meander.surface, depsgraph))
         strands = self._resampled(strands, mesh)
         toolpath.write(path, strands, core.VERSION)
         count = sum(len(strand.points) for strand in strands)
-        return f"{count:,} points in {len(strands):,} strands"
+        places = surface_crossings.crossings(
+            [strand.points for strand in strands],
+            [strand.normals for strand in strands],
+            [strand.closed for strand in strands],
+            result.meander.figures.least_spacing or result.meander.spacing,
+        )
+        warning = surface_crossings.crossing_warning(places)
+        return f"{count:,} points in {len(strands):,} strands", warning
 
     def _write_drawing(
         self, path: Path, kind: export.Format, context: bpy.types.Context
@@ -232,7 +253,11 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         if problem is not None:
             way = "choose another Layout" if problem.edge else "choose a Size, or a smaller Scale"
             raise FileError(f"The drawing {problem.what}; {way}, or Write Anyway")
-        export.write(path, kind, drawing, values, title, core.VERSION)
+        head, foot = (
+            export.lines_of(Path(bpy.path.abspath(name))) if name else None
+            for name in (self.header, self.footer)
+        )
+        export.write(path, kind, drawing, values, title, core.VERSION, head, foot)
         return drawing
 
     def _laid_out(
