@@ -22,7 +22,7 @@ ERRORS = {
 }  # fmt: skip
 FINDERS = re.compile(
     r"problem_of|stroke_of|_read_stops|_no_faces|refusal|crossing_warning|_end_problem|verdict"
-    r"|missing_program|warning_of|warnings_of"
+    r"|missing_program|_too_far"
 )
 OF_THE_COMMAND = (
     *sorted((PACKAGE / "cli").glob("*.py")),

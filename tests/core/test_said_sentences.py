@@ -116,7 +116,7 @@ TRIES = """
 --output out.gcode --arcs 0.1
 --least-bend-radius 1 --bridge
 --least-bend-radius 1 --input cube.obj
---output out.csv --chord-tolerance 0.4 --spacing 0.1 --iterations 300
+--output out.csv --resample-step 0.9 --input ball.obj --spacing 0.15 --iterations 300
 --output out.svg --layout top --input ball.obj --size 90 --iterations 200
 --output out.svg --layout top --chord-tolerance 0.3 --spacing 0.1 --iterations 300 --size 90
 """
