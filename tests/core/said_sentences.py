@@ -109,3 +109,47 @@ def sentences(modules: Iterable[Path]) -> list[Sentence]:
                     if _is_sentence(text):
                         found.append(Sentence(f"{path.name}:{value.lineno}", text))
     return list(dict.fromkeys(found))
+
+
+# What raises a sentence in the library, whose literals in one call are its parts.
+_RAISES = re.compile(r"\b(?:refuse|require|Failure)\s*\(")
+_LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
+
+
+def native_sentences() -> list[Sentence]:
+    """Those of the library: the literals of every call that refuses or fails, values between."""
+    found = []
+    for path in sorted([*NATIVE.rglob("*.cpp"), *NATIVE.rglob("*.h")]):
+        text = path.read_text(encoding="utf-8")
+        for match in _RAISES.finditer(text):
+            call = text[match.end() : _end_of_call(text, match.end())]
+            place = f"{path.relative_to(NATIVE)}:{text.count(chr(10), 0, match.start()) + 1}"
+            for parts in _alternatives(call):
+                if _is_sentence("\0".join(parts)):
+                    found.append(Sentence(place, "\0".join(parts)))
+    return list(dict.fromkeys(found))
+
+
+def _alternatives(call: str) -> list[list[str]]:
+    """The literals of a call, those that ? and : tell apart in lists of their own."""
+    groups: list[list[str]] = [[]]
+    before = 0
+    for literal in _LITERAL.finditer(call):
+        if re.search(r"\?|(?<!:):(?!:)", call[before : literal.start()]):
+            groups.append([])
+        groups[-1].append(literal.group(1))
+        before = literal.end()
+    return groups
+
+
+def _end_of_call(text: str, begin: int) -> int:
+    """Behind the parenthesis that closes the one before `begin`."""
+    depth, at = 1, begin
+    while depth and at < len(text):
+        quoted = _LITERAL.match(text, at)
+        if quoted:
+            at = quoted.end()
+            continue
+        depth += (text[at] == "(") - (text[at] == ")")
+        at += 1
+    return at
