@@ -9,13 +9,14 @@ FOLDER is docs/images by default; see strands_pictures.py.
 import sys
 from pathlib import Path
 
+import bmesh
 import bpy
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 import strands_pictures  # noqa: E402  (the path comes first)
-from strands_pictures import begin, fill, meander, surface_of  # noqa: E402
+from strands_pictures import begin, fill, link, meander, surface_of  # noqa: E402
 from strands_pictures import render as render_to  # noqa: E402
 
 APART = 1.35
@@ -47,6 +48,43 @@ def pair(make, spacing: float, path: Path, eye: tuple, **settings) -> None:
     render_to(path, eye, lens=72.0)
 
 
+def word(text: str, height: float, edge: float) -> bpy.types.Object:
+    """A word as a mesh with edges no longer than this: directions have a value at each vertex."""
+    data = bpy.data.curves.new("Word", "FONT")
+    data.body, data.align_x, data.resolution_u = text, "CENTER", 8
+    text_object = link("Text", data)
+    mesh = bpy.data.meshes.new_from_object(text_object)
+    bpy.data.objects.remove(text_object)
+    shape = bmesh.new()
+    shape.from_mesh(mesh)
+    bmesh.ops.triangulate(shape, faces=shape.faces)
+    while longer := [e for e in shape.edges if e.calc_length() > edge]:
+        longest = [e for e in longer if all(
+            e is max(face.edges, key=lambda other: other.calc_length()) for face in e.link_faces
+        )]
+        bmesh.ops.subdivide_edges(shape, edges=longest or longer[:1], cuts=1)
+        bmesh.ops.triangulate(shape, faces=[face for face in shape.faces if len(face.verts) > 3])
+    shape.to_mesh(mesh)
+    shape.free()
+    thing = link("Word", mesh)
+    thing.location.y = height
+    return thing
+
+
+def words(path: Path) -> None:
+    """A word grown, and below it along its outline from a full start."""
+    begin()
+    for height, settings in (
+        (0.15, {"start": "GROW"}),
+        (-0.75, {"alignment_source": "BOUNDARY", "alignment_weight": 2.0}),
+    ):
+        surface = surface_of(word("Meander", height, 0.03))
+        bpy.context.view_layer.update()
+        fill(surface, 0.033, **settings)
+    strands_pictures.SIZE = (720, 360)
+    render_to(path, (0.0, -0.9, 8.0), lens=78.0)
+
+
 if __name__ == "__main__":
     names = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     target = Path(names[0]) if names else ROOT / "docs/images"
@@ -56,4 +94,5 @@ if __name__ == "__main__":
         torus, 0.09, target / "start_rows.png", (0.0, -7.2, 8.9),
         alignment_source="CURVATURE", alignment_weight=2.0,
     )
+    words(target / "start_word.png")
     meander.unregister()

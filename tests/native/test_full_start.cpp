@@ -162,6 +162,31 @@ TEST(FullStart, GivesEveryRegionAStrandOfItsOwn) {
   }
 }
 
+/// A stem as of a letter has two strands or four, whichever are nearer to the spacing, which are straight and come to
+/// rest. (A closed curve crosses a stem an even number of times.)
+TEST(FullStart, FillsAStemWithStraightStrandsAndSettles) {
+  constexpr double kSpacing = 0.02;  // r is a hundredth of the stem's length
+  for (const double width : {3.0, 3.5, 4.0, 4.5, 5.0, 6.0, 7.0, 8.0}) {
+    SCOPED_TRACE(width);
+    Mesh mesh = flat_grid(24);
+    for (size_t k = 1; k < mesh.vertices.size(); k += 3) mesh.vertices[k] *= 0.5 * kSpacing * width;
+    const auto surface = std::make_shared<const Surface>(make_surface(mesh));
+    Flow flow = flow_of(surface, kSpacing);
+    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+    EXPECT_LT(flow.history().size(), 150u);
+    const Curve& c = flow.curve();
+    double along = 0;
+    for (uint32_t i = 0; i < c.size(); ++i) {
+      const Vec3 d = position(*surface, c.nodes[c.next(i)]) - position(*surface, c.nodes[i]);
+      if (std::abs(d.x()) > std::cos(kPi / 12) * d.norm()) along += c.shapes[i].length;
+    }
+    const int strands = width < 5.3 ? 2 : 4;
+    // Where four have come together, links and hairpins take more.
+    EXPECT_GT(along, (strands == 2 ? 0.93 : 0.7) * c.length());
+    EXPECT_NEAR(c.length() * surface->scale(), strands, (strands == 2 ? 0.06 : 0.15) * strands);
+  }
+}
+
 TEST(FullStart, LeavesTheCurveAsItWasWhenItIsCancelled) {
   const auto surface = std::make_shared<const Surface>(make_surface(sphere(4)));
   Flow flow = flow_of(surface, 0.1);

@@ -226,8 +226,8 @@ inline constexpr double kGrownForSure = 0.005;
 /// 140 let it cover what is left at the same packing (docs/quality.md, on a longer polish).
 inline constexpr uint32_t kPolishIterations = 22, kLongPolishIterations = 140;
 
-/// The same of a curve that fills the surface from its start. Coverage p99 of bunny, hand_closed and stuffedtoy is 1.03,
-/// 1.02 and 1.03 after 22, .02 less after 57, and .04 less after 140 (the means of preset `finest`).
+/// The same of a curve that fills the surface from its start. Coverage p99 of bunny, hand_closed and stuffedtoy is
+/// 1.03, 1.02 and 1.03 after 22, .02 less after 57, and .04 less after 140 (these two with the preset `finest`).
 inline constexpr uint32_t kFullPolishIterations = 30, kLongFullPolishIterations = 60;
 
 /// So many of them fit a finished curve to another spacing, and more of them hardly make it more even: near_target of

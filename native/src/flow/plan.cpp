@@ -61,6 +61,7 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iteratio
   plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? tuning::kBesideBoundary : 0;
   if (!settles) plan.medial.very_near = tuning::kVeryNearOfPaper;
   plan.firm_boundary = settles;
+  plan.firm_when_squeezed = settles && settings.full_start;
   plan.reuse_directions = settles && settings.boundary_distance <= 0.5 && phase != Phase::kCooling;
   plan.reuse_balls = settles;
   return plan;

@@ -30,6 +30,9 @@ struct Plan {
   /// No step leads onto the boundary, and where it pushes hard the model knows how fast its push falls: what is
   /// squeezed between two boundaries comes to rest. Not where the flow follows the paper.
   bool firm_boundary = false;
+  /// The same where a strand is squeezed between the boundary and another strand, as in a strip 3 r wide. Only for
+  /// curves that fill the surface from their start, whose strips are full before there is anything to wait for.
+  bool firm_when_squeezed = false;
   double hairpin_pull = 0;    ///< the length weight that draws in runs between hairpins while these are removed
   /// Balls are measured near creases only from the middle of the polish on. Growth and hairpin removal only need to
   /// know what is hidden, and the first iterations of the polish too: curves are as even, for a fifth of the time less.

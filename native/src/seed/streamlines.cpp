@@ -37,6 +37,13 @@ constexpr double kFull = 1.035, kLink = 3;
 /// And another begins where there is this much of the room that it is to have.
 constexpr double kRoom = 0.97;
 
+/// A stem is narrower than this, in r, and has two lines from the second width on: four strands, a quarter of the width
+/// from one another, are then nearer to the spacing than two at half of it.
+constexpr double kStem = 8, kTwoLines = 16.0 / 3;
+
+/// The field runs along the boundary where one of the two ways across it ends within this, in r.
+constexpr double kOutside = 0.1;
+
 /// Nodes of one line are no more than this.
 constexpr size_t kMostNodes = 1u << 22;
 
@@ -52,7 +59,8 @@ class Drawer {
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, LineNetwork& network,
          CancelPoll poll, std::vector<Streamline>& lines)
       : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll),
-        lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0), crowded_(network.patch_count()) {
+        lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0),
+        crowded_(network.patch_count()) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
       wanted_[s_.component(f)] += kFull * s_.face_area(f) / (spacing_.apart * r * r);
@@ -61,6 +69,7 @@ class Drawer {
 
   void draw() {
     for (const Streamline& trunk : lines_) offer_beside(trunk, spacing_.from_walls);
+    offer_along_boundary();
     fill(spacing_.apart, kShortest);
     // Where lines diverge: the widest gaps first, until there are as many lines as there is room for.
     for (double between = spacing_.apart - kNarrower; between > spacing_.between; between -= kNarrower) {
@@ -91,6 +100,29 @@ class Drawer {
         begin_at(node);
         draw_beside();
       });
+    }
+  }
+
+  /// Places beside the boundary, where the field runs along it. Across a stem, as of a letter, there are as many lines
+  /// as bring the strands on both sides of each nearest to their spacing; elsewhere the outermost is half of `apart`
+  /// away. (A closed curve crosses a stem an even number of times, so there is no way to have three strands.)
+  void offer_along_boundary() {
+    for (uint32_t i = 0; i < network_.nodes().size(); ++i) {
+      const LineNetwork::Node node = network_.nodes()[i];
+      if (node.line != LineNetwork::kBoundary) continue;
+      const Vec2 direction = unit(field_.at(node.point));
+      const auto across = [&](double distance) {
+        Path path;
+        return trace_geodesic(s_, node.point, Vec2{0, distance * node.radius} * direction, path);
+      };
+      for (const double side : {1.0, -1.0}) {
+        if (across(-side * kOutside).hit_boundary == across(side * kOutside).hit_boundary) break;
+        if (across(side * kOutside).hit_boundary) continue;
+        const Trace other = across(side * kStem);
+        const double width = other.length / node.radius;
+        const double away = !other.hit_boundary ? 0.5 * spacing_.apart : width < kTwoLines ? 0.5 * width : 0.25 * width;
+        beside_.push_back(across(side * away).end);
+      }
     }
   }
 
