@@ -400,3 +400,26 @@ def test_a_new_file_ends_the_run(windowed):
     assert session.current() is running
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     assert running.ended and session.current() is None
+
+
+@pytest.mark.parametrize(("start", "drawn"), [("FULL", True), ("GROW", False)])
+def test_a_full_start_is_drawn_from_its_beginning(windowed, monkeypatch, start, drawn):
+    """Little by little, and in the end all of it; what grows is shown as it is."""
+    shares = []
+    show = Preview.show
+
+    def note(self, polylines, share=1.0):
+        shares.append(share)
+        show(self, polylines, share)
+
+    monkeypatch.setattr(Preview, "show", note)
+    monkeypatch.setattr(session, "DRAWN_IN", 0.2)
+    thing = sphere()
+    thing.meander.start = start
+    running = begin(thing, 0.02)
+    tick_until(running, lambda: len(shares) > 2 and shares[-1] == 1.0)
+    running.stop_wanted = True
+    tick_until(running, lambda: False)
+    running.end()
+    assert shares == sorted(shares) and shares[-1] == 1.0
+    assert (shares[0] < 0.5) == drawn

@@ -41,6 +41,18 @@ def test_segments_join_the_points_of_each_strand(counts, closed):
     assert found.tolist() == [list(segment) for segment in expected]
 
 
+def test_a_share_of_the_segments_begins_at_the_first_point_of_each_strand():
+    lines = polylines([8, 4, 5], [True, False, True])
+    whole = segments_of(lines).tolist()
+    assert segments_of(lines, 1.0).tolist() == whole
+    assert segments_of(lines, 0.0).tolist() == []
+    half = segments_of(lines, 0.5)
+    assert half.dtype == np.int32 and half.flags.c_contiguous
+    assert half.tolist() == [[i, i + 1] for i in (0, 1, 2, 3, 8, 9, 12, 13, 14)]
+    for share in np.linspace(0.1, 0.9, 5):
+        assert all(segment in whole for segment in segments_of(lines, share).tolist())
+
+
 def test_what_is_shown_lies_where_the_curve_is_and_goes_away():
     surface = sphere()
     curve = GrowingCurve(lambda: surface, lambda: bpy.context.scene, np.eye(4))

@@ -18,16 +18,23 @@ from .. import core
 from ..scene.blender_versions import flat_shader
 
 
-def segments_of(polylines: core.Polylines) -> np.ndarray:
-    """The two points of every segment, int32 (n, 2), closing ones included."""
+def segments_of(polylines: core.Polylines, share: float = 1.0) -> np.ndarray:
+    """The two points of every segment, int32 (n, 2), closing ones included.
+
+    share   of every strand, from its first point on
+    """
     begins = np.arange(len(polylines.positions), dtype=np.int32)
     ends = begins + 1
     offsets = np.asarray(polylines.offsets, dtype=np.int64)
     closed = np.asarray(polylines.closed, dtype=bool)
     lasts = offsets[1:] - 1
     ends[lasts] = offsets[:-1]
-    segments = np.stack([begins, ends], axis=1)
-    return segments if closed.all() else np.delete(segments, lasts[~closed], axis=0)
+    kept = np.ones(len(begins), dtype=bool)
+    kept[lasts[~closed]] = False
+    if share < 1.0:
+        counts = np.diff(offsets)
+        kept &= begins - np.repeat(offsets[:-1], counts) < np.repeat(share * counts, counts)
+    return np.stack([begins, ends], axis=1)[kept]
 
 
 def _nearer(lift: float, depth: float, perspective: bool) -> Matrix:
@@ -71,8 +78,10 @@ class GrowingCurve:
             self._draw, (), "WINDOW", "POST_VIEW"
         )
 
-    def show(self, polylines: core.Polylines, lift: float) -> None:
+    def show(self, polylines: core.Polylines, lift: float, share: float = 1.0) -> None:
         """Takes the curve to draw from now on, `lift` nearer to the viewer, in world units.
+
+        Of every strand only this share is drawn, from its first point on.
 
         A line that lies in the surface flickers; a little in front of it, it is clear. It is not
         lifted along the normals: they point inwards where a mesh is inside out, and away from who
@@ -82,7 +91,7 @@ class GrowingCurve:
         self._lift = lift
         if len(self._positions):
             self._middle = Vector(self._positions.mean(axis=0).tolist())
-        self._segments = segments_of(polylines)
+        self._segments = segments_of(polylines, share)
         self._batch = None
 
     @property

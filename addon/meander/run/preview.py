@@ -33,12 +33,15 @@ class Preview:
         """How many points the curve has that the views show."""
         return self._growing.point_count if self._growing is not None else 0
 
-    def show(self, polylines: core.Polylines) -> None:
-        """Takes the curve to show from now on; the caller has the views redrawn."""
+    def show(self, polylines: core.Polylines, share: float = 1.0) -> None:
+        """Takes the curve to show from now on, or the first share of every strand.
+
+        The caller has the views redrawn.
+        """
         plan = self._plan
         if self._growing is None:
             self._growing = GrowingCurve(plan.surface.find, self._scene.find, plan.matrix)
-        self._growing.show(polylines, PREVIEW_LIFT * plan.spacing)
+        self._growing.show(polylines, PREVIEW_LIFT * plan.spacing, share)
         self.keep_result_out()
 
     def keep_result_out(self) -> None:

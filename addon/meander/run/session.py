@@ -39,6 +39,8 @@ LOOK_INTERVAL, LOOK_SHARE = 0.2, 0.2
 # A copy of the curve that may have waited for longer than this, in seconds, since it was made, is
 # not worth showing: the next one is an iteration away.
 STALE = 0.25
+# So long a full start is drawn, in seconds, as long as the run goes.
+DRAWN_IN = 2.0
 
 
 class Session:
@@ -65,6 +67,10 @@ class Session:
         suspended.drop()  # a run that begins takes the place of the one before it
         self._remaining = Remaining()
         self._shown = True  # whether the view has what is in `latest`
+        # A curve that fills the surface from its start is drawn strand by strand, as with a pen:
+        # whether it still is, and since when.
+        self._drawing = suspended_run is None and plan.problem.options.start == core.Start.FULL
+        self._drawn_since: float | None = None
         self._polled = 0.0  # when a copy of the curve was last asked for
         self._skipped = False  # whether a tick has passed since
         self._stale = False  # whether `latest` was old when it was taken
@@ -112,8 +118,9 @@ class Session:
             self._take_copy()
         else:
             self._skipped = True
-        if picture_due and not (self._shown or self._stale or self.stepper.finished):
-            self._preview.show(self.latest.polylines)
+        seen = self._shown and not (self._drawing and self.latest is not None)
+        if picture_due and not (seen or self._stale or self.stepper.finished):
+            self._preview.show(self.latest.polylines, self._drawn_share())
             self._shown = True
             self._window.picture_given()
         if text_due:
@@ -225,6 +232,16 @@ class Session:
             # It was made after the last copy was taken, perhaps right after.
             self._stale = self._skipped and self._polled - before > STALE
         self._skipped = False
+
+    def _drawn_share(self) -> float:
+        """The share of every strand that is to be seen by now."""
+        if not self._drawing:
+            return 1.0
+        if self._drawn_since is None:
+            self._drawn_since = self.ticked
+        share = (self.ticked - self._drawn_since) / DRAWN_IN
+        self._drawing = share < 1.0
+        return min(share, 1.0)
 
     def progress(self) -> float:
         """How much of the run is done, in [0, 1]: about the share of its time."""
