@@ -159,7 +159,9 @@ class Layout:
     def menu(self, _idname: str, text: str = "", icon: str = "NONE", **_options: Any) -> None:
         self._add(Item("operator", text, icon != "NONE"))
 
-    popover = menu
+    def popover(self, panel: str, text: str = "", icon: str = "NONE", **_options: Any) -> None:
+        assert hasattr(bpy.types, panel)
+        self._add(Item("operator", text, icon != "NONE"))
 
     def label(self, text: str = "", icon: str = "NONE", **_options: Any) -> None:
         self._add(Item("label", text, icon != "NONE"))

@@ -48,6 +48,10 @@ class Layout:
         self.shown.append(label if text is None else text)
         return SimpleNamespace()
 
+    def popover(self, panel, text=None, **_options) -> None:
+        known = getattr(bpy.types, panel)
+        self.shown.append(known.bl_label if text is None else text)
+
     def label(self, text="", **_options) -> None:
         self.shown.append(text)
 

@@ -142,6 +142,20 @@ def test_a_preset_needs_something_to_fill():
     assert not bpy.ops.meander.use_preset.poll() and not bpy.ops.meander.add_preset.poll()
 
 
+def test_the_preset_that_is_active_is_named(own_scripts):
+    surface = cube()
+    assert presets.active_name(surface.meander) == "Even"
+    for name in SHIPPED:
+        bpy.ops.meander.use_preset(filepath=str(presets.SHIPPED / f"{name}.py"))
+        assert presets.active_name(surface.meander) == name.replace("_", " ")
+    surface.meander.border_distance += 0.3
+    assert presets.active_name(surface.meander) == ""
+    bpy.ops.meander.add_preset(name="My Own")
+    assert presets.active_name(surface.meander) == "My Own"
+    fill(surface, 0.6)
+    assert presets.active_name(surface.meander.last_result.meander) == "My Own"
+
+
 def shown_in(menu: str) -> list[str]:
     """The texts of our entries in a menu of Blender's."""
     layout = Layout()
@@ -221,3 +235,15 @@ def test_every_page_exists_and_every_setting_has_one():
     assert page_of("bpy.ops.meander.two_tone") == pages.address_of("making")
     assert page_of("bpy.ops.meander.bake_motion") == pages.address_of("motion")
     assert page_of("bpy.ops.meander.run") == pages.address_of("index")
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_preset_fills_a_plane(name):
+    """Also Rows, whose axis may stand straight up from it."""
+    bpy.ops.mesh.primitive_grid_add(x_subdivisions=8, y_subdivisions=8, size=2)
+    plane = bpy.context.active_object
+    plane.meander.spacing = 0.2
+    bpy.ops.meander.use_preset(filepath=str(presets.SHIPPED / f"{name}.py"))
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    figures = plane.meander.last_result.meander.figures
+    assert figures.stop_reason in {"converged", "iteration_limit"} and figures.lines == 1

@@ -21,7 +21,7 @@ from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
 from .operators import MEANDER_OT_propose_spacing
 from .preparation_panels import draw_faults
-from .presets import MEANDER_PT_presets
+from .presets import MEANDER_PT_presets, active_name
 from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
 from .seed_drawing import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
@@ -70,11 +70,10 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             row.enabled = False
             row.prop(settings, "surface", icon="MESH_DATA")
         else:
-            split = layout.split(factor=0.4)
-            label = split.row()
-            label.alignment = "RIGHT"
-            label.label(text="Surface")
-            split.label(text=surface.name, icon="MESH_DATA")
+            _labelled(layout, "Surface").label(text=surface.name, icon="MESH_DATA")
+        _labelled(layout, "Preset").popover(
+            panel=MEANDER_PT_presets.__name__, text=active_name(settings) or "None"
+        )
         live = layout.column()
         columns(live, live=True)
         row = live.row(align=True)
@@ -199,6 +198,15 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
                 text="Hide Gaps" if gap_marks.shown_of(active) else "Show Gaps",
                 icon="HIDE_OFF",
             )
+
+
+def _labelled(layout: bpy.types.UILayout, text: str) -> bpy.types.UILayout:
+    """A row with a label, as settings have it; what it is of comes beside."""
+    split = layout.split(factor=0.4)
+    label = split.row()
+    label.alignment = "RIGHT"
+    label.label(text=text)
+    return split
 
 
 def _evenness(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:

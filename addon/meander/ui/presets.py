@@ -8,13 +8,18 @@ and not what a result looks like.
 
 from __future__ import annotations
 
+import ast
+import math
+import re
 from pathlib import Path
+from typing import Any
 
 import bpy
 from bl_operators.presets import AddPresetBase
 from bl_ui.utils import PresetPanel
 from bpy.props import StringProperty
 
+from ..run.window import redraw
 from ..scene.blender_versions import add_preset_path, remove_preset_path
 from ..scene.fillable import why_not
 from ..scene.settings import surface_of
@@ -23,6 +28,8 @@ SUBDIR = "meander"
 # Its folder presets/meander has the presets of the add-on.
 _HOME = Path(__file__).resolve().parents[1]
 SHIPPED = _HOME / "presets" / SUBDIR
+
+_ASSIGNMENT = re.compile(r"\s*(?:[\w.]+\.)?(?:settings|meander)\.(\w+)\s*=\s*(.+?)\s*")
 
 SETTINGS = (
     "preset",
@@ -54,6 +61,44 @@ def folders() -> list[str]:
     return [str(SHIPPED), *others]
 
 
+# Of every file that has been read: when it was written, and what it sets.
+_read: dict[Path, tuple[int, dict[str, Any]]] = {}
+
+
+def active_name(settings: bpy.types.PropertyGroup) -> str:
+    """The name of the preset whose settings these are; empty where they are nobody's."""
+    for folder in folders():
+        for path in sorted(Path(folder).glob("*.py")):
+            values = _values_of(path)
+            if values and all(_same(getattr(settings, name), values[name]) for name in values):
+                return bpy.path.display_name(path.stem, title_case=False)
+    return ""
+
+
+def _values_of(path: Path) -> dict[str, Any]:
+    """What a preset sets, read without running it; nothing where it does something else too."""
+    written = path.stat().st_mtime_ns
+    if path not in _read or _read[path][0] != written:
+        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+        found = (_ASSIGNMENT.fullmatch(line) for line in lines)
+        values = {match[1]: _literal(match[2]) for match in found if match and match[1] in SETTINGS}
+        _read[path] = (written, values)
+    return _read[path][1]
+
+
+def _literal(text: str) -> Any:
+    try:
+        return ast.literal_eval(text)
+    except (ValueError, SyntaxError):
+        return None  # which no setting is
+
+
+def _same(value: Any, other: Any) -> bool:
+    if isinstance(value, float) and isinstance(other, (int, float)):
+        return math.isclose(value, other, rel_tol=1e-5, abs_tol=1e-9)  # single precision
+    return value == other
+
+
 def _poll(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
     if surface_of(context.active_object) is None:
         cls.poll_message_set(why_not(context.active_object))
@@ -80,9 +125,11 @@ class MEANDER_OT_use_preset(bpy.types.Operator):
             self.report({"ERROR"}, f"There is no preset at {path}; choose another")
             return {"CANCELLED"}
         # Blender's own operator for it, which keeps no undo step.
-        return bpy.ops.script.execute_preset(
+        done = bpy.ops.script.execute_preset(
             filepath=str(path), menu_idname=MEANDER_PT_presets.__name__
         )
+        redraw("UI")  # for the name in the panel's head
+        return done
 
 
 class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
