@@ -71,6 +71,10 @@ enum Op : uint8_t {
   kFree,  // functions on structs alone: versions, names, layouts, warnings, _init
   kThreads,
   kCost,
+  kReadPolygons,    // a: kind of text, b, c: damage, d: kind asked for
+  kReadNumbers,
+  kTriangulate,     // a: noise, b: damage, c: where, d: corners, e: an end
+  kTurnDirections,  // a: noise, b: damage, c: value
   kOpCount
 };
 

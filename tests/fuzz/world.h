@@ -15,6 +15,7 @@
 
 #include <meander/meander.h>
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -90,6 +91,11 @@ class World {
   void find_faults();
   void field_of_surface();
   void stroke_directions();
+  void turn_directions();
+  Shown<const char*> text(std::unique_ptr<char[]>& memory, size_t& size);
+  void read_polygons();
+  void read_numbers();
+  void triangulate();
   void outlines();
   void create_flow();
   void run_flow();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Surfaces: made of meshes of all kinds, and what is computed on them alone.
+#include <algorithm>
+#include <cmath>
+
 #include "world.h"
 #include "world_call.h"
 
@@ -138,6 +141,43 @@ void World::stroke_directions() {
            shown(strokes), values, shown(count), context());
   check_refusal_of_cancelled(status);
   outputs.check(status == MEANDER_STATUS_OK);
+}
+
+void World::turn_directions() {
+  if (!spend(2)) return;
+  const Shape& shape = surface().shape;
+  const size_t count = vertex_count_for(shape);
+  Noise noise(record_.a);
+  std::vector<double> directions(3 * count), angles(count);
+  for (double& x : directions) x = noise.share() - 0.5;
+  for (double& x : angles) x = 20 * noise.share() - 10;
+  if (record_.b % 4 == 1 && count > 0) directions[record_.c % directions.size()] = hostile(record_.c);
+  if (record_.b % 4 == 2 && count > 0) angles[record_.c % count] = hostile(record_.c);
+  if (record_.b % 4 == 3) {
+    for (double& x : directions) x *= hostile(record_.c);
+  }
+  if (transcript_.open()) {
+    transcript_.line("std::vector<double> directions = " + written(directions) + ";");
+    transcript_.line("std::vector<double> angles = " + written(angles) + ";");
+  }
+  const std::vector<double> before = directions;
+  const auto handle = surface_handle();
+  const Shown<double*> turned{missing(0) ? nullptr : directions.data(), missing(0) ? "nullptr" : "directions.data()"};
+  const meander_status status = call("meander_surface_turn_directions", meander_surface_turn_directions,
+                                     Shown<const meander_surface*>{handle.value, handle.text}, turned,
+                                     missing(1) ? Shown<const double*>{nullptr, "nullptr"} : given(angles, "angles"),
+                                     shown(count), context());
+  check_refusal_of_cancelled(status);
+  if (status != MEANDER_STATUS_OK) {
+    if (!std::equal(before.begin(), before.end(), directions.begin(),
+                    [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); })) {
+      fail(transcript_, "directions were written by a call that gives nothing");
+    }
+    return;
+  }
+  for (const double x : directions) {
+    if (!(std::abs(x) <= 1.001)) fail(transcript_, "a direction that is no unit vector");
+  }
 }
 
 void World::outlines() {

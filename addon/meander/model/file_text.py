@@ -6,6 +6,7 @@ from __future__ import annotations
 import codecs
 from pathlib import Path
 
+from .. import core
 from .whole_files import FileError, read_bytes
 
 # The beginning of a file, and what that makes it. What is read under its own suffix only is no
@@ -35,6 +36,12 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "utf-16"),
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
+
+
+def in_file(path: Path, refusal: core.MeanderError) -> FileError:
+    """What the library refuses of a text, as it is said of its file."""
+    said = str(refusal)
+    return FileError(f"{path}, {said[:1].lower()}{said[1:].removesuffix('.')}")
 
 
 def read_plain(path: Path) -> bytes:

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from .. import core
 from ..core import Polylines, Seed
-from .file_text import read_plain, told_apart
+from .file_text import in_file, read_plain, told_apart
 from .polygons import MeshOfFile, left_out, triangles_of
 from .whole_files import FileError, whole_file
 
@@ -65,7 +65,7 @@ def _read(path: Path, data: bytes, kind: core.Text) -> core.TextPolygons:
     except core.MeanderError as problem:
         if problem.status != core.Status.INVALID_MESH:
             raise
-        raise FileError(f"{path}, {problem}") from problem
+        raise in_file(path, problem) from problem
 
 
 def _no_faces(data: bytes) -> str:

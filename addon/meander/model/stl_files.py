@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from .file_text import read_plain, told_apart
+from .file_text import in_file, read_plain, told_apart
 from .polygons import MeshOfFile, left_out, triangles_of
 from .whole_files import FileError
 
@@ -89,7 +89,7 @@ def _of_text(path: Path, data: bytes) -> MeshOfFile:
     except core.MeanderError as problem:
         if problem.status != core.Status.INVALID_MESH:
             raise
-        raise FileError(f"{path}, {problem}") from problem
+        raise in_file(path, problem) from problem
     if not len(found.ends):
         raise FileError(f"{path} has no faces; give a mesh with triangles")
     vertices, places = _joined(found.positions)

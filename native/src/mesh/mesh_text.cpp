@@ -135,7 +135,7 @@ void put(std::span<Value> array, size_t at, Value value) {
 }
 
 [[noreturn]] void malformed(uint32_t line, const std::string& what) {
-  throw Failure(FailureKind::kInvalidMesh, "line " + std::to_string(line) + ": " + what + "; correct the file");
+  throw Failure(FailureKind::kInvalidMesh, "Line " + std::to_string(line) + ": " + what + "; correct the file.");
 }
 
 class Reader {
@@ -271,7 +271,7 @@ void Reader::stl(bool names) {
   if (polygons_.corner_count - begun_ == 3) close_polygon(first, 3);
   if (polygons_.corner_count != begun_) {
     throw Failure(FailureKind::kInvalidMesh,
-                  "line " + std::to_string(first) + ": the file ends within a triangle; export it again");
+                  "Line " + std::to_string(first) + ": the file ends within a triangle; export it again.");
   }
 }
 

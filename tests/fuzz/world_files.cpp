@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Texts of mesh files, made of the mesh and then damaged, and polygons of any kind.
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <string>
+
+#include "world.h"
+#include "world_call.h"
+
+namespace meander::fuzz {
+namespace {
+
+std::string text_of(double x) {
+  char text[40];
+  return {text, std::to_chars(text, text + sizeof text, x).ptr};
+}
+
+/// The points and faces of a mesh as the text of a file: 0: OBJ, 1: its lines, 2: STL, 3: numbers alone.
+std::string text_of(const std::vector<double>& vertices, const std::vector<uint32_t>& faces, unsigned kind) {
+  std::string text = kind == 2 ? "solid a\n" : kind == 3 ? "" : "# a\no a\n";
+  const auto place = [&](size_t v) {
+    for (size_t k = 3 * v; k < std::min(3 * v + 3, vertices.size()); ++k) text += " " + text_of(vertices[k]);
+    text += "\n";
+  };
+  if (kind != 2) {
+    for (size_t v = 0; v < vertices.size() / 3; ++v) {
+      if (kind != 3) text += "v";
+      place(v);
+    }
+  }
+  for (size_t f = 0; f + 2 < faces.size() && kind != 3; f += 3) {
+    if (kind != 2) text += kind == 0 ? "f" : "l";
+    if (kind == 2) text += "facet normal 0 0 1\nouter loop\n";
+    for (size_t k = f; k < f + 3; ++k) {
+      if (kind != 2) {
+        text += " " + std::to_string(static_cast<int64_t>(faces[k]) + 1);
+        continue;
+      }
+      text += "vertex";
+      place(faces[k]);
+    }
+    text += kind == 2 ? "endloop\nendfacet\n" : "\n";
+  }
+  return text;
+}
+
+/// Bytes of it replaced, left out, doubled, or by what such files hold.
+std::string damaged(std::string text, Noise noise, unsigned times) {
+  static const char* const kPieces[] = {"f",  "v ",   "l ", "-1", "/", "//2", "nan",      "1e999", "0x1p3", "endloop",
+                                        "\r", "\r\n", "\\\n", "#", " ", "\t",  "4294967297", "-",     "\xef\xbb\xbf"};
+  for (unsigned k = 0; k < times; ++k) {
+    const size_t at = text.empty() ? 0 : noise.next() % text.size();
+    const std::string piece = kPieces[noise.next() % std::size(kPieces)];
+    switch (noise.next() % 5) {
+      case 0: text.insert(at, piece); break;
+      case 1: text.replace(at, std::min<size_t>(piece.size(), text.size() - at), piece); break;
+      case 2: text.erase(at, noise.next() % 9); break;
+      case 3: text.resize(at); break;
+      default:
+        if (at < text.size()) text[at] = static_cast<char>(noise.next());
+    }
+  }
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const char octal[] = {'\\', static_cast<char>('0' + (byte >> 6)), static_cast<char>('0' + (byte >> 3 & 7)),
+                          static_cast<char>('0' + (byte & 7)), '\0'};
+    out += octal;
+  }
+  return out + "\"";
+}
+
+}  // namespace
+
+/// The text as the record says, exactly as long as the call is told, so that what reads on is found.
+Shown<const char*> World::text(std::unique_ptr<char[]>& memory, size_t& size) {
+  const unsigned kind = record_.op % kOpCount == kReadNumbers ? 3u : record_.a % 3u;
+  const std::string made = damaged(text_of(in_.vertices, in_.faces, kind), Noise(record_.b), record_.c % 16u);
+  size = made.size();
+  memory.reset(new char[size]);
+  std::copy(made.begin(), made.end(), memory.get());
+  if (missing(0)) return {nullptr, "nullptr"};
+  return {memory.get(), transcript_.open() ? quoted(made) : ""};
+}
+
+void World::read_polygons() {
+  std::unique_ptr<char[]> memory;
+  size_t size = 0;
+  const auto given_text = text(memory, size);
+  const uint32_t kind = record_.d < 240 ? record_.a % 3u : record_.d;
+  const size_t room = room_for(size), points_room = missing(1) ? 0 : room, corners_room = missing(2) ? 0 : room;
+  Outputs outputs(transcript_);
+  const auto positions = outputs.array<double>("positions", 3 * points_room, missing(1), true);
+  const auto corners = outputs.array<uint32_t>("corners", corners_room, missing(2));
+  const auto ends = outputs.array<uint64_t>("ends", room, missing(3));
+  const auto lines = outputs.array<uint32_t>("lines", room, missing(4));
+  size_t points = 0, used = 0, polygons = 0, left_out = 0;
+  transcript_.line("size_t points = 0, used = 0, polygons = 0, left_out = 0;");
+  const meander_status status =
+      call("meander_text_read_polygons", meander_text_read_polygons, given_text, shown(size), shown(kind), positions,
+           shown(points_room), out(points, "points"), corners, shown(corners_room), out(used, "used"), ends, lines,
+           shown(room), out(polygons, "polygons"), out(left_out, "left_out"));
+  if (status != MEANDER_STATUS_OK || points > points_room || used > corners_room || polygons > room) return;
+  uint64_t before = 0;
+  for (size_t p = 0; p < polygons; ++p) {
+    if (ends.value[p] < before || ends.value[p] > used) fail(transcript_, "ends of polygons that fall");
+    before = ends.value[p];
+    if (lines.value && (lines.value[p] == 0 || lines.value[p] > size + 1)) fail(transcript_, "a line that is not there");
+  }
+  if (before != used) fail(transcript_, "corners of no polygon");
+  for (size_t c = 0; c < used; ++c) {
+    if (corners.value[c] >= points) fail(transcript_, "a corner that is no point");
+  }
+}
+
+void World::read_numbers() {
+  std::unique_ptr<char[]> memory;
+  size_t size = 0;
+  const auto given_text = text(memory, size);
+  const size_t room = missing(1) ? 0 : room_for(size);
+  Outputs outputs(transcript_);
+  const auto numbers = outputs.array<double>("numbers", room, missing(1), true);
+  size_t count = 0, end = 0;
+  transcript_.line("size_t count = 0, end = 0;");
+  const meander_status status = call("meander_text_read_numbers", meander_text_read_numbers, given_text, shown(size),
+                                     numbers, shown(room), out(count, "count"), out(end, "end"));
+  if (status == MEANDER_STATUS_OK && (count > room || end > size)) fail(transcript_, "more numbers than there is room");
+}
+
+void World::triangulate() {
+  Noise noise(record_.a);
+  std::vector<uint32_t> corners(in_.faces);
+  std::vector<uint64_t> ends;
+  if (record_.b % 4 == 1 && !corners.empty()) corners[record_.c % corners.size()] = noise.next();
+  if (record_.b % 4 == 2) corners.resize(corners.size() / 2);
+  for (uint64_t at = 0; at < corners.size();) {
+    at = std::min<uint64_t>(corners.size(), at + (record_.d ? noise.next() % record_.d : 3));
+    ends.push_back(at);
+    if (ends.size() > 300) ends.back() = at = corners.size();
+  }
+  if (record_.e && !ends.empty()) ends[record_.e % ends.size()] = noise.next() % (corners.size() + 3);
+  if (transcript_.open()) {
+    transcript_.line("std::vector<uint32_t> corners = " + written(corners) + ";");
+    transcript_.line("std::vector<uint64_t> ends = " + written(ends) + ";");
+  }
+  const size_t room = room_for(corners.size());
+  Outputs outputs(transcript_);
+  const auto triangles = outputs.array<uint32_t>("triangles", missing(3) ? 0 : 3 * room, missing(3));
+  const auto polygons = outputs.array<uint32_t>("polygons", room, missing(4));
+  size_t count = 0;
+  transcript_.line("size_t count = 0;");
+  auto vertices = given(in_.vertices, "vertices");
+  auto given_corners = given(corners, "corners");
+  auto given_ends = given(ends, "ends");
+  if (missing(0)) vertices = {nullptr, "nullptr"};
+  if (missing(1)) given_corners = {nullptr, "nullptr"};
+  if (missing(2)) given_ends = {nullptr, "nullptr"};
+  const size_t capacity = missing(3) ? 0 : room;
+  const meander_status status =
+      call("meander_polygons_triangulate", meander_polygons_triangulate, vertices, shown(in_.vertex_count()),
+           given_corners, shown(corners.size()), given_ends, shown(ends.size()), triangles, polygons, shown(capacity),
+           out(count, "count"));
+  if (status != MEANDER_STATUS_OK || count > capacity) {
+    outputs.check(false);
+    return;
+  }
+  if (count > corners.size()) fail(transcript_, "more triangles than corners");
+  for (size_t t = 0; t < count; ++t) {
+    if (polygons.value && polygons.value[t] >= ends.size()) fail(transcript_, "a triangle of no polygon");
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t v = triangles.value[3 * t + k];
+      if (std::find(corners.begin(), corners.end(), v) == corners.end()) fail(transcript_, "a corner of no polygon");
+    }
+  }
+}
+
+}  // namespace meander::fuzz
