@@ -181,9 +181,24 @@ void stiffen_at_boundary(const Weighting& w) {
   });
 }
 
+/// Where the curve lies along the field from its start the push need not make it longer: less of it before the polish,
+/// and more in it, where alignment is lost. Aligned and near_target along the x axis with a weight of 4, bunny and spot:
+/// .860 .925 and .808 .859 with the push of what grows, .886 .897 and .829 .834 so; with a weight of 6 and the former
+/// .875 .906 and .821 .808.
+constexpr double kFullStartGrowth = 0.6, kFullStartPolish = 1.5;
+
+double growing_push(const Weighting& w) {
+  const FlowSettings& s = w.settings();
+  if (!w.aligned() || !s.polish) return 0;
+  const double push = std::min(tuning::kAlignedGrowth * s.alignment_weight, tuning::kMostAlignedGrowth);
+  return s.full_start ? kFullStartGrowth * push : push;
+}
+
 double polish_push(const Weighting& w) {
   if (!w.aligned()) return 0;
-  return std::min(tuning::kAlignedPolish * w.settings().alignment_weight, tuning::kMostAlignedPolish);
+  const FlowSettings& s = w.settings();
+  const double push = std::min(tuning::kAlignedPolish * s.alignment_weight, tuning::kMostAlignedPolish);
+  return s.full_start ? kFullStartPolish * push : push;
 }
 
 /// As the options say.
@@ -192,10 +207,8 @@ void set_growing(const Weighting& w) {
   w.weights.medial = s.medial_weight * power_balance(s.medial_power);
   w.weights.medial_power = s.medial_power;
   w.weights.bending.assign(w.size(), s.bending_weight);
-  const bool pushed = w.aligned() && s.polish;
-  const double push =
-      pushed ? std::min(tuning::kAlignedGrowth * s.alignment_weight, tuning::kMostAlignedGrowth) : 0;
-  const NodeData<double> spacing = pushed ? w.spacing() : NodeData<double>();
+  const double push = growing_push(w);
+  const NodeData<double> spacing = push > 0 ? w.spacing() : NodeData<double>();
   set_length_weights(w, push, spacing, [&](size_t) { return s.length_weight; });
 }
 

@@ -28,6 +28,10 @@ constexpr double kOffset = 0.45;
 /// 1.6.
 constexpr double kLeastAlong = 1.9;
 
+/// And all lines together are as long as this: what is held along a field grows little. Packing on bunny and spot is
+/// 1.02 then, and .97 with as many lines as of a smooth field.
+constexpr double kFullAlong = 1.06;
+
 /// Walls are known by places this far apart, in r.
 constexpr double kWallStep = 0.5;
 
@@ -206,7 +210,10 @@ Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const
   Trunks trunks;
   trunks.add(first, drawn, network, lines);
   LineSpacing spacing;
-  if (!field.empty()) spacing.least = kLeastAlong;
+  if (!field.empty()) {
+    spacing.least = kLeastAlong;
+    spacing.full = kFullAlong;
+  }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelPoll poll = pool.poll(kPieces);
   draw_streamlines(completed(surface, field, poll), radius, spacing, network, poll, lines);

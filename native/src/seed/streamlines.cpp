@@ -30,9 +30,8 @@ constexpr double kShortest = 1, kShortestBetween = 2;
 /// Between others lines begin in gaps that are narrower by this, in r, from turn to turn.
 constexpr double kNarrower = 0.2;
 
-/// Lines are as many as there is room for when they and their links, each of so many r, are this long, over
-/// area / (4 r).
-constexpr double kFull = 1.035, kLink = 3;
+/// Each line has a link, which is so long in r.
+constexpr double kLink = 3;
 
 /// And another begins where there is this much of the room that it is to have.
 constexpr double kRoom = 0.97;
@@ -63,7 +62,7 @@ class Drawer {
         crowded_(network.patch_count()) {
     for (uint32_t f = 0; f < s_.face_count(); ++f) {
       const double r = radius_.at(s_, make_point(f, 1, 1, 1));
-      wanted_[s_.component(f)] += kFull * s_.face_area(f) / (spacing_.apart * r * r);
+      wanted_[s_.component(f)] += spacing_.full * s_.face_area(f) / (spacing_.apart * r * r);
     }
   }
 
