@@ -95,3 +95,11 @@ def test_a_circle_is_found(tmp_path):
         header.write_text(f'#include "mesh/{other}.h"\n', encoding="utf-8")
     # d leads into the circle.
     assert headers_in_a_circle(tmp_path) == [f"mesh/{name}.h" for name in "abcd"]
+
+
+def test_the_picture_of_the_rooms_has_them_all_in_their_order() -> None:
+    picture = SOURCES.parents[1] / "docs" / "images" / "architecture.svg"
+    names = re.findall(r'<text class="name"[^>]*>([^<]+)</text>', picture.read_text("utf-8"))
+    # The Python package comes first, and has a room of the same name as one of these.
+    first = names.index(ROOMS[0])
+    assert names[first : first + len(ROOMS)] == list(ROOMS)
