@@ -111,7 +111,9 @@ void World::read_polygons() {
   for (size_t p = 0; p < polygons; ++p) {
     if (ends.value[p] < before || ends.value[p] > used) fail(transcript_, "ends of polygons that fall");
     before = ends.value[p];
-    if (lines.value && (lines.value[p] == 0 || lines.value[p] > size + 1)) fail(transcript_, "a line that is not there");
+    if (lines.value && (lines.value[p] == 0 || lines.value[p] > size + 1)) {
+      fail(transcript_, "a line that is not there");
+    }
   }
   if (before != used) fail(transcript_, "corners of no polygon");
   for (size_t c = 0; c < used; ++c) {
