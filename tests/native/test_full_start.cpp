@@ -79,6 +79,13 @@ TEST(FullStart, FillsEverySurfaceWithOneStrandAComponent) {
   }
 }
 
+/// A ball with a spike of 50 radii on one vertex.
+Mesh spike() {
+  Mesh mesh = sphere(3);
+  for (size_t k = 0; k < 3; ++k) mesh.vertices[k] *= 50;
+  return mesh;
+}
+
 /// What a start is too dense or too wide in the end the curve is too.
 TEST(FullStart, IsAsLongAsACurveAtTheSpacing) {
   for (const auto& [name, mesh] : {std::pair{"sphere", sphere(4)}, {"noisy", with_noise(sphere(4), 0.3, 5)},
@@ -121,6 +128,21 @@ TEST(FullStart, IsTheSameForAnyNumberOfThreadsAndAtAnyScale) {
       if (first.empty()) first = bytes;
       EXPECT_EQ(bytes, first) << scale << ", " << threads << " threads";
     }
+  }
+}
+
+/// A spike on which no curve can be laid: there the flow is the one that grows.
+TEST(FullStart, GrowsWhereNoneCanBeLaid) {
+  const auto surface = std::make_shared<const Surface>(make_surface(spike()));
+  const double spacing = 0.1 * std::sqrt(surface->area()) * surface->scale();
+  Flow full = flow_of(surface, spacing);
+  meander_flow_options options = options_of(spacing);
+  options.threads = 1;
+  Flow grown(surface, nullptr, {}, checked_settings(options, *surface));
+  for (int k = 0; k < 60; ++k) {
+    ASSERT_TRUE(full.step(kNeverCancelled));
+    ASSERT_TRUE(grown.step(kNeverCancelled));
+    ASSERT_EQ(bytes_of(full.curve()), bytes_of(grown.curve())) << "iteration " << k;
   }
 }
 

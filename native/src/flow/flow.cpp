@@ -43,6 +43,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
     : pool_(settings.threads),
       drawn_(seed && !seed->offsets.empty() ? seed->offsets.size() - 1 : 0),
       start_is_due_(settings.full_start),
+      removal_where_it_grows_(settings.hairpin_removal_iterations),
       state_(first_state(std::move(surface), seed, density, as_started(settings), pool_, seed_fit_, cancelled)),
       convergence_(settings.stop_rule, settings.polish, state_.settings.hairpin_removal_iterations,
                    polish_iterations(state_.settings)),
@@ -98,12 +99,24 @@ StopReason Flow::run(const std::function<bool()>& cancelled, const std::function
   return stop_reason();
 }
 
-/// Puts a curve that fills the surface in the place of the loops. Whatever it throws, all is then as it was.
+/// Puts a curve that fills the surface in the place of the loops. Whatever it throws, all is then as it was. Where none
+/// could be laid at all, as on a needle, the flow grows as if nothing else had been asked for.
 void Flow::start_full() {
   const Domain& domain = state_.domain;
   FlowState full{state_.settings, domain, full_start(*domain.surface, state_.curve, drawn_, domain.radius,
                                                      domain.directions, domain.patches.get(),
                                                      state_.settings.boundary_distance, pool_), {}, {}};
+  const auto same = [](const SurfacePoint& a, const SurfacePoint& b) {
+    return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
+  };
+  if (std::ranges::equal(full.curve.nodes, state_.curve.nodes, same)) {
+    state_.settings.full_start = false;
+    state_.settings.hairpin_removal_iterations = removal_where_it_grows_;
+    convergence_ = Convergence(state_.settings.stop_rule, state_.settings.polish, removal_where_it_grows_,
+                               polish_iterations(state_.settings));
+    start_is_due_ = false;
+    return;
+  }
   refiner_.refine(full, plan(), pool_);
   state_ = std::move(full);
   start_is_due_ = false;

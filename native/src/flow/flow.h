@@ -123,6 +123,7 @@ class Flow {
   SeedFit seed_fit_;
   size_t drawn_;       // strands of the seed
   bool start_is_due_;  // the first iteration is to lay a curve that fills the surface
+  uint32_t removal_where_it_grows_;  // iterations that remove hairpins, where no such curve can be laid
   // What a run is about, and how far it has come.
   FlowState state_;
   Convergence convergence_;
