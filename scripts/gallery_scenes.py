@@ -61,7 +61,7 @@ def fill(thing: bpy.types.Object, spacing: float, **settings: Any) -> bpy.types.
     thing.select_set(True)
     bpy.context.view_layer.objects.active = thing
     bpy.ops.meander.run()
-    return bpy.context.object
+    return thing.meander.last_result
 
 
 def dress(thing: bpy.types.Object, colour: studio.Colour, roughness: float) -> None:
@@ -138,15 +138,73 @@ def one_stroke() -> None:
     place(head, line)
 
 
-def sheet(name: str, outline: list[tuple[float, float]], height: float) -> bpy.types.Object:
-    """A flat piece with an outline, at a height."""
+@scene
+def flowing() -> None:
+    """The same head grown, and from a start that fills it already."""
+    shown = []
+    for side, start, colour in ((-1, "GROW", ORANGE), (1, "FULL", TEAL)):
+        head = suzanne()
+        head.location.x = 1.4 * side
+        bpy.context.view_layer.update()
+        line = fill(head, 0.09, start=start)
+        dress(head, PALE, 0.6)
+        dress(line, colour, 0.4)
+        shown += [head, line]
+    place(*shown, camera=(0.4, -6.8, 3.2), target=(0.1, 0.0, -0.1), lens=47.0)
+
+
+@scene
+def concentric() -> None:
+    """A plate with holes: strands parallel to its borders."""
+    corners = [(-1.2, -0.9), (1.2, -0.9), (1.2, 0.9), (-1.2, 0.9)]
+    holes = [ring((-0.55, -0.2), 0.36), ring((0.55, 0.15), 0.45)]
+    plate = sheet("Plate", corners, 0.0, holes)
+    studio.divide(plate.data, 0.08)
+    line = fill(plate, 0.07, alignment_source="BOUNDARY", alignment_weight=3.0)
+    dress(plate, DARK, 0.5)
+    dress(line, GOLD, 0.35)
+    place(plate, line, camera=(0.0, -4.4, 5.2), target=(0.0, 0.0, 0.0), lens=78.0)
+
+
+@scene
+def leaf() -> None:
+    """A leaf, with strands along its rim and the vein."""
+    half = [(math.sin(t) * 0.62 * math.sin(t) ** 0.5, 1.3 * math.cos(t)) for t in _UP]
+    piece = sheet("Leaf", half + [(-x, y) for x, y in reversed(half[1:-1])], 0.02)
+    studio.divide(piece.data, 0.07)
+    for vertex in piece.data.vertices:
+        vertex.co.z += 0.25 * abs(vertex.co.x) + 0.1 * math.cos(1.6 * vertex.co.y)
+    line = fill(piece, 0.06, alignment_source="BOUNDARY", alignment_weight=3.0)
+    dress(piece, (0.05, 0.20, 0.06), 0.5)
+    dress(line, (0.75, 0.85, 0.35), 0.4)
+    place(piece, line, camera=(1.0, -3.6, 4.6), target=(0.0, -0.05, 0.05), lens=66.0)
+
+
+# Angles from the tip of the leaf to its stalk.
+_UP = [math.pi * k / 40 for k in range(41)]
+
+
+def ring(middle: tuple[float, float], radius: float) -> list[tuple[float, float]]:
+    """A circle as a polygon."""
+    turns = (2.0 * math.pi * k / 48 for k in range(48))
+    return [(middle[0] + radius * math.cos(t), middle[1] + radius * math.sin(t)) for t in turns]
+
+
+def sheet(
+    name: str,
+    outline: list[tuple[float, float]],
+    height: float,
+    holes: list[list[tuple[float, float]]] | None = None,
+) -> bpy.types.Object:
+    """A flat piece with an outline, and holes, at a height."""
     data = bpy.data.curves.new(name, "CURVE")
     data.dimensions, data.fill_mode = "2D", "BOTH"
-    spline = data.splines.new("POLY")
-    spline.points.add(len(outline) - 1)
-    spline.use_cyclic_u = True
-    for point, (x, y) in zip(spline.points, outline):
-        point.co = (x, y, 0.0, 1.0)
+    for loop in (outline, *(holes or ())):
+        spline = data.splines.new("POLY")
+        spline.points.add(len(loop) - 1)
+        spline.use_cyclic_u = True
+        for point, (x, y) in zip(spline.points, loop):
+            point.co = (x, y, 0.0, 1.0)
     curve = bpy.data.objects.new(name, data)
     mesh = bpy.data.meshes.new_from_object(curve)
     bpy.data.objects.remove(curve)

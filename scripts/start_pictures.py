@@ -9,13 +9,13 @@ FOLDER is docs/images by default; see strands_pictures.py.
 import sys
 from pathlib import Path
 
-import bmesh
 import bpy
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 import strands_pictures  # noqa: E402  (the path comes first)
+import studio  # noqa: E402
 from strands_pictures import begin, fill, link, meander, surface_of  # noqa: E402
 from strands_pictures import render as render_to  # noqa: E402
 
@@ -55,17 +55,7 @@ def word(text: str, height: float, edge: float) -> bpy.types.Object:
     text_object = link("Text", data)
     mesh = bpy.data.meshes.new_from_object(text_object)
     bpy.data.objects.remove(text_object)
-    shape = bmesh.new()
-    shape.from_mesh(mesh)
-    bmesh.ops.triangulate(shape, faces=shape.faces)
-    while longer := [e for e in shape.edges if e.calc_length() > edge]:
-        longest = [e for e in longer if all(
-            e is max(face.edges, key=lambda other: other.calc_length()) for face in e.link_faces
-        )]
-        bmesh.ops.subdivide_edges(shape, edges=longest or longer[:1], cuts=1)
-        bmesh.ops.triangulate(shape, faces=[face for face in shape.faces if len(face.verts) > 3])
-    shape.to_mesh(mesh)
-    shape.free()
+    studio.divide(mesh, edge)
     thing = link("Word", mesh)
     thing.location.y = height
     return thing

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import bmesh
 import bpy
 from mathutils import Vector
 
@@ -118,3 +119,18 @@ def take_picture(path: str, size: tuple[int, int], samples: int = SAMPLES) -> No
     scene.view_settings.look = "Medium High Contrast"
     scene.render.filepath = path
     bpy.ops.render.render(write_still=True)
+
+
+def divide(mesh: bpy.types.Mesh, edge: float) -> None:
+    """Triangles whose edges are no longer than this: a direction has a value at each vertex."""
+    shape = bmesh.new()
+    shape.from_mesh(mesh)
+    bmesh.ops.triangulate(shape, faces=shape.faces)
+    while longer := [e for e in shape.edges if e.calc_length() > edge]:
+        longest = [e for e in longer if all(
+            e is max(face.edges, key=lambda other: other.calc_length()) for face in e.link_faces
+        )]  # fmt: skip
+        bmesh.ops.subdivide_edges(shape, edges=longest or longer[:1], cuts=1)
+        bmesh.ops.triangulate(shape, faces=[face for face in shape.faces if len(face.verts) > 3])
+    shape.to_mesh(mesh)
+    shape.free()

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import webbrowser
 from pathlib import Path
-from urllib.request import url2pathname
 
 import bpy
 from bpy.props import EnumProperty
@@ -94,16 +93,12 @@ def website() -> str:
 def address_of(page: str) -> str:
     """Where a page of PAGES is."""
     site = website()
-    if site:
-        return f"{site}{page}.html"
+    return f"{site}{page}.html" if site else _file_of(page).as_uri()
+
+
+def _file_of(page: str) -> Path:
     folder = _HOME / "docs"
-    return ((folder if folder.is_dir() else _OF_THE_SOURCES) / f"{page}.html").as_uri()
-
-
-def is_there(address: str) -> bool:
-    """Whether there is such a page, as far as can be told without a network."""
-    path = address.removeprefix("file://")
-    return path == address or Path(url2pathname(path)).is_file()
+    return (folder if folder.is_dir() else _OF_THE_SOURCES) / f"{page}.html"
 
 
 def manual_map() -> tuple[str, tuple[tuple[str, str], ...]]:
@@ -125,7 +120,7 @@ class MEANDER_OT_open_help(bpy.types.Operator):
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
         address = address_of(self.page)
-        if not is_there(address):
+        if not website() and not _file_of(self.page).is_file():
             self.report({"ERROR"}, "The pages are not built; run scripts/build_site.sh")
             return {"CANCELLED"}
         if not webbrowser.open(address):
