@@ -14,6 +14,7 @@
 #include "flow/flow.h"
 #include "mesh/heat_flow.h"
 #include "mesh/roughness.h"
+#include "mesh/space_average.h"
 #include "mesh/surface_at_scale.h"
 #include "test_curves.h"
 
@@ -128,6 +129,18 @@ TEST(Roughness, FollowsTheRadiusContinuously) {
     const SurfaceAtScale a = at_scale(s, factor * r), b = at_scale(s, 1.001 * factor * r);
     for (uint32_t v = 0; v < s->vertex_count(); ++v) {
       EXPECT_LT((a.surface->position(v) - b.surface->position(v)).norm(), 0.01 * r);
+    }
+  }
+}
+
+TEST(SpaceSums, HaveRoomForWhatIsFarOff) {
+  for (const double size : {0x1p-1074, 1e-300, 1.0}) {
+    SpaceSums<1> sums(size);
+    for (const double far : {0.0, 1.0, -1.0, 1e300, -1e300}) {
+      const Vec3 p(far, -far, 0);
+      sums.add(p, {2.0});
+      EXPECT_GT(sums.at(p)[0], 0) << size << " " << far;
+      EXPECT_LE(sums.at(p)[0], 10) << size << " " << far;
     }
   }
 }

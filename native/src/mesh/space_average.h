@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "base/cancel_poll.h"
@@ -24,7 +25,9 @@ class SpaceSums {
   using Sums = std::array<double, Count>;
 
   /// `size`  of a cube, positive
-  explicit SpaceSums(double size) : to_cubes_(1 / size) { clear_table(1024); }
+  explicit SpaceSums(double size) : to_cubes_(std::min(1 / size, std::numeric_limits<double>::max())) {
+    clear_table(1024);
+  }
 
   void add(const Vec3& p, const Sums& values) {
     const Place place = find(p, true);
@@ -60,7 +63,9 @@ class SpaceSums {
     Cube cube;
     std::array<double, 3> t;
     for (size_t k = 0; k < 3; ++k) {
-      const double x = to_cubes_ * p[static_cast<Eigen::Index>(k)], low = std::floor(x);
+      // What is so many cubes away is in the last one, together.
+      const double x = std::clamp(to_cubes_ * p[static_cast<Eigen::Index>(k)], -0x1p62, 0x1p62);
+      const double low = std::floor(x);
       cube[k] = static_cast<int64_t>(low);
       t[k] = x - low;
     }
