@@ -23,7 +23,7 @@ def nothing_measured(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def measured(thing: bpy.types.Object) -> Estimate:
     estimates.measure(thing)
-    estimate = estimates.shown(thing)
+    estimate = estimates.shown([thing])
     assert estimate is not None
     return estimate
 
@@ -31,7 +31,7 @@ def measured(thing: bpy.types.Object) -> Estimate:
 def up_to_date(thing: bpy.types.Object) -> bool:
     """Whether a redraw of the panel orders no measuring."""
     estimates._ordered.clear()
-    estimates.shown(thing)
+    estimates.shown([thing])
     return not estimates._ordered
 
 
@@ -80,7 +80,7 @@ def test_curvature_counts():
 def test_nothing_is_measured_while_a_panel_is_drawn(monkeypatch):
     surface = sphere()
     monkeypatch.setattr(estimates, "triangles_of", lambda *_: pytest.fail("a panel measures"))
-    assert estimates.shown(surface) is None
+    assert estimates.shown([surface]) is None
     assert estimates._ordered
 
 
@@ -91,7 +91,7 @@ def test_measured_once_until_the_shape_changes():
     assert up_to_date(surface)
     surface.meander.spacing = 0.05
     assert up_to_date(surface), "another spacing is arithmetic"
-    assert estimates.shown(surface).points == pytest.approx(4 * coarse.points, rel=0.2)
+    assert estimates.shown([surface]).points == pytest.approx(4 * coarse.points, rel=0.2)
     surface.select_set(False)
     surface.location.x += 1.0
     bpy.context.view_layer.update()
@@ -128,17 +128,17 @@ def test_what_cannot_be_filled_has_no_estimate():
     surface = sphere()
     surface.meander.density_source = "ATTRIBUTE"
     estimates.measure(surface)
-    assert estimates.shown(surface) is None and up_to_date(surface)
+    assert estimates.shown([surface]) is None and up_to_date(surface)
     flat = sphere()
     flat.scale.x = 0.0
     bpy.context.view_layer.update()
     estimates.measure(flat)
-    assert estimates.shown(flat) is None
+    assert estimates.shown([flat]) is None
 
 
 def test_another_object_does_not_show_the_figures_of_the_last():
     measured(sphere())
-    assert estimates.shown(grid()) is None
+    assert estimates.shown([grid()]) is None
 
 
 def test_a_result_is_estimated_as_its_surface():
@@ -169,13 +169,12 @@ def test_several_objects_are_estimated_together():
     bpy.context.view_layer.update()
     objects = objects_of(bpy.context)
     assert set(objects) == {first, second, third} and objects[0] == first
-    assert estimates.shown_together(objects) is None
+    assert estimates.shown(objects) is None
     for thing in objects:
         estimates.measure(thing)
     queue = Queue(bpy.context, restart=False, beside=False)
     expected = queue.estimate_of_rest(bpy.context, queue.next_plan(bpy.context))
-    assert estimates.shown_together(objects).points == pytest.approx(expected.points, rel=1e-3)
-    assert estimates.shown_together([first]) == estimates.shown(first)
+    assert estimates.shown(objects).points == pytest.approx(expected.points, rel=1e-3)
 
 
 def test_what_cannot_be_filled_counts_for_nothing_among_others():
@@ -184,7 +183,7 @@ def test_what_cannot_be_filled_counts_for_nothing_among_others():
     bad.meander.density_source = "ATTRIBUTE"
     for thing in (good, bad):
         estimates.measure(thing)
-    assert estimates.shown_together([good, bad]) == estimates.shown(good)
+    assert estimates.shown([good, bad]) == estimates.shown([good])
 
 
 def test_the_panel_says_what_automatic_comes_to():

@@ -66,7 +66,7 @@ def test_what_blender_makes_a_mesh_of_is_filled(build):
     assert farthest_from(thing, curve) < 1e-3
     assert 0.7 < packing(thing, curve) < 1.2
     estimates.measure(thing)
-    assert estimates.shown(thing) is not None
+    assert estimates.shown([thing]) is not None
     # Filled again it is updated, and from the curve it goes on.
     assert fill(activate(thing), 0.12) in (thing, curve)
     activate(curve)

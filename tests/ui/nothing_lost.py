@@ -91,8 +91,9 @@ def window_opens() -> Iterator[float]:
     look_at_surface()
     yield from show_panel()
     choose_spacing(COARSE)
-    yield from until(lambda: estimates.shown(bpy.context.active_object) is not None, "an estimate")
-    measured = estimates.shown(bpy.context.active_object)
+    surfaces = [bpy.context.active_object]
+    yield from until(lambda: estimates.shown(surfaces) is not None, "an estimate")
+    measured = estimates.shown(surfaces)
     yield 0.5
     picture("5_estimate")
     press_run()

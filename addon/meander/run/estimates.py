@@ -51,20 +51,13 @@ _ordered: list[Key] = []
 _next = 0.0  # when the next measuring may begin
 
 
-def shown(active: bpy.types.Object) -> Estimate | None:
-    """What a run on an object comes to, as far as it is known; what is not known yet is ordered.
-
-    Cheap, for panels; the sidebars are redrawn when there is more to show.
-    """
-    found = _known(active)
-    return None if found is None else _estimate(found, active.meander, active.meander.spacing)
-
-
-def shown_together(objects: list[bpy.types.Object]) -> Estimate | None:
-    """What runs on several objects come to, one after another, as far as all of them are known.
+def shown(objects: list[bpy.types.Object]) -> Estimate | None:
+    """What runs on objects come to, one after another, as far as all of them are known; what is not
+    known yet is ordered.
 
     Those that nobody has set up take the choices of the first, as Queue has it. What cannot be
-    filled counts for nothing.
+    filled counts for nothing. Cheap, for panels; the sidebars are redrawn when there is more to
+    show.
     """
     estimates = []
     for thing in objects:
@@ -72,7 +65,7 @@ def shown_together(objects: list[bpy.types.Object]) -> Estimate | None:
         if found is None and number_of(thing) not in _measured:
             return None
         settings = objects[0].meander if is_untouched(thing.meander) else thing.meander
-        estimate = None if found is None else _estimate(found, settings, settings.spacing)
+        estimate = None if found is None else _estimate(found, settings)
         estimates += [] if estimate is None else [estimate]
     return together(estimates)
 
@@ -96,11 +89,9 @@ def _known(active: bpy.types.Object) -> _Measured | None:
     return found if found.extent is not None else None
 
 
-def _estimate(
-    found: _Measured, settings: bpy.types.PropertyGroup, spacing: float
-) -> Estimate | None:
+def _estimate(found: _Measured, settings: bpy.types.PropertyGroup) -> Estimate | None:
     try:
-        options = options_of(settings, spacing or found.automatic)
+        options = options_of(settings, settings.spacing or found.automatic)
         return estimated(found.extent, options, settings.use_bevel, speeds)
     except core.MeanderError:  # the button says why
         return None

@@ -110,7 +110,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         if len(objects) > 1:
             layout.label(text=f"{len(objects)} objects", icon="OUTLINER_OB_MESH")
         # The same row from the first moment on, so that the panel does not jump.
-        estimate = estimates.shown_together(objects)
+        estimate = estimates.shown(objects)
         row = layout.row()
         row.active = False
         row.label(text=described(estimate) if estimate is not None else "")

@@ -183,8 +183,8 @@ void stiffen_at_boundary(const Weighting& w) {
 
 /// Where the curve lies along the field from its start the push need not make it longer: less of it before the polish,
 /// and more in it, where alignment is lost. Aligned and near_target along the x axis with a weight of 4, bunny and spot:
-/// .860 .925 and .808 .859 with the push of what grows, .886 .897 and .829 .834 so; with a weight of 6 and the former
-/// .875 .906 and .821 .808.
+/// .860 .925 and .808 .859 with the push of what grows, .886 .897 and .829 .834 so; with a weight of 6 and the push of
+/// what grows .875 .906 and .821 .808.
 constexpr double kFullStartGrowth = 0.6, kFullStartPolish = 1.5;
 
 double growing_push(const Weighting& w) {
