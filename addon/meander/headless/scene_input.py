@@ -19,6 +19,7 @@ from ..scene.curve_reader import point_numbers, strands_of_curve
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
 from ..scene.fillable import has_faces, shows_instances, why_not_this
+from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons as renumbered
 from ..scene.meshes import loose_edge_count, triangles_of
 from ..scene.preparation import surface_options
@@ -50,7 +51,7 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
         bpy.context.scene.frame_set(arguments.frame)
     surface_object = _mesh_object(arguments)
     with saved_settings():
-        settings = surface_object.meander
+        settings = settings_of(surface_object)
         choice = density.choice_of(arguments, choice_of(settings))
         fixed_ends = settings.fixed_ends
     depsgraph = bpy.context.evaluated_depsgraph_get()

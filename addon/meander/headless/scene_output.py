@@ -28,6 +28,7 @@ from ..scene.cut_object import keep_shading, skin_of, write_cut
 from ..scene.density import store_choice
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
+from ..scene.linked_settings import settings_of
 from ..scene.preparation import store_mask, store_repair
 from ..scene.settings import copy_settings
 from .saved_settings import saved_settings
@@ -134,7 +135,7 @@ def _store(
     curve_object: bpy.types.Object,
 ) -> None:
     """Writes what the curve was made with into its settings."""
-    copy_settings(surface_object.meander, curve_object.meander)
+    copy_settings(settings_of(surface_object), curve_object.meander)
     made_with = curve_object.meander
     made_with.surface = surface_object
     store(_KEPT, flags.chosen(arguments), made_with)

@@ -21,6 +21,7 @@ from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
 from ..scene.identity import Key, number_of
+from ..scene.linked_settings import settings_of
 from ..scene.meshes import area_of, spacing_for, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import is_untouched, surface_of
@@ -64,7 +65,8 @@ def shown(objects: list[bpy.types.Object]) -> Estimate | None:
         found = _known(thing)
         if found is None and number_of(thing) not in _measured:
             return None
-        settings = objects[0].meander if is_untouched(thing.meander) else thing.meander
+        own = settings_of(thing)
+        settings = settings_of(objects[0]) if is_untouched(own) else own
         estimate = None if found is None else _estimate(found, settings)
         estimates += [] if estimate is None else [estimate]
     return together(estimates)
@@ -139,7 +141,7 @@ def measure(active: bpy.types.Object) -> None:
         return
     extent, automatic = None, 0.0
     try:
-        surface, settings = surface_of(active), active.meander
+        surface, settings = surface_of(active), settings_of(active)
         depsgraph = bpy.context.evaluated_depsgraph_get()
         vertices, faces = triangles_of(surface, depsgraph)
         automatic = spacing_for(area_of(vertices, faces))

@@ -24,6 +24,7 @@ from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
 from ..scene.identity import Key
+from ..scene.linked_settings import settings_of
 from ..scene.results import is_present
 from ..scene.settings import copied, surface_of
 from .meaning import Meaning
@@ -94,7 +95,7 @@ def wish_of(
 
     Raises DataError or core.MeanderError with a sentence for what cannot be used.
     """
-    settings, problem = active.meander, plan.problem
+    settings, problem = settings_of(active), plan.problem
     spacing = settings.spacing or plan.spacing
     options = options_of(settings, spacing)
     # A field is read when a run begins; how much it counts may change.
@@ -124,8 +125,8 @@ def wish_of(
 
 def share_settings(result: bpy.types.Object, surface: bpy.types.Object) -> None:
     """Gives the surface of a result with Live the result's live settings: both are one then."""
-    source, target = result.meander, surface.meander
-    if surface.library is not None or not (source.live and target.live):
+    source, target = result.meander, settings_of(surface)
+    if not (source.live and target.live):
         return
     for name in copied(source):
         if not is_live(name) or name == "density_ramp":

@@ -13,6 +13,7 @@ from ..model.options import in_panel
 from ..scene import ramp
 from ..scene.changes import shape_count
 from ..scene.identity import number_of
+from ..scene.linked_settings import settings_of
 from ..scene.settings import copied, surface_of
 from ..scene.transforms import world_matrix
 
@@ -68,7 +69,7 @@ def meaning_of(active: bpy.types.Object | None) -> Meaning | None:
     surface = surface_of(active)
     if surface is None:
         return None
-    settings = active.meander
+    settings = settings_of(active)
     linear = world_matrix(surface)[:3, :3]
     return Meaning(
         tuple((name, _value(settings, name)) for name in copied(settings) if name not in _LOOKS),

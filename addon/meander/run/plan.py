@@ -29,6 +29,7 @@ from ..scene.fillable import shows_instances, why_not
 from ..scene.flow_options import options_of
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
+from ..scene.linked_settings import settings_of
 from ..scene.look import Look
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
 from ..scene.preparation import mask_of, repair_of, surface_options
@@ -91,7 +92,7 @@ def plan_of(
         raise DataError(
             f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
         )
-    settings = active.meander
+    settings = settings_of(active)
     point_attributes.refuse(settings.points_as)
     core.library_version()  # before anything is read, a missing library is reported
     vertices, faces = triangles_of(surface, depsgraph)
@@ -187,7 +188,7 @@ def _outline_distance(
     restart: bool,
 ) -> float:
     """How far from the border a run lays outlines; 0: it lays none."""
-    if not active.meander.use_outline or not _wants_outline(active, surface, restart):
+    if not settings_of(active).use_outline or not _wants_outline(active, surface, restart):
         return 0.0
     if options.border_distance < 0.1:
         raise DataError("An outline needs a border distance of 0.1 or more; raise it")

@@ -12,6 +12,7 @@ from ..model.estimate import Estimate, together
 from ..scene.errors import DataError
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
+from ..scene.linked_settings import settings_of, settings_to_change
 from ..scene.region import selected_faces
 from ..scene.settings import adopt, is_untouched, surface_of
 from . import estimates
@@ -53,7 +54,7 @@ class Queue:
         if thing is None or self._home.find(thing) is None:
             return None
         if active is not None and thing != active:
-            adopt(active.meander, thing.meander)
+            adopt(settings_of(active), settings_to_change(thing))
         with self._home.entered(context, thing) as home:
             depsgraph = home.evaluated_depsgraph_get()
             return plan_of(thing, home.scene, depsgraph, self._restart, self._beside)
@@ -65,7 +66,7 @@ class Queue:
         for key in [None, *self._waiting]:
             try:
                 plan = first if key is None else plan_of(key.find(), context.scene, depsgraph)
-                if key is not None and is_untouched(key.find().meander):
+                if key is not None and is_untouched(settings_of(key.find())):
                     # It will take the choices of the active one, the spacing above all.
                     options = first.problem.options
                     plan = replace(plan, problem=replace(plan.problem, options=options))

@@ -18,6 +18,7 @@ from ..model.thinning import least_spacing, with_points
 from ..scene import look, mesh_faults, point_attributes, results
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
+from ..scene.linked_settings import settings_of, settings_to_change
 from ..scene.look_modifier import modifier_of
 from ..scene.profile import set_tilt_and_radius
 from ..scene.region import store_region
@@ -177,28 +178,27 @@ def _store(
         source = result
     own_part = (result.meander.mask_source, result.meander.mask_attribute)
     if source != result:
-        copy_settings(source.meander, result.meander)
+        copy_settings(settings_of(source), result.meander)
     surface = plan.surface.find()
     result.meander.surface = surface
     if plan.region is not None:
         result.meander.mask_source, result.meander.mask_attribute = own_part
         store_region(plan.region, surface, result.meander)
     results.remember(result, result.meander.surface)
-    if source == result and surface.library is None:
+    of_surface = settings_to_change(surface)
+    if source == result:
         # What fills the mesh again updates this curve: both panels say what it was made with.
-        part = (surface.meander.mask_source, surface.meander.mask_attribute)
-        copy_settings(result.meander, surface.meander)
-        surface.meander.mask_source, surface.meander.mask_attribute = part
-    for target in {thing.name_full: thing for thing in (source, surface, result)}.values():
-        if target.library is not None:  # linked objects cannot be changed
-            continue
+        part = (of_surface.mask_source, of_surface.mask_attribute)
+        copy_settings(result.meander, of_surface)
+        of_surface.mask_source, of_surface.mask_attribute = part
+    for target in (of_surface, result.meander):
         # A result tells what it was made with. A surface has the user's choice for the next run,
         # which may be another one by now; only the proposed spacing he has yet to see.
-        if target == result or not target.meander.spacing:
-            target.meander.spacing = plan.spacing
-        if plan.density_group and not target.meander.density_group:
-            target.meander.density_group = plan.density_group
-        figures = target.meander.figures
+        if target == result.meander or not target.spacing:
+            target.spacing = plan.spacing
+        if plan.density_group and not target.density_group:
+            target.density_group = plan.density_group
+        figures = target.figures
         figures.stop_reason = stop_reason
         figures.nodes = int(statistics["nodes"])
         figures.iterations = int(statistics["iterations"])
@@ -216,7 +216,7 @@ def _store(
         figures.empty_parts = int(statistics["empty_components"])
         figures.preparation = preparation_text(plan, stepper)
         figures.mended = mended(stepper.surface_figures, _masked(plan))
-        _store_gaps(figures, stepper.gaps, plan, target == result)
+        _store_gaps(figures, stepper.gaps, plan, target == result.meander)
 
 
 def _store_gaps(

@@ -22,6 +22,7 @@ from ..model.remaining import Remaining, in_words, told
 from ..scene.errors import DataError
 from ..scene.identity import Key, number_of
 from ..scene.lengths import length_text
+from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons
 from ..scene.results import is_present
 from . import edit_mode, estimates, live, refused_mesh, seed_preview, suspended
@@ -142,7 +143,7 @@ class Session:
     def live(self) -> bool:
         """Whether the run takes changes of live settings."""
         settings = self.plan.settings.find()
-        return settings is not None and settings.meander.live
+        return settings is not None and settings_of(settings).live
 
     def find_wish(self, context: bpy.types.Context, active: bpy.types.Object) -> bool:
         """Looks for what the settings of its surface or its result ask of the run besides.
@@ -176,7 +177,7 @@ class Session:
             self.stepper.finished or time.perf_counter() >= self._next_look
         ):
             active = self._asker(context)
-            if active is not None and active.meander.live and not self.stepper.failed:
+            if active is not None and settings_of(active).live and not self.stepper.failed:
                 now = meaning_of(active)
                 before = self._seen.setdefault(number_of(active), now)
                 if live.differs(before, now) and self.find_wish(context, active):
@@ -202,7 +203,7 @@ class Session:
         self.plan, self.whole = wish.applied(self.plan), False
         asker = wish.asker.find()
         if asker is not None:
-            self.plan = with_looks(self.plan, asker.meander)
+            self.plan = with_looks(self.plan, settings_of(asker))
 
     def run(self) -> None:
         """The whole run, without a window; takes what find_wish() has found."""

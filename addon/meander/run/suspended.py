@@ -14,6 +14,7 @@ import numpy as np
 from bpy.app.handlers import persistent
 
 from ..scene.evaluated import matrix_of
+from ..scene.linked_settings import settings_of
 from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
 from .meaning import Meaning, meaning_of
@@ -72,7 +73,7 @@ def taken(now: Plan) -> SuspendedRun | None:
     drop()
     if kept is None or not _same_problem(kept.plan, now):
         return None
-    plan = with_looks(kept.plan, now.settings.find().meander)
+    plan = with_looks(kept.plan, settings_of(now.settings.find()))
     return replace(kept, plan=replace(plan, look=now.look, materials=now.materials))
 
 

@@ -10,6 +10,7 @@ from .. import core
 from . import point_attributes
 from .blender_versions import fcurves, shape_key_points
 from .curve_writer import write_splines
+from .linked_settings import settings_of
 from .look import copy_look
 from .profile import set_tilt_and_radius
 
@@ -109,7 +110,7 @@ def baked_result(thing: bpy.types.Object | None) -> bpy.types.Object | None:
     surface = thing.parent if thing.type == "CURVE" else thing
     if surface is None:
         return None
-    for result in (surface.meander.last_result, *surface.children):
+    for result in (settings_of(surface).last_result, *surface.children):
         bake = result.meander.bake if result is not None else None
         if bake is not None and (thing == surface or bake in thing.users_collection[:]):
             return result

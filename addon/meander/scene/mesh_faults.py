@@ -11,6 +11,7 @@ import numpy as np
 from .. import core
 from ..model.preparation import seam_width
 from .errors import DataError
+from .linked_settings import settings_of, settings_to_change
 from .transforms import to_world, world_matrix
 
 # What the numbers of a fault count.
@@ -20,8 +21,8 @@ _FACES = frozenset({"no_area", "doubled_face"})
 
 def remember_problem(surface: bpy.types.Object, sentence: str) -> None:
     """Keeps with a surface why it was refused; an empty sentence says that it was not."""
-    if surface.library is None and surface.meander.problem.sentence != sentence:
-        surface.meander.problem.sentence = sentence
+    if settings_of(surface).problem.sentence != sentence:
+        settings_to_change(surface).problem.sentence = sentence
 
 
 @dataclass(frozen=True)

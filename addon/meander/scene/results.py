@@ -6,6 +6,7 @@ from __future__ import annotations
 import bpy
 
 from .fillable import has_faces
+from .linked_settings import settings_of, settings_to_change
 
 
 def is_present(thing: bpy.types.Object | None) -> bool:
@@ -28,26 +29,15 @@ def last_result(
     """
     if not has_faces(surface):
         return None
-    found = surface.meander.last_result if surface.library is None else _newest(surface, scene)
+    found = settings_of(surface).last_result
     if not is_result_of(found, surface) or scene not in found.users_scene[:]:
         return None
     return found if found.library is None and found.data.library is None else None
 
 
-def _newest(surface: bpy.types.Object, scene: bpy.types.Scene) -> bpy.types.Object | None:
-    """The result on a linked surface, which cannot note one itself, that was made last."""
-    results = [
-        thing
-        for thing in scene.objects
-        if thing.library is None and is_result_of(thing, surface)
-    ]
-    return results[-1] if results else None
-
-
 def remember(result: bpy.types.Object, surface: bpy.types.Object) -> None:
-    """Makes a curve the one that filling its surface again updates, where that can be noted."""
-    if surface.library is None:
-        surface.meander.last_result = result
+    """Makes a curve the one that filling its surface again updates."""
+    settings_to_change(surface).last_result = result
 
 
 def forget_deleted(surface: bpy.types.Object) -> None:
@@ -55,10 +45,10 @@ def forget_deleted(surface: bpy.types.Object) -> None:
 
     Else it would stay in the file, and keep its name from the next one.
     """
-    found = None if surface.library is not None else surface.meander.last_result
+    found = settings_of(surface).last_result
     if found is None or is_present(found):
         return
-    surface.meander.last_result = None
+    settings_to_change(surface).last_result = None
     if found.users == 0 and found.library is None:
         data = found.data
         bpy.data.objects.remove(found)

@@ -13,6 +13,7 @@ from ..model import bridges, strands
 from .curve_reader import ends_of, point_numbers, strands_of_curve
 from .errors import DataError
 from .fillable import is_result
+from .linked_settings import settings_of
 from .surface_points import farthest
 from .transforms import world_matrix
 
@@ -42,7 +43,7 @@ def parts_of(
 
     Raises DataError with one sentence for what cannot be used.
     """
-    settings: bpy.types.PropertyGroup = active.meander
+    settings: bpy.types.PropertyGroup = settings_of(active)
     fixed_ends = settings.fixed_ends or _has_stroke(settings)
     guides, guide_objects = _drawn_guides(settings, depsgraph)
     if not is_result(active) or restart:

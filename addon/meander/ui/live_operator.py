@@ -20,6 +20,7 @@ from ..run.meaning import Meaning, meaning_of
 from ..run.plan import Plan, plan_of
 from ..scene.errors import DataError
 from ..scene.identity import number_of
+from ..scene.linked_settings import settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
 from .run_operators import MEANDER_OT_run, Watched, poll_run, sentence_of
@@ -124,8 +125,8 @@ def _look_at(windows: Iterable[bpy.types.Window]) -> None:
             if surface_of(active) is None or bpy.context.mode == "EDIT_MESH":
                 _seen.pop(window.as_pointer(), None)
                 continue
-            found.add(active.meander.live)
-            if not active.meander.live:
+            found.add(settings_of(active).live)
+            if not settings_of(active).live:
                 _seen.pop(window.as_pointer(), None)
             elif _has_changed(window, active) and MEANDER_OT_run.poll(bpy.context):
                 _press()

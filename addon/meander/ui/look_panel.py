@@ -12,6 +12,7 @@ import bpy
 from ..scene import look_material, look_modifier
 from ..scene.errors import DataError
 from ..scene.fillable import is_result
+from ..scene.linked_settings import settings_of
 from ..scene.look_upgrade import add_look
 from ..scene.results import last_result
 from .declared import switch
@@ -58,10 +59,10 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
         active = context.active_object
         result = active if is_result(active) else last_result(active, context.scene)
         if result is None:
-            _draw_seed(layout, active.meander)
+            _draw_seed(layout, settings_of(active))
             return
         if result is not active:
-            layout.prop(active.meander, "last_result", icon="CURVE_DATA")
+            layout.prop(settings_of(active), "last_result", icon="CURVE_DATA")
         modifier = look_modifier.modifier_of(result)
         if modifier is None:
             _draw_bevel(layout, result)

@@ -17,7 +17,12 @@ _ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
         ("resume", "Resume Filling", {}),
         ("stop", "Stop Filling", {}),
     ),
-    (("propose_spacing", "", {}), ("show_gaps", "", {}), ("select_problem", "Show Faults", {})),
+    (
+        ("choose_settings", "Choose Settings of Linked Mesh", {}),
+        ("propose_spacing", "", {}),
+        ("show_gaps", "", {}),
+        ("select_problem", "Show Faults", {}),
+    ),
     (
         ("draw_seed", "", {}),
         ("end_seed", "End Drawing Seed", {}),

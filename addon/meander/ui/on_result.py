@@ -6,8 +6,15 @@ from __future__ import annotations
 import bpy
 
 from ..run import session
+from ..scene.linked_settings import is_from_file
 
 NO_RESULT = "Choose a curve that Meander has made"
+LINKED = "The curve is linked from another file"
+
+
+def is_linked(result: bpy.types.Object) -> bool:
+    """Whether a curve is from another file, and what is changed in it would not be saved."""
+    return is_from_file(result) or is_from_file(result.data)
 
 
 class OnResult:
@@ -34,8 +41,7 @@ class OnOwnResult(OnResult):
     def poll(cls, context: bpy.types.Context) -> bool:
         if not super().poll(context):
             return False
-        active = context.active_object
-        if active.library is not None or active.data.library is not None:
-            cls.poll_message_set("The curve is linked from another file")
+        if is_linked(context.active_object):
+            cls.poll_message_set(LINKED)
             return False
         return True

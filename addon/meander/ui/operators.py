@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The button beside the spacing: propose one."""
+"""The buttons at the settings of a mesh: propose a spacing; choose settings for a linked one."""
 
 import bpy
 
 from ..scene.errors import DataError
 from ..scene.fillable import why_not
+from ..scene.linked_settings import can_be_changed, settings_to_change
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
 from .run_operators import sentence_of
@@ -32,11 +33,34 @@ class MEANDER_OT_propose_spacing(bpy.types.Operator):
         except DataError as error:
             self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
-        active.meander.spacing = proposed_spacing(*triangles)
+        settings_to_change(active).spacing = proposed_spacing(*triangles)
         return {"FINISHED"}
 
 
-_CLASSES = (MEANDER_OT_propose_spacing,)
+class MEANDER_OT_choose_settings(bpy.types.Operator):
+    """Keep settings for this linked mesh in this file. They begin as its own file has them"""
+
+    bl_idname = "meander.choose_settings"
+    bl_label = "Choose Settings"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if surface_of(active) is not active or active is None:
+            cls.poll_message_set("Choose a mesh that is linked from another file")
+        elif can_be_changed(active):
+            cls.poll_message_set("The settings can be changed")
+        else:
+            return True
+        return False
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        settings_to_change(context.active_object)
+        return {"FINISHED"}
+
+
+_CLASSES = (MEANDER_OT_propose_spacing, MEANDER_OT_choose_settings)
 
 
 def register() -> None:

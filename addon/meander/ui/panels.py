@@ -14,12 +14,14 @@ from ..run import estimates, gap_marks, session, suspended
 from ..run.queue import objects_of
 from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
+from ..scene.linked_settings import can_be_changed, settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
 from .declared import rows, switch
 from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
-from .operators import MEANDER_OT_propose_spacing
+from .on_result import LINKED, is_linked
+from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation_panels import draw_faults
 from .presets import MEANDER_PT_presets, active_name
 from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
@@ -46,6 +48,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         running = session.current()
         surface = surface_of(context.active_object)
         if surface is not None:
+            _draw_linked(layout, context.active_object)
             self._draw_settings(layout.column(), context.active_object, surface)
         elif running is None and surface_drawn_on(context.active_object) is None:
             column = layout.column(align=True)
@@ -61,7 +64,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
     def _draw_settings(
         self, layout: bpy.types.UILayout, active: bpy.types.Object, surface: bpy.types.Object
     ) -> None:
-        settings: MeanderSettings = active.meander
+        settings: MeanderSettings = settings_of(active)
         layout.use_property_split = True
         layout.use_property_decorate = False
         if is_result(active):
@@ -105,7 +108,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             new = column.operator(MEANDER_OT_run.bl_idname, text="New Curve", icon="ADD")
             new.beside = True
         objects = objects_of(context)
-        if active.meander.spacing == 0.0:
+        if settings_of(active).spacing == 0.0:
             layout.label(text=_automatic(context, objects), icon="INFO")
         if len(objects) > 1:
             layout.label(text=f"{len(objects)} objects", icon="OUTLINER_OB_MESH")
@@ -151,7 +154,7 @@ class MEANDER_PT_advanced(SubPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
-        rows(layout, context.active_object.meander, "Advanced")
+        rows(layout, settings_of(context.active_object), "Advanced")
 
 
 class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
@@ -166,11 +169,11 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
             return False
         if not is_result(active) and last_result(active, context.scene) is None:
             return False  # its curve is gone
-        return bool(active.meander.figures.stop_reason)
+        return bool(settings_of(active).figures.stop_reason)
 
     def draw(self, context: bpy.types.Context) -> None:
         active = context.active_object
-        figures = active.meander.figures
+        figures = settings_of(active).figures
         layout = self.layout
         if figures.stop_reason in last_run.ENDED:
             notice(layout, last_run.ENDED[figures.stop_reason])
@@ -198,6 +201,16 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
                 text="Hide Gaps" if gap_marks.shown_of(active) else "Show Gaps",
                 icon="HIDE_OFF",
             )
+
+
+def _draw_linked(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
+    """Why settings are grey, and what helps, of what comes from another file."""
+    if is_result(active) and is_linked(active):
+        column = layout.column(align=True)
+        for number, line in enumerate(textwrap.wrap(LINKED, _LINE)):
+            column.label(text=line, icon="BLANK1" if number else "LIBRARY_DATA_DIRECT")
+    elif not is_result(active) and not can_be_changed(active):
+        layout.operator(MEANDER_OT_choose_settings.bl_idname, icon="LIBRARY_DATA_DIRECT")
 
 
 def _labelled(layout: bpy.types.UILayout, text: str) -> bpy.types.UILayout:

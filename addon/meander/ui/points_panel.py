@@ -9,6 +9,7 @@ from ..scene import look, point_attributes
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
 from ..scene.fillable import is_result
+from ..scene.linked_settings import settings_of
 from ..scene.surface_points import strands_of_result
 from ..scene.transforms import mean_scale
 from .declared import rows
@@ -82,11 +83,11 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         layout.operator_context = "INVOKE_DEFAULT"
         if is_result(active):
             layout.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
-        rows(layout, active.meander, "Export")
+        rows(layout, settings_of(active), "Export")
         if is_result(active):
             layout.operator(MEANDER_OT_make_light.bl_idname, icon="MOD_DECIM")
             _draw_counts(layout, active)
-        layout.prop(active.meander, "points_as")
+        layout.prop(settings_of(active), "points_as")
         if is_result(active):
             column = layout.column(align=True)
             column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")

@@ -12,6 +12,7 @@ from ..model import faults
 from ..run import session
 from ..scene import mesh_faults
 from ..scene.errors import DataError
+from ..scene.linked_settings import settings_of
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
 from .declared import row, switch
@@ -43,7 +44,7 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         surface = surface_of(context.active_object)
-        spacing = context.active_object.meander.spacing
+        spacing = settings_of(context.active_object).spacing
         if context.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
         try:
@@ -90,8 +91,8 @@ def _view_selected(context: bpy.types.Context) -> None:
 
 def draw_faults(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
     """Why the mesh was refused, or how much of it was repaired, and the button that shows where."""
-    surface, count = surface_of(active), active.meander.figures.mended
-    sentence = surface.meander.problem.sentence
+    surface, count = surface_of(active), settings_of(active).figures.mended
+    sentence = settings_of(surface).problem.sentence
     if not sentence and not count:
         return
     column = layout.column(align=True)
@@ -118,7 +119,7 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
-        settings: MeanderSettings = active.meander
+        settings: MeanderSettings = settings_of(active)
         in_edit_mode = active.type == "MESH" and active.mode == "EDIT"
         selected = active.data.total_face_sel if in_edit_mode else 0
         if selected:
@@ -152,7 +153,7 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
-        settings: MeanderSettings = context.active_object.meander
+        settings: MeanderSettings = settings_of(context.active_object)
         switch(layout, settings, "strict")
         switch(layout, settings, "use_merge")
         column = layout.column()
@@ -164,7 +165,7 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
         sub.active = settings.strict  # else done in any case
         switch(sub, settings, "drop_degenerate")
         switch(sub, settings, "split_bow_ties")
-        done = context.active_object.meander.figures.preparation
+        done = settings.figures.preparation
         for number, line in enumerate(textwrap.wrap(done, _LINE)):
             column.label(text=line, icon="BLANK1" if number else "INFO")
 

@@ -22,6 +22,7 @@ from bpy.props import StringProperty
 from ..run.window import redraw
 from ..scene.blender_versions import add_preset_path, remove_preset_path
 from ..scene.fillable import why_not
+from ..scene.linked_settings import lent
 from ..scene.settings import surface_of
 
 SUBDIR = "meander"
@@ -125,9 +126,10 @@ class MEANDER_OT_use_preset(bpy.types.Operator):
             self.report({"ERROR"}, f"There is no preset at {path}; choose another")
             return {"CANCELLED"}
         # Blender's own operator for it, which keeps no undo step.
-        done = bpy.ops.script.execute_preset(
-            filepath=str(path), menu_idname=MEANDER_PT_presets.__name__
-        )
+        with lent(context.active_object, SETTINGS):
+            done = bpy.ops.script.execute_preset(
+                filepath=str(path), menu_idname=MEANDER_PT_presets.__name__
+            )
         redraw("UI")  # for the name in the panel's head
         return done
 
@@ -153,7 +155,8 @@ class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
             if not own and (SHIPPED / file).is_file():
                 self.report({"WARNING"}, "The presets of the add-on cannot be removed")
                 return {"CANCELLED"}
-        return super().execute(context)
+        with lent(context.active_object, SETTINGS):
+            return super().execute(context)
 
 
 class MEANDER_PT_presets(PresetPanel, bpy.types.Panel):

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from ..run import estimates, following, gap_marks, live, seed_preview, session, suspended
-from ..scene import after_undo, changes, identity, look_material
+from ..scene import after_undo, changes, identity, linked_settings, look_material
 from . import (
     cut_panel,
     export_operator,
@@ -33,6 +33,7 @@ from . import (
 _MODULES = (
     identity,
     changes,
+    linked_settings,
     after_undo,
     look_material,
     preferences,

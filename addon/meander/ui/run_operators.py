@@ -23,8 +23,9 @@ from ..run.queue import Queue
 from ..run.suspended import SuspendedRun
 from ..scene.blender_versions import ask
 from ..scene.errors import DataError
-from ..scene.fillable import why_not
+from ..scene.fillable import is_result, why_not
 from ..scene.settings import surface_of
+from .on_result import LINKED, is_linked
 from .preferences import is_large
 
 # Weight painting uses the same undo as Object Mode, and is where densities come from. Undo in the
@@ -63,6 +64,9 @@ def poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
         return False
     if surface_of(context.active_object) is None:
         cls.poll_message_set(why_not(context.active_object))
+        return False
+    if is_result(context.active_object) and is_linked(context.active_object):
+        cls.poll_message_set(LINKED)
         return False
     return True
 

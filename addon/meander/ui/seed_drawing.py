@@ -15,6 +15,7 @@ from bpy.app.handlers import persistent
 
 from .. import core
 from ..run import seed_preview, session
+from ..scene import linked_settings
 from ..scene.blender_versions import settings_of
 from ..scene.curve_writer import new_curve_object
 from ..scene.errors import DataError
@@ -73,7 +74,7 @@ def _borrow(context: bpy.types.Context, curve: bpy.types.Object, surface: bpy.ty
     before = settings_of(paint, _PAINT)
     for name in before:
         setattr(paint, name, _PAINT[name])
-    earlier = surface.meander.seed
+    earlier = linked_settings.settings_of(surface).seed
     _drawing = _Drawing(
         Key(curve),
         Key(surface),
@@ -174,8 +175,6 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
             cls.poll_message_set("A curve is growing")
         elif active is None or active.type != "MESH":
             cls.poll_message_set("Choose the mesh to draw on")
-        elif active.library is not None:
-            cls.poll_message_set("The mesh is linked from another file and cannot be changed")
         elif not active.visible_get():
             cls.poll_message_set("The mesh is hidden, so there is nothing to draw on")
         else:
@@ -192,7 +191,7 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
         _activate(context, curve)
         bpy.ops.object.mode_set(mode="EDIT")
         _borrow(context, curve, surface)
-        surface.meander.seed = curve
+        linked_settings.settings_to_change(surface).seed = curve
         return {"FINISHED"}
 
 
@@ -219,7 +218,7 @@ class MEANDER_OT_end_seed(bpy.types.Operator):
         strokes = len(curve.data.splines)
         if not strokes:
             earlier = drawing.earlier_seed.find() if drawing.earlier_seed is not None else None
-            surface.meander.seed = earlier
+            linked_settings.settings_to_change(surface).seed = earlier
             bpy.data.batch_remove([curve, curve.data])
             self.report({"INFO"}, "Nothing was drawn; the seed is what it was")
             return {"FINISHED"}

@@ -10,6 +10,7 @@ from bpy.props import BoolProperty
 
 from ..run import session
 from ..scene.errors import DataError
+from ..scene.linked_settings import settings_to_change
 from ..scene.seed_curves import new_seed, strands_of_boundary, strands_of_edges
 from .run_operators import sentence_of
 
@@ -22,8 +23,6 @@ def _poll(
         cls.poll_message_set("A curve is growing")
     elif active is None or active.type != "MESH" or active.mode not in modes:
         cls.poll_message_set(ask)
-    elif active.library is not None or active.data.library is not None:
-        cls.poll_message_set("The mesh is linked from another file and cannot be changed")
     else:
         return True
     return False
@@ -44,9 +43,9 @@ def _use(
     """Makes the curve and the seed, or the guides, of it."""
     seed = new_seed(surface, f"{surface.name} {'Guides' if guides else 'Seed'}", strands)
     if guides:
-        surface.meander.guides = seed
+        settings_to_change(surface).guides = seed
     else:
-        surface.meander.seed = seed
+        settings_to_change(surface).seed = seed
     count = "one strand" if len(strands) == 1 else f"{len(strands)} strands"
     is_what = "guides" if guides else "the seed"
     operator.report({"INFO"}, f"{seed.name}, {count}, is {is_what} of {surface.name}")
@@ -149,8 +148,8 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
             return {"CANCELLED"}
         _leave_edit_mode(context)
         stroke = new_seed(mesh_object, f"{mesh_object.name} Stroke", [(np.array(ends), False)])
-        mesh_object.meander.seed = stroke
-        mesh_object.meander.fixed_ends = True
+        settings = settings_to_change(mesh_object)
+        settings.seed, settings.fixed_ends = stroke, True
         self.report({"INFO"}, f"{stroke.name} is the seed of {mesh_object.name}")
         return {"FINISHED"}
 

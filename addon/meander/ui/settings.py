@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The settings on an object: on a surface for the next run, on a result those it was made with.
 
-They are saved with the file. A result is a curve object whose settings name its surface.
+They are saved with the file, those of linked surfaces with the scene: see scene.linked_settings. A
+result is a curve object whose settings name its surface.
 """
 
 import bpy
@@ -17,6 +18,7 @@ from bpy.props import (
 
 from ..scene import results
 from ..scene.fillable import has_faces
+from ..scene.linked_settings import owner_of
 from .alignment_settings import AlignmentSettings
 from .density_settings import DensitySettings
 from .motion_settings import FollowSettings
@@ -31,11 +33,11 @@ def _is_surface(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) ->
 
 
 def _is_result(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
-    return results.is_result_of(object, settings.id_data)
+    return results.is_result_of(object, owner_of(settings))
 
 
 def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
-    return object.type == "CURVE" and object != settings.id_data
+    return object.type == "CURVE" and object != owner_of(settings)
 
 
 class MeanderGap(bpy.types.PropertyGroup):
@@ -198,16 +200,25 @@ class MeanderSettings(
     )
 
 
-_CLASSES = (MeanderGap, MeanderFigures, MeanderProblem, MeanderSettings)
+class MeanderLinked(bpy.types.PropertyGroup):
+    """The settings of an object from another file, which cannot keep them itself."""
+
+    surface: PointerProperty(type=bpy.types.Object, name="Surface", options=set())
+    settings: PointerProperty(type=MeanderSettings, options=set())
+
+
+_CLASSES = (MeanderGap, MeanderFigures, MeanderProblem, MeanderSettings, MeanderLinked)
 
 
 def register() -> None:
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Object.meander = PointerProperty(type=MeanderSettings)
+    bpy.types.Scene.meander_linked = CollectionProperty(type=MeanderLinked, options=set())
 
 
 def unregister() -> None:
+    del bpy.types.Scene.meander_linked
     del bpy.types.Object.meander
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

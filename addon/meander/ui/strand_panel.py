@@ -6,6 +6,7 @@ from __future__ import annotations
 import bpy
 
 from ..run import seed_preview
+from ..scene.linked_settings import settings_of
 from .declared import switch
 from .seed_drawing import MEANDER_OT_draw_seed, MEANDER_OT_preview_seed
 from .seed_operators import (
@@ -27,7 +28,7 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
-        settings: MeanderSettings = active.meander
+        settings: MeanderSettings = settings_of(active)
         layout.prop(settings, "seed", icon="CURVE_DATA")
         layout.operator(
             MEANDER_OT_preview_seed.bl_idname,
@@ -49,7 +50,7 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         row = layout.row()
         row.active = bool(settings.guides or settings.guide_collection)
         switch(row, settings, "keep_guides")
-        if active.meander.figures.empty_parts:
+        if settings.figures.empty_parts:
             notice(layout, "Parts remain empty", "ERROR")
 
 

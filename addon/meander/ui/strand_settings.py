@@ -4,13 +4,15 @@
 import bpy
 from bpy.props import BoolProperty, PointerProperty
 
+from ..scene.linked_settings import owner_of
+
 
 def _is_another(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
-    return object != settings.id_data
+    return object != owner_of(settings)
 
 
 def _is_another_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
-    return object.type == "CURVE" and object != settings.id_data
+    return object.type == "CURVE" and object != owner_of(settings)
 
 
 class StrandSettings:

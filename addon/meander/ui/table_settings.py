@@ -7,6 +7,7 @@ do both.
 
 from ..model.options import TABLE, in_panel
 from ..run import following
+from ..scene.linked_settings import owner_of
 from .declared import declared
 
 
@@ -21,5 +22,5 @@ class MotionSettings:
 
     __annotations__ = declared(
         in_panel("Motion"),
-        update=lambda settings, context: following.begin(settings.id_data, context),
+        update=lambda settings, context: following.begin(owner_of(settings), context),
     )

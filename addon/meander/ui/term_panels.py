@@ -10,6 +10,7 @@ import bpy
 from ..scene import ramp
 from ..scene.density import active_group, choice_of
 from ..scene.flow_options import warnings_of
+from ..scene.linked_settings import owner_of, settings_of
 from ..scene.settings import surface_of
 from .declared import row, rows
 from .settings import MeanderSettings
@@ -29,7 +30,7 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout, live=True)
         active = context.active_object
-        settings: MeanderSettings = active.meander
+        settings: MeanderSettings = settings_of(active)
         layout.prop(settings, "density_source")
         source = settings.density_source
         if source == "NONE":
@@ -62,7 +63,7 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
             notice(layout, "No vertex groups")
 
     def _draw_ramp(self, layout: bpy.types.UILayout, settings: MeanderSettings) -> None:
-        taken = active_group(settings, surface_of(settings.id_data))
+        taken = active_group(settings, surface_of(owner_of(settings)))
         layout.active = choice_of(settings).varies or bool(taken)
         column = layout.column(align=True)
         column.prop(settings, "factor_0", text="At Low")
@@ -89,7 +90,7 @@ class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
-        settings: MeanderSettings = active.meander
+        settings: MeanderSettings = settings_of(active)
         layout.prop(settings, "alignment_source")
         source = settings.alignment_source
         if source == "NONE":
@@ -145,7 +146,7 @@ class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout, live=True)
-        settings: MeanderSettings = context.active_object.meander
+        settings: MeanderSettings = settings_of(context.active_object)
         rows(layout, settings, "Strand Shape", heading="Shape")
         for warning in warnings_of(settings):
             first, *others = textwrap.wrap(warning, _LINE)
