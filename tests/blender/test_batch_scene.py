@@ -119,7 +119,7 @@ def test_alignment_and_terms_are_kept_with_the_result(scene, tmp_path):
     done = run_batch(
         *("--input", scene, "--object", "Ball", "--spacing", 0.3, "--iterations", 5, "--quiet"),
         *("--alignment", 0.5, "--direction-object", "Ring", "--across"),
-        *("--bending", 2, "--max-radius", 0.6, "--output", output),
+        *("--preset", "paper", "--bending", 2, "--max-radius", 0.6, "--output", output),
     )
     assert done.returncode == 0, done.stderr
     bpy.ops.wm.open_mainfile(filepath=str(output))
@@ -128,6 +128,7 @@ def test_alignment_and_terms_are_kept_with_the_result(scene, tmp_path):
     assert (made_with.alignment_source, made_with.alignment_weight) == ("STROKES", 0.5)
     assert made_with.alignment_strokes == bpy.data.objects["Ring"] and made_with.align_across
     assert made_with.use_weights and made_with.bending_weight == 2.0
+    assert made_with.length_weight == 1.0, "As Published has it, and the switch turns all four on"
     assert made_with.reach == pytest.approx(4.0)
 
 

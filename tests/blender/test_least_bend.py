@@ -47,6 +47,41 @@ def test_a_run_goes_on_stiffer_until_the_radius_holds(windowed):
     assert least_radius(again) == pytest.approx(least_radius(result), rel=1e-6)
 
 
+def test_the_stiffness_that_holds_is_kept(windowed):
+    """Going on, filling again and resuming begin with it, and do not look for it once more."""
+    surface = grid()
+    surface.meander.preset = "PAPER"
+    asked = 1.2 * least_radius(fill(surface, SPACING))
+    result = fill(surface, SPACING, least_bend_radius=asked)
+    stiffness = result.meander.bending_weight
+    assert stiffness >= 1.0, "As Published has none"
+    assert result.meander.use_weights and result.meander.length_weight == 1.0, "of As Published"
+    assert surface.meander.use_weights and surface.meander.bending_weight == stiffness
+    for thing in (result, surface):
+        watched = begin(thing, SPACING)
+        tick_until(watched, lambda: False)
+        assert watched.stepper.stiffening.best is None, "what it began with holds"
+        assert watched.stepper.problem.options.bending_weight == stiffness
+        made, _figures = watched.keep(bpy.context)
+        watched.end()
+        assert made.meander.bending_weight == stiffness
+        assert least_radius(made) > 0.95 * asked
+
+
+def test_a_stiffness_chosen_while_the_curve_grows_stays_on_the_mesh(windowed):
+    surface = grid()
+    surface.meander.preset = "PAPER"
+    asked = 1.2 * least_radius(fill(surface, SPACING))
+    surface.meander.least_bend_radius = asked
+    watched = begin(surface, SPACING)
+    surface.meander.use_weights, surface.meander.bending_weight = True, 0.25
+    tick_until(watched, lambda: False)
+    made, _figures = watched.keep(bpy.context)
+    watched.end()
+    assert surface.meander.bending_weight == 0.25
+    assert made.meander.bending_weight >= 1.0, "a result tells what it was made with"
+
+
 def test_what_no_stiffness_holds_is_refused_with_the_place():
     surface = grid()
     before = counts()

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 import bpy
@@ -28,6 +29,7 @@ from ..scene.cut_object import keep_shading, skin_of, write_cut
 from ..scene.density import store_choice
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
+from ..scene.flow_options import keep_shape
 from ..scene.linked_settings import settings_of
 from ..scene.preparation import store_mask, store_repair
 from ..scene.settings import copy_settings
@@ -139,6 +141,12 @@ def _store(
     made_with = curve_object.meander
     made_with.surface = surface_object
     store(_KEPT, flags.chosen(arguments), made_with)
+    if made_with.use_weights:
+        stiffness = arguments.bending  # it may have been raised for --least-bend-radius
+        options = given.problem.options
+        if stiffness is not None:
+            options = replace(options, bending_weight=stiffness)
+        keep_shape(options, made_with)
     store_choice(given.density_choice, made_with)
     store_alignment(given.alignment, made_with)
     if arguments.guides_object is not None:

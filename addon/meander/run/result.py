@@ -18,6 +18,7 @@ from ..model.thinning import least_spacing, with_points
 from ..scene import look, mesh_faults, point_attributes, results
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
+from ..scene.flow_options import keep_shape, options_of
 from ..scene.linked_settings import settings_of, settings_to_change
 from ..scene.look_modifier import modifier_of
 from ..scene.profile import set_tilt_and_radius
@@ -191,6 +192,7 @@ def _store(
         part = (of_surface.mask_source, of_surface.mask_attribute)
         copy_settings(result.meander, of_surface)
         of_surface.mask_source, of_surface.mask_attribute = part
+    grown_with = stepper.problem.options
     for target in (of_surface, result.meander):
         # A result tells what it was made with. A surface has the user's choice for the next run,
         # which may be another one by now; only the proposed spacing he has yet to see.
@@ -198,6 +200,10 @@ def _store(
             target.spacing = plan.spacing
         if plan.density_group and not target.density_group:
             target.density_group = plan.density_group
+        if grown_with.bending_weight != plan.problem.options.bending_weight and (
+            target == result.meander or _asks_for(target, plan.problem.options.bending_weight)
+        ):
+            keep_shape(grown_with, target)  # what held the least bend radius
         figures = target.figures
         figures.stop_reason = stop_reason
         figures.nodes = int(statistics["nodes"])
@@ -217,6 +223,11 @@ def _store(
         figures.preparation = preparation_text(plan, stepper)
         figures.mended = mended(stepper.surface_figures, _masked(plan))
         _store_gaps(figures, stepper.gaps, plan, target == result.meander)
+
+
+def _asks_for(settings: bpy.types.PropertyGroup, stiffness: float) -> bool:
+    """Whether settings still ask for the stiffness that a run began with."""
+    return options_of(settings, 1.0).bending_weight == stiffness
 
 
 def _store_gaps(

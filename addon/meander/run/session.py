@@ -306,7 +306,10 @@ class Session:
         if result.meander.live:
             live.share_settings(result, self.plan.surface.find())
             # The next one updates it, and leaves alone what is active then.
-            self.plan = replace(self.plan, result=Key(result), from_surface=True)
+            problem = replace(self.plan.problem, options=self.stepper.problem.options)
+            self.plan = replace(
+                self.plan, problem=problem, result=Key(result), from_surface=True
+            )
             live.keep(SuspendedRun(self.plan, self.stepper, self.latest, self._meaning))
         if stop_reason == "converged" and self.plan.from_surface and self.whole:
             options = self.plan.problem.options

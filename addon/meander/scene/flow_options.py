@@ -9,6 +9,9 @@ from .. import core
 from ..model.option import apply, chosen
 from ..model.options import OF_THE_FLOW
 
+# The switch of the settings that say how strands are shaped.
+_SHAPE = "use_weights"
+
 
 def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOptions:
     """The options of a flow: those of the preset with what the settings say in their place.
@@ -21,6 +24,14 @@ def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOp
     options.radius = spacing / 2.0
     apply(OF_THE_FLOW, chosen(OF_THE_FLOW, settings), options)
     return options
+
+
+def keep_shape(options: core.FlowOptions, settings: bpy.types.PropertyGroup) -> None:
+    """Writes the shape of the strands of a flow into settings, which then no preset decides."""
+    for option in OF_THE_FLOW:
+        if option.switch == _SHAPE:
+            setattr(settings, option.setting, getattr(options, option.field))
+    setattr(settings, _SHAPE, True)
 
 
 def warnings_of(settings: bpy.types.PropertyGroup) -> list[str]:
