@@ -81,6 +81,8 @@ def write_curve(
         if length is not None and not length > 0.0:
             raise FileError(f"{name} {length!r} is not greater than 0")
     values = _drawing_values(suffix, kind, drawing)
+    if kind is not None and export.lacks_plane(kind, values):
+        raise FileError('arcs lie in a plane; choose a layout that is flat, such as "top"')
     if suffix == ".obj":
         if step is not None or tolerance is not None:
             raise FileError("an .obj file has the whole curve; leave out step and tolerance")

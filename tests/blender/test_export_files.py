@@ -285,6 +285,7 @@ def test_the_command_draws_what_the_scene_has(tmp_path: Path) -> None:
         ("a.svg", ["--layout-map", "UVMap"], "needs --layout uv"),
         ("a.gcode", ["--unit", "cm"], "millimetres and inches"),
         ("a.gcode", ["--layers", "0"], "from 1 to"),
+        ("a.gcode", ["--arcs", "0.1"], "give a --layout that is flat"),
     ],
 )
 def test_flags_that_cannot_be_meant_are_refused(
@@ -301,6 +302,12 @@ def test_flags_that_cannot_be_meant_are_refused(
 def test_formats_have_suffixes_of_their_own() -> None:
     assert len(set(export.SUFFIXES)) == len(export.SUFFIXES)
     assert set(embroidery.SUFFIXES) < set(export.SUFFIXES)
+
+
+def test_arcs_in_space_are_refused_in_the_words_of_the_window(tmp_path: Path) -> None:
+    _sheet()
+    said = _refused(tmp_path / "a.gcode", layout_as="SPACE", arc_tolerance=0.1)
+    assert said == "Arcs lie in a plane; choose a Layout that is flat"
 
 
 @pytest.mark.parametrize("machine", ["generic", "grbl", "marlin", "klipper"])

@@ -177,4 +177,4 @@ def test_files_with_arcs_are_a_fifth_as_long(tmp_path: Path, capsys) -> None:
     given = ["--input", mesh, "--output", tmp_path / "b.gcode", "--spacing", "0.2", "--quiet"]
     given += ["--size", "100", "--arcs", "0.1"]
     assert batch.main([str(a) for a in given]) == 2
-    assert "flat" in capsys.readouterr().err
+    assert "give a --layout that is flat" in capsys.readouterr().err

@@ -249,7 +249,7 @@ def test_what_cannot_be_written_is_one_sentence(installed: Environment) -> None:
         "    ('a.csv', {'step': 0}), ('a.csv', {'layout': 'top'}), ('a.svg', {'feed': 1}),\n"
         "    ('a.svg', {'layout': 'uv'}), ('a.svg', {'visible_only': True}),\n"
         "    ('a.svg', {'colour': 1}), ('a.svg', {'scale': -1}), ('a.svg', {'scale': 'big'}),\n"
-        "    ('nowhere/a.obj', {}),\n"
+        "    ('nowhere/a.obj', {}), ('a.gcode', {'arcs': 0.1}),\n"
         "):\n"
         "    try:\n"
         "        meander.write_curve(name, flow, **given)\n"

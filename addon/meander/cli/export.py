@@ -82,6 +82,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         return "--layout uv needs a UV map; give a .blend as --input"
     if arguments.visible_only and not export.is_seen(kind, _values(arguments)["layout_as"]):
         return "--visible-only needs --layout top, front or side"
+    if kind is not None and export.lacks_plane(kind, _values(arguments)):
+        return "--arcs lie in a plane; give a --layout that is flat, such as top, or leave them out"
     if arguments.layout_map is not None and arguments.layout != "uv":
         return "--layout-map needs --layout uv"
     if kind is not None and embroidery.is_wanted(arguments.output) and not embroidery.is_there():

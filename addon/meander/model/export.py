@@ -18,7 +18,7 @@ from .gcode import Motion, gcode_text
 from .option import Values
 from .svg import svg_text
 from .toolpath import Strand
-from .whole_files import FileError, whole_file
+from .whole_files import whole_file
 
 # No plotter, laser or mill is wider, in millimetres.
 _WIDEST = 10_000.0
@@ -106,7 +106,7 @@ def prepared(
     """The drawing that a file of a format holds.
 
     strands   as they are laid: in scene units, at z = 0 where the layout is flat
-    values    of export_options.ROWS, by setting
+    values    of export_options.ROWS, by setting; not those of which lacks_plane() is true
     metres    the length of a scene unit
     spacing   the least spacing of neighbouring strands, in scene units; 0: it is not known
 
@@ -120,16 +120,23 @@ def prepared(
         metres,
         values["scale"],
         values["size"],
-        flat=kind.flat or values["layout_as"] != "space",
+        flat=_is_flat(kind, values),
         spacing=spacing,
     )
     if kind.name in ("DST", "PES"):
         return embroidery.stitched(drawing, values["stitch_length"], values["stitch_tolerance"])
     if values["arc_tolerance"] > 0.0:
-        if not drawing.flat:
-            raise FileError("Arcs lie in a plane; choose a Layout that is flat")
         return drawing.with_arcs(values["arc_tolerance"])
     return drawing
+
+
+def _is_flat(kind: Format, values: Values) -> bool:
+    return kind.flat or values["layout_as"] != "space"
+
+
+def lacks_plane(kind: Format, values: Values) -> bool:
+    """Whether arcs are asked for, which lie in a plane, of a drawing that does not."""
+    return values["arc_tolerance"] > 0.0 and not _is_flat(kind, values)
 
 
 @dataclass(frozen=True)

@@ -241,6 +241,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         self, path: Path, kind: export.Format, context: bpy.types.Context
     ) -> Drawing:
         values, title = self.option_values(), context.active_object.name
+        if export.lacks_plane(kind, values):
+            raise FileError("Arcs lie in a plane; choose a Layout that is flat")
         if kind.name in ("DST", "PES") and not embroidery.is_there():
             modules = bpy.utils.user_resource("SCRIPTS", path="addons/modules")
             raise FileError(embroidery.missing_text(modules))
