@@ -67,6 +67,8 @@ def cut_result(
     Raises DataError and core.MeanderError with a sentence for what cannot be done.
     """
     plan = plan_of(result, scene, depsgraph)
+    if all(part.guide for part in plan.parts):  # else first loops would grow beside them, and cut
+        raise DataError("The result has only guides, and guides do not cut; fill the surface")
     length = detail * plan.spacing / 2.0
     try:
         opened = open_flow(plan.problem)
@@ -81,8 +83,6 @@ def cut_result(
         parted = cuts.is_parted(cut)
         if sides and not parted and not middle_lines:
             cut = core.cut_surface(flow, length, middle_lines=True)
-    if not len(cut.line_vertices):
-        raise DataError("The result has only guides, and guides do not cut; fill the surface")
     skin = skin_of(plan.surface.find(), depsgraph)
     return CutResult(cut, skin, plan, parted)
 
