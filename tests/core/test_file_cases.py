@@ -150,3 +150,8 @@ def test_elements_are_counted_as_the_file_does(name, text, words, tmp_path, caps
     given = ["--input", str(path), "--output", str(tmp_path / "o.obj"), "--spacing", "0.3"]
     assert batch.main([*given, "--quiet", "--strict"]) == 2
     assert words in capsys.readouterr().err
+
+
+def test_every_cause_has_a_wording_of_its_own() -> None:
+    said = [(case.kind, case.said) for case in CASES if not case.area]
+    assert len(set(said)) == len(said) and len(said) >= 10
