@@ -99,7 +99,7 @@ def write_curve(
     drawn = export.prepared(strands, kind, values, metres=1.0, spacing=spacing)
     problem = None if values["force"] else export.unusable(drawn)
     if problem is not None:
-        way = "choose another layout" if problem.edge else "choose a size, or a smaller scale"
+        way = "choose another layout" if problem.edge else "choose a size or scale"
         raise FileError(f"the drawing {problem.what}; {way}, or force=True")
     export.write(path, kind, drawn, values, path.stem, library_version())
 

@@ -131,7 +131,7 @@ def test_a_script_may_leave_the_format_to_the_name(tmp_path: Path) -> None:
     assert "G21" in text and text.count("\nG1 X") > 50
     _export(tmp_path / "b", file_format="GCODE", layers=2)
     assert "; layer 2, strand 1" in (tmp_path / "b.gcode").read_text()
-    assert "larger Scale" in _refused(tmp_path / "c.svg", scale=1e-8)
+    assert "choose a Size or Scale, or Write Anyway" in _refused(tmp_path / "c.svg", scale=1e-8)
     assert "inches" in _refused(tmp_path / "c.gcode", unit="CM")
 
 
@@ -232,7 +232,7 @@ def test_embroidery_has_the_curve_in_stitches(tmp_path: Path, suffix: str) -> No
     once = path.read_bytes()
     _export(path, size=80.0, stitch_length=2.0)
     assert path.read_bytes() == once
-    assert "choose a Size" in _refused(tmp_path / f"b{suffix}")
+    assert "choose a size" in _refused(tmp_path / f"b{suffix}")
 
 
 def test_dxf_is_what_another_reader_finds(tmp_path: Path) -> None:

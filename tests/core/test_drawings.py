@@ -233,9 +233,8 @@ def test_what_is_no_drawing_is_refused_and_the_file_is_as_it_was(tmp_path):
     for laid, values, words in (
         ([], {}, "no strands"),
         (broken, {}, "not numbers"),
-        (strands(), {"scale": 1e-9}, "larger Scale"),
-        (strands(1e-9), {"size": 0.0}, "larger Scale"),
-        ([toolpath.strand_of(np.ones((3, 3)), np.ones((3, 3)), True)], {"size": 9.0}, "Size"),
+        ([toolpath.strand_of(np.ones((3, 3)), np.ones((3, 3)), True)], {"size": 9.0}, "one place"),
+        ([toolpath.strand_of(np.ones((3, 3)), np.ones((3, 3)), True)], {}, "one place"),
         (strands(), {"unit": "cm"}, "millimetres and inches"),
     ):
         path = tmp_path / "a.gcode"

@@ -201,6 +201,8 @@ def others(folder: Path) -> list[str]:
         said_of(lambda: drawing.drawing_of([], "mm", 1.0, 1.0, 0.0, True)),
         said_of(lambda: drawing.drawing_of(
             [toolpath.strand_of(flat + np.nan, up, False)], "mm", 1.0, 1.0, 0.0, True)),
+        said_of(lambda: drawing.drawing_of(
+            [toolpath.strand_of(0.0 * flat, up, False)], "mm", 1.0, 1.0, 0.0, True)),
         said_of(lambda: gcode.gcode_text(
             drawing.Drawing([strand], "cm", True), gcode.Motion(), "a", "1")),
         reading(folder, "a.obj", face_of_nothing),

@@ -169,6 +169,17 @@ def plate(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("suffix", ["svg", "dxf", "gcode"])
+def test_what_no_machine_can_draw_is_refused(plate: Path, suffix: str, capsys) -> None:
+    out, given = f"a.{suffix}", ("--layout", "top", "--input-up", "y", "--input-unit", "mm")
+    assert run(plate, out, *given, "--scale", "1e-5", spacing=9) == 2
+    said = capsys.readouterr().err
+    assert " mm wide, which no machine can draw; say by --input-unit" in said and "--force" in said
+    assert_sentence(said.strip())
+    assert not (plate.parent / out).exists()
+    assert run(plate, out, *given, "--scale", "1e-5", "--force", spacing=9) == 0
+
+
+@pytest.mark.parametrize("suffix", ["svg", "dxf", "gcode"])
 def test_what_no_machine_takes_is_refused(plate: Path, suffix: str, capsys) -> None:
     out, given = f"a.{suffix}", ("--layout", "top")
     assert run(plate, out, *given, "--input-up", "y", spacing=9) == 2

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -27,8 +28,6 @@ VIEWS = {
 # How finely arcs are looked at for crossings, in spacings.
 _FLAT = 1e-3
 
-# Machines count in hundredths of a millimetre: a drawing this small, in millimetres, is a point.
-_LEAST_SIZE = 0.01
 
 
 @dataclass(frozen=True)
@@ -142,11 +141,8 @@ def drawing_of(
     low, high = _box(strands)
     extent = float((high - low).max())
     factor = scale * metres / UNITS[unit] if size <= 0.0 else size / extent if extent > 0.0 else 0.0
-    width = factor * extent * UNITS[unit] * 1000.0
-    if not width >= _LEAST_SIZE or not np.isfinite(width):
-        raise FileError(
-            f"The drawing would be {width:.2g} mm wide; choose a larger Scale, or a Size"
-        )
+    if not 0.0 < factor * extent < math.inf:
+        raise FileError("All points of the curve are in one place; fill the surface again")
     origin = low if flat else np.zeros(3)
     return Drawing(
         [

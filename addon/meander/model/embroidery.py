@@ -107,7 +107,7 @@ def embroidery_bytes(drawing: Drawing, title: str, suffix: str) -> bytes:
     width = float((high - low)[:2].max()) * drawing.millimetres
     if width > _WIDEST:
         raise FileError(
-            f"The embroidery would be {width:,.0f} mm wide, which no machine can do; choose a Size"
+            f"The embroidery would be {width:,.0f} mm wide, which no machine can do; choose a size"
         )
     middle = (low + high) / 2.0
     pattern = pyembroidery.EmbPattern()

@@ -22,6 +22,8 @@ from .whole_files import whole_file
 
 # No plotter, laser or mill is wider, in millimetres.
 _WIDEST = 10_000.0
+# Machines count in hundredths of a millimetre: a drawing this small, in millimetres, is a point.
+_LEAST = 0.01
 # A drawing is seen edge on where it is this much narrower than wide, though the line in it is so
 # many times as long.
 _EDGE = 1e-4
@@ -152,13 +154,17 @@ class Unusable:
 
 
 def unusable(drawing: Drawing) -> Unusable | None:
-    """Whether a drawing is larger than any machine, or a surface that is seen edge on."""
+    """Whether a drawing is larger than any machine, or smaller than a step of one, or a surface
+    that is seen edge on."""
     low, high = drawing.box()
     sides = (high - low)[:2] if drawing.flat else high - low
     widest = float(sides.max())
     if widest * drawing.millimetres > _WIDEST:
         text = f"would be {widest * drawing.millimetres / 1000.0:,.4g} m wide"
         return Unusable(f"{text}, which no machine can take", False)
+    if widest * drawing.millimetres < _LEAST:
+        text = f"would be {widest * drawing.millimetres:.2g} mm wide"
+        return Unusable(f"{text}, which no machine can draw", False)
     # A straight line is as flat, but no longer than its drawing is wide.
     if drawing.flat and sides.min() < _EDGE * widest and drawing.length > _FOLDED * widest:
         size = " x ".join(f"{side:.4g}" for side in sides)

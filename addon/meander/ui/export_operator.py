@@ -253,7 +253,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         drawing = export.prepared(strands, kind, values, metres_of(context.scene), spacing)
         problem = None if values["force"] else export.unusable(drawing)
         if problem is not None:
-            way = "choose another Layout" if problem.edge else "choose a Size, or a smaller Scale"
+            way = "choose another Layout" if problem.edge else "choose a Size or Scale"
             raise FileError(f"The drawing {problem.what}; {way}, or Write Anyway")
         head, foot = (
             export.lines_of(Path(bpy.path.abspath(name))) if name else None
