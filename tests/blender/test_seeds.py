@@ -141,7 +141,7 @@ def test_a_seed_off_the_surface_is_laid_on_it_and_the_summary_says_so(capfd):
     bpy.context.scene.unit_settings.scale_length = 0.01
     result = fill(surface, 0.3, seed=seed)
     assert packing(surface, result) == pytest.approx(1.0, abs=0.15)
-    assert "moved the seed to the surface, from up to 3.19 mm away" in capfd.readouterr().out
+    assert "moved the seed to the surface, from up to 0.319 cm away" in capfd.readouterr().out
     sentence = refused(surface, seed=poly_curve("Far", [circle_points(3.0, 0.0)], True))
     assert "of spline 1 of 'Far' is 2" in sentence and "cm away from the surface" in sentence
     # What has grown has to lie where it is: it may be of another frame.

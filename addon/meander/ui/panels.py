@@ -14,6 +14,7 @@ from ..run import estimates, gap_marks, session, suspended
 from ..run.queue import objects_of
 from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
+from ..scene.lengths import length_text
 from ..scene.linked_settings import can_be_changed, settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
@@ -140,7 +141,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             (
                 ("Time Left", running.left_text()),
                 ("Points", f"{latest.nodes:,}" if latest else ""),
-                ("Length", _length(context, latest.length) if latest else ""),
+                ("Length", length_text(context.scene, latest.length, 4) if latest else ""),
             ),
         )
 
@@ -190,8 +191,8 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
             (
                 *_evenness(figures),
                 *((("Gaps", f"{gaps:,}"),) if gaps > 0 else ()),
-                ("Spacing", _length(context, figures.spacing_median)),
-                ("Length", _length(context, figures.length)),
+                ("Spacing", length_text(context.scene, figures.spacing_median, 4)),
+                ("Length", length_text(context.scene, figures.length, 4)),
                 ("Time", f"{figures.seconds:.1f} s"),
             ),
         )
@@ -231,15 +232,9 @@ def _automatic(context: bpy.types.Context, objects: list[bpy.types.Object]) -> s
     if len(objects) > 1:
         return "Automatic for each"
     spacing = estimates.automatic(objects[0])
-    return f"Automatic: {_length(context, spacing)}" if spacing > 0.0 else "Automatic"
-
-
-def _length(context: bpy.types.Context, value: float) -> str:
-    """A length in the units that the scene shows."""
-    unit = context.scene.unit_settings
-    if unit.system == "NONE":
-        return f"{value:.4g}"
-    return bpy.utils.units.to_string(unit.system, "LENGTH", value * unit.scale_length, precision=4)
+    if spacing <= 0.0:
+        return "Automatic"
+    return f"Automatic: {length_text(context.scene, spacing, 4)}"
 
 
 def _figures(layout: bpy.types.UILayout, rows: tuple[tuple[str, str], ...]) -> None:

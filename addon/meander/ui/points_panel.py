@@ -69,6 +69,15 @@ class MEANDER_OT_points_to_curves(_PointsToObject, bpy.types.Operator):
     )
     kind = "CURVES"
 
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        try:
+            point_attributes.refuse(cls.kind)
+        except DataError as refusal:
+            cls.poll_message_set(sentence_of(refusal))
+            return False
+        return super().poll(context)
+
 
 class MEANDER_PT_points(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_points"

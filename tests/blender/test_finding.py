@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the panel says can be read and found: lengths, names, what is off and why."""
+
+from __future__ import annotations
+
+import bpy
+import pytest
+from meander.scene.lengths import length_text
+from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
+from panel_layout import drawn
+from scenes import activate, cube, fill, grid
+
+
+def texts_of(panel: type[bpy.types.Panel]) -> list[str]:
+    return [text.text for text in drawn(panel, bpy.context).texts()]
+
+
+def test_hair_curves_are_off_where_scripts_cannot_make_them():
+    fill(grid(), 0.4)
+    assert bpy.ops.meander.points_to_mesh.poll()
+    assert bpy.ops.meander.points_to_curves.poll() == (bpy.app.version >= (4, 2))
+
+
+@pytest.mark.parametrize(
+    ("system", "unit", "scale", "said"),
+    [
+        ("METRIC", "METERS", 1.0, "0.09828 m"),
+        ("METRIC", "CENTIMETERS", 1.0, "9.828 cm"),
+        ("METRIC", "MILLIMETERS", 1.0, "98.28 mm"),
+        ("METRIC", "METERS", 0.001, "9.828e-05 m"),
+        ("METRIC", "KILOMETERS", 1000.0, "0.09828 km"),
+        ("IMPERIAL", "INCHES", 0.0254, '0.09828"'),
+        ("IMPERIAL", "FEET", 0.3048, "0.09828'"),
+        ("NONE", None, 1.0, "0.09828"),
+    ],
+)
+def test_lengths_are_in_the_unit_of_the_fields(system, unit, scale, said):
+    settings = bpy.context.scene.unit_settings
+    settings.system, settings.scale_length = system, scale
+    if unit is not None:
+        settings.length_unit = unit
+    assert length_text(bpy.context.scene, 0.098284, 4) == said
+
+
+def test_spacing_and_last_run_have_one_unit():
+    surface = cube()
+    fill(surface, 0.1, iteration_limit=100)
+    activate(surface)
+    found = texts_of(MEANDER_PT_figures)
+    spacing, length = (found[found.index(name) + 1] for name in ("Spacing", "Length"))
+    assert spacing.endswith(" m") and length.endswith(" m")
+    assert float(spacing[:-2]) == pytest.approx(0.1, rel=0.2)
+    assert float(length[:-2]) > 100.0
+    surface.meander.spacing = 0.0
+    assert not [text for text in texts_of(MEANDER_PT_main) if text.endswith("cm")]
