@@ -130,6 +130,8 @@ class Layout:
             values = tuple(item.name for item in known.enum_items)
         elif known.type == "ENUM":
             values = (known.enum_items[getattr(data, name)].name,)
+        elif known.type == "POINTER" and isinstance(getattr(data, name), bpy.types.ID):
+            values = (getattr(data, name).name,)
         kind = known.type
         has_icon = icon != "NONE"
         if kind == "BOOLEAN" and (self.heading or icon_only):

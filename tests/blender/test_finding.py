@@ -7,7 +7,7 @@ import bpy
 import pytest
 from meander.scene.lengths import length_text
 from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
-from panel_layout import drawn
+from panel_layout import drawn, panels
 from scenes import activate, cube, fill, grid
 
 
@@ -40,6 +40,30 @@ def test_lengths_are_in_the_unit_of_the_fields(system, unit, scale, said):
     if unit is not None:
         settings.length_unit = unit
     assert length_text(bpy.context.scene, 0.098284, 4) == said
+
+
+def too_wide() -> list[str]:
+    every = (drawn(panel, bpy.context) for panel in panels())
+    return [
+        f"{text.text} by {text.excess:.0f}"
+        for layout in every if layout is not None
+        for text in layout.texts() if text.excess > 0.0
+    ]  # fmt: skip
+
+
+def test_names_and_counts_are_read_whole():
+    """Those that Blender and the add-on give."""
+    surface = grid()
+    surface.name = "Suzanne.001"
+    result = fill(surface, 0.4)
+    assert result.name == "Suzanne.001 Meander"
+    assert too_wide() == []
+    activate(surface)
+    figures = surface.meander.figures
+    figures.mended, figures.smoothing = 12918, 0.4
+    figures.lines, figures.lines_why = 201, "the mesh has 201 parts, 199 of them smaller than that"
+    assert "12,918 repaired" in texts_of(MEANDER_PT_main)
+    assert too_wide() == []
 
 
 def test_spacing_and_last_run_have_one_unit():

@@ -24,7 +24,6 @@ from ..scene.visible import visible_strands
 from .declared import declared
 from .on_result import OnResult
 from .run_operators import sentence_of
-from .sidebar import notice
 
 _TABLES = {"CSV": ".csv", "JSON": ".json"}
 _SUFFIXES = _TABLES | {kind.name: kind.suffixes[0] for kind in export.FORMATS}
@@ -146,7 +145,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             layout.prop(self, "footer")
         if kind is not None and kind.name in ("DST", "PES"):
             if not embroidery.is_there():
-                notice(layout, f"{embroidery.PACKAGE} is not installed", "ERROR")
+                layout.label(text=f"{embroidery.PACKAGE} is not installed", icon="ERROR")
             return  # stitches are points of their own
         layout.prop(self, "resample")
         if self.resample == "STEP":

@@ -62,7 +62,9 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
             _draw_seed(layout, settings_of(active))
             return
         if result is not active:
-            layout.prop(settings_of(active), "last_result", icon="CURVE_DATA")
+            whole = layout.row()  # its name has all the room
+            whole.use_property_split = False
+            whole.prop(settings_of(active), "last_result", text="", icon="CURVE_DATA")
         modifier = look_modifier.modifier_of(result)
         if modifier is None:
             _draw_bevel(layout, result)

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import textwrap
-
 import bpy
 from bpy.props import FloatProperty
 
@@ -30,9 +28,6 @@ from .seed_drawing import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, ORDER, Sidebar, SubPanel, columns, notice
 
-# What fits beside an icon in a sidebar as wide as Blender makes it.
-_LINE = 24
-
 
 class MEANDER_PT_main(Sidebar, bpy.types.Panel):
     bl_idname = "MEANDER_PT_main"
@@ -52,10 +47,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             _draw_linked(layout, context.active_object)
             self._draw_settings(layout.column(), context.active_object, surface)
         elif running is None and surface_drawn_on(context.active_object) is None:
-            column = layout.column(align=True)
-            text = why_not_this(context.active_object) or "Select a mesh to fill"
-            for number, line in enumerate(textwrap.wrap(text, _LINE)):
-                column.label(text=line, icon="BLANK1" if number else "INFO")
+            notice(layout, why_not_this(context.active_object) or "Select a mesh to fill")
         if running is not None:
             self._draw_progress(layout, context, running)
         elif surface is not None:
@@ -68,13 +60,8 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         settings: MeanderSettings = settings_of(active)
         layout.use_property_split = True
         layout.use_property_decorate = False
-        if is_result(active):
-            # Which surface it lies on is a fact, not a choice.
-            row = layout.row()
-            row.enabled = False
-            row.prop(settings, "surface", icon="MESH_DATA")
-        else:
-            _labelled(layout, "Surface").label(text=surface.name, icon="MESH_DATA")
+        # Which surface it is, and lies on, is a fact, not a choice; its name has all the room.
+        layout.label(text=surface.name, icon="MESH_DATA")
         _labelled(layout, "Preset").popover(
             panel=MEANDER_PT_presets.__name__, text=active_name(settings) or "None"
         )
@@ -183,8 +170,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
         if figures.lines:
             column = layout.column(align=True)
             column.label(text=last_run.lines(figures.lines, figures.closed_lines))
-            for line in textwrap.wrap(figures.lines_why, _LINE):
-                column.label(text=line)
+            notice(column, figures.lines_why, "NONE")
         gaps = wide_gaps(figures)
         _figures(
             layout,
@@ -207,9 +193,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
 def _draw_linked(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
     """Why settings are grey, and what helps, of what comes from another file."""
     if is_result(active) and is_linked(active):
-        column = layout.column(align=True)
-        for number, line in enumerate(textwrap.wrap(LINKED, _LINE)):
-            column.label(text=line, icon="BLANK1" if number else "LIBRARY_DATA_DIRECT")
+        notice(layout, LINKED, "LIBRARY_DATA_DIRECT")
     elif not is_result(active) and not can_be_changed(active):
         layout.operator(MEANDER_OT_choose_settings.bl_idname, icon="LIBRARY_DATA_DIRECT")
 

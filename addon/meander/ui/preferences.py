@@ -8,7 +8,6 @@ from bpy.props import IntProperty
 
 from .. import core
 from ..model.estimate import Estimate
-from .sidebar import notice
 
 # "meander" as an add-on of 3.4, "bl_ext.user_default.meander" as an extension.
 PACKAGE = __package__.rpartition(".")[0]
@@ -43,7 +42,7 @@ class MeanderPreferences(bpy.types.AddonPreferences):
         row.prop(self, "most_memory")
         library = core.library_notice()
         if library:
-            notice(layout, library, "ERROR")
+            layout.label(text=library, icon="ERROR")
 
 
 def is_large(estimate: Estimate) -> bool:

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import textwrap
-
 import bpy
 
 from .. import core
@@ -97,16 +95,10 @@ def draw_faults(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
         return
     column = layout.column(align=True)
     if sentence:
-        for number, line in enumerate(textwrap.wrap(sentence.partition(";")[0], _LINE)):
-            column.label(text=line, icon="BLANK1" if number else "ERROR")
-    row = column.row()
-    if not sentence:
-        row.label(text=f"{count:,} repaired", icon="CHECKMARK")
-    row.operator(MEANDER_OT_select_problem.bl_idname, icon="RESTRICT_SELECT_OFF")
-
-
-# What fits beside an icon in a sidebar as wide as Blender makes it.
-_LINE = 24
+        notice(column, sentence.partition(";")[0], "ERROR")
+    else:
+        column.label(text=f"{count:,} repaired", icon="CHECKMARK")
+    column.operator(MEANDER_OT_select_problem.bl_idname, icon="RESTRICT_SELECT_OFF")
 
 
 class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
@@ -165,9 +157,7 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
         sub.active = settings.strict  # else done in any case
         switch(sub, settings, "drop_degenerate")
         switch(sub, settings, "split_bow_ties")
-        done = settings.figures.preparation
-        for number, line in enumerate(textwrap.wrap(done, _LINE)):
-            column.label(text=line, icon="BLANK1" if number else "INFO")
+        notice(column, settings.figures.preparation)
 
 
 _CLASSES = (MEANDER_OT_select_problem, MEANDER_PT_mask, MEANDER_PT_repair)

@@ -7,6 +7,8 @@ module, in whatever order Blender loads them.
 
 from __future__ import annotations
 
+import textwrap
+
 import bpy
 
 from ..run import session
@@ -30,6 +32,10 @@ ORDER = {
 # The parent of what stands inside Advanced, by the places of their own there.
 ADVANCED = "MEANDER_PT_advanced"
 ADVANCED_ORDER = {"weights": 10, "repair": 20}
+
+
+# So many letters of a sentence fit beside an icon.
+_LINE = 24
 
 
 class Sidebar:
@@ -60,5 +66,9 @@ def columns(layout: bpy.types.UILayout, live: bool = False) -> None:
 
 
 def notice(layout: bpy.types.UILayout, text: str, icon: str = "INFO") -> None:
-    """A row of plain text with an icon; "ERROR" is Blender's name of the warning sign."""
-    layout.row().label(text=text, icon=icon)
+    """Plain text with an icon, in as many rows as it takes in a sidebar as wide as Blender makes
+    it; "ERROR" is Blender's name of the warning sign, "NONE" is no icon and no room for it.
+    """
+    column = layout.column(align=True)
+    for number, line in enumerate(textwrap.wrap(text, _LINE)):
+        column.label(text=line, icon="BLANK1" if number and icon != "NONE" else icon)

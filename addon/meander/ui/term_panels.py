@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import textwrap
-
 import bpy
 
 from ..scene import ramp
@@ -15,9 +13,6 @@ from ..scene.settings import surface_of
 from .declared import row, rows
 from .settings import MeanderSettings
 from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns, notice
-
-# How many letters of a sentence fit beside an icon in a sidebar of the usual width.
-_LINE = 23
 
 
 class MEANDER_PT_density(SubPanel, bpy.types.Panel):
@@ -149,12 +144,7 @@ class MEANDER_PT_weights(SubPanel, bpy.types.Panel):
         settings: MeanderSettings = settings_of(context.active_object)
         rows(layout, settings, "Strand Shape", heading="Shape")
         for warning in warnings_of(settings):
-            first, *others = textwrap.wrap(warning, _LINE)
-            lines = layout.column(align=True)
-            lines.scale_y = 0.8
-            notice(lines, first, "ERROR")
-            for line in others:
-                notice(lines, line, "BLANK1")
+            notice(layout, warning, "ERROR")
 
 
 _CLASSES = (MEANDER_PT_density, MEANDER_PT_alignment, MEANDER_PT_weights)
