@@ -5,10 +5,13 @@ from __future__ import annotations
 
 import bpy
 import pytest
+from meander.model.remaining import in_words
+from meander.run import estimates
 from meander.scene.lengths import length_text
 from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
 from panel_layout import drawn, panels
 from scenes import activate, cube, fill, grid
+from watched_runs import begin, tick_until
 
 
 def texts_of(panel: type[bpy.types.Panel]) -> list[str]:
@@ -64,6 +67,22 @@ def test_names_and_counts_are_read_whole():
     figures.lines, figures.lines_why = 201, "the mesh has 201 parts, 199 of them smaller than that"
     assert "12,918 repaired" in texts_of(MEANDER_PT_main)
     assert too_wide() == []
+
+
+def test_the_time_left_is_there_at_once(windowed):
+    surface = grid()
+    surface.meander.spacing = 0.02
+    estimates.measure(surface)
+    expected = estimates.shown([surface]).seconds
+    running = begin(surface, 0.02)
+    try:
+        assert running.left_text() == in_words(expected)
+        assert running.progress_text().endswith(f"{in_words(expected)} left")
+        tick_until(running, lambda: running.progress() > 0.2)
+        assert running.left_text()
+    finally:
+        running.suspend()
+        running.end()
 
 
 def test_spacing_and_last_run_have_one_unit():

@@ -22,7 +22,9 @@ class Remaining:
     meanwhile, is measured from there on.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, expected: float | None = None) -> None:
+        """expected   what the whole run was thought to take, which counts until more is known"""
+        self._expected = expected
         self._begin: tuple[float, float] | None = None
         self._latest = (0.0, 0.0)
 
@@ -37,11 +39,11 @@ class Remaining:
     def seconds(self) -> float | None:
         """None while too little is known."""
         if self._begin is None:
-            return None
+            return self._expected
         spent = self._latest[0] - self._begin[0]
         done = self._latest[1] - self._begin[1]
         if spent < _LEAST_SECONDS or done < _LEAST_SHARE:
-            return None
+            return None if self._expected is None else max(0.0, self._expected - spent)
         return spent / done * (1.0 - self._latest[1])
 
 

@@ -78,6 +78,16 @@ def automatic(active: bpy.types.Object) -> float:
     return 0.0 if found is None else found.automatic
 
 
+def expected(thing: bpy.types.Object | None) -> float | None:
+    """The seconds that a run on an object was said to take; None where it was not measured."""
+    meaning = meaning_of(thing)
+    found = None if meaning is None else _measured.get(number_of(thing))
+    if found is None or found.extent is None or not meaning.same_as(found.meaning, _ARITHMETIC):
+        return None
+    estimate = _estimate(found, settings_of(thing))
+    return None if estimate is None else estimate.seconds
+
+
 def _known(active: bpy.types.Object) -> _Measured | None:
     """What is known of an object that can be filled; orders what is not."""
     meaning = meaning_of(active)

@@ -66,7 +66,8 @@ class Session:
         seed_preview.hide()
         live.drop()
         suspended.drop()  # a run that begins takes the place of the one before it
-        self._remaining = Remaining()
+        began = suspended_run is None
+        self._remaining = Remaining(estimates.expected(plan.settings.find()) if began else None)
         self._shown = True  # whether the view has what is in `latest`
         # A curve that fills the surface from its start is drawn strand by strand, as with a pen:
         # whether it still is, and since when.
