@@ -8,7 +8,9 @@ import pytest
 from meander.model.remaining import in_words
 from meander.run import estimates
 from meander.scene.lengths import length_text
+from meander.ui.cut_panel import MEANDER_PT_make
 from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
+from meander.ui.points_panel import MEANDER_PT_points
 from panel_layout import drawn, panels
 from scenes import activate, cube, fill, grid
 from watched_runs import begin, tick_until
@@ -83,6 +85,18 @@ def test_the_time_left_is_there_at_once(windowed):
     finally:
         running.suspend()
         running.end()
+
+
+def test_export_writes_files_and_make_makes_objects():
+    surface = grid()
+    assert drawn(MEANDER_PT_points, bpy.context) is None, "there is nothing to export"
+    assert {"Light Result", "Tolerance", "Points As"} <= set(texts_of(MEANDER_PT_make))
+    assert "Relief" not in texts_of(MEANDER_PT_make)
+    fill(surface, 0.4)
+    assert texts_of(MEANDER_PT_points) == ["Export Curve"]
+    assert {"Relief", "Light Result", "Make Light", "Points As", "Points to Mesh"} <= set(
+        texts_of(MEANDER_PT_make)
+    )
 
 
 def test_spacing_and_last_run_have_one_unit():

@@ -8,7 +8,7 @@ from .simplification import DEFAULT_SHARE, GREATEST_SHARE
 
 _DENSITY, _DIRECTION, _STRANDS = "Density", "Direction", "Seed and Strands"
 _REGION, _REPAIR, _MOTION = "Region", "Mesh Repair", "Motion"
-_EXPORT = "Export"
+_MAKE = "Make"
 _TERMS, _PART, _REPAIRS = "terms of the energy", "part to fill", "mesh repair"
 
 ROWS: tuple[Option, ...] = (
@@ -311,7 +311,7 @@ ROWS: tuple[Option, ...] = (
         "Light Result",
         "Leave out points that are not seen, so that curves of very many stay easy to work with. "
         "Pieces then no longer lie in one face each",
-        _EXPORT,
+        _MAKE,
         kind=bool,
         default=False,
     ),
@@ -320,7 +320,7 @@ ROWS: tuple[Option, ...] = (
         "Tolerance",
         "How far the light curve may be from the whole one, in spacings; 0.01 leaves a quarter of "
         "the points and is not seen, 0.05 a tenth",
-        _EXPORT,
+        _MAKE,
         low="more points, nothing to be seen",
         high="few points, visible corners",
         unit="spacing",
@@ -347,7 +347,7 @@ ROWS: tuple[Option, ...] = (
         "Point Limit",
         "The largest number of points of the light curve, for which the tolerance is raised up to "
         "a quarter of the spacing; 0 is no limit",
-        _EXPORT,
+        _MAKE,
         low="a lighter, more angular curve",
         high="no effect once the tolerance allows fewer",
         kind=int,

@@ -30,7 +30,7 @@ _LOOKS = frozenset(
         "motion_steps",
         "threads",
         "live",
-        *(option.setting for option in in_panel("Export")),
+        *(option.setting for option in in_panel("Make")),
     }
 )
 # Of the world metric of a surface: its matrix is stored in single precision.

@@ -170,7 +170,7 @@ def with_looks(plan: Plan, settings: bpy.types.PropertyGroup) -> Plan:
         radius_follows=settings.radius_follows,
         points_as=settings.points_as,
         bridges=settings.bridge_parts,
-        light=light_of(chosen(in_panel("Export"), settings)),
+        light=light_of(chosen(in_panel("Make"), settings)),
     )
 
 

@@ -18,6 +18,7 @@ from ..scene.identity import Key
 from ..scene.look_modifier import set_value
 from ..scene.transforms import mean_scale
 from .on_result import NO_RESULT, OnResult
+from .points_panel import draw_light_and_points
 from .run_operators import sentence_of
 from .sidebar import ORDER, SubPanel, columns
 
@@ -232,19 +233,16 @@ class MEANDER_PT_make(SubPanel, bpy.types.Panel):
     bl_order = ORDER["make"]
     bl_options = {"DEFAULT_CLOSED"}
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        return is_result(active) and super().poll(context)
-
-    def draw(self, _context: bpy.types.Context) -> None:
-        layout = self.layout
+    def draw(self, context: bpy.types.Context) -> None:
+        layout, active = self.layout, context.active_object
         columns(layout)
-        column = layout.column(align=True)
-        column.operator(MEANDER_OT_two_tone.bl_idname, icon="MOD_MASK")
-        column.operator(MEANDER_OT_relief.bl_idname, icon="RNDCURVE")
-        column.operator(MEANDER_OT_ribbon.bl_idname, icon="UV")
-        column.operator(MEANDER_OT_cut_along_curve.bl_idname, icon="EDGESEL")
+        if is_result(active):
+            column = layout.column(align=True)
+            column.operator(MEANDER_OT_two_tone.bl_idname, icon="MOD_MASK")
+            column.operator(MEANDER_OT_relief.bl_idname, icon="RNDCURVE")
+            column.operator(MEANDER_OT_ribbon.bl_idname, icon="UV")
+            column.operator(MEANDER_OT_cut_along_curve.bl_idname, icon="EDGESEL")
+        draw_light_and_points(layout, active)
 
 
 _CLASSES = (

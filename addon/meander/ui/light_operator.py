@@ -27,7 +27,7 @@ class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):
         result = context.active_object
         was_light, result.meander.use_light = result.meander.use_light, True
         try:
-            light = light_of(chosen(in_panel("Export"), result.meander))
+            light = light_of(chosen(in_panel("Make"), result.meander))
             before, after = make_light(result, light)
         except DataError as error:
             result.meander.use_light = was_light

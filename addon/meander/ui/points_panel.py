@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sub-panel "Export", and what is known of every point of a result as an object."""
+"""The sub-panel "Export"; for that of "Make", what is known of every point as an object."""
 
 from __future__ import annotations
 
@@ -85,22 +85,28 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
     bl_order = ORDER["export"]
     bl_options = {"DEFAULT_CLOSED"}
 
-    def draw(self, context: bpy.types.Context) -> None:
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return is_result(context.active_object) and super().poll(context)
+
+    def draw(self, _context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
-        active = context.active_object
         layout.operator_context = "INVOKE_DEFAULT"
-        if is_result(active):
-            layout.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
-        rows(layout, settings_of(active), "Export")
-        if is_result(active):
-            layout.operator(MEANDER_OT_make_light.bl_idname, icon="MOD_DECIM")
-            _draw_counts(layout, active)
-        layout.prop(settings_of(active), "points_as")
-        if is_result(active):
-            column = layout.column(align=True)
-            column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
-            column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")
+        layout.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
+
+
+def draw_light_and_points(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
+    """Fewer points of the next result or of this one, and all of them as an object."""
+    rows(layout, settings_of(active), "Make")
+    if is_result(active):
+        layout.operator(MEANDER_OT_make_light.bl_idname, icon="MOD_DECIM")
+        _draw_counts(layout, active)
+    layout.prop(settings_of(active), "points_as")
+    if is_result(active):
+        column = layout.column(align=True)
+        column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
+        column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")
 
 
 def _draw_counts(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
