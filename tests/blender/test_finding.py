@@ -3,15 +3,19 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import bpy
 import pytest
 from meander.model.remaining import in_words
 from meander.run import estimates
+from meander.scene import flow_options, preferences
 from meander.scene.lengths import length_text
 from meander.ui.cut_panel import MEANDER_PT_make
-from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
+from meander.ui.panels import MEANDER_PT_advanced, MEANDER_PT_figures, MEANDER_PT_main
 from meander.ui.points_panel import MEANDER_PT_points
-from panel_layout import drawn, panels
+from meander.ui.preferences import MeanderPreferences
+from panel_layout import Layout, drawn, panels
 from scenes import activate, cube, fill, grid
 from watched_runs import begin, tick_until
 
@@ -97,6 +101,31 @@ def test_export_writes_files_and_make_makes_objects():
     assert {"Relief", "Light Result", "Make Light", "Points As", "Points to Mesh"} <= set(
         texts_of(MEANDER_PT_make)
     )
+
+
+def test_steps_and_threads_are_in_the_preferences(monkeypatch):
+    surface = grid()
+    assert not {"Most Steps", "Threads"} & set(texts_of(MEANDER_PT_advanced))
+    known = MeanderPreferences.bl_rna.properties.keys()
+    assert {"iteration_limit", "threads"} <= set(known)
+    own = flow_options.options_of(surface.meander, 0.2)
+    monkeypatch.setattr(
+        preferences, "_of_the_user", lambda: SimpleNamespace(iteration_limit=17, threads=1)
+    )
+    options = flow_options.options_of(surface.meander, 0.2)
+    assert (options.iteration_limit, options.threads) == (17, 1)
+    surface.meander.iteration_limit = 40  # by a script, or in an earlier version
+    assert flow_options.options_of(surface.meander, 0.2).iteration_limit == 40
+    assert "Most Steps" in texts_of(MEANDER_PT_advanced), "what limits a run can be seen"
+    monkeypatch.undo()
+    surface.meander.iteration_limit = 0
+    assert flow_options.options_of(surface.meander, 0.2) == own
+    layout = Layout()
+    MeanderPreferences.draw(
+        SimpleNamespace(layout=layout, bl_rna=MeanderPreferences.bl_rna, **dict.fromkeys(known, 0)),
+        bpy.context,
+    )
+    assert {"Most Steps", "Threads", "Points"} <= {text.text for text in layout.texts()}
 
 
 def test_spacing_and_last_run_have_one_unit():

@@ -6,6 +6,7 @@ from __future__ import annotations
 from .option import OF_PRESET, Flag, Option
 
 _MAIN, _ADVANCED, _SHAPE, _REGION = "Meander", "Advanced", "Strand Shape", "Region"
+_PREFERENCES = "Preferences"
 _TERMS, _PART = "terms of the energy", "part to fill"
 
 ROWS: tuple[Option, ...] = (
@@ -150,7 +151,7 @@ ROWS: tuple[Option, ...] = (
         "iteration_limit",
         "Iteration Limit",
         "Stop after at most this many rounds; 0 leaves it to the quality",
-        _ADVANCED,
+        _PREFERENCES,
         low="ends sooner, less even",
         high="no effect once the curve is even",
         row="Most Steps",
@@ -166,7 +167,7 @@ ROWS: tuple[Option, ...] = (
         "threads",
         "Threads",
         "Number of threads; 0 uses all of the machine's. The result does not depend on it",
-        _ADVANCED,
+        _PREFERENCES,
         low="leaves the machine to other work",
         high="faster, up to the number of cores",
         kind=int,

@@ -7,14 +7,16 @@ import bpy
 
 from .. import core
 from ..model.option import apply, chosen
-from ..model.options import OF_THE_FLOW
+from ..model.options import OF_THE_FLOW, in_panel
+from .preferences import preferred
 
 # The switch of the settings that say how strands are shaped.
 _SHAPE = "use_weights"
 
 
 def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOptions:
-    """The options of a flow: those of the preset with what the settings say in their place.
+    """The options of a flow: those of the preset with what the preferences and then the settings
+    say in their place.
 
     spacing   in world units
 
@@ -22,7 +24,10 @@ def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOp
     """
     options = core.default_options(settings.preset.lower())
     options.radius = spacing / 2.0
-    apply(OF_THE_FLOW, chosen(OF_THE_FLOW, settings), options)
+    values = chosen(OF_THE_FLOW, settings)
+    for option in in_panel("Preferences"):
+        values[option.setting] = values[option.setting] or preferred(option.setting) or None
+    apply(OF_THE_FLOW, values, options)
     return options
 
 

@@ -8,6 +8,7 @@ from bpy.props import FloatProperty
 
 from ..model import last_run
 from ..model.estimate import described
+from ..model.options import in_panel
 from ..run import estimates, gap_marks, session, suspended
 from ..run.queue import objects_of
 from ..scene.blender_versions import draw_progress
@@ -16,7 +17,7 @@ from ..scene.lengths import length_text
 from ..scene.linked_settings import can_be_changed, settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
-from .declared import rows, switch
+from .declared import row, rows, switch
 from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
 from .on_result import LINKED, is_linked
@@ -142,7 +143,11 @@ class MEANDER_PT_advanced(SubPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
-        rows(layout, settings_of(context.active_object), "Advanced")
+        settings = settings_of(context.active_object)
+        rows(layout, settings, "Advanced")
+        for option in in_panel("Preferences"):
+            if getattr(settings, option.setting):  # by a script: it comes before the preferences
+                row(layout, settings, option.setting)
 
 
 class MEANDER_PT_figures(SubPanel, bpy.types.Panel):

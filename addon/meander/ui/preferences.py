@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The preferences of the add-on: from which size on a run asks before it begins."""
+"""The preferences of the add-on: from which size on a run asks, and what limits every one."""
 
 from __future__ import annotations
 
@@ -8,12 +8,19 @@ from bpy.props import IntProperty
 
 from .. import core
 from ..model.estimate import Estimate
+from ..model.options import in_panel
+from ..scene.preferences import PACKAGE, preferred
+from .declared import declared
+from .declared import row as row_of
 
-# "meander" as an add-on of 3.4, "bl_ext.user_default.meander" as an extension.
-PACKAGE = __package__.rpartition(".")[0]
+
+class RunPreferences:
+    """The options that are about the machine, and not about a curve."""
+
+    __annotations__ = declared(in_panel("Preferences"))
 
 
-class MeanderPreferences(bpy.types.AddonPreferences):
+class MeanderPreferences(RunPreferences, bpy.types.AddonPreferences):
     bl_idname = PACKAGE
 
     most_points: IntProperty(
@@ -40,6 +47,10 @@ class MeanderPreferences(bpy.types.AddonPreferences):
         row = layout.row()
         row.prop(self, "most_points")
         row.prop(self, "most_memory")
+        layout.label(text="In every run")
+        line = layout.row()
+        for option in in_panel("Preferences"):
+            row_of(line, self, option.setting)
         library = core.library_notice()
         if library:
             layout.label(text=library, icon="ERROR")
@@ -52,11 +63,7 @@ def is_large(estimate: Estimate) -> bool:
 
 
 def _limit(name: str) -> int:
-    """As the user has set it; the default where the package is registered but not installed."""
-    addon = bpy.context.preferences.addons.get(PACKAGE)
-    if addon is not None and addon.preferences is not None:
-        return getattr(addon.preferences, name)
-    return MeanderPreferences.bl_rna.properties[name].default
+    return preferred(name, MeanderPreferences.bl_rna.properties[name].default)
 
 
 def register() -> None:
