@@ -55,6 +55,7 @@ class Item:
     values: tuple[str, ...] = ()
     expanded: bool = False
     split: bool = False
+    buttons: int = 0  # behind the value
 
     @property
     def small(self) -> bool:
@@ -79,6 +80,7 @@ class Item:
             found += [Text(value, width / len(self.values) - 6.0) for value in self.values]
         else:
             icon = ICON if self.icon else 0.0
+            icon += self.buttons * ICON
             found += [Text(value, width - MARGIN - ARROW - icon) for value in self.values]
         return found
 
@@ -148,7 +150,11 @@ class Layout:
     def template_ID(
         self, data: Any, name: str, text: str | None = None, **_options: Any
     ) -> None:
+        """A name between an icon and five buttons where there is something, as in pictures."""
         self.prop(data, name, text)
+        item = self.children[-1]
+        item.split = item.split and text != ""
+        item.buttons = 5 if item.values else 0
 
     def operator(
         self, idname: str, text: str | None = None, icon: str = "NONE", **_options: Any

@@ -96,24 +96,25 @@ def test_every_text_fits_while_a_curve_grows(windowed):
     assert not one_each(found), "\n".join(one_each(found))
 
 
-def test_the_panels_are_in_the_order_of_use():
-    top = [panel for panel in panels() if getattr(panel, "bl_parent_id", "") == "MEANDER_PT_main"]
-    top.sort(key=lambda panel: getattr(panel, "bl_order", 0))
-    labels = [panel.bl_label for panel in top]
-    order = [
-        "Last Run",
-        "Look",
-        "Density",
-        "Seed and Strands",
-        "Direction",
-        "Region",
-        "Motion",
-        "Export",
-        "Advanced",
-    ]
-    assert [label for label in labels if label in order] == order
-    for panel in top:
-        if panel.bl_label in order[1:]:
+def shown_below(parent: str) -> list[str]:
+    """The labels of the panels that stand there now, from top to bottom."""
+    found = [panel for panel in panels() if getattr(panel, "bl_parent_id", "") == parent]
+    found = [panel for panel in found if drawn(panel, bpy.context) is not None]
+    return [panel.bl_label for panel in sorted(found, key=lambda panel: panel.bl_order)]
+
+
+def test_the_panels_are_few_and_in_the_order_of_use():
+    surface = cube()
+    assert shown_below("MEANDER_PT_main") == ["Look", "Guidance", "Output", "Advanced"]
+    fill(surface, 0.5)
+    assert shown_below("MEANDER_PT_main") == ["Last Run", "Look", "Guidance", "Output", "Advanced"]
+    assert shown_below("MEANDER_PT_look") == ["Along the Line"]
+    guidance = ["Density", "Seed and Strands", "Direction", "Region"]
+    assert shown_below("MEANDER_PT_guidance") == guidance
+    assert shown_below("MEANDER_PT_output") == ["Motion", "Make", "Export"]
+    assert shown_below("MEANDER_PT_advanced") == ["Strand Shape", "Mesh Repair"]
+    for panel in panels():
+        if panel.bl_label not in ("Meander", "Last Run", "Draw Seed"):
             assert "DEFAULT_CLOSED" in panel.bl_options, panel.bl_label
 
 

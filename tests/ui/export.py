@@ -30,7 +30,7 @@ from stage import (  # noqa: E402
 )
 
 # Open from the start, and what is above it closed, so that it is in the pictures.
-cut_panel.MEANDER_PT_make.bl_options = set()
+panels.MEANDER_PT_output.bl_options = cut_panel.MEANDER_PT_make.bl_options = set()
 panels.MEANDER_PT_figures.bl_options = {"DEFAULT_CLOSED"}
 
 FILES = PICTURES / "exported"

@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.ui import cut_panel  # noqa: E402
+from meander.ui import cut_panel, panels  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
     RESULT,
@@ -105,5 +105,6 @@ def story() -> Iterator[float]:
     assert changed_share("make_two_tone", "make_relief") > 0.05
 
 
-cut_panel.MEANDER_PT_make.bl_options = set()  # open, to be seen
+panels.MEANDER_PT_output.bl_options = set()  # open, to be seen
+cut_panel.MEANDER_PT_make.bl_options = set()
 tell(story())

@@ -20,7 +20,7 @@ from ..scene.transforms import mean_scale
 from .on_result import NO_RESULT, OnResult
 from .points_panel import draw_light_and_points
 from .run_operators import sentence_of
-from .sidebar import ORDER, SubPanel, columns
+from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 _DETAIL = "Length of the edges between the lines, in half spacings; 0 adds none"
 # What has a finer mesh than this takes Blender long to draw.
@@ -230,7 +230,8 @@ class MEANDER_OT_ribbon(_Cut, bpy.types.Operator):
 class MEANDER_PT_make(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_make"
     bl_label = "Make"
-    bl_order = ORDER["make"]
+    bl_parent_id = OUTPUT
+    bl_order = OUTPUT_ORDER["make"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:

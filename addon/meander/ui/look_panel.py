@@ -19,7 +19,7 @@ from .declared import switch
 from .on_result import OnOwnResult
 from .run_operators import sentence_of
 from .settings import MeanderSettings
-from .sidebar import ORDER, SubPanel, columns
+from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
 
 
 class MEANDER_OT_add_look(OnOwnResult, bpy.types.Operator):
@@ -48,7 +48,7 @@ class MEANDER_OT_add_look(OnOwnResult, bpy.types.Operator):
 
 
 class MEANDER_PT_look(SubPanel, bpy.types.Panel):
-    bl_idname = "MEANDER_PT_look"
+    bl_idname = LOOK
     bl_label = "Look"
     bl_order = ORDER["look"]
     bl_options = {"DEFAULT_CLOSED"}
@@ -57,7 +57,7 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
-        result = active if is_result(active) else last_result(active, context.scene)
+        result = _result_of(context)
         if result is None:
             _draw_seed(layout, settings_of(active))
             return
@@ -120,18 +120,46 @@ def _draw_colour(
     else:
         column = layout.column()
         column.use_property_split = False
-        column.template_ID(result, "active_material", new="material.new")
+        if result.active_material is None:
+            column.template_ID(result, "active_material", new="material.new")
+        else:  # its name has all the room
+            column.prop(result, "active_material", text="", icon="MATERIAL")
     material = look_material.material_of(result)
     if material is None:
         return
     layout.prop(material, "diffuse_color", text="Solid View")
-    node = look_material.ramp_node_of(material) if modifier is not None else None
-    if node is not None:
-        layout.label(text="Along the Line")
-        layout.template_color_ramp(node, "color_ramp", expand=False)
 
 
-_CLASSES = (MEANDER_OT_add_look, MEANDER_PT_look)
+class MEANDER_PT_look_color(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_look_color"
+    bl_label = "Along the Line"
+    bl_parent_id = LOOK
+    bl_order = LOOK_ORDER["color"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return super().poll(context) and _ramp_shown(context) is not None
+
+    def draw(self, context: bpy.types.Context) -> None:
+        self.layout.template_color_ramp(_ramp_shown(context), "color_ramp", expand=False)
+
+
+def _ramp_shown(context: bpy.types.Context) -> bpy.types.Node | None:
+    """The colours along the line of the result that is active, or is of the mesh that is."""
+    result = _result_of(context)
+    if result is None or look_modifier.modifier_of(result) is None:
+        return None
+    material = look_material.material_of(result)
+    return None if material is None else look_material.ramp_node_of(material)
+
+
+def _result_of(context: bpy.types.Context) -> bpy.types.Object | None:
+    active = context.active_object
+    return active if is_result(active) else last_result(active, context.scene)
+
+
+_CLASSES = (MEANDER_OT_add_look, MEANDER_PT_look, MEANDER_PT_look_color)
 
 
 def register() -> None:

@@ -17,7 +17,7 @@ from .declared import switch
 from .on_result import OnOwnResult
 from .run_operators import sentence_of
 from .settings import MeanderSettings
-from .sidebar import ORDER, SubPanel, columns, notice
+from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
 
 
 class _OnResult(OnOwnResult):
@@ -114,7 +114,8 @@ class MEANDER_OT_clear_bake(bpy.types.Operator):
 class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_motion"
     bl_label = "Motion"
-    bl_order = ORDER["motion"]
+    bl_parent_id = OUTPUT
+    bl_order = OUTPUT_ORDER["motion"]
     bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod

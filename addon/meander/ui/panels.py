@@ -27,7 +27,7 @@ from .presets import MEANDER_PT_presets, active_name
 from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
 from .seed_drawing import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
-from .sidebar import ADVANCED, ORDER, Sidebar, SubPanel, columns, notice
+from .sidebar import ADVANCED, GUIDANCE, ORDER, OUTPUT, Sidebar, SubPanel, columns, notice
 
 
 class MEANDER_PT_main(Sidebar, bpy.types.Panel):
@@ -132,6 +132,30 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
                 ("Length", length_text(context.scene, latest.length, 4) if latest else ""),
             ),
         )
+
+
+class MEANDER_PT_guidance(SubPanel, bpy.types.Panel):
+    """Where the line runs, how close and which way: what stands below it."""
+
+    bl_idname = GUIDANCE
+    bl_label = "Guidance"
+    bl_order = ORDER["guidance"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        pass
+
+
+class MEANDER_PT_output(SubPanel, bpy.types.Panel):
+    """What is made of the line: what stands below it."""
+
+    bl_idname = OUTPUT
+    bl_label = "Output"
+    bl_order = ORDER["output"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        pass
 
 
 class MEANDER_PT_advanced(SubPanel, bpy.types.Panel):
@@ -243,7 +267,13 @@ def _percent(_manager: bpy.types.WindowManager) -> float:
     return round(100.0 * running.progress()) if running is not None else 0.0
 
 
-_CLASSES = (MEANDER_PT_main, MEANDER_PT_figures, MEANDER_PT_advanced)
+_CLASSES = (
+    MEANDER_PT_main,
+    MEANDER_PT_figures,
+    MEANDER_PT_guidance,
+    MEANDER_PT_output,
+    MEANDER_PT_advanced,
+)
 
 
 def register() -> None:

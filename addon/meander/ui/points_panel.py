@@ -17,7 +17,7 @@ from .export_operator import MEANDER_OT_export_toolpath
 from .light_operator import MEANDER_OT_make_light
 from .on_result import OnResult
 from .run_operators import sentence_of
-from .sidebar import ORDER, SubPanel, columns
+from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 
 class _PointsToObject(OnResult):
@@ -82,7 +82,8 @@ class MEANDER_OT_points_to_curves(_PointsToObject, bpy.types.Operator):
 class MEANDER_PT_points(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_points"
     bl_label = "Export"
-    bl_order = ORDER["export"]
+    bl_parent_id = OUTPUT
+    bl_order = OUTPUT_ORDER["export"]
     bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod

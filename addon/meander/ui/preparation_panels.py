@@ -15,7 +15,15 @@ from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
 from .declared import row, switch
 from .settings import MeanderSettings
-from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns, notice
+from .sidebar import (
+    ADVANCED,
+    ADVANCED_ORDER,
+    GUIDANCE,
+    GUIDANCE_ORDER,
+    SubPanel,
+    columns,
+    notice,
+)
 
 
 class MEANDER_OT_select_problem(bpy.types.Operator):
@@ -104,7 +112,8 @@ def draw_faults(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
 class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_mask"
     bl_label = "Region"
-    bl_order = ORDER["region"]
+    bl_parent_id = GUIDANCE
+    bl_order = GUIDANCE_ORDER["region"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:

@@ -20,16 +20,17 @@ from ..scene.settings import surface_of
 ORDER = {
     "last_run": 5,
     "look": 10,
-    "density": 20,
-    "strands": 30,
-    "direction": 40,
-    "region": 50,
-    "motion": 60,
-    "make": 65,
-    "export": 70,
+    "guidance": 20,
+    "output": 60,
     "advanced": 80,
 }
-# The parent of what stands inside Advanced, by the places of their own there.
+# The parents of what stands below some of them, and the places there.
+LOOK = "MEANDER_PT_look"
+LOOK_ORDER = {"color": 10}
+GUIDANCE = "MEANDER_PT_guidance"
+GUIDANCE_ORDER = {"density": 10, "strands": 20, "direction": 30, "region": 40}
+OUTPUT = "MEANDER_PT_output"
+OUTPUT_ORDER = {"motion": 10, "make": 20, "export": 30}
 ADVANCED = "MEANDER_PT_advanced"
 ADVANCED_ORDER = {"weights": 10, "repair": 20}
 

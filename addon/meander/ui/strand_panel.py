@@ -15,13 +15,14 @@ from .seed_operators import (
     MEANDER_OT_stroke_from_vertices,
 )
 from .settings import MeanderSettings
-from .sidebar import ORDER, SubPanel, columns, notice
+from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns, notice
 
 
 class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_strands"
     bl_label = "Seed and Strands"
-    bl_order = ORDER["strands"]
+    bl_parent_id = GUIDANCE
+    bl_order = GUIDANCE_ORDER["strands"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:

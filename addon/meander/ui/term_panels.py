@@ -12,13 +12,22 @@ from ..scene.linked_settings import owner_of, settings_of
 from ..scene.settings import surface_of
 from .declared import row, rows
 from .settings import MeanderSettings
-from .sidebar import ADVANCED, ADVANCED_ORDER, ORDER, SubPanel, columns, notice
+from .sidebar import (
+    ADVANCED,
+    ADVANCED_ORDER,
+    GUIDANCE,
+    GUIDANCE_ORDER,
+    SubPanel,
+    columns,
+    notice,
+)
 
 
 class MEANDER_PT_density(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_density"
     bl_label = "Density"
-    bl_order = ORDER["density"]
+    bl_parent_id = GUIDANCE
+    bl_order = GUIDANCE_ORDER["density"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
@@ -78,7 +87,8 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
 class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
     bl_idname = "MEANDER_PT_alignment"
     bl_label = "Direction"
-    bl_order = ORDER["direction"]
+    bl_parent_id = GUIDANCE
+    bl_order = GUIDANCE_ORDER["direction"]
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
