@@ -86,6 +86,63 @@ def test_the_unrolled_curve_keeps_its_length_and_is_cut_at_seams(tmp_path: Path)
     assert "has no UV map; unwrap it first" in _refused(tmp_path / "no.svg", layout_as="UV")
 
 
+def _hill() -> bpy.types.Object:
+    hill = scenes.grid(cells=20)
+    for vertex in hill.data.vertices:
+        vertex.co.z = np.exp(-4.0 * (vertex.co.x**2 + vertex.co.y**2))
+    return hill
+
+
+def _without_map(thing: bpy.types.Object) -> bpy.types.Object:
+    while thing.data.uv_layers:
+        thing.data.uv_layers.remove(thing.data.uv_layers[0])
+    thing.data.update()
+    return thing
+
+
+def _upright() -> bpy.types.Object:
+    sheet = _without_map(scenes.grid(cells=8))
+    sheet.rotation_euler.x = np.pi / 2
+    return sheet
+
+
+@pytest.mark.parametrize(
+    ("build", "layout"),
+    [
+        (scenes.grid, "TOP"),
+        (_hill, "TOP"),
+        (scenes.cube, "UV"),
+        (scenes.sphere, "UV"),
+        (lambda: _without_map(scenes.sphere()), "TOP"),
+        (_upright, "FRONT"),
+    ],
+)
+def test_a_flat_file_is_laid_as_its_shape_asks(tmp_path: Path, build, layout: str) -> None:
+    scenes.fill(build(), 0.4)
+    _export(tmp_path / "a.svg")
+    _export(tmp_path / "b.svg", layout_as=layout)
+    text = (tmp_path / "a.svg").read_text()
+    assert text == (tmp_path / "b.svg").read_text()
+    _export(tmp_path / "a.dxf")
+    _export(tmp_path / "b.dxf", layout_as="SPACE")
+    assert (tmp_path / "a.dxf").read_text() == (tmp_path / "b.dxf").read_text()
+
+
+def test_a_name_with_an_unknown_end_says_what_it_becomes(
+    tmp_path: Path, capfd: pytest.CaptureFixture
+) -> None:
+    _sheet()
+    capfd.readouterr()
+    _export(tmp_path / "x.foo")
+    assert "x.foo becomes x.foo.svg: " in capfd.readouterr().out
+    _export(tmp_path / "y.svg", file_format="DXF")
+    assert "y.svg becomes y.dxf: " in capfd.readouterr().out
+    _export(tmp_path / "z.svg")
+    _export(tmp_path / "z", file_format="SVG")
+    assert "becomes" not in capfd.readouterr().out
+    assert {path.name for path in tmp_path.iterdir()} == {"x.foo.svg", "y.dxf", "z.svg"}
+
+
 def test_what_the_surface_hides_is_left_out(tmp_path: Path) -> None:
     """A ball seen from above is half hidden; of one with a roof nothing is left in its shadow."""
     result = scenes.fill(scenes.sphere(), 0.2)
@@ -156,7 +213,7 @@ def test_several_curves_are_one_drawing(tmp_path: Path) -> None:
     second = scenes.fill(ball, 0.15)
     counts = [sum(len(s.points) for s in result.data.splines) for result in (first, second)]
     first.select_set(True)
-    _export(tmp_path / "one.svg", scale=0.1)
+    _export(tmp_path / "one.svg", layout_as="TOP", scale=0.1)
     assert sum(len(points) for points, _c in _paths(tmp_path / "one.svg")[0]) == counts[1]
     _export(tmp_path / "both.svg", selected=True, scale=0.1)
     paths, paper = _paths(tmp_path / "both.svg")

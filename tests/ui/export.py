@@ -74,6 +74,7 @@ def chosen_in_the_dialog() -> Iterator[float]:
     area = browser()
     operator = area.spaces.active.active_operator
     assert operator.bl_idname == "MEANDER_OT_export_toolpath"
+    assert operator.layout_as == "UV", "a torus hides half of itself from above"
     picture("export_dialog")
     area.spaces.active.params.directory = os.fsencode(f"{FILES}/")
     area.spaces.active.params.filename = "dialog.svg"

@@ -75,17 +75,21 @@ class Drawing:
         begin, end, _owner = segments_of(ways, closed)
         return crossings(begin, end)[2]
 
+    def size_text(self) -> str:
+        """Such as "100 x 45.07 mm"."""
+        low, high = self.box()
+        sides = (high - low)[:2] if self.flat else high - low
+        return f"{' x '.join(f'{side:.4g}' for side in sides)} {self.unit}"
+
     def described(self) -> str:
         """Its size, strands and points, in words."""
-        low, high = self.box()
-        sides = high - low
-        size = " x ".join(f"{side:.4g}" for side in (sides[:2] if self.flat else sides))
+        size = self.size_text()
         paths = f"{len(self.strands):,} path{'s' * (len(self.strands) != 1)}"
         if self.moves is not None:
             turns = np.concatenate([moves.turns for moves in self.moves])
             arcs = int(np.count_nonzero(turns))
-            return f"{size} {self.unit}, {paths}, {arcs:,} arcs and {len(turns) - arcs:,} lines"
-        return f"{size} {self.unit}, {paths}, {self.point_count:,} points"
+            return f"{size}, {paths}, {arcs:,} arcs and {len(turns) - arcs:,} lines"
+        return f"{size}, {paths}, {self.point_count:,} points"
 
     def with_arcs(self, tolerance: float) -> Drawing:
         """The same with lines and arcs within a tolerance in millimetres; it has to be flat."""

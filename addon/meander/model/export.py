@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import embroidery
 from .drawing import VIEWS, Drawing, drawing_of
@@ -22,6 +23,8 @@ from .whole_files import whole_file
 
 # No plotter, laser or mill is wider, in millimetres.
 _WIDEST = 10_000.0
+# From above, a surface is seen that turns less of its area away, and not mostly edge on.
+_HIDDEN, _UPRIGHT = 0.01, 0.1
 # Machines count in hundredths of a millimetre: a drawing this small, in millimetres, is a point.
 _LEAST = 0.01
 # A drawing is seen edge on where it is this much narrower than wide, though the line in it is so
@@ -180,6 +183,28 @@ def better_layout(strands: Sequence[Strand]) -> str:
         return float(np.prod(np.ptp(points @ np.transpose(VIEWS[layout]), axis=0)))
 
     return max(VIEWS, key=area)
+
+
+def layout_by_shape(
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.integer],
+    strands: Sequence[Strand],
+    has_map: bool,
+) -> str:
+    """How to lay a curve flat where nobody says: seen from above if the surface shows all of itself
+    there, else unrolled by its UV map, and without one from where it is widest.
+
+    strands   in space
+    """
+    corners = vertices[faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    up, down = normals[:, 2].clip(min=0.0).sum(), -normals[:, 2].clip(max=0.0).sum()
+    upright = up + down < _UPRIGHT * np.linalg.norm(normals, axis=1).sum()
+    if not upright and min(up, down) <= _HIDDEN * (up + down):
+        return "top"
+    if has_map:
+        return "uv"
+    return better_layout(strands) if upright else "top"
 
 
 def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:

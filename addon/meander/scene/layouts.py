@@ -47,6 +47,12 @@ def unrolled_strands(
     return flat
 
 
+def has_map(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
+    """Whether a surface has a UV map to be laid flat by."""
+    with surface_mesh(surface, depsgraph) as (mesh, _matrix):
+        return len(mesh.uv_layers) > 0
+
+
 def _map_of(
     surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph, uv_map: str
 ) -> np.ndarray:

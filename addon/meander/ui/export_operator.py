@@ -13,11 +13,11 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
 from ..model import embroidery, export, surface_crossings, toolpath
-from ..model.drawing import Drawing, axes_of, seen_along
+from ..model.drawing import Drawing, axes_of, drawing_of, seen_along
 from ..model.export_options import ROWS
 from ..model.whole_files import FileError
 from ..scene.errors import DataError
-from ..scene.layouts import axes_of_view, metres_of, unrolled_strands
+from ..scene.layouts import axes_of_view, has_map, metres_of, unrolled_strands
 from ..scene.meshes import triangles_of
 from ..scene.surface_points import strands_of_result
 from ..scene.visible import visible_strands
@@ -121,6 +121,9 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         name="UV Map", description="UV map that lays the curve flat; the active one if empty"
     )
 
+    _view = None  # from which the dialog was opened
+    _format = _by_shape = _size = ""
+
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         layout.use_property_split = True
@@ -140,6 +143,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             if setting == "layout_as" and self.layout_as == "UV":
                 surface = context.active_object.meander.surface
                 layout.prop_search(self, "uv_map", surface.data, "uv_layers")
+        if self._size:
+            layout.label(text=self._size, icon="FIXED_SIZE")
         if kind is not None and kind.name == "GCODE":
             layout.prop(self, "header")
             layout.prop(self, "footer")
@@ -153,12 +158,15 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         elif self.resample == "TOLERANCE":
             layout.prop(self, "tolerance")
 
-    def check(self, _context: bpy.types.Context) -> bool:
+    def check(self, context: bpy.types.Context) -> bool:
         before = (self.filepath, self.file_format)
         if self.file_format == self._format:  # it is the name that has changed
             self._take_format_of_name()
         self._format = self.file_format
         self.filepath = str(self._with_suffix())
+        if self.layout_as == self._by_shape:  # nobody has chosen another
+            self._by_shape = self.layout_as = self._layout_by_shape(context)
+        self._size = self._size_text(context)
         return (self.filepath, self.file_format) != before
 
     def _with_suffix(self) -> Path:
@@ -177,13 +185,19 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         self.filepath = str(self._with_suffix())
         # In the dialog there is no 3D view to ask.
         self._view, self._format = _view_of(context), self.file_format
+        if not self.properties.is_property_set("layout_as"):
+            self.layout_as = self._layout_by_shape(context)
+        self._by_shape = self.layout_as
+        self._size = self._size_text(context)
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if not self.properties.is_property_set("file_format"):
             self._take_format_of_name()
-        path, kind = self._with_suffix(), _BY_NAME.get(self.file_format)
+        if not self.properties.is_property_set("layout_as"):
+            self.layout_as = self._layout_by_shape(context)
+        given, path, kind = Path(self.filepath), self._with_suffix(), _BY_NAME.get(self.file_format)
         try:
             if kind is None:
                 text, warning = self._write_table(path, context)
@@ -194,10 +208,43 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         except (DataError, core.MeanderError, FileError) as error:
             self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f"{path.name}: {text}")
+        becomes = f"{given.name} becomes " if given.suffix not in ("", path.suffix) else ""
+        self.report({"INFO"}, f"{becomes}{path.name}: {text}")
         if warning:
             self.report({"WARNING"}, sentence_of(warning))
         return {"FINISHED"}
+
+    def _layout_by_shape(self, context: bpy.types.Context) -> str:
+        """In space where the format can have it."""
+        kind = _BY_NAME.get(self.file_format)
+        if kind is None or not kind.flat:
+            return "SPACE"
+        result, depsgraph = context.active_object, context.evaluated_depsgraph_get()
+        surface = result.meander.surface
+        try:
+            triangles = triangles_of(surface, depsgraph)
+            strands = strands_of_result(result, depsgraph)
+            several = self.selected and len(_results(context)) > 1
+            found = not (self.visible_only or several) and has_map(surface, depsgraph)
+        except DataError:  # which writing reports
+            return "SPACE"
+        return export.layout_by_shape(*triangles, strands, found).upper()
+
+    def _size_text(self, context: bpy.types.Context) -> str:
+        """How large the drawing will be, or why there is none; for the dialog."""
+        kind = _BY_NAME.get(self.file_format)
+        if kind is None:
+            return ""
+        values = self.option_values() | {"visible_only": False, "arc_tolerance": 0.0}
+        try:
+            laid = self._laid_out(kind, values, context)
+            drawing = drawing_of(
+                laid, values["unit"], metres_of(context.scene), values["scale"], values["size"],
+                flat=kind.flat or values["layout_as"] != "space",
+            )  # fmt: skip
+        except (DataError, core.MeanderError, FileError) as error:
+            return sentence_of(error)
+        return drawing.size_text()
 
     def _take_format_of_name(self) -> None:
         """A known suffix says what the format is."""
@@ -275,7 +322,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         if not export.is_seen(kind, layout):
             return strands
         if layout == "view":
-            axes = axes_of_view(getattr(self, "_view", None) or _view_of(context))
+            axes = axes_of_view(self._view or _view_of(context))
         else:
             axes = axes_of(layout)
         if values["visible_only"]:
