@@ -11,6 +11,7 @@ from meander.model.remaining import in_words
 from meander.run import estimates
 from meander.scene import flow_options, preferences
 from meander.scene.lengths import length_text
+from meander.ui import run_operators
 from meander.ui.cut_panel import MEANDER_PT_make
 from meander.ui.panels import MEANDER_PT_advanced, MEANDER_PT_figures, MEANDER_PT_main
 from meander.ui.points_panel import MEANDER_PT_points
@@ -126,6 +127,35 @@ def test_steps_and_threads_are_in_the_preferences(monkeypatch):
         bpy.context,
     )
     assert {"Most Steps", "Threads", "Points"} <= {text.text for text in layout.texts()}
+
+
+def test_a_spacing_that_live_refuses_leaves_a_note(monkeypatch):
+    surface = grid()
+    result = fill(surface, 0.2, live=True)
+    before = [len(spline.points) for spline in result.data.splines]
+    activate(surface)
+    assert "very large" not in " ".join(texts_of(MEANDER_PT_main))
+    monkeypatch.setattr(run_operators, "is_large", lambda estimate: estimate.points > 20_000)
+    surface.meander.spacing = 0.001
+    assert bpy.ops.meander.live() == {"CANCELLED"}
+    assert "The curve would be very large" in " ".join(texts_of(MEANDER_PT_main))
+    assert too_wide() == []
+    surface.meander.spacing = 0.2
+    assert "very large" not in " ".join(texts_of(MEANDER_PT_main))
+    surface.meander.spacing = 0.001
+    assert "very large" in " ".join(texts_of(MEANDER_PT_main)), "it is still so"
+    surface.meander.spacing = 0.15
+    bpy.ops.meander.live()
+    assert "very large" not in " ".join(texts_of(MEANDER_PT_main))
+    assert [len(spline.points) for spline in result.data.splines] != before
+
+
+def test_scripts_get_errors_as_ever():
+    surface = grid()
+    surface.scale.x = 0.0
+    with pytest.raises(RuntimeError, match="scaled to nothing"):
+        bpy.ops.meander.run()
+    assert "nothing" not in " ".join(texts_of(MEANDER_PT_main))
 
 
 def test_spacing_and_last_run_have_one_unit():

@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.run import session  # noqa: E402
+from meander.run import notes, session  # noqa: E402
 from stage import (  # noqa: E402
     assert_nothing_left_over,
     ended,
@@ -157,6 +157,17 @@ def faults() -> Iterator[float]:
     )
     picture("6_shown")
     bpy.ops.object.mode_set(mode="OBJECT")
+    torn.scale.x = 0.0
+    bpy.context.view_layer.update()
+    with bpy.context.temp_override(**window_override()):
+        # As an error it would be raised here, and pop up under the cursor of who presses.
+        assert bpy.ops.meander.run("INVOKE_DEFAULT") == {"CANCELLED"}
+    assert "scaled to nothing" in notes.of(torn)
+    yield 0.3
+    picture("6_note")
+    torn.scale.x = 1.0
+    bpy.context.view_layer.update()
+    assert not notes.of(torn), "what it was said of has changed"
     torn.meander.strict = False
     press_run()
     yield from until(ended, "the repaired mesh")

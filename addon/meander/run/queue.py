@@ -32,6 +32,7 @@ class Queue:
         self._home = HomeScene(context.scene, context.view_layer)
         self._restart, self._beside = restart, beside
         self._count = len(self._waiting)
+        self.taken = self._active  # the one that was planned last
 
     @property
     def more(self) -> bool:
@@ -50,7 +51,8 @@ class Queue:
         What nobody has set up takes the choices of the active object. Raises DataError and
         core.MeanderError.
         """
-        thing, active = self._waiting.pop(0).find(), self._active.find()
+        self.taken = self._waiting.pop(0)
+        thing, active = self.taken.find(), self._active.find()
         if thing is None or self._home.find(thing) is None:
             return None
         if active is not None and thing != active:

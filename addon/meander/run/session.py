@@ -86,7 +86,8 @@ class Session:
         self._next_look = 0.0
         self.whole = suspended_run is None  # all of it was one run, to tell how long runs take
         self.allows: Callable[[Plan], bool] = lambda _plan: True  # a run as large as this
-        self.refusal = ""  # why the last wish was refused, a sentence, for whoever reports it
+        # Why the last wish was refused, a sentence, and whose it was, for whoever reports it.
+        self.refusal, self.refused = "", plan.settings
         self.ticked = 0.0  # when, by time.perf_counter()
         self._window: Window | None = None
         self._preview: Preview | None = None
@@ -161,7 +162,7 @@ class Session:
             if wish is not None and self._grows_large(wish):
                 raise DataError("The curve would be very large; fill the mesh again for that")
         except (DataError, core.MeanderError) as error:
-            wish, self.refusal = None, str(error)
+            wish, self.refusal, self.refused = None, str(error), Key(active)
         self._meaning = now
         self._wish = wish
         end = time.perf_counter()
@@ -198,7 +199,7 @@ class Session:
         try:
             self.stepper.revise(wish.options, wish.density)
         except core.MeanderError as error:
-            self.refusal = str(error)
+            self.refusal, self.refused = str(error), wish.asker
             return
         self.stepper.stiffening.best = None
         self.plan, self.whole = wish.applied(self.plan), False

@@ -23,7 +23,7 @@ from ..scene.identity import number_of
 from ..scene.linked_settings import settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
-from .run_operators import MEANDER_OT_run, Watched, poll_run, sentence_of
+from .run_operators import MEANDER_OT_run, Watched, poll_run
 
 # Of the timer, in seconds, while a curve grows and while none does.
 _GROWING, _WAITING = 0.07, 0.15
@@ -37,6 +37,7 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
     bl_idname = "meander.live"
     bl_label = "Live"
     bl_options = {"INTERNAL", "UNDO"}
+    _invoked = True  # by a timer: an error would be raised there, and end it
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -71,14 +72,13 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
                 self._session.whole = False
                 return True
         except (DataError, core.MeanderError) as error:
-            # An error would be raised where the timer presses, and end the timer with it.
-            self.report({"WARNING"}, sentence_of(error))
+            self._refuse(active, error)
             return False
         self._session = self._new_session(run.plan, run)
         if self._session.find_wish(context, active):
             return True
         if self._session.refusal:
-            self.report({"WARNING"}, sentence_of(self._session.refusal))
+            self._refuse(active, self._session.refusal)
         live.keep(run)
         return False
 

@@ -7,7 +7,7 @@ import bpy
 
 from .. import core
 from ..model import faults
-from ..run import session
+from ..run import notes, session
 from ..scene import mesh_faults
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
@@ -96,9 +96,12 @@ def _view_selected(context: bpy.types.Context) -> None:
 
 
 def draw_faults(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
-    """Why the mesh was refused, or how much of it was repaired, and the button that shows where."""
+    """What was refused last, and why the mesh was, or how much of it was repaired, with the button
+    that shows where."""
     surface, count = surface_of(active), settings_of(active).figures.mended
-    sentence = settings_of(surface).problem.sentence
+    sentence, note = settings_of(surface).problem.sentence, notes.of(active)
+    if note and note != sentence:
+        notice(layout, note, "ERROR")
     if not sentence and not count:
         return
     column = layout.column(align=True)

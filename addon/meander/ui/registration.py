@@ -3,7 +3,16 @@
 
 from __future__ import annotations
 
-from ..run import estimates, following, gap_marks, live, seed_preview, session, suspended
+from ..run import (
+    estimates,
+    following,
+    gap_marks,
+    live,
+    notes,
+    seed_preview,
+    session,
+    suspended,
+)
 from ..scene import after_undo, changes, identity, linked_settings, look_material
 from . import (
     cut_panel,
@@ -41,6 +50,7 @@ _MODULES = (
     session,
     suspended,
     live,
+    notes,
     seed_preview,
     estimates,
     following,

@@ -16,7 +16,7 @@ from bpy.props import BoolProperty, StringProperty
 from .. import core
 from ..model import last_run, strands
 from ..model.estimate import described
-from ..run import estimates, session, suspended
+from ..run import estimates, notes, session, suspended
 from ..run.edit_mode import push_undo
 from ..run.plan import Plan, plan_run
 from ..run.queue import Queue
@@ -99,9 +99,19 @@ class Watched:
     # None before and after a run: Blender keeps operators that have run, and would keep the flow of
     # the last one with them.
     _session: session.Session | None = None
+    _invoked = False  # by somebody at a window, and not by a script
+
+    def _refuse(self, thing: bpy.types.Object | None, error: Exception | str) -> None:
+        """Says what is wrong: at a window in the panel and in the status bar, as what pops up for
+        an error lies under the cursor, over the button; to scripts as an error.
+        """
+        if self._invoked:
+            notes.keep(thing, sentence_of(error))
+        self.report({"WARNING" if self._invoked else "ERROR"}, sentence_of(error))
 
     def _new_session(self, plan: Plan, run: SuspendedRun | None = None) -> session.Session:
         """A session that asks nobody whether a wish may be large: it refuses those that are."""
+        notes.keep(plan.settings.find(), "")
         created = session.Session(plan, run)
         created.allows = _fits
         return created
@@ -125,14 +135,14 @@ class Watched:
         try:
             going = self._session.tick(context)
         except DataError as error:
-            self.report({"ERROR"}, sentence_of(error))
+            self._refuse(self._session.plan.settings.find(), error)
             return self._go_on(context, self._finish(context, keep=False))
         except BaseException:
             # A defect of ours must not leave a timer and a run behind.
             self._finish(context, keep=False)
             raise
         if self._session.refusal:
-            self.report({"WARNING"}, sentence_of(self._session.refusal))
+            self._refuse(self._session.refused.find(), self._session.refusal)
             self._session.refusal = ""
         if not going:
             return self._go_on(context, self._finish(context, keep=True))
@@ -162,7 +172,7 @@ class Watched:
                 return {"FINISHED"}
             self._session.suspend()
         except (DataError, core.MeanderError) as error:
-            self.report({"ERROR"}, sentence_of(error))
+            self._refuse(self._session.plan.settings.find(), error)
         finally:
             self._session.end()
             self._session = None
@@ -231,6 +241,7 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
         return {"FINISHED"} if filled else {"CANCELLED"}
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        self._invoked = True
         self._queue = Queue(context, self.restart, self.beside)
         plan = self._planned(context)
         if plan is None or not self.asked and self._asks(context, plan):
@@ -257,7 +268,7 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
             try:
                 plan = self._queue.next_plan(context)
             except (DataError, core.MeanderError) as error:
-                self.report({"ERROR"}, sentence_of(error))
+                self._refuse(self._queue.taken.find(), error)
                 continue
             if plan is not None:
                 return plan
@@ -324,6 +335,7 @@ class MEANDER_OT_resume(Watched, bpy.types.Operator):
         return self._finish(context, keep=True)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        self._invoked = True
         return self._watch(context) if self._begin(context) else {"CANCELLED"}
 
     def _begin(self, context: bpy.types.Context) -> bool:
@@ -333,7 +345,7 @@ class MEANDER_OT_resume(Watched, bpy.types.Operator):
             if run is None:
                 raise DataError("The surface has changed since; fill it again")
         except (DataError, core.MeanderError) as error:
-            self.report({"ERROR"}, sentence_of(error))
+            self._refuse(context.active_object, error)
             return False
         self._session = self._new_session(run.plan, run)
         return True
