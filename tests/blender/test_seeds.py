@@ -187,6 +187,7 @@ def test_a_seed_is_drawn_in_edit_mode_and_nothing_drawn_changes_nothing():
     assert bpy.ops.curve.primitive_bezier_curve_add(radius=0.4) == {"FINISHED"}
     assert bpy.ops.meander.end_seed() == {"FINISHED"}
     drawn = surface.meander.seed
+    assert drawn.show_in_front  # what bends less than the surface runs below it
     assert drawn != earlier and drawn.parent == surface and len(drawn.data.splines) == 1
     result = fill(surface, 0.3)
     ((_points, cyclic),) = world_splines(result)

@@ -21,7 +21,6 @@ from meander.model.remaining import PHASE_TEXTS  # noqa: E402
 from meander.run import gap_marks, session  # noqa: E402
 from stage import (  # noqa: E402
     FINEST_THAT_ENDS,
-    PICTURES,
     RESULT,
     assert_nothing_left_over,
     build_scene,
@@ -30,6 +29,7 @@ from stage import (  # noqa: E402
     ended,
     look_at_surface,
     picture,
+    pixels_of,
     press_run,
     show_panel,
     state,
@@ -50,22 +50,9 @@ def redraw() -> None:
         area.tag_redraw()
 
 
-def view_pixels(name: str) -> np.ndarray:
-    """Of a picture, what the 3D view shows without the headers and the sidebar, (h, w, 3)."""
-    area = window_override()["area"]
-    view = next(region for region in area.regions if region.type == "WINDOW")
-    sidebar = window_override()["region"]
-    image = bpy.data.images.load(str(PICTURES / f"{name}.png"))
-    everything = np.empty(len(image.pixels), dtype=np.float32)
-    image.pixels.foreach_get(everything)
-    everything = everything.reshape(image.size[1], image.size[0], 4)
-    bpy.data.images.remove(image)
-    return everything[view.y : view.y + view.height - 80, view.x : sidebar.x, :3]
-
-
 def orange_share(name: str) -> float:
     """How much of the view has the colours of the outline of what is selected."""
-    red, green, blue = np.moveaxis(view_pixels(name), 2, 0)
+    red, green, blue = np.moveaxis(pixels_of(name), 2, 0)
     return float(((red > 0.8) & (green > 0.35) & (green < 0.8) & (blue < 0.4)).mean())
 
 

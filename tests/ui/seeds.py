@@ -18,9 +18,11 @@ ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
 from meander.run import seed_preview, session  # noqa: E402
+from meander.ui import seed_drawing  # noqa: E402
 from stage import (  # noqa: E402
     changed_share,
     choose_spacing,
+    coloured,
     ended,
     key,
     look_at_surface,
@@ -74,6 +76,10 @@ def tool() -> str | None:
     return None if found is None else found.idname
 
 
+def drawing_panel_says() -> str:
+    return seed_drawing._drawing.problem
+
+
 def surface() -> bpy.types.Object:
     return bpy.data.objects["Sphere"]
 
@@ -104,7 +110,20 @@ def drawing() -> Iterator[float]:
     yield from drag((x - 70, y - 40), (x + 70, y - 40))
     yield from drag((x - 70, y + 40), (x + 70, y + 40))
     yield from until(lambda: len(curve.data.splines) == 2, "two strokes")
+    yield from until(lambda: seed_preview.is_shown(surface()), "the strokes on the surface")
+    yield 0.3
     picture("seeds_2_drawn")
+    # A line as wide as the preview's, on all of both strokes.
+    orange = coloured("seeds_2_drawn", (1.0, 0.5, 0.05))
+    assert orange > 2 * 120 * seed_preview.WIDTH / 2, orange
+    yield from drag((x, y - 90), (x, y + 90))
+    yield from until(lambda: "cross" in drawing_panel_says(), "the refusal")
+    yield 0.3
+    picture("seeds_2_crossing")
+    key("Z", view_center(), ctrl=True)
+    yield from until(lambda: len(curve.data.splines) == 2, "the stroke undone")
+    yield from until(lambda: seed_preview.is_shown(surface()), "the strokes on the surface")
+    assert not drawing_panel_says()
     assert status_texts[-1] is not None and "Draw on the surface" in status_texts[-1]
     assert press("end_seed") == {"FINISHED"}
     yield 0.3

@@ -212,20 +212,27 @@ def shown_points() -> int:
     return running.shown_points if running is not None else 0
 
 
-def changed_share(one: str, other: str) -> float:
-    """How much of the 3D view is another in two pictures; the sidebar and headers are left out."""
+def pixels_of(name: str) -> np.ndarray:
+    """The 3D view in a picture, (rows, columns, 3); the sidebar and headers are left out."""
     area = window_override()["area"]
     view = next(region for region in area.regions if region.type == "WINDOW")
     sidebar = window_override()["region"]
-    pixels = []
-    for name in (one, other):
-        image = bpy.data.images.load(str(PICTURES / f"{name}.png"))
-        everything = np.empty(len(image.pixels), dtype=np.float32)
-        image.pixels.foreach_get(everything)
-        everything = everything.reshape(image.size[1], image.size[0], 4)
-        pixels.append(everything[view.y : view.y + view.height - 80, view.x : sidebar.x, :3])
-        bpy.data.images.remove(image)
-    return float((np.abs(pixels[0] - pixels[1]).max(axis=2) > 0.1).mean())
+    image = bpy.data.images.load(str(PICTURES / f"{name}.png"))
+    everything = np.empty(len(image.pixels), dtype=np.float32)
+    image.pixels.foreach_get(everything)
+    everything = everything.reshape(image.size[1], image.size[0], 4)
+    bpy.data.images.remove(image)
+    return everything[view.y : view.y + view.height - 80, view.x : sidebar.x, :3]
+
+
+def changed_share(one: str, other: str) -> float:
+    """How much of the 3D view is another in two pictures."""
+    return float((np.abs(pixels_of(one) - pixels_of(other)).max(axis=2) > 0.1).mean())
+
+
+def coloured(name: str, color: tuple[float, float, float]) -> int:
+    """How many pixels of the 3D view in a picture have about this colour, as it is on screen."""
+    return int((np.abs(pixels_of(name) - np.array(color)).max(axis=2) < 0.15).sum())
 
 
 def assert_no_python_thread() -> None:

@@ -25,7 +25,7 @@ from .plan import Plan, plan_of
 from .window import redraw
 
 # How far in front of the surface it is drawn, in spacings, and how wide, in pixels.
-_LIFT, _WIDTH = 0.15, 3.0
+_LIFT, WIDTH = 0.15, 3.0
 _STRANDS, _GUIDES, _PROBLEM = (1.0, 0.5, 0.05), (0.1, 0.75, 0.95), (1.0, 0.1, 0.1)
 # The size of a mark where a seed is refused, in spacings.
 _MARK = 0.5
@@ -118,7 +118,7 @@ def _draw(
 
     for polylines, color in lines:
         if len(polylines.closed):
-            curve = GrowingCurve(find, scene.find, plan.matrix, color, _WIDTH)
+            curve = GrowingCurve(find, scene.find, plan.matrix, color, WIDTH)
             curve.show(polylines, _LIFT * plan.spacing)
             shown.curves.append(curve)
     _shown = shown

@@ -15,12 +15,14 @@ from .evaluated import surface_mesh
 def new_seed(
     surface: bpy.types.Object, name: str, strands: list[tuple[np.ndarray, bool]]
 ) -> bpy.types.Object:
-    """A curve object of poly splines, beside a surface and in its space.
+    """A curve object of poly splines, beside a surface and in its space, drawn in front of it:
+    what is straight between two points of a surface runs below it.
 
     strands   points (n, 3) and whether the last one goes on to the first, a spline each
     """
     seed = new_curve_object(name, surface)
     seed.data.dimensions = "3D"
+    seed.show_in_front = True
     for points, closed in strands:
         spline = seed.data.splines.new("POLY")
         spline.points.add(len(points) - 1)

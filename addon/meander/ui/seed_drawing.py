@@ -3,10 +3,14 @@
 
 While a seed is drawn, the tool of Edit Mode and the settings of curve painting are borrowed. They
 are given back by Done, and also when the user leaves Edit Mode by himself or the curve goes.
+Blender fits a smooth curve to every stroke, which cuts through a surface that bends; so what the
+strokes come to is shown on the surface after each.
 """
 
 from __future__ import annotations
 
+import textwrap
+import time
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -15,12 +19,14 @@ from bpy.app.handlers import persistent
 
 from .. import core
 from ..run import seed_preview, session
+from ..run.window import redraw
 from ..scene import linked_settings
 from ..scene.blender_versions import settings_of
-from ..scene.curve_writer import new_curve_object
+from ..scene.changes import shape_count
 from ..scene.errors import DataError
 from ..scene.fillable import why_not
 from ..scene.identity import Key
+from ..scene.seed_curves import new_seed
 from ..scene.settings import surface_of
 from .run_operators import sentence_of
 from .sidebar import Sidebar
@@ -36,8 +42,13 @@ _PAINT = {
     "use_project_only_selected": False,
 }
 _STATUS = "Draw on the surface: drag with the left button    Tab or Done: end"
-# How often it is looked whether the user has left Edit Mode, in seconds.
-_INTERVAL = 0.3
+# How often it is looked for new strokes, and whether the user has left Edit Mode, in seconds.
+_INTERVAL = 0.1
+# Strokes on a surface where showing one takes longer than this, in seconds, are not shown: the next
+# one would have to wait. The curve itself is in front.
+_QUICK = 0.7
+# How many letters fit beside an icon.
+_LINE = 24
 
 
 @dataclass
@@ -51,6 +62,9 @@ class _Drawing:
     paint: dict[str, Any]
     tool: str | None
     workspaces: list[Key] = field(default_factory=list)
+    shown: int | None = None  # the curve's shape_count() when it was shown last
+    shows: bool = True  # whether that is quick enough
+    problem: str = ""  # why a run would refuse what is drawn, a sentence
 
 
 _drawing: _Drawing | None = None
@@ -140,9 +154,33 @@ def _watch() -> float | None:
         return None
     curve = _drawing.curve.find()
     if curve is not None and curve.mode == "EDIT":
+        if _drawing.shows and _drawing.shown != shape_count(curve):
+            _show_strokes(_drawing, curve)
         return _INTERVAL
     _give_back()
     return None
+
+
+def _show_strokes(drawing: _Drawing, curve: bpy.types.Object) -> None:
+    """Shows what a run would start from, or where it would refuse to."""
+    surface = drawing.surface.find()
+    curve.update_from_editmode()
+    drawing.problem = ""
+    begin = time.perf_counter()
+    if surface is None or not any(_points(spline) > 1 for spline in curve.data.splines):
+        seed_preview.hide()
+    else:
+        try:
+            seed_preview.show(surface, bpy.context)
+        except (DataError, core.MeanderError) as error:
+            drawing.problem = sentence_of(error)
+    drawing.shows = time.perf_counter() - begin < _QUICK
+    drawing.shown = shape_count(curve)
+    redraw("UI")
+
+
+def _points(spline: bpy.types.Spline) -> int:
+    return len(spline.points) + len(spline.bezier_points)
 
 
 @persistent
@@ -186,8 +224,7 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
         surface = context.active_object
         if context.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
-        curve = new_curve_object(f"{surface.name} Seed", surface)
-        curve.data.dimensions = "3D"
+        curve = new_seed(surface, f"{surface.name} Seed", [])
         _activate(context, curve)
         bpy.ops.object.mode_set(mode="EDIT")
         _borrow(context, curve, surface)
@@ -291,7 +328,11 @@ class MEANDER_PT_drawing(Sidebar, bpy.types.Panel):
         column = self.layout.column(align=True)
         surface = surface_drawn_on(context.active_object)
         column.label(text=f"Draw on {surface.name}", icon="GREASEPENCIL")
-        column.label(text="Each stroke is a strand", icon="BLANK1")
+        if _drawing.problem:
+            for number, line in enumerate(textwrap.wrap(_drawing.problem, _LINE)):
+                column.label(text=line, icon="BLANK1" if number else "ERROR")
+        else:
+            column.label(text="Each stroke is a strand", icon="BLANK1")
         row = column.row()
         row.scale_y = 1.4
         row.operator(MEANDER_OT_end_seed.bl_idname, icon="CHECKMARK")
