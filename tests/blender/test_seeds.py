@@ -226,3 +226,30 @@ def test_points_of_a_bezier_curve_are_told_by_its_control_points():
             point.handle_left_type = point.handle_right_type = "VECTOR"
     sentence = refused(surface, seed=seed)
     assert re.search(r"after points [12] and [34] of spline 2 of 'Bow'", sentence), sentence
+
+
+def text_on_grid(words: str) -> bpy.types.Object:
+    data = bpy.data.curves.new("Words", "FONT")
+    data.body, data.size, data.extrude = words, 0.8, 0.1
+    data.align_x = data.align_y = "CENTER"
+    thing = bpy.data.objects.new("Words", data)
+    bpy.context.scene.collection.objects.link(thing)
+    return thing
+
+
+def test_a_text_is_a_seed_and_a_guide_by_its_outlines():
+    surface = grid(8)
+    words = text_on_grid("OI")
+    words.location.z = 0.05
+    result = fill(surface, 0.12, seed=words)
+    # The ring has an outline inside and one outside, the bar has one.
+    assert [cyclic for _points, cyclic in world_splines(result)] == [True] * 3
+    assert packing(surface, result) == pytest.approx(1.0, abs=0.15)
+    assert result.name == "Words Meander"
+    activate(surface)
+    surface.meander.seed = None
+    guided = fill(surface, 0.12, guides=words)
+    assert guided.meander.figures.guides == 3
+    words.data.body = "O"
+    bpy.context.view_layer.update()
+    assert fill(surface, 0.12).meander.figures.guides == 2

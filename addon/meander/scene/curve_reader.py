@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curve objects as strands: seeds, strokes, guides and results."""
+"""Curve objects, and the outlines of texts, as strands: seeds, strokes, guides and results."""
 
 from __future__ import annotations
 
@@ -14,20 +14,25 @@ from .look_modifier import shaping_modifiers
 from .transforms import to_world, world_matrix
 
 
+def has_strands(object: bpy.types.Object) -> bool:
+    """Whether an object can be read as strands. Cheap, for fields that choose one."""
+    return object.type in ("CURVE", "FONT")
+
+
 def strands_of_curve(
     object: bpy.types.Object, depsgraph: bpy.types.Depsgraph, fixed_ends: bool = False
 ) -> core.Seed:
     """The strands of a curve object as a seed, in world units, in the order of its splines.
 
     Bezier, NURBS and poly splines, open and cyclic, with modifiers, shape keys, parents and
-    constraints; bevel, extrude, fill and the look of a result are left out. Works in Edit Mode and
-    for hidden objects.
+    constraints; bevel, extrude, fill and the look of a result are left out. Of a text the outlines
+    of its letters. Works in Edit Mode and for hidden objects.
 
     fixed_ends   the first and last point of every open strand never move
 
     Raises DataError with one sentence for what is not a curve, has no segments, or branches.
     """
-    if object.type != "CURVE":
+    if not has_strands(object):
         raise DataError(f"'{object.name}' is not a curve; choose a curve object as the seed")
     if object.mode == "EDIT":
         object.update_from_editmode()
@@ -82,7 +87,8 @@ def _count(spline: bpy.types.Spline) -> int:
 def _is_plain(object: bpy.types.Object) -> bool:
     """Whether the points of the splines are the curve: nothing to evaluate, so no copy needed."""
     return (
-        not shaping_modifiers(object)
+        object.type == "CURVE"
+        and not shaping_modifiers(object)
         and object.data.shape_keys is None
         and all(spline.type == "POLY" for spline in object.data.splines)
     )

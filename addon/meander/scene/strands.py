@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import core
 from ..model import bridges, strands
-from .curve_reader import ends_of, point_numbers, strands_of_curve
+from .curve_reader import ends_of, has_strands, point_numbers, strands_of_curve
 from .errors import DataError
 from .fillable import is_result
 from .linked_settings import settings_of
@@ -150,7 +150,7 @@ def _drawn_guides(
         curves = (
             other
             for other in settings.guide_collection.all_objects
-            if other.type == "CURVE" and other.meander.surface is None and other not in objects
+            if has_strands(other) and other.meander.surface is None and other not in objects
         )
         found = sorted(curves, key=lambda other: other.name_full)
         if not found and not objects:

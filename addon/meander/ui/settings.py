@@ -17,6 +17,7 @@ from bpy.props import (
 )
 
 from ..scene import results
+from ..scene.curve_reader import has_strands
 from ..scene.fillable import has_faces
 from ..scene.linked_settings import owner_of
 from .alignment_settings import AlignmentSettings
@@ -37,7 +38,7 @@ def _is_result(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> b
 
 
 def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
-    return object.type == "CURVE" and object != owner_of(settings)
+    return has_strands(object) and object != owner_of(settings)
 
 
 class MeanderGap(bpy.types.PropertyGroup):
@@ -151,8 +152,9 @@ class MeanderSettings(
         type=bpy.types.Object,
         name="Seed",
         description=(
-            "Curve to start from, on or close to the surface; each spline becomes a strand and "
-            "stays open or cyclic. Empty: a small loop on every part of the mesh"
+            "Curve or text to start from, on or close to the surface; each spline or outline "
+            "becomes a strand and stays open or cyclic. Empty: a small loop on every part of the "
+            "mesh"
         ),
         poll=_is_curve,
         options=set(),

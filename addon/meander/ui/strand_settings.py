@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, PointerProperty
 
+from ..scene.curve_reader import has_strands
 from ..scene.linked_settings import owner_of
 
 
@@ -12,7 +13,7 @@ def _is_another(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> 
 
 
 def _is_another_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
-    return object.type == "CURVE" and object != owner_of(settings)
+    return has_strands(object) and object != owner_of(settings)
 
 
 class StrandSettings:
@@ -39,8 +40,8 @@ class StrandSettings:
         type=bpy.types.Object,
         name="Guides",
         description=(
-            "Curve that stays as drawn, moved to the surface, while the others keep the spacing "
-            "from it. Its splines may cross and touch each other"
+            "Curve or text that stays as drawn, moved to the surface, while the others keep the "
+            "spacing from it. Its splines may cross and touch each other"
         ),
         poll=_is_another_curve,
         options=set(),
@@ -48,7 +49,7 @@ class StrandSettings:
     guide_collection: PointerProperty(
         type=bpy.types.Collection,
         name="Collection",
-        description="All curves in this collection are guides as well",
+        description="All curves and texts in this collection are guides as well",
         options=set(),
     )
     keep_guides: BoolProperty(
