@@ -70,7 +70,7 @@ def test_a_sphere_has_two_colours_of_the_same_area() -> None:
     surface = result.meander.surface
     assert bpy.ops.meander.two_tone() == {"FINISHED"}
     thing = bpy.context.active_object
-    assert thing.parent == surface and thing.type == "MESH"
+    assert thing.parent is None and thing.type == "MESH"
     assert result.hide_get() and surface.hide_get() and surface.hide_render
     made = Made(thing)
     check_sides(made)
@@ -202,6 +202,46 @@ def test_what_cannot_be_cut_is_said() -> None:
         bpy.ops.meander.relief()
     assert len(bpy.data.meshes) == before
     assert not result.hide_get()
+
+
+def test_what_stands_in_the_place_of_its_surface_is_where_that_was() -> None:
+    surface = scenes.sphere()
+    above = scenes.cube()
+    above.location, above.rotation_euler, above.scale = (1, 2, 3), (0.1, 0.2, 0.3), (1, 2, 1)
+    surface.parent, surface.location, surface.rotation_euler = above, (0.5, 0, 0), (0.4, 0, 0)
+    surface.delta_scale = (1.0, 1.5, 1.0)
+    bpy.context.view_layer.update()
+    surface.matrix_parent_inverse = above.matrix_world.inverted()
+    result = scenes.fill(surface, SPACING)
+    assert bpy.ops.meander.two_tone() == {"FINISHED"}
+    thing = bpy.context.active_object
+    bpy.context.view_layer.update()
+    assert thing.parent == above and thing.visible_get() and thing.select_get()
+    assert np.allclose(thing.matrix_world, surface.matrix_world, atol=1e-6)
+    # Beside a surface that is seen it is a child, and so it is where that one moves by itself.
+    for hide, moves in ((False, False), (True, True)):
+        scenes.activate(result)
+        result.hide_set(False)
+        scenes.activate(result)
+        if moves:
+            surface.keyframe_insert("location", frame=1)
+        assert bpy.ops.meander.two_tone(hide=hide) == {"FINISHED"}
+        assert bpy.context.active_object.parent == surface
+
+
+def test_a_ribbon_has_colours_of_its_own_along_the_line() -> None:
+    scenes.fill(scenes.sphere(), SPACING)
+    assert bpy.ops.meander.ribbon(detail=1.0) == {"FINISHED"}
+    made = Made(bpy.context.active_object)
+    layer = made.mesh.color_attributes.active_color
+    colours = made._read(layer.data, "color", 4)
+    uv = made.uv("Ribbon").reshape(-1, 2)
+    off = np.abs(uv[:, 1] - 0.5)
+    assert colours[off < 0.01, 0].min() > 0.25 and colours[off > 0.49, 0].max() < 0.1
+    # Brightest at the head of a light, every 24 spacings.
+    on_line = off < 0.01
+    heads = (uv[on_line, 0] / 24.0) % 1.0
+    assert np.corrcoef(heads, colours[on_line, 0])[0, 1] > 0.95
 
 
 def test_the_batch_command_writes_a_scene(tmp_path: Path) -> None:

@@ -28,6 +28,7 @@ from stage import (  # noqa: E402
     key,
     look_at_surface,
     picture,
+    pixels_of,
     press_run,
     show_panel,
     step,
@@ -58,6 +59,14 @@ def sides_of(name: str) -> np.ndarray:
     sides = np.empty(len(polygons), dtype=np.int32)
     polygons.foreach_get("material_index", sides)
     return sides
+
+
+def glowing_share(name: str) -> float:
+    """Of what a picture shows before the gray of the view, how much is rather red than blue."""
+    pixels = pixels_of(name)
+    red, _green, blue = np.moveaxis(pixels, 2, 0)
+    thing = (np.abs(pixels - pixels[5, 5]) > 0.05).any(axis=2)
+    return float((red > 1.5 * blue)[thing].mean())
 
 
 def story() -> Iterator[float]:
@@ -103,6 +112,17 @@ def story() -> Iterator[float]:
     relief = bpy.context.view_layer.objects.active
     assert relief.modifiers[0].node_group.name.startswith("Meander Relief")
     assert changed_share("make_two_tone", "make_relief") > 0.05
+
+    step("Ribbon shows its lights in Solid view, and nothing that is seen is under what is hidden")
+    yield from undo()
+    press("ribbon")
+    yield 1.0
+    picture("make_ribbon")
+    ribbon = bpy.context.view_layer.objects.active
+    assert ribbon.select_get() and ribbon.visible_get() and ribbon.parent is None
+    # One material is one colour all over: it glows everywhere, or nowhere.
+    glowing = glowing_share("make_ribbon")
+    assert 0.1 < glowing < 0.9, glowing
 
 
 panels.MEANDER_PT_output.bl_options = set()  # open, to be seen

@@ -22,6 +22,10 @@ _OF_FACES = (
     "face_distances",
     "corner_weights",
 )
+# Lights that stand still: from one to the next in spacings, how much of them is left at the end of
+# the tail, and the colours between and in them, linear.
+_PERIOD, _FAINTEST = 24.0, 0.3
+_DARK, _GLOW = np.array((0.03, 0.03, 0.05)), np.array((1.0, 0.36, 0.06))
 
 
 def is_parted(cut: core.CutSurface) -> bool:
@@ -46,6 +50,17 @@ def ribbon_uv(cut: core.CutSurface, spacing: float) -> NDArray[np.float64]:
     """
     across = cut.nearest_sides[:, None] * cut.face_distances / spacing
     return np.stack((cut.along / spacing, np.clip(0.5 + across, 0.0, 1.0)), axis=2)
+
+
+def light_colours(uv: NDArray[np.floating]) -> NDArray[np.float64]:
+    """What the running lights look like that stand still, (n, 3), from the map along the curve.
+
+    uv   (n, 2), of ribbon_uv()
+    """
+    head = (uv[:, 0] / _PERIOD) % 1.0
+    near = np.clip(1.0 - 2.0 * np.abs(uv[:, 1] - 0.5), 0.0, 1.0)
+    glow = near * (_FAINTEST + (1.0 - _FAINTEST) * head)
+    return _DARK + glow[:, None] * (_GLOW - _DARK)
 
 
 def along_shares(cut: core.CutSurface) -> NDArray[np.float64]:

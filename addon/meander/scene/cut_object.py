@@ -22,6 +22,24 @@ UV_MAP = "Ribbon"
 # Edges shorter than this, in spacings, are dissolved, and vertices as close to an edge become its
 # own: the normals of faces that thin are rounding errors, which shading shows.
 _THINNEST = 3e-4
+# What says where an object is, in an order in which none changes the others.
+_PLACE = (
+    "parent",
+    "parent_type",
+    "parent_bone",
+    "parent_vertices",
+    "matrix_parent_inverse",
+    "rotation_mode",
+    "location",
+    "rotation_euler",
+    "rotation_quaternion",
+    "rotation_axis_angle",
+    "scale",
+    "delta_location",
+    "delta_rotation_euler",
+    "delta_rotation_quaternion",
+    "delta_scale",
+)
 
 
 @dataclass(frozen=True)
@@ -131,6 +149,18 @@ def write_cut(
     place_beside(thing, surface)
     thing.parent = surface
     return thing
+
+
+def take_place(thing: bpy.types.Object, surface: bpy.types.Object) -> None:
+    """Puts a new object, a child of its surface, beside that one: for a surface that is hidden.
+
+    Among the children of what is hidden nobody looks for what is seen. One whose surface moves by
+    itself stays its child.
+    """
+    if surface.animation_data is not None or len(surface.constraints):
+        return
+    for name in _PLACE:
+        setattr(thing, name, getattr(surface, name))
 
 
 def _tidy(mesh: bpy.types.Mesh, distance: float) -> None:

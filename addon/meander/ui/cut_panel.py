@@ -4,18 +4,20 @@
 from __future__ import annotations
 
 import bpy
+import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from .. import core
-from ..model.cut import one_side
+from ..model.cut import light_colours, one_side
 from ..run import session
 from ..run.cutting import CutResult, cut_result, paint, paint_sides
 from ..scene import assets
-from ..scene.cut_object import sharpen_line
+from ..scene.cut_object import UV_MAP, sharpen_line, take_place
 from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from ..scene.identity import Key
 from ..scene.look_modifier import set_value
+from ..scene.solid_view import colour_corners, show_colours
 from ..scene.transforms import mean_scale
 from .on_result import NO_RESULT, OnResult
 from .points_panel import draw_light_and_points
@@ -60,7 +62,13 @@ class _Cut(OnResult):
         except (DataError, core.MeanderError) as error:
             self.report({"ERROR"}, sentence_of(error))
             return {"CANCELLED"}
-        _show(context, made, (result, result.meander.surface) if self.hide else ())
+        surface = result.meander.surface
+        _show(context, made, (result, surface) if self.hide else ())
+        if self.hide:
+            for thing in made:
+                take_place(thing, surface)
+        if made[0].data.color_attributes.active_color is not None:
+            show_colours(context, made)
         faces = sum(len(thing.data.polygons) for thing in made)
         self.report({"INFO"}, f"{made[0].name}: {faces:,} faces{self.remark(cut)}")
         return {"FINISHED"}
@@ -224,6 +232,10 @@ class MEANDER_OT_ribbon(_Cut, bpy.types.Operator):
         made = cut.make(name)
         if material is not None:
             paint(made, material)
+        layer = made.data.uv_layers[UV_MAP].data
+        uv = np.empty(2 * len(layer), dtype=np.float32)
+        layer.foreach_get("uv", uv)
+        colour_corners(made.data, "Lights", light_colours(uv.reshape(-1, 2)))
         return [made]
 
 
