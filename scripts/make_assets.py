@@ -20,13 +20,10 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "addon")]
 
 from asset_groups import nodes  # noqa: E402  (the path comes first)
-from meander.scene.assets import MARK  # noqa: E402
+from meander.scene.assets import MARK, VERSION  # noqa: E402
 
 # In the order in which one needs another.
 MODULES = ("materials", "look", "making")
-# One more whenever what is in the file changes what it does; earlier copies stay as they are.
-VERSION = 1
-
 _CATALOGS = """\
 # This is an Asset Catalog Definition file for Blender.
 VERSION 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import nodes
+from . import creases, nodes
 
 NAME = "Meander Look"
 # Across the flat profiles, as shares of the radius: a ribbon's height and a wall's width.
@@ -52,6 +52,7 @@ def build() -> list[bpy.types.ID]:
     radius = tree.math("MULTIPLY", tree.math("ADD", more, 1.0), thickness)
     curve = tree.add("GeometryNodeSetCurveRadius", {"Curve": named, "Radius": radius}).outputs[0]
 
+    curve, _normal = creases.rounded(tree, curve, given["Spacing"])
     normal = tree.add("GeometryNodeInputNormal").outputs[0]
     height = tree.math("MULTIPLY", tree.add("GeometryNodeInputRadius").outputs[0], given["Lift"])
     up = tree.add("ShaderNodeVectorMath", {0: normal, "Scale": height}, operation="SCALE")
@@ -81,8 +82,19 @@ def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.ty
     strand = tree.add(
         "GeometryNodeFieldOnDomain", {"Value": index}, data_type="INT", domain="CURVE"
     )
+    along = tree.math("DIVIDE", length, whole)
+    # A closed strand has no end: its colours go there and back, or they would jump where it begins.
+    signed = tree.math("MULTIPLY_ADD", along, 2.0, -1.0)
+    round_trip = tree.math("SUBTRACT", 1.0, tree.math("ABSOLUTE", signed))
+    closed = tree.add("GeometryNodeInputSplineCyclic").outputs[0]
+    ramp = tree.add(
+        "GeometryNodeSwitch",
+        {"Switch": closed, "False": along, "True": round_trip},
+        input_type="FLOAT",
+    )
     named = (
-        ("along", "FLOAT", tree.math("DIVIDE", length, whole)),
+        ("along", "FLOAT", along),
+        ("ramp", "FLOAT", nodes.visible(ramp.outputs, "Output")),
         ("arc_length", "FLOAT", length),
         ("strand", "INT", nodes.visible(strand.outputs, "Value")),
     )

@@ -8,7 +8,8 @@ import bpy
 from . import nodes
 
 LINE = "Meander Line"
-# From the first point of a strand to its last: dark, so that it is read on a light surface.
+# From the first point of a strand to its last, or halfway round a closed one: dark, so that it is
+# read on a light surface.
 _STOPS = (
     (0.0, (0.010, 0.030, 0.180)),
     (0.5, (0.160, 0.008, 0.150)),
@@ -29,8 +30,8 @@ def _line() -> bpy.types.Material:
     material.use_nodes = True
     material.node_tree.nodes.clear()
     tree = nodes.Tree(material.node_tree)
-    along = tree.add("ShaderNodeAttribute", attribute_type="GEOMETRY", attribute_name="along")
-    ramp = tree.add("ShaderNodeValToRGB", {"Fac": along.outputs["Fac"]})
+    place = tree.add("ShaderNodeAttribute", attribute_type="GEOMETRY", attribute_name="ramp")
+    ramp = tree.add("ShaderNodeValToRGB", {"Fac": place.outputs["Fac"]})
     ramp.label = "Along the Line"
     elements = ramp.color_ramp.elements
     while len(elements) < len(_STOPS):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from meander.scene import assets, curve_reader, look, look_material, look_modifier
 from meander.scene.results import last_result
-from scenes import activate, circle_points, fill, poly_curve, sphere, world_splines
+from scenes import activate, circle_points, cube, fill, poly_curve, sphere, world_splines
 
 SPACING = 0.3
 
@@ -99,6 +99,25 @@ def test_a_body_knows_where_along_its_strand_it_is():
     assert set(np.unique(values["strand"])) == {0.0, 1.0}
 
 
+@pytest.mark.parametrize("closed", [True, False])
+def test_colours_jump_nowhere_on_a_line(closed: bool):
+    seed = poly_curve("Seed", [circle_points(0.45, 0.89)[: None if closed else 12]], closed)
+    mesh = body_of(fill(sphere(), SPACING, seed=seed, iteration_limit=30))
+    ramp = np.empty(len(mesh.vertices), dtype=np.float32)
+    mesh.attributes["ramp"].data.foreach_get("value", ramp)
+    along = np.empty(len(mesh.vertices), dtype=np.float32)
+    mesh.attributes["along"].data.foreach_get("value", along)
+    edges = np.empty(2 * len(mesh.edges), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", edges)
+    assert np.abs(np.diff(ramp[edges.reshape(-1, 2)], axis=1)).max() < 0.05
+    assert np.ptp(ramp) > 0.95
+    if not closed:
+        assert np.allclose(ramp, along)
+    material = assets.material(look.LINE)
+    place = next(n for n in material.node_tree.nodes if n.bl_idname == "ShaderNodeAttribute")
+    assert place.attribute_name == "ramp"
+
+
 def test_thickness_follows_the_spacing():
     surface = sphere()
     group = surface.vertex_groups.new(name="Fine")
@@ -117,6 +136,46 @@ def test_thickness_follows_the_spacing():
     assert thickness(True) == pytest.approx(thickness(False), rel=1e-3)
     choose(result, Radius_Follows_Spacing=1.0)
     assert thickness(True) / thickness(False) == pytest.approx(0.4, abs=0.15)
+
+
+def turns_of(points: np.ndarray) -> np.ndarray:
+    """By how much a closed line turns at each of its points, in degrees."""
+    steps = np.roll(points, -1, axis=0) - points
+    steps /= np.linalg.norm(steps, axis=1, keepdims=True)
+    return np.degrees(np.arccos(np.clip((steps * np.roll(steps, 1, axis=0)).sum(axis=1), -1, 1)))
+
+
+@pytest.mark.parametrize("profile", ["ROUND", "RIBBON"])
+def test_a_body_is_bent_round_the_creases_of_its_surface(profile: str):
+    result = fill(cube(), 0.25, profile=profile, bevel_share=0.2)
+    ((line, closed),) = world_splines(result)
+    assert closed
+    sides = {"ROUND": 8, "RIBBON": 4}[profile]
+    mesh = body_of(result)
+    points = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.vertices.foreach_get("co", points)
+    rings = points.reshape(-1, sides, 3).astype(float)
+    middles = rings.mean(axis=1)
+    # A pipe that is bent by a right angle at one place is .7 of its width there.
+    sharp = np.count_nonzero(turns_of(line) > 60.0)
+    assert sharp > 20
+    assert np.count_nonzero(turns_of(middles) > 60.0) <= 0.05 * sharp
+    # It leaves the line at creases only, and there by less than half of its thickness.
+    radius = 0.2 * 0.25
+    off = np.abs(np.abs(middles).max(axis=1) - 1.0)
+    assert off.max() < 0.5 * radius and np.median(off) < 1e-4
+
+
+def test_the_ends_of_a_body_stay_where_those_of_the_line_are():
+    # Both ends are closer to a crease than an arc needs.
+    seed = poly_curve("Stroke", [[(0.99, 0.0, 1.0), (1.0, 0.0, 0.5)]], False)
+    result = fill(cube(), 0.25, seed=seed, fixed_ends=True)
+    ((line, _closed),) = world_splines(result)
+    mesh = body_of(result)
+    points = np.array([vertex.co for vertex in mesh.vertices])
+    for end in (line[0], line[-1]):
+        rings = np.linalg.norm(points - end, axis=1)
+        assert np.count_nonzero(rings < 1.1 * 0.2 * 0.25) >= 8
 
 
 def test_no_run_touches_the_look():

@@ -15,6 +15,8 @@ from .errors import DataError
 from .node_structure import fingerprint
 
 FILE = Path(__file__).resolve().parents[1] / "assets" / "meander.blend"
+# One more whenever what is in the file changes what it does; earlier copies stay as they are.
+VERSION = 2
 # On what comes from the file: its version there, and what it was like when it came.
 MARK = "meander_asset"
 _NAME = "meander_name"
@@ -41,7 +43,8 @@ def is_asset(block: bpy.types.ID | None, name: str) -> bool:
 
 def _asset(collection: str, name: str) -> bpy.types.ID:
     for block in getattr(bpy.data, collection):
-        if is_asset(block, name) and block.library is None and _unchanged(block):
+        current = is_asset(block, name) and block[MARK] == VERSION and block.library is None
+        if current and _unchanged(block):
             return block
     return _appended(collection, name)
 
