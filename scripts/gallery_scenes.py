@@ -102,7 +102,7 @@ def painted() -> None:
     group = ball.vertex_groups.new(name="Fine")
     for vertex in ball.data.vertices:
         group.add([vertex.index], max(0.0, 0.5 + 0.6 * vertex.co.z), "REPLACE")
-    line = fill(ball, 0.12, density_group="Fine", factor_0=1.0, factor_1=0.25, radius_follows=True)
+    line = fill(ball, 0.12, density_group="Fine", factor_0=1.0, factor_1=0.25)
     dress(ball, DARK, 0.4)
     dress(line, ORANGE, 0.4)
     place(ball, line, lens=78.0)

@@ -123,7 +123,8 @@ def test_thickness_follows_the_spacing():
     group = surface.vertex_groups.new(name="Fine")
     for vertex in surface.data.vertices:
         group.add([vertex.index], 1.0 if vertex.co.z > 0.0 else 0.0, "REPLACE")
-    result = fill(surface, SPACING, density_group="Fine", factor_0=1.0, factor_1=0.4)
+    result = fill(surface, SPACING, iteration_limit=60, density_source="NONE")
+    assert values_of(result)["Radius Follows Spacing"] == 0.0
 
     def thickness(above: bool) -> float:
         mesh = body_of(result)
@@ -134,9 +135,21 @@ def test_thickness_follows_the_spacing():
         return float(np.median(sizes[middles[:, 2] > 0.4 if above else middles[:, 2] < -0.4]))
 
     assert thickness(True) == pytest.approx(thickness(False), rel=1e-3)
-    choose(result, Radius_Follows_Spacing=1.0)
+    # As soon as there is a density: what is dense would be a blob.
+    density = {"density_source": "GROUP", "factor_0": 1.0, "factor_1": 0.4}
+    assert fill(surface, SPACING, **density) == result
     assert thickness(True) / thickness(False) == pytest.approx(0.4, abs=0.15)
-
+    # Whoever has set it by hand keeps that.
+    choose(result, Radius_Follows_Spacing=0.5)
+    assert fill(surface, SPACING, **density) == result
+    assert values_of(result)["Radius Follows Spacing"] == 0.5
+    choose(result, Radius_Follows_Spacing=1.0)
+    fill(surface, SPACING, density_source="NONE")
+    assert values_of(result)["Radius Follows Spacing"] == 0.0
+    # And whoever does not want it says so beforehand.
+    surface.meander.last_result = None
+    bare = fill(surface, SPACING, radius_follows=False, **density)
+    assert bare != result and values_of(bare)["Radius Follows Spacing"] == 0.0
 
 def turns_of(points: np.ndarray) -> np.ndarray:
     """By how much a closed line turns at each of its points, in degrees."""

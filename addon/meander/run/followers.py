@@ -93,7 +93,8 @@ class EvenFollower:
     def __init__(self, plan: Plan, steps: int) -> None:
         problem = plan.problem
         self.factors = None
-        has_room = plan.radius_follows or modifier_of(plan.result.find()) is not None
+        follows = plan.radius_follows and problem.density is not None
+        has_room = follows or modifier_of(plan.result.find()) is not None
         self._radius = problem.options.radius if has_room else 0.0
         problem.options.growth_coarsening = 1.0  # the curve has grown already
         self._faces, self._steps = problem.faces, steps

@@ -56,7 +56,7 @@ class Plan:
     loose_edges: int = 0  # of the surface, in no face
     has_instances: bool = False  # the surface shows some besides its own faces
     keeps_guides: bool = True  # the result has the guides as splines of its own
-    radius_follows: bool = False  # points have their room as radius, for a bevel
+    radius_follows: bool = False  # a density makes the curve thinner where it is closer
     density_group: str = ""  # the vertex group that the spacing follows
     region: np.ndarray | None = None  # polygons of the mesh, selected in Edit Mode; None: all
     remark: str = ""  # on what the run leaves out, for its one line
@@ -178,7 +178,7 @@ def _look_of(settings: bpy.types.PropertyGroup) -> Look:
     """What a new result is to look like."""
     profile = settings.bl_rna.properties["profile"].enum_items[settings.profile].value
     radius = settings.bevel_share if settings.use_bevel else 0.0
-    return Look(radius, profile, settings.radius_follows)
+    return Look(radius, profile)
 
 
 def _outline_distance(

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import bpy
@@ -82,11 +83,12 @@ def write_result(
     sources = None if line is None else line.sources
     scene_strands.assign_materials(result.data, plan.materials, sources)
     own_spacing = plan.spacing / mean_scale(plan.matrix)
+    follows = plan.radius_follows and stepper.density is not None
     if earlier is None:
-        look.dress(result, plan.look, own_spacing)
+        look.dress(result, replace(plan.look, follows=follows), own_spacing)
     else:
-        look.follow_spacing(result, own_spacing)
-    has_room = plan.radius_follows or modifier_of(result) is not None
+        look.follow_run(result, own_spacing, follows)
+    has_room = follows or modifier_of(result) is not None
     factors = radius_factors(radii, radius) if has_room else None
     set_tilt_and_radius(result.data, curve, plan.matrix, factors)
     closed = int(np.count_nonzero(np.asarray(curve.closed, dtype=bool)[~guides]))

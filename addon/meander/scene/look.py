@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The look of a result: a modifier that gives the line its body, and that is the user's to edit.
 
-A run gives it to a new curve. From then on runs write splines only, and the spacing of which the
-thickness is a share, where that has not been changed by hand.
+A run gives it to a new curve. From then on runs write splines only, and, where they have not been
+changed by hand, the spacing of which the thickness is a share and whether it follows a density.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ from .errors import DataError
 from .look_modifier import GROUP, copy_values, modifier_of, set_value, value_of
 
 LINE = "Meander Line"
+# Inputs that a run tells the look, and what keeps them, to tell them from what the user has set.
+_TOLD = {"Spacing": "look_spacing", "Radius Follows Spacing": "look_follows"}
 # Of what Blender keeps in single precision.
 _ROUNDING = 1e-6
 
@@ -67,34 +69,34 @@ def add_modifier(curve_object: bpy.types.Object, look: Look, spacing: float) -> 
     group = assets.node_group(GROUP)
     modifier = curve_object.modifiers.new(GROUP, "NODES")
     modifier.node_group = group
-    for name, value in (
-        ("Radius", look.radius),
-        ("Profile", look.profile),
-        ("Radius Follows Spacing", float(look.follows)),
-    ):
+    for name, value in (("Radius", look.radius), ("Profile", look.profile)):
         set_value(modifier, name, value)
     look_material.write(curve_object, modifier)
-    _write_spacing(curve_object, modifier, spacing)
+    for name, value in (("Spacing", spacing), ("Radius Follows Spacing", float(look.follows))):
+        _tell(curve_object, modifier, name, value)
 
 
-def follow_spacing(curve_object: bpy.types.Object, spacing: float) -> None:
-    """Tells the look of a result that its spacing is another one, unless the user has set it.
+def follow_run(curve_object: bpy.types.Object, spacing: float, follows: bool) -> None:
+    """Tells the look of a result what its last run was about, but for what the user has set.
 
     spacing   in the object's own space
+    follows   thicker where neighbours are farther apart
     """
     modifier = modifier_of(curve_object)
     if modifier is None:
         return
-    written, now = curve_object.meander.figures.look_spacing, value_of(modifier, "Spacing")
-    if now is not None and math.isclose(now, written, rel_tol=_ROUNDING):
-        _write_spacing(curve_object, modifier, spacing)
+    for name, value in (("Spacing", spacing), ("Radius Follows Spacing", float(follows))):
+        told = getattr(curve_object.meander.figures, _TOLD[name])
+        now = value_of(modifier, name)
+        if now is not None and math.isclose(now, told, rel_tol=_ROUNDING):
+            _tell(curve_object, modifier, name, value)
 
 
-def _write_spacing(
-    curve_object: bpy.types.Object, modifier: bpy.types.NodesModifier, spacing: float
+def _tell(
+    curve_object: bpy.types.Object, modifier: bpy.types.NodesModifier, name: str, value: float
 ) -> None:
-    set_value(modifier, "Spacing", spacing)
-    curve_object.meander.figures.look_spacing = spacing
+    set_value(modifier, name, value)
+    setattr(curve_object.meander.figures, _TOLD[name], value)
 
 
 def radius_of(curve_object: bpy.types.Object) -> float:

@@ -39,7 +39,8 @@ def add_look(result: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> None:
     if not spacing > 0.0:
         raise DataError(f"'{result.name}' has no spacing; set the one that it was made with")
     share = curve.bevel_depth / spacing if curve.bevel_depth > 0.0 else settings.bevel_share
-    add_modifier(result, Look(share, follows=settings.radius_follows), spacing)
+    varies = settings.density_source not in ("NONE", "GROUP") or bool(settings.density_group)
+    add_modifier(result, Look(share, follows=settings.radius_follows and varies), spacing)
     curve.bevel_depth = 0.0
     curve.twist_mode = "Z_UP"
     radii = point_attributes.medial_radii_of(result, len(polylines.positions), matrix)

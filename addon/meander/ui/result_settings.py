@@ -47,8 +47,8 @@ class ProfileSettings:
     )
     radius_follows: BoolProperty(
         name="Radius Follows Spacing",
-        description="Make a new curve thicker where neighbouring strands are farther apart",
-        default=False,
+        description="With a density, make the curve thinner where its strands are closer",
+        default=True,
         options=set(),
     )
 

@@ -106,9 +106,10 @@ class MeanderFigures(bpy.types.PropertyGroup):
     largest_gap: FloatProperty(name="Largest Gap", options=set())
     preparation: StringProperty(name="Preparation", options=set())
     mended: IntProperty(name="Faults Repaired", options=set())
-    # On results only: what their look has been told, the spacing in their own space.
+    # On results only: what their look has been told; the spacing in their own space.
     look_material: PointerProperty(type=bpy.types.Material, name="Material of the Look")
     look_spacing: FloatProperty(name="Spacing of the Look", options=set())
+    look_follows: FloatProperty(name="Radius Follows Spacing in the Look", options=set())
     # On results only, and of many gaps only the largest.
     gaps: CollectionProperty(type=MeanderGap, options=set())
     whole_points: IntProperty(name="Points of the Whole Curve", options=set())
