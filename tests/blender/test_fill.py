@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 import pytest
 from meander import core
-from meander.run import session
+from meander.run import session, stepper
 from meander.run.preview import Preview
 from meander.scene import errors, look
 from meander.scene.flow_options import options_of
@@ -315,9 +315,10 @@ def test_the_first_preview_is_there_at_once(windowed):
 def test_a_picture_shows_the_curve_as_it_is_now(windowed, monkeypatch):
     """Copies are made when the last one has been taken, so one that has waited is an old one."""
     due, shown = [True], []
-    monkeypatch.setattr(FakeWindow, "picture_due", lambda _self: due[0])
+    monkeypatch.setattr(FakeWindow, "picture_due", lambda _self, _growth: due[0])
     monkeypatch.setattr(Preview, "show", lambda *_: shown.append(running.latest))
     monkeypatch.setattr(session, "STALE", 0.3)
+    monkeypatch.setattr(stepper, "GROWTH_STEP", 0.0)  # how it grew is shown however old it is
     running = begin(sphere(), 0.03)
     tick_until(running, lambda: len(shown) == 2)
     due[0] = False
@@ -330,6 +331,38 @@ def test_a_picture_shows_the_curve_as_it_is_now(windowed, monkeypatch):
     tick_until(running, lambda: len(shown) == 3)
     assert shown[2].iterations > old
     running.end()
+
+
+def test_growth_is_shown_step_by_step_by_a_window_that_comes_late(windowed):
+    """Growth takes a small part of a run, and is over before a large mesh has been drawn once."""
+    running = begin(sphere(), 0.05)
+    while not running.stepper._context.phase == "polish":
+        time.sleep(0.01)
+    lengths: list[float] = []
+
+    def seen() -> bool:
+        if running.latest is not None and running.latest.length not in lengths[-1:]:
+            lengths.append(running.latest.length)
+        return len(lengths) > 1 and running.latest.kept == 0
+
+    tick_until(running, seen)
+    running.end()
+    whole = lengths[-1]
+    assert lengths[0] < 0.1 * whole and sorted(lengths[:-1]) == lengths[:-1]
+    assert np.diff(lengths).max() < 0.2 * whole and len(lengths) > 8
+
+
+def test_a_run_in_a_window_leaves_a_processor_to_it(windowed, monkeypatch):
+    for processors, threads in ((2, 0), (8, 7)):
+        monkeypatch.setattr(session.os, "cpu_count", lambda many=processors: many)
+        surface = sphere()
+        running = begin(surface, 0.2)
+        assert running.stepper.problem.options.threads == threads
+        running.end()
+        surface.meander.threads = 3
+        running = begin(surface, 0.2)
+        assert running.stepper.problem.options.threads == 3
+        running.end()
 
 
 def test_a_cancelled_run_leaves_no_trace(windowed):

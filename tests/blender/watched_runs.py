@@ -18,7 +18,7 @@ class FakeWindow:
     def __init__(self, _context) -> None:
         self.texts: list[str | None] = []
 
-    def picture_due(self) -> bool:
+    def picture_due(self, _growth: bool) -> bool:
         return True
 
     def picture_given(self) -> None:

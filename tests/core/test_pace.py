@@ -2,7 +2,14 @@
 """How often a growing curve is shown: by what drawing takes, on clocks of the test's own."""
 
 import pytest
-from meander.run.pace import CARD_SHARE_ON_TWO, LARGEST_SHARE, LONGEST_WAIT, SHARE_ON_TWO, Pace
+from meander.run.pace import (
+    CARD_SHARE_ON_TWO,
+    GROWTH_SHARE,
+    LARGEST_SHARE,
+    LONGEST_WAIT,
+    SHARE_ON_TWO,
+    Pace,
+)
 
 INTERVAL = 1.0 / 12.0
 
@@ -44,6 +51,18 @@ def test_slow_drawing_keeps_to_its_share(cost: float, software: bool) -> None:
     assert drawing <= 1.02 * share * 60.0
     # And makes use of it, but for what is lost until the next tick.
     assert pictures >= 0.9 * 60.0 / (cost / share + INTERVAL)
+
+
+def test_growth_that_waits_may_take_more_than_what_is_as_before() -> None:
+    pace, pictures, now = Pace(INTERVAL, 2, software=True), 0, 0.0
+    while now < 30.0:
+        if pace.tick(now, now, growth=True):
+            pace.asked(now)
+            now += 1.0
+            pace.drawn(now)
+            pictures += 1
+        now += INTERVAL
+    assert 0.8 * GROWTH_SHARE * 30.0 < pictures <= 1.1 * GROWTH_SHARE * 30.0
 
 
 def test_waiting_for_a_card_or_for_a_turn_takes_nothing_from_the_solver() -> None:

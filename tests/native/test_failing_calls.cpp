@@ -437,6 +437,9 @@ std::vector<Call> calls_that_cannot_fail() {
 
 std::vector<Call> getters() {
   std::vector<Call> calls;
+  calls.push_back(quiet("keep_growth", seeded_flow(2), [](World& world, meander_error* error) {
+    return CALLED(flow_keep_growth)(world.flow, 0.1, 1000, error);
+  }));
   calls.push_back(quiet("surface_statistics", make_square, [](World& world, meander_error* error) {
     auto statistics = prepared<meander_surface_statistics>();
     const meander_status status = CALLED(surface_get_statistics)(world.surface, &statistics, error);

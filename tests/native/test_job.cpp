@@ -181,6 +181,75 @@ TEST(Job, ShowsWholeCurvesThatGrow) {
   EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_CANCELLED);
 }
 
+/// What a host gets that looks at a run for the first time when that has ended.
+std::vector<std::pair<meander_preview, Curve3>> looked_at_afterwards(Host& host) {
+  host.start();
+  while (meander_flow_is_running(host.flow)) std::this_thread::yield();
+  std::vector<std::pair<meander_preview, Curve3>> seen;
+  for (auto next = host.preview(); !next.second.positions.empty(); next = host.preview()) seen.push_back(next);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_OK);
+  return seen;
+}
+
+TEST(Job, KeepsHowTheCurveGrew) {
+  Host plain(150), host(150);
+  EXPECT_EQ(looked_at_afterwards(plain).size(), 1u) << "the curve at the start";
+  const double whole = 4 * 3.14159 / kSpacing, step = whole / 16;
+  ASSERT_EQ(meander_flow_keep_growth(host.flow, step, 1'000'000, &host.error), MEANDER_STATUS_OK);
+  const auto seen = looked_at_afterwards(host);
+  ASSERT_GE(seen.size(), 8u);
+  EXPECT_EQ(seen.front().first.serial, 1u) << "the first copy is of the curve at the start";
+  for (size_t i = 1; i < seen.size(); ++i) {
+    const auto& [before, now] = std::pair(seen[i - 1].first, seen[i].first);
+    EXPECT_GT(now.serial, before.serial);
+    EXPECT_GT(now.iterations, before.iterations);
+    // An iteration is the least that there is; while the curve is short, one adds little.
+    EXPECT_GE(now.length, before.length + step);
+    EXPECT_LE(now.length, before.length + 3 * step);
+    EXPECT_EQ(seen[i].second.offsets.back(), seen[i].second.positions.size() / 3);
+    EXPECT_EQ(now.kept, seen.size() - 1 - i);
+  }
+  EXPECT_GT(seen.back().first.length, 0.8 * whole);
+  EXPECT_TRUE(host.curve() == plain.curve()) << "who looks changes nothing";
+}
+
+TEST(Job, KeepsNoMorePointsThanAllowed) {
+  Host host(150);
+  const size_t limit = 3000;
+  ASSERT_EQ(meander_flow_keep_growth(host.flow, 1.0, limit, &host.error), MEANDER_STATUS_OK);
+  auto seen = looked_at_afterwards(host);
+  ASSERT_GT(seen.size(), 2u);
+  size_t points = 0;
+  for (const auto& [figures, curve] : seen) points += curve.positions.size() / 3;
+  EXPECT_LE(points, limit + seen.front().second.positions.size() / 3);
+  // Kept for the runs that follow, each from none; and no more.
+  ASSERT_EQ(meander_flow_keep_growth(host.flow, 0, 0, &host.error), MEANDER_STATUS_OK);
+  host.seen = 0;
+  EXPECT_EQ(looked_at_afterwards(host).size(), 1u);
+  for (const double step : {-1.0, std::nan(""), HUGE_VAL})
+    EXPECT_EQ(meander_flow_keep_growth(host.flow, step, 10, &host.error), MEANDER_STATUS_INVALID_ARGUMENT);
+  host.start();
+  EXPECT_EQ(meander_flow_keep_growth(host.flow, 1, 10, &host.error), MEANDER_STATUS_INVALID_ARGUMENT);
+}
+
+TEST(Job, GivesTheNewestCopyOnceGrowthIsTaken) {
+  Host host;
+  ASSERT_EQ(meander_flow_keep_growth(host.flow, 4 * 3.14159 / kSpacing / 16, 1'000'000, &host.error),
+            MEANDER_STATUS_OK);
+  host.start();
+  uint32_t serial = 0, iterations = 0;
+  host.let_run(5);
+  for (int copies = 0; copies < 40 && meander_flow_is_running(host.flow);) {
+    const auto [figures, curve] = host.preview();
+    if (curve.positions.empty()) continue;
+    ++copies;
+    EXPECT_GT(figures.serial, std::exchange(serial, figures.serial));
+    EXPECT_GE(figures.iterations, std::exchange(iterations, figures.iterations));
+  }
+  meander_context_cancel(host.context);
+  EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_CANCELLED);
+}
+
 TEST(Job, CopiesNothingForAHostThatDoesNotLook) {
   Host host(5);
   host.start();

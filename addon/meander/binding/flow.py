@@ -60,6 +60,7 @@ class Preview(NamedTuple):
     nodes       of the curve
     length      of the curve
     seconds     of all iterations
+    kept        how many copies of growth come after this one; see Flow.keep_growth
     """
 
     polylines: Polylines
@@ -67,6 +68,7 @@ class Preview(NamedTuple):
     nodes: int
     length: float
     seconds: float
+    kept: int = 0
 
 
 class Nodes(NamedTuple):
@@ -292,8 +294,18 @@ class Flow(Handle):
             status = native().meander_flow_wait(pointer, byref(error))
             return self._reason(pointer, status, error)
 
+    def keep_growth(self, length_step: float, point_limit: int) -> None:
+        """Has started runs keep copies of the growing curve, for `preview`; see the C header.
+
+        length_step   a copy is kept whenever the curve is longer by this than at the last; 0: none
+        point_limit   how many points those have at most that have not been taken yet
+        """
+        with self._use() as pointer:
+            call(native().meander_flow_keep_growth, pointer, float(length_step), int(point_limit))
+
     def preview(self) -> Preview | None:
-        """The newest copy of the curve of a started run, once; None while there is no newer one.
+        """The oldest copy of growth that is left, else the newest copy of the curve of a started
+        run, once; None while there is no newer one.
 
         The first is of the curve at the start; the run makes the next one, after its present
         iteration, when this one has been taken. Raises MeanderError before `start` and after
@@ -311,7 +323,9 @@ class Flow(Handle):
             call(function, pointer, byref(figures), *_into(arrays, points, strands))
             self._seen = figures.serial
         curve = _polylines_of(arrays)
-        return Preview(curve, figures.iterations, figures.nodes, figures.length, figures.seconds)
+        return Preview(
+            curve, figures.iterations, figures.nodes, figures.length, figures.seconds, figures.kept
+        )
 
     def set_vertices(self, vertices: ArrayLike) -> None:
         """Moves the vertices of the flow's surface, and the curve with it; see the C header.

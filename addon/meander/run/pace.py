@@ -16,6 +16,9 @@ SHARE_ON_TWO = 0.15
 CARD_SHARE_ON_TWO = 0.1
 # With more processors and a graphics card, drawing keeps only one of them from solving.
 LARGEST_SHARE = 0.6
+# While there is growth to be shown that is over already, drawing may have this much, for as many
+# pictures as a curve takes to grow.
+GROWTH_SHARE = 0.5
 # However slow the drawing, a picture is tried this often, in seconds.
 LONGEST_WAIT = 3.0
 # A redraw by the processors that takes longer than this, in seconds, is worth drawing plainer.
@@ -60,8 +63,12 @@ class Pace:
         if self._asked is not None:
             self._drawn = now
 
-    def tick(self, now: float, computed: float) -> bool:
-        """Whether a picture is due. The first thing at a tick, before the curve is looked at."""
+    def tick(self, now: float, computed: float, growth: bool = False) -> bool:
+        """Whether a picture is due. The first thing at a tick, before the curve is looked at.
+
+        growth   whether pictures of how the curve grew are waiting
+        """
+        share = max(self.share, GROWTH_SHARE) if growth else self.share
         if self._asked is not None:
             late = now - self._asked
             if late > 1.5 * self._interval:
@@ -71,9 +78,9 @@ class Pace:
                 self.cost = self._drawn - self._asked if self._drawn is not None else 0.0
             self._note_computing(computed - self._begin)
             if self._software:
-                wait = self.cost / self.share
+                wait = self.cost / share
             else:
-                wait = max(self.computing / self.share, self.cost / LARGEST_SHARE)
+                wait = max(self.computing / share, self.cost / LARGEST_SHARE)
             self._due = self._asked + min(wait, LONGEST_WAIT)
             self._asked = None
         self._begin = computed

@@ -8,6 +8,8 @@ hold.
 
 from __future__ import annotations
 
+import math
+import os
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -44,6 +46,13 @@ STALE = 0.25
 DRAWN_IN = 2.0
 
 
+def _leave_one(options: core.FlowOptions) -> None:
+    """Leaves one processor to the window, which draws, where that is not half of them."""
+    processors = os.cpu_count() or 1
+    if options.threads == 0 and processors > 2:
+        options.threads = processors - 1
+
+
 class Session:
     """A run from its plan to its end.
 
@@ -74,6 +83,7 @@ class Session:
         self._drawing = suspended_run is None and plan.problem.options.start == core.Start.FULL
         self._drawn_since: float | None = None
         self._polled = 0.0  # when a copy of the curve was last asked for
+        self._pictured: float | None = None  # when the last picture was given
         self._skipped = False  # whether a tick has passed since
         self._stale = False  # whether `latest` was old when it was taken
         self.stop_wanted = False
@@ -98,6 +108,7 @@ class Session:
         _current = self
         self._preview = Preview(self.plan, context.scene)
         self._window = Window(context)
+        _leave_one(self.plan.problem.options)
         self.stepper.start()
         self._polled = time.perf_counter()
 
@@ -114,10 +125,12 @@ class Session:
         else:
             self._take_wishes(context)
         self._preview.keep_result_out()
-        picture_due = self._window.picture_due()
+        behind = self.latest is not None and self.latest.kept > 0
+        picture_due = self._window.picture_due(behind)
         text_due = self._window.text_due(picture_due)
-        # The run stands still while it makes a copy, so none is asked for in vain.
-        if picture_due or text_due:
+        # The run stands still while it makes a copy, so none is asked for in vain. What shows how
+        # the curve grew is for pictures.
+        if picture_due or (text_due and not behind):
             self._take_copy()
         else:
             self._skipped = True
@@ -126,6 +139,7 @@ class Session:
             self._preview.show(self.latest.polylines, self._drawn_share())
             self._shown = True
             self._window.picture_given()
+            self._pictured = self.ticked
         if text_due:
             self._window.show(context, self.progress_text(), self.progress())
         return self._wish is not None or not self.stepper.finished or self._goes_on_stiffer()
@@ -196,6 +210,8 @@ class Session:
 
     def _apply(self, wish: live.Wish) -> None:
         """Between two runs of the stepper."""
+        if self._window is not None:
+            _leave_one(wish.options)
         try:
             self.stepper.revise(wish.options, wish.density)
         except core.MeanderError as error:
@@ -228,13 +244,26 @@ class Session:
         """Takes the newest copy of the curve if there is one, and has the run make another."""
         snapshot = self.stepper.poll()
         before, self._polled = self._polled, time.perf_counter()
+        for _ in range(self._too_many(snapshot)):
+            snapshot = self.stepper.poll()
         if snapshot is not None:
             self.latest = snapshot
             self._remaining.note(self._polled, snapshot.progress)
             self._shown = False
             # It was made after the last copy was taken, perhaps right after.
-            self._stale = self._skipped and self._polled - before > STALE
+            late = self._skipped and self._polled - before > STALE
+            self._stale = late and snapshot.kept == 0
         self._skipped = False
+
+    def _too_many(self, snapshot: Snapshot | None) -> int:
+        """How many copies that show how the curve grew are to be left out, so that the others
+        can be shown while the run goes on."""
+        left = self._remaining.seconds()
+        if snapshot is None or self._pictured is None or left is None:
+            return 0
+        interval = self._polled - self._pictured
+        many = (snapshot.kept + 1) * interval / left - 1.0 if left > 0.0 else math.inf
+        return int(min(max(many, 0.0), snapshot.kept))
 
     def _drawn_share(self) -> float:
         """The share of every strand that is to be seen by now."""

@@ -9,6 +9,7 @@ Both ways give the same curve to the last bit.
 
 from __future__ import annotations
 
+import math
 import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -23,6 +24,10 @@ from ..model.least_bend import Stiffening
 from ..model.problem import Problem, open_flow
 from ..model.whole_files import FileError
 
+# A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
+# long as those copies have no more points than this, which take 100 MB.
+GROWTH_STEP, GROWTH_POINTS = 1.0 / 16.0, 2_000_000
+
 
 @dataclass(frozen=True)
 class Snapshot:
@@ -35,6 +40,7 @@ class Snapshot:
     seconds: float
     progress: float  # how far the run is, in [0, 1]; core.Context.progress
     phase: str  # what it is about; core.Context.phase
+    kept: int = 0  # how many copies of growth come after this one
 
 
 class Stepper:
@@ -56,6 +62,7 @@ class Stepper:
         # What is to be said of a run that a defect of the library has ended; its result is the
         # curve of the last iteration that ended well, as if it had been cancelled then.
         self.defect = ""
+        self._length = 0.0  # about what the curve is going to have
         self.density: np.ndarray | None = None  # per vertex, once the run has been prepared
         # Of the result, once there is one: what it leaves empty, unless it was cancelled, and which
         # strands are guides.
@@ -75,6 +82,7 @@ class Stepper:
         """
         try:
             self._begin()
+            self._flow.keep_growth(GROWTH_STEP * self._length, GROWTH_POINTS)
             self._flow.start(self._context)
             self._started = True
         except Exception as error:
@@ -115,13 +123,16 @@ class Stepper:
             self._stop_reason = "running"
 
     def _prepare(self) -> None:
-        opened = open_flow(self.problem)
+        opened = open_flow(self.problem, accept=self._note_cost)
         self._flow, self.density, self.surface_figures, self._opened = (
             opened.flow,
             opened.density,
             opened.figures,
             opened.problem,
         )
+
+    def _note_cost(self, cost: core.Cost) -> None:
+        self._length = cost.length if math.isfinite(cost.length) else 0.0
 
     @property
     def finished(self) -> bool:
@@ -137,7 +148,8 @@ class Stepper:
         return not self._started and self._error is None and cancelled
 
     def poll(self) -> Snapshot | None:
-        """The newest copy of the curve, once; None while there is none. Never waits.
+        """The oldest copy of growth that is left, else the newest copy, once; None while there is
+        none. Never waits.
 
         The run makes the next one only when this one has been taken.
         """
@@ -231,7 +243,8 @@ class Stepper:
         nodes: int,
         length: float,
         seconds: float,
+        kept: int = 0,
     ) -> Snapshot:
         return Snapshot(
-            polylines, iterations, nodes, length, seconds, self._progress, self._phase
+            polylines, iterations, nodes, length, seconds, self._progress, self._phase, kept
         )

@@ -51,10 +51,13 @@ class Window:
         }
         manager.progress_begin(0.0, 100.0)
 
-    def picture_due(self) -> bool:
-        """Whether the curve may be shown again without taking too much from the solver."""
+    def picture_due(self, growth: bool) -> bool:
+        """Whether the curve may be shown again without taking too much from the solver.
+
+        growth   whether pictures of how the curve grew are waiting
+        """
         pace = self._paces["WINDOW"]
-        due = pace.tick(time.perf_counter(), time.thread_time())
+        due = pace.tick(time.perf_counter(), time.thread_time(), growth)
         if pace.slow and self._smoothing is None:
             self._smoothing = self._smooth("OFF")
         return due

@@ -977,7 +977,8 @@ typedef struct meander_preview {
   uint32_t nodes;
   double length;  /* of the curve */
   double seconds; /* of all iterations */
-  uint64_t reserved[4];
+  uint64_t kept;  /* copies of growth that come after this one; see meander_flow_keep_growth */
+  uint64_t reserved[3];
 } meander_preview;
 
 /* Prepares the struct; see "Structs".
@@ -985,6 +986,19 @@ typedef struct meander_preview {
  * preview      receives struct_size and zeros
  * struct_size  sizeof(meander_preview) */
 MEANDER_API meander_status meander_preview_init(meander_preview* preview, size_t struct_size);
+
+/* Has started runs keep copies of the curve while it grows, for hosts that show how it grew. Growth
+ * takes a small part of a run, and on a large mesh is over before a window has been drawn once.
+ *
+ * length_step  a copy is kept whenever the curve has become longer by this, in the caller's units,
+ *              than it was at the copy that was kept last; 0, as in a new flow: none is
+ * point_limit  none is kept that would make more points than this of those that have not been taken
+ *              out: a point takes 48 bytes
+ *
+ * meander_flow_get_preview gives them in the order in which they were made. For all starts from
+ * now on; each begins with none. Between two runs only. */
+MEANDER_API meander_status meander_flow_keep_growth(meander_flow* flow, double length_step,
+                                                    size_t point_limit, meander_error* error);
 
 /* The newest copy of the curve of a started run, until meander_flow_wait. The run makes one at the
  * start, and then one after its present iteration whenever the last one has been taken out, so a run

@@ -2,6 +2,7 @@
 //
 // Runs in the background, and previews of them.
 #include <algorithm>
+#include <cmath>
 
 #include "api/structs.h"
 
@@ -23,6 +24,16 @@ meander_status meander_flow_wait(meander_flow* flow, meander_error* error) {
   });
 }
 
+meander_status meander_flow_keep_growth(meander_flow* flow, double length_step, size_t point_limit,
+                                        meander_error* error) {
+  return guard(error, [&] {
+    require_idle(flow);
+    require(std::isfinite(length_step) && length_step >= 0,
+            "The length step of copies is negative or not finite; give 0 for none.");
+    flow->job.keep_growth(length_step, point_limit);
+  });
+}
+
 meander_status meander_preview_init(meander_preview* preview, size_t struct_size) {
   return init_struct(preview, struct_size);
 }
@@ -35,11 +46,11 @@ meander_status meander_flow_get_preview(meander_flow* flow, meander_preview* pre
     require_started(flow);
     require(point_count != nullptr && strand_count != nullptr, "A pointer for a count is NULL.");
     require_struct(preview);
-    flow->job.with_preview([&](const Preview& p) {
+    flow->job.with_preview([&](const Preview& p, size_t kept) {
       const size_t points = p.polylines.point_count(), strands = p.polylines.closed.size();
       const bool fits = points <= point_capacity && strands <= strand_capacity;
       if (fits) require(positions && offsets && closed, "An array for the polylines is NULL.");
-      write_struct(preview, {0, p.serial, p.iterations, p.nodes, p.length, p.seconds, {}});
+      write_struct(preview, {0, p.serial, p.iterations, p.nodes, p.length, p.seconds, kept, {}});
       *point_count = points;
       *strand_count = strands;
       if (!fits) return false;

@@ -72,7 +72,7 @@ constexpr auto cost_layout() {
 constexpr auto preview_layout() {
   using S = meander_preview;
   return std::to_array<size_t>({sizeof(S), AT(struct_size), AT(serial), AT(iterations), AT(nodes), AT(length),
-                                AT(seconds), AT(reserved)});
+                                AT(seconds), AT(kept), AT(reserved)});
 }
 
 constexpr auto flow_statistics_layout() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/job.h"
 
+#include <algorithm>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -26,13 +27,21 @@ Job::~Job() {
   if (thread_.joinable()) thread_.join();
 }
 
+void Job::keep_growth(double length_step, size_t point_limit) {
+  length_step_ = length_step;
+  point_limit_ = point_limit;
+}
+
 void Job::start(Flow& flow, std::shared_ptr<RunControl> control) {
   control_ = std::move(control);
   if (control_) control_->begin();
   reason_ = StopReason::kRunning;
   error_ = nullptr;
-  newest_.serial = 0;
+  serial_ = 0;
+  kept_.clear();
+  kept_points_ = 0;
   copy(flow);
+  kept_length_ = newest_.length;
   running_ = true;
   try {
     thread_ = std::thread([this, &flow] { work(flow, control_.get()); });
@@ -58,6 +67,7 @@ void Job::work(Flow& flow, RunControl* control) noexcept {
     reason_ = flow.run([&] { return quit_ || (control && control->cancelled); },
                        [&](double progress) {
                          if (control) control->tell(flow, progress);
+                         keep(flow);
                          if (wanted_) copy(flow);
                        });
   } catch (...) {
@@ -67,21 +77,55 @@ void Job::work(Flow& flow, RunControl* control) noexcept {
 }
 
 void Job::copy(const Flow& flow) {
+  fill_next(flow);
+  std::lock_guard lock(mutex_);
+  std::swap(newest_, next_);
+  wanted_ = taken_ = false;
+}
+
+/// Keeps a copy where the curve has grown by a step.
+void Job::keep(const Flow& flow) {
+  if (!(length_step_ > 0)) return;
+  const double length = flow.length() * flow.surface().scale();
+  if (length < kept_length_ + length_step_) return;
+  kept_length_ = length;
+  const size_t points = polyline_point_count(flow.curve());
+  {
+    std::lock_guard lock(mutex_);
+    if (points > point_limit_ - std::min(point_limit_, kept_points_)) return;
+  }
+  fill_next(flow);
+  std::lock_guard lock(mutex_);
+  kept_.push_back(std::exchange(next_, Preview()));
+  kept_points_ += points;
+}
+
+void Job::fill_next(const Flow& flow) {
   const double scale = flow.surface().scale();
-  next_.serial = newest_.serial + 1;  // nobody else writes it
+  next_.serial = ++serial_;
   next_.iterations = static_cast<uint32_t>(flow.history().size());
   next_.nodes = flow.curve().size();
   next_.length = flow.length() * scale;
   next_.seconds = flow.seconds().total;
   next_.polylines.copy_from(flow.surface(), flow.curve(), flow.normals());
-  std::lock_guard lock(mutex_);
-  std::swap(newest_, next_);
-  wanted_ = false;
 }
 
-void Job::with_preview(const std::function<bool(const Preview&)>& take) {
+void Job::with_preview(const std::function<bool(const Preview&, size_t)>& take) {
   std::lock_guard lock(mutex_);
-  if (take(newest_)) wanted_ = true;
+  if (kept_.empty() || (!taken_ && newest_.serial < kept_.front().serial)) {
+    taken_ |= take(newest_, kept_.size());
+    wanted_ = taken_ && kept_.empty();
+    return;
+  }
+  if (!take(kept_.front(), kept_.size() - 1)) return;
+  kept_points_ -= kept_.front().polylines.point_count();
+  // The newest one stays the newest, also where it was made before what has been kept.
+  if (newest_.serial < kept_.front().serial) {
+    std::swap(newest_, kept_.front());
+    taken_ = true;
+  }
+  kept_.pop_front();
+  if (kept_.empty()) wanted_ = true;
 }
 
 StopReason Job::wait() {

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -47,6 +49,10 @@ class Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
+  /// For the runs that follow: copies are kept whenever the curve is longer by `length_step`, in the
+  /// caller's units, than at the last, but no more points than `point_limit` at once. 0: none.
+  void keep_growth(double length_step, size_t point_limit);
+
   /// Makes the first copy of the curve, and begins flow.run() on a thread; `control` may be null.
   void start(Flow& flow, std::shared_ptr<RunControl> control);
 
@@ -56,9 +62,10 @@ class Job {
   /// The worker has not ended yet. Any thread.
   bool running() const { return running_; }
 
-  /// Calls `take` with the newest copy, which stays as it is meanwhile. When `take` returns true the
-  /// worker makes another copy after its present iteration, else this one stays the newest.
-  void with_preview(const std::function<bool(const Preview&)>& take);
+  /// Calls `take` with the oldest copy that has not been taken, of growth or the newest, and with how
+  /// many of growth come after it; it stays as it is meanwhile. When `take` returns true it is the next
+  /// one's turn, which the worker makes after its present iteration where there is none yet.
+  void with_preview(const std::function<bool(const Preview&, size_t)>& take);
 
   /// Joins the worker; why it ended. Throws again what the worker threw.
   StopReason wait();
@@ -66,13 +73,20 @@ class Job {
  private:
   void work(Flow& flow, RunControl* control) noexcept;
   void copy(const Flow& flow);
+  void fill_next(const Flow& flow);
+  void keep(const Flow& flow);
 
   std::shared_ptr<RunControl> control_;
   std::atomic<bool> running_{false}, quit_{false};
   std::atomic<bool> wanted_{false};  // the newest copy has been taken
-  std::mutex mutex_;                 // of newest_
+  std::mutex mutex_;                 // of newest_ and kept_, and of what is about them
   Preview newest_;
+  bool taken_ = false;  // newest_ has been taken
   Preview next_;  // the worker's: filled without the lock, then swapped in
+  std::deque<Preview> kept_;
+  size_t kept_points_ = 0, point_limit_ = 0;
+  double length_step_ = 0, kept_length_ = 0;  // of the last copy that was kept, which is the worker's
+  uint32_t serial_ = 0;                       // of the last copy: the worker's
   StopReason reason_ = StopReason::kRunning;
   std::exception_ptr error_;
   std::thread thread_;
