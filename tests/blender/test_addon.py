@@ -13,7 +13,7 @@ import meander
 import pytest
 from meander.run import estimates, session
 from meander.run.plan import plan_run
-from meander.ui import look_panel, panels, strand_panel, term_panels
+from meander.ui import look_panel, panels, run_operators, strand_panel, term_panels
 from scenes import activate, cube, fill, poly_curve, sphere
 from watched_runs import begin, tick_until
 
@@ -173,7 +173,7 @@ def test_weights_panel_warns_of_what_is_seldom_meant():
 def test_panel_on_a_result():
     fill(cube(), 0.5)
     shown = draw(panels.MEANDER_PT_main)
-    assert {"Cube", "Continue", "Start Over"} <= set(shown)
+    assert {"Cube", "Continue", "Fill Again"} <= set(shown)
     shown = draw(panels.MEANDER_PT_figures)
     assert shown[0] == "One closed line" and shown[1] == "Even" and shown[2].endswith(" %")
     live = {"Profile", "Radius", "Resolution", "Lift", "By Spacing", "Solid View"}
@@ -213,9 +213,37 @@ def test_panel_after_esc(windowed):
     running.suspend()
     shown = draw(panels.MEANDER_PT_main)
     assert "Fill with Curve" in shown
-    assert [text for text in shown if text.startswith("Resume at ")]
+    assert [text for text in shown if text.startswith("Continue at ")]
     surface.meander.spacing = 0.2
-    assert not [text for text in draw(panels.MEANDER_PT_main) if text.startswith("Resume")]
+    assert not [text for text in draw(panels.MEANDER_PT_main) if text.startswith("Continue")]
+
+
+def test_three_verbs_say_what_they_keep(windowed):
+    """Once there is a curve, on it and on its mesh: it goes on, is replaced, or stays."""
+    result = fill(sphere(), 0.5)
+    surface = result.meander.surface
+    kept = {
+        (result, (("restart", False),)): "keeps its strands",
+        (result, (("restart", True),)): "keeps the looks",
+        (surface, (("restart", False),)): "keeps the looks",
+        (surface, (("beside", True),)): "leaves the curve",
+    }
+    for (thing, options), says in kept.items():
+        activate(thing)
+        given = {"restart": False, "beside": False, **dict(options)}
+        tip = run_operators.MEANDER_OT_run.description(bpy.context, SimpleNamespace(**given))
+        assert says in tip, tip
+    assert "keeps all" in run_operators.MEANDER_OT_resume.bl_description
+    activate(result)
+    result.meander.spacing = 0.05
+    running = session.Session(plan_run(bpy.context))
+    running.start(bpy.context)
+    tick_until(running, lambda: running.latest and running.latest.iterations > 0)
+    running.suspend()
+    # A run that was ended goes on, in the place of one that would begin anew from the same curve.
+    shown = draw(panels.MEANDER_PT_main)
+    buttons = [text for text in shown if text.startswith(("Continue", "Fill", "New"))]
+    assert buttons[0].startswith("Continue at ") and buttons[1:] == ["Fill Again"]
 
 
 def test_panel_says_what_to_expect():

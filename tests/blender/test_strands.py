@@ -186,7 +186,7 @@ def test_a_result_with_guides_goes_on_and_they_still_stay():
         figures = result.meander.figures
         assert (figures.strands, figures.first_guide, figures.guides) == (2, 1, 1)
     result.data.splines.remove(result.data.splines[0])
-    assert "use Start Over" in refused(result)
+    assert "use Fill Again" in refused(result)
 
 
 def test_guides_can_be_left_out_of_the_result():
@@ -280,7 +280,7 @@ def test_parts_are_bridged_to_one_line_and_come_apart_to_go_on(capfd):
     spline = result.data.splines[0]
     spline.points.add(1)
     spline.points[-1].co = (0.3, 0.3, 0.0, 1.0)
-    assert "its bridges cannot be taken out; use Start Over" in refused(result)
+    assert "its bridges cannot be taken out; use Fill Again" in refused(result)
 
 
 def test_a_line_of_bridges_made_light_still_comes_apart():

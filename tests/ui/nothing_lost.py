@@ -167,7 +167,7 @@ def clicks_during_a_run() -> Generator[float, None, dict]:
 
 
 def esc_and_resume(before: dict) -> Iterator[float]:
-    step("Esc in the view ends a run, and Resume goes on with it")
+    step("Esc in the view ends a run, and Continue goes on with it")
     key("ESC", at=middle_of("VIEW_3D"))
     yield from until(ended, "the end after Esc")
     assert_nothing_left_over()

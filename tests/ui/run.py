@@ -167,7 +167,7 @@ def enter() -> Iterator[float]:
 
 
 def start_over_and_stop() -> Iterator[float]:
-    step("Start Over, and the Stop button")
+    step("Fill Again, and the Stop button")
     press_run(restart=True)
     yield 0.5
     picture("4_start_over")

@@ -202,6 +202,6 @@ def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart:
     if active.meander.guides is not None or active.meander.guide_collection is not None:
         raise DataError(
             f"'{active.name}' has drawn guides and an outline, which cannot be told apart; use "
-            "Start Over"
+            "Fill Again"
         )
     return False

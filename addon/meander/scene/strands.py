@@ -69,7 +69,7 @@ def parts_of(
     if not known:
         raise DataError(
             f"'{active.name}' has other splines than its run has left, so that its guides cannot "
-            "be told from them; use Start Over"
+            "be told from them; use Fill Again"
         )
     pieces = [(0, begin, False), (begin, end, True), (end, count, False)]
     parts = []
@@ -97,7 +97,7 @@ def _without_bridges(
     if found is None:
         raise DataError(
             f"'{result.name}' has other points than its run has left, so that its bridges cannot "
-            "be taken out; use Start Over"
+            "be taken out; use Fill Again"
         )
     seed, line, count = found
     if fixed_ends:
@@ -123,7 +123,7 @@ def check_on_surface(
         if farthest(points, vertices, faces) > distance:
             raise DataError(
                 f"'{part.name}' does not lie on its surface as that is now; go to the frame in "
-                "which it was made, or use Start Over"
+                "which it was made, or use Fill Again"
             )
 
 

@@ -12,9 +12,9 @@ import bpy
 _ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
     (
         ("run", "", {}),
-        ("run", "Start Over", {"restart": True}),
+        ("run", "Fill Again", {"restart": True}),
         ("run", "New Curve", {"beside": True}),
-        ("resume", "Resume Filling", {}),
+        ("resume", "Continue Filling", {}),
         ("stop", "Stop Filling", {}),
     ),
     (

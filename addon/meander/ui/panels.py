@@ -83,12 +83,13 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         kept = suspended.run_of(active)
         if kept is not None:
             # What has its whole length is still being made even.
-            text = f"Resume at {min(100.0 * kept.progress, 99.0):.0f} %"
+            text = f"Continue at {min(100.0 * kept.progress, 99.0):.0f} %"
             column.operator(MEANDER_OT_resume.bl_idname, text=text, icon="PLAY")
         if is_result(active):
-            column.operator(MEANDER_OT_run.bl_idname, text="Continue", icon="PLAY")
+            if kept is None:
+                column.operator(MEANDER_OT_run.bl_idname, text="Continue", icon="PLAY")
             column.operator(
-                MEANDER_OT_run.bl_idname, text="Start Over", icon="FILE_REFRESH"
+                MEANDER_OT_run.bl_idname, text="Fill Again", icon="FILE_REFRESH"
             ).restart = True
         elif last_result(active, scene) is None:
             column.operator(MEANDER_OT_run.bl_idname, icon="PLAY")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that grow a curve: Fill with Curve, the question before a large run, Resume, Stop.
+"""The buttons that grow a curve: Fill with Curve, the question before a large run, Continue, Stop.
 
 In a window, filling is modal: the native library runs on a thread of its own, where no Python is,
 and a timer shows how the curve grows. execute() is the same run without a window, for scripts and
@@ -24,6 +24,7 @@ from ..run.suspended import SuspendedRun
 from ..scene.blender_versions import ask
 from ..scene.errors import DataError
 from ..scene.fillable import is_result, why_not
+from ..scene.results import last_result
 from ..scene.settings import surface_of
 from .on_result import LINKED, is_linked
 from .preferences import is_large
@@ -189,7 +190,7 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
     _queue: Queue
 
     restart: BoolProperty(
-        name="Start Over",
+        name="Fill Again",
         description="Start from the seed again instead of going on from the curve",
         default=False,
         options={"HIDDEN", "SKIP_SAVE"},
@@ -212,16 +213,23 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
         return poll_run(cls, context)
 
     @classmethod
-    def description(cls, _context: bpy.types.Context, options: Any) -> str:
-        if options.restart:
-            return "Fill the surface again from the seed, and replace this curve"
+    def description(cls, context: bpy.types.Context, options: Any) -> str:
+        active = context.active_object
         if options.beside:
-            return "Fill the mesh with another curve, and leave the one that it has"
+            return "Fill the mesh with another curve; leaves the curve that it has as it is"
+        if options.restart or last_result(active, context.scene) is not None:
+            return (
+                "Fill the surface from its seed again; keeps the looks, materials and modifiers "
+                "of the curve, and replaces its line"
+            )
+        if is_result(active):
+            return (
+                "Go on from this line until it fits the settings; keeps its strands and, as far "
+                "as may be, its turns, and all its looks"
+            )
         return (
             "Grow a curve on the active mesh until it fills the surface at the spacing, then on "
-            "the others that are selected. In Edit Mode it fills the selected faces. "
-            "Filling it again updates that curve, which keeps its looks. On a curve made so "
-            "before, go on from there"
+            "the others that are selected. In Edit Mode it fills the selected faces"
         )
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -316,7 +324,11 @@ class MEANDER_OT_resume(Watched, bpy.types.Operator):
     """Let the run that was ended last go on from where it was"""
 
     bl_idname = "meander.resume"
-    bl_label = "Resume"
+    bl_label = "Continue"
+    bl_description = (
+        "Let the run that was ended last go on from where it was; keeps all that has grown in it, "
+        "and the curve from before until it ends"
+    )
     bl_options = {"UNDO"}
 
     @classmethod
