@@ -19,6 +19,7 @@ from scenes import (
     packing,
     poly_curve,
     refused,
+    sphere,
     world_splines,
 )
 
@@ -145,6 +146,23 @@ def test_all_selected_meshes_are_filled_one_after_another():
     assert results[third].meander.bevel_share == pytest.approx(0.2)
     for surface, curve in results.items():
         assert farthest_from(surface, curve) < 1e-3
+
+
+def test_an_automatic_spacing_is_each_ones_own():
+    large, words = sphere(2.0), text()
+    activate(large)
+    words.select_set(True)
+    large.meander.bevel_share = 0.35
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    of_ball, of_words = large.meander.last_result, words.meander.last_result
+    assert of_words.meander.bevel_share == pytest.approx(0.35)
+    # As if it had been filled alone, and not with a spacing that its letters have no room for.
+    alone = text()
+    activate(alone)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert of_words.meander.spacing == alone.meander.last_result.meander.spacing
+    assert of_words.meander.spacing < 0.5 * of_ball.meander.spacing
+    assert of_words.meander.figures.evenness > 0.7
 
 
 # ------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ import bpy
 from .. import core
 from ..model.estimate import Estimate, together
 from ..scene.errors import DataError
+from ..scene.flow_options import options_of
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of, settings_to_change
@@ -29,6 +30,9 @@ class Queue:
         """
         self._waiting = [Key(thing) for thing in objects_of(context)]
         self._active = Key(context.active_object)
+        # A spacing of 0 is worked out for each; the first run writes down what it came to.
+        automatic = settings_of(context.active_object).spacing == 0.0
+        self._each_its_own = frozenset({"spacing"} if automatic else ())
         self._home = HomeScene(context.scene, context.view_layer)
         self._restart, self._beside = restart, beside
         self._count = len(self._waiting)
@@ -56,7 +60,7 @@ class Queue:
         if thing is None or self._home.find(thing) is None:
             return None
         if active is not None and thing != active:
-            adopt(settings_of(active), settings_to_change(thing))
+            adopt(settings_of(active), settings_to_change(thing), self._each_its_own)
         with self._home.entered(context, thing) as home:
             depsgraph = home.evaluated_depsgraph_get()
             return plan_of(thing, home.scene, depsgraph, self._restart, self._beside)
@@ -64,13 +68,15 @@ class Queue:
     def estimate_of_rest(self, context: bpy.types.Context, first: Plan) -> Estimate | None:
         """What all of them come to, the first of which is planned; None where that is not known."""
         found = []
+        settings = settings_of(self._active.find())
         depsgraph = context.evaluated_depsgraph_get()
         for key in [None, *self._waiting]:
             try:
                 plan = first if key is None else plan_of(key.find(), context.scene, depsgraph)
                 if key is not None and is_untouched(settings_of(key.find())):
-                    # It will take the choices of the active one, the spacing above all.
-                    options = first.problem.options
+                    # It will take the choices of the active one.
+                    spacing = plan.spacing if self._each_its_own else first.spacing
+                    options = options_of(settings, spacing)
                     plan = replace(plan, problem=replace(plan.problem, options=options))
                 found.append(estimates.of_plan(plan))
             except (DataError, core.MeanderError):  # which its run will report

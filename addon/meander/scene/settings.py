@@ -54,8 +54,13 @@ def is_untouched(settings: bpy.types.PropertyGroup) -> bool:
     )
 
 
-def adopt(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGroup) -> None:
-    """Gives settings that nobody has touched the choices that another object has made.
+def adopt(
+    source: bpy.types.PropertyGroup,
+    target: bpy.types.PropertyGroup,
+    without: frozenset[str] = frozenset(),
+) -> None:
+    """Gives settings that nobody has touched the choices that another object has made, but for
+    some.
 
     Only numbers, switches and choices: names and objects belong to the mesh that they are of.
     """
@@ -64,7 +69,7 @@ def adopt(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGroup) -> N
     for name in copied(target):
         kind = source.bl_rna.properties[name].type
         own = kind in {"POINTER", "STRING", "COLLECTION"} or name.endswith("_source")
-        if not own and source.is_property_set(name):
+        if not own and name not in without and source.is_property_set(name):
             setattr(target, name, getattr(source, name))
 
 
