@@ -154,6 +154,71 @@ def flowing() -> None:
 
 
 @scene
+def bust() -> None:
+    """Rows that follow strokes: round neck and shoulders, and down the face."""
+    parts = [suzanne()]
+    parts[0].rotation_euler = (math.radians(-12.0), 0.0, 0.0)
+    parts[0].location.z = 1.1
+    bpy.ops.mesh.primitive_cylinder_add(vertices=48, radius=0.48, depth=1.4, location=(0, 0.2, 0.2))
+    parts.append(active())
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=48, ring_count=24, location=(0, 0.2, -0.35))
+    parts.append(active())
+    parts[-1].scale = (1.35, 0.62, 0.42)
+    figure = carved("Bust", parts, 0.035)
+
+    rings = [
+        [(radius * math.cos(t), 0.2 + depth * math.sin(t), height) for t in _ROUND]
+        for radius, depth, height in ((0.48, 0.48, 0.25), (1.1, 0.5, -0.1), (1.35, 0.62, -0.45))
+    ]
+    lines = [[(x, y, z / 10) for z in range(4, 20)] for x, y in ((-0.4, -2), (0.4, -2), (0.0, 2))]
+    figure.meander.alignment_strokes = strokes_on(figure, rings + lines)
+    line = fill(figure, 0.075, alignment_source="STROKES", alignment_weight=4.0)
+    dress(figure, PALE, 0.6)
+    dress(line, DARK, 0.45)
+    place(figure, line, camera=(2.6, -7.0, 2.6), target=(0.0, 0.0, 0.62), lens=66.0)
+
+
+# Angles of a ring.
+_ROUND = [2.0 * math.pi * k / 40 for k in range(41)]
+
+
+def carved(name: str, parts: list[bpy.types.Object], voxel: float) -> bpy.types.Object:
+    """One surface round all parts, which go."""
+    bpy.ops.object.select_all(action="DESELECT")
+    for part in parts:
+        part.select_set(True)
+    bpy.context.view_layer.objects.active = parts[0]
+    bpy.ops.object.convert(target="MESH")
+    bpy.ops.object.join()
+    figure = active()
+    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
+    figure.name = name
+    remesh = figure.modifiers.new("Remesh", "REMESH")
+    remesh.mode, remesh.voxel_size, remesh.use_smooth_shade = "VOXEL", voxel, True
+    smooth = figure.modifiers.new("Smooth", "SMOOTH")
+    smooth.iterations = 12
+    bpy.ops.object.convert(target="MESH")
+    return figure
+
+
+def strokes_on(
+    thing: bpy.types.Object, lines: list[list[tuple[float, float, float]]]
+) -> bpy.types.Object:
+    """A curve object of lines, each point where the surface is nearest to it."""
+    data = bpy.data.curves.new("Strokes", "CURVE")
+    data.dimensions = "3D"
+    for line in lines:
+        spline = data.splines.new("POLY")
+        spline.points.add(len(line) - 1)
+        for point, place_of in zip(spline.points, line):
+            point.co = (*thing.closest_point_on_mesh(place_of)[1], 1.0)
+    strokes = bpy.data.objects.new("Strokes", data)
+    bpy.context.scene.collection.objects.link(strokes)
+    strokes.hide_render = True
+    return strokes
+
+
+@scene
 def concentric() -> None:
     """A plate with holes: strands parallel to its borders."""
     corners = [(-1.2, -0.9), (1.2, -0.9), (1.2, 0.9), (-1.2, 0.9)]
