@@ -295,7 +295,7 @@ def test_directions_start_full_unless_growth_is_asked_for(
 ) -> None:
     shares = []
     for extra, start in (((), "FULL"), (("--start", "grow"), "GROW")):
-        given = ("--spacing", "0.08", "--direction", "y", "--alignment", "1", *extra)
+        given = ("--spacing", "0.08", "--direction", "y", "--alignment", "2", *extra)
         code, _out, err = run(square, *given, "--quiet")
         assert code == 0, err
         curve = mesh_files.read_obj_curve(tmp_path / "out.obj")

@@ -207,17 +207,24 @@ TEST(Deformation, PlateRollsUp) {
   }
 }
 
-// A field that the curve follows moves with the faces as well: here its lines stay along the tube.
+// A field that the curve follows moves with the faces as well: here its lines stay along the tube, and as sure as they
+// were.
 TEST(Deformation, LinesOfAFieldRide) {
   const Mesh mesh = tube();
   const Mesh moved = bent(mesh, 5, 0.5 * kPi, 1.5);
   const Surface a = make_surface(mesh), b = make_surface(moved);
-  const VertexData<Vec3> along(mesh.vertex_count(), Vec3(0, 0, 1));
-  LineField field(a, along, false);
+  VertexData<Vec3> rising(mesh.vertex_count(), Vec3::Zero());
+  for (size_t v = 0; v < rising.size(); ++v) {
+    const Vec3 p = mesh.at(static_cast<uint32_t>(v));
+    rising[v] = Vec3(p.x(), p.y(), std::hypot(p.x(), p.y()));  // half along the tube, half away from it
+  }
+  LineField field(a, rising, false);
+  const LineField before = field;
   field.ride(a, b);
   for (uint32_t f = 0; f < b.face_count(); ++f) {
     const SurfacePoint p = make_point(f, 0.3, 0.3, 0.4);
-    const Vec3 line = b.to_space(f, field.at(p));
+    const Vec3 line = b.to_space(f, unit(field.at(p)));
+    EXPECT_NEAR(norm(field.at(p)), norm(before.at(p)), 0.02);
     // The edge of this face that ran along the tube.
     Vec3 edge = Vec3::Zero();
     for (uint32_t k = 0; k < 3; ++k) {
@@ -225,7 +232,7 @@ TEST(Deformation, LinesOfAFieldRide) {
       const Vec3 was = mesh.at(w) - mesh.at(v);
       if (std::abs(was.z()) > 0.99 * was.norm()) edge = moved.at(w) - moved.at(v);
     }
-    EXPECT_NEAR(std::abs(line.dot(edge.normalized())), 1, 1e-6);
+    EXPECT_NEAR(std::abs(line.dot(edge.normalized())), 1, 2e-3);  // a face is flat, and leans from its corners
   }
 }
 

@@ -193,6 +193,23 @@ TEST(LineField, HasNoSignAndNoLength) {
   }
 }
 
+/// A vector that stands up from the surface by an angle is as sure of its line as the cosine of that angle.
+TEST(LineField, IsAsSureAsItsVectorsLieInTheSurface) {
+  const Surface s = make_surface(flat_grid(2, 0));
+  for (const double angle : {0.0, 0.3, 1.0, 1.5}) {
+    const Vec3 rising(0.6 * std::cos(angle), 0.8 * std::cos(angle), std::sin(angle));
+    for (const bool across : {false, true}) {
+      const LineField field(s, VertexData<Vec3>(std::vector<Vec3>(s.vertex_count(), 7 * rising)), across);
+      for (uint32_t f = 0; f < s.face_count(); ++f) {
+        const Vec2 line = field.at(make_point(f, 1, 2, 1));
+        EXPECT_NEAR(dot(line, line), std::cos(angle), 1e-12);
+        const Vec3 expected = across ? Vec3(-0.8, 0.6, 0) : Vec3(0.6, 0.8, 0);
+        EXPECT_NEAR(std::abs(s.to_space(f, unit(line)).dot(expected)), 1, 1e-12);
+      }
+    }
+  }
+}
+
 TEST(LineField, WishesForNothingWhereVectorsAreMissing) {
   const Surface s = make_surface(flat_grid(2, 0));
   const double nan = std::numeric_limits<double>::quiet_NaN();

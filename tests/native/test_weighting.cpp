@@ -79,6 +79,14 @@ struct Scene {
     field = LineField(*surface, lines, false);
   }
 
+  /// The weight of Geman and McClure's error at the angle between the segment after node i and the field.
+  double robust(uint32_t i) const {
+    const Vec2 line = field.at(curve.nodes[i]);
+    if (!curve.has_segment(i)) return 1;  // an end has no segment after it
+    const double cosine = dot(line, curve.shapes[i].leaving) / norm(line);
+    return 1 / ((2 - cosine * cosine) * (2 - cosine * cosine));
+  }
+
   Weights weights(Phase phase) {
     LocalMetric metric = even_metric(curve, kRadius, settings.max_radius);
     if (!radius.empty()) metric.radius = radius;
@@ -258,20 +266,32 @@ TEST(Weighting, OfAFieldNeedsOneAndAWeight) {
           const bool aligned = has_field && weight > 0;
           EXPECT_EQ(w.alignment.size(), aligned ? s.curve.size() : 0u);
           EXPECT_EQ(w.field.size(), w.alignment.size());
-          if (aligned) expect_all(w.alignment, weight);
           for (uint32_t i = 0; i < w.field.size(); ++i) {
             const Vec2 line = s.field.at(s.curve.nodes[i]);
             EXPECT_EQ(w.field[i].x, line.x);
             EXPECT_EQ(w.field[i].y, line.y);
+            EXPECT_NEAR(w.alignment[i], weight * (polish ? s.robust(i) : 1), weight * kRounding);
           }
-          // The push: as much as beta in growth, .35 beta in a polish, up to 2 and 1.6.
-          const double push = phase == Phase::kGrowing ? std::min(weight, 2.0) : std::min(0.35 * weight, 1.6);
+          // The push: as much as beta in growth, a quarter of it in a polish, up to 2 and 1.1.
+          const double push = phase == Phase::kGrowing ? std::min(weight, 2.0) : std::min(0.25 * weight, 1.1);
           const double usual = phase == Phase::kGrowing ? 0.7 : 0.4;
           expect_all(w.length, usual - (aligned && polish ? push : 0));
         }
       }
     }
   }
+}
+
+/// A turn at the end of a row weighs a quarter of what lies along the field, and everything between lies between.
+TEST(Weighting, WhatLiesAcrossTheFieldHardlyWeighs) {
+  Scene s;
+  s.add_strand({{0, 0}, {1, 0}, {1, 1}, {2, 2}, {3, 2}}, false);
+  s.settings.polish = true;
+  s.settings.alignment_weight = 2;
+  s.field = LineField(*s.surface, VertexData<Vec3>(std::vector<Vec3>(s.surface->vertex_count(), Vec3(3, 0, 0))), false);
+  const Weights w = s.weights(Phase::kPolishing);
+  const double expected[] = {2, 0.5, 2 / 2.25, 2, 2};
+  for (uint32_t i = 0; i < 5; ++i) EXPECT_NEAR(w.alignment[i], expected[i], kRounding) << i;
 }
 
 /// In proportion to how sure the field is, squared, and to the room that there is.
@@ -317,7 +337,7 @@ TEST(Weighting, YoungStrandsAreLetGrow) {
             EXPECT_EQ(w.bending[i], young ? 0 : 0.3);
             EXPECT_EQ(w.length[i], young ? std::min(length_weight, 0.0) : length_weight);
             if (field) {
-              EXPECT_EQ(w.alignment[i], young ? 0 : 1);
+              EXPECT_NEAR(w.alignment[i], young ? 0 : s.settings.polish ? s.robust(i) : 1, kRounding);
             }
           }
         }

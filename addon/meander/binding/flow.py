@@ -212,8 +212,9 @@ class Flow(Handle):
     def set_directions(self, directions: ArrayLike | None, kind: str = "along") -> None:
         """Gives the field of lines that the option alignment_weight refers to, before any step.
 
-        directions  (vertex count of the surface, 3) float64, of any length and either sign; zero
-                    or not finite: no wish there. None: takes a field back
+        directions  (vertex count of the surface, 3) float64, of any length and either sign; what
+                    stands up from the surface counts less, by the sine of its angle with the
+                    normal. Zero or not finite: no wish there. None: takes a field back
         kind        one of ALIGNMENTS: the curve lies along the field, or across it
 
         Raises MeanderError for an array that does not fit, a field without any direction in the

@@ -889,12 +889,14 @@ enum {
 };
 
 /* Sets the field of lines that the option alignment_weight refers to (eq. 11, Fig. 21). Without a
- * field the weight does nothing. To be called after meander_flow_create and before the first
- * iteration; a second call replaces the first.
+ * field the weight does nothing. With a polish, strands that turn across the field count less (by
+ * Geman and McClure's error): rows have to end in hairpins. To be called after meander_flow_create
+ * and before the first iteration; a second call replaces the first.
  *
  * directions    double[3 * vertex_count]: a vector in space at every vertex, of any length and either
- *               sign; only its part in the surface counts. 0 0 0, NaN or infinite: no preference there.
- *               NULL: takes a field back
+ *               sign. Its part in the surface is the line; the weight is multiplied by the sine of the
+ *               angle between the vector and the normal, since what stands up from the surface says
+ *               little. 0 0 0, NaN or infinite: no preference there. NULL: takes a field back
  * vertex_count  as passed to meander_surface_create; 0 for NULL
  * alignment     MEANDER_ALIGNMENT_...
  *

@@ -127,7 +127,7 @@ inline constexpr double kPolishBalance = 0.8, kPolishBalanceSlope = 0.05;
 /// the share of the length within 15 degrees of the field is the same wherever the seed lies, which with beta = 2 it
 /// is not.
 inline constexpr double kAlignedGrowth = 1, kMostAlignedGrowth = 2;
-inline constexpr double kAlignedPolish = 0.35, kMostAlignedPolish = 1.6;
+inline constexpr double kAlignedPolish = 0.25, kMostAlignedPolish = 1.1;
 
 /// Where strands are nearer than the smaller of these, in local spacings, nothing pushes them along the field; from the
 /// larger on all of it does. Measured in the second of these commits: hand_closed had a packing of 1.31 without.

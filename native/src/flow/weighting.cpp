@@ -31,15 +31,32 @@ struct Weighting {
   }
 };
 
+/// The squared sine of the angle between the segment after node i and the field there; 0 without either.
+double square_across_field(const Weighting& w, uint32_t i) {
+  if (!w.state.curve.has_segment(i)) return 0;
+  const Vec2 line = w.weights.field[i];
+  const double square = dot(line, line), along = dot(line, w.state.curve.shapes[i].leaving);
+  return square > 0 ? std::clamp(1 - along * along / square, 0.0, 1.0) : 0;
+}
+
 /// The field at the nodes, and how much it weighs there (eq. 11).
+///
+/// Rows end in hairpins, and no weight changes that: pulled along the field, a tip only draws the strands beside it
+/// together. So what lies across counts by the robust error of Geman and McClure, s^2 / (1 + s^2) in place of s^2 for
+/// the sine s; its weight, the derivative by s^2, falls to a quarter at a right angle. Without a polish the term is
+/// eq. 11 as it stands.
 void align(const Weighting& w) {
   w.weights.alignment.clear();
   w.weights.field.clear();
   if (!w.aligned()) return;
-  w.weights.alignment.assign(w.size(), w.settings().alignment_weight);
+  w.weights.alignment.resize(w.size());
   w.weights.field.resize(w.size());
   w.pool.for_blocks(w.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) w.weights.field[i] = w.state.domain.directions.at(w.state.curve.nodes[i]);
+    for (uint32_t i = static_cast<uint32_t>(begin); i < end; ++i) {
+      w.weights.field[i] = w.state.domain.directions.at(w.state.curve.nodes[i]);
+      const double robust = w.settings().polish ? 1 / (1 + square_across_field(w, i)) : 1;
+      w.weights.alignment[i] = robust * robust * w.settings().alignment_weight;
+    }
   });
 }
 
@@ -181,24 +198,15 @@ void stiffen_at_boundary(const Weighting& w) {
   });
 }
 
-/// Where the curve lies along the field from its start the push need not make it longer: less of it before the polish,
-/// and more in it, where alignment is lost. Aligned and near_target along the x axis with a weight of 4, bunny and spot:
-/// .860 .925 and .808 .859 with the push of what grows, .886 .897 and .829 .834 so; with a weight of 6 and the push of
-/// what grows .875 .906 and .821 .808.
-constexpr double kFullStartGrowth = 0.6, kFullStartPolish = 1.5;
-
 double growing_push(const Weighting& w) {
   const FlowSettings& s = w.settings();
   if (!w.aligned() || !s.polish) return 0;
-  const double push = std::min(tuning::kAlignedGrowth * s.alignment_weight, tuning::kMostAlignedGrowth);
-  return s.full_start ? kFullStartGrowth * push : push;
+  return std::min(tuning::kAlignedGrowth * s.alignment_weight, tuning::kMostAlignedGrowth);
 }
 
 double polish_push(const Weighting& w) {
   if (!w.aligned()) return 0;
-  const FlowSettings& s = w.settings();
-  const double push = std::min(tuning::kAlignedPolish * s.alignment_weight, tuning::kMostAlignedPolish);
-  return s.full_start ? kFullStartPolish * push : push;
+  return std::min(tuning::kAlignedPolish * w.settings().alignment_weight, tuning::kMostAlignedPolish);
 }
 
 /// As the options say.

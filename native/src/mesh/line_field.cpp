@@ -18,7 +18,7 @@ Vec2 square_root(Vec2 square) {
 }
 
 LineField::LineField(const Surface& surface, const VertexData<Vec3>& directions, bool across) {
-  // Almost perpendicular to its face: what is left of a vector in the face's plane means nothing.
+  // Almost perpendicular to its face: what is left of a unit vector in the face's plane means nothing.
   constexpr double kLeastTangential = 1e-3;
   std::vector<Vec2> square(3 * surface.face_count());
   bool any = false;
@@ -33,7 +33,7 @@ LineField::LineField(const Surface& surface, const VertexData<Vec3>& directions,
       const Vec2 flat{v.dot(x), v.dot(y)};
       if (!(norm(flat) > kLeastTangential)) continue;
       const Vec2 line = unit(across ? Vec2{0, 1} * flat : flat);
-      square[3 * f + k] = line * line;
+      square[3 * f + k] = norm(flat) * (line * line);
       any = true;
     }
   }
@@ -48,7 +48,7 @@ void LineField::ride(const Surface& from, const Surface& to) {
       const Vec2 line = square_root(square);
       const double b = line.y / c2.y, a = (line.x - b * c2.x) / c1.x;
       const Vec2 moved = unit(a * d1 + b * d2);
-      square = norm(line) > 0 ? moved * moved : Vec2{};
+      square = norm(line) > 0 ? norm(square) * (moved * moved) : Vec2{};
     }
   }
 }

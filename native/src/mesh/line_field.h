@@ -14,14 +14,15 @@ namespace meander {
 /// A square root of a number of the plane; the other one is its negative.
 Vec2 square_root(Vec2 square);
 
-/// Lines have no sign, so what is blended over a face are the squares of unit vectors, read as complex
-/// numbers (Knoppel et al. 2013). Where the corners of a face disagree the blend is shorter than 1, and
-/// at a singularity it vanishes: there the field has no direction.
+/// Lines have no sign, so what is blended over a face are their squares, read as complex numbers (Knoppel
+/// et al. 2013), of a length that says how sure a line is. Where the corners of a face disagree the blend is
+/// shorter than they are, and at a singularity it vanishes: there the field has no direction.
 class LineField {
  public:
   LineField() = default;
 
-  /// Vectors in space, of any length; no direction where it is zero or not finite.
+  /// Vectors in space, of any length; no direction where one is zero or not finite. A line is as sure as the sine of
+  /// the angle between its vector and the normal: what stands up from the surface says little of a direction in it.
   /// `across`: the lines at right angles to them.
   LineField(const Surface& surface, const VertexData<Vec3>& directions, bool across);
 
