@@ -14,6 +14,7 @@ add_custom_target(addon
           --licence "${PROJECT_SOURCE_DIR}/LICENSE"
           --licence "${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md"
           --pages "${PROJECT_SOURCE_DIR}/docs"
+          --wheels "${PROJECT_SOURCE_DIR}/build/wheels"
           --output "${addon_zip}"
   DEPENDS meander abi
   COMMENT "Packing ${addon_zip}" VERBATIM)

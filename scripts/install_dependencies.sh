@@ -18,12 +18,15 @@
 #
 # With --build it installs what scripts/build.sh needs and nothing else.
 #
+# In any case it fetches the wheels that scripts/wheels.txt names into build/wheels, for the add-on's
+# zip. Only a release needs them: elsewhere a Python index that cannot be reached is no failure.
+#
 # Running it again costs nothing: it fetches only what is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 header_packages=(libeigen3-dev libnanoflann-dev libopenmesh-dev)
-build_packages=(ccache cmake ninja-build g++ pkgconf python3 python3-markdown
+build_packages=(ca-certificates ccache cmake ninja-build g++ pkgconf python3 python3-markdown python3-venv
   "${header_packages[@]}" libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
 blender_packages=(blender python3-numpy python3-pytest libegl1 libgl1 libgl1-mesa-dri xvfb xauth)
@@ -132,6 +135,23 @@ venv() {
     echo "$*" >"$folder/.complete"
   fi
 }
+
+# wheels - those that the zip brings, whole or not at all, and whatever version was there before
+wheels() {
+  local part=build/wheels.part
+  if [ "$(cat build/wheels/.complete 2>/dev/null)" = "$(cat scripts/wheels.txt)" ]; then return; fi
+  rm -rf "$part"
+  venv /usr/bin/python3 build/wheel-tools pip
+  build/wheel-tools/bin/python -m pip download --quiet --disable-pip-version-check --require-hashes \
+    --no-deps --only-binary :all: --dest "$part" -r scripts/wheels.txt || return 1
+  cp scripts/wheels.txt "$part/.complete"
+  rm -rf build/wheels
+  mv "$part" build/wheels
+}
+if ! wheels; then
+  echo "The wheels for the add-on's zip were not fetched: it will write no embroidery by itself." >&2
+  [ $package_tools -eq 0 ] || exit 1
+fi
 
 for version in "${bpy_versions[@]}"; do # about 1 GB each
   python=$(python_of "$version")

@@ -69,8 +69,8 @@ def of_platform(text: str) -> tuple[str, Path]:
     return platform, Path(path)
 
 
-def manifest_for(manifest_file: Path, platforms: list[str]) -> bytes:
-    """The manifest, with these as its platforms."""
+def manifest_for(manifest_file: Path, platforms: list[str], wheels: list[Path]) -> bytes:
+    """The manifest, with these as its platforms, and the wheels that Blender is to install."""
     named = ", ".join(f'"{platform}"' for platform in platforms)
     text, count = re.subn(
         r"(?m)^platforms = \[.*\]$",
@@ -79,11 +79,18 @@ def manifest_for(manifest_file: Path, platforms: list[str]) -> bytes:
     )
     if count != 1:
         raise SystemExit(f"{manifest_file}: no line platforms = [...], which is replaced in a zip")
+    if wheels:
+        paths = ", ".join(f'"./wheels/{wheel.name}"' for wheel in wheels)
+        text = re.sub(r"(?m)^(platforms = .*)$", rf"\1\nwheels = [{paths}]", text)
     return text.encode()
 
 
 def contents(
-    addon: Path, native: list[tuple[str, Path]], licences: list[Path], pages: Path | None
+    addon: Path,
+    native: list[tuple[str, Path]],
+    licences: list[Path],
+    pages: Path | None,
+    wheels: list[Path],
 ) -> dict[str, Path | bytes]:
     """Name inside the zip -> file, or what it holds."""
     files: dict[str, Path | bytes] = {}
@@ -96,6 +103,8 @@ def contents(
         files[f"{FOLDER}/native/{platform}/{path.name}"] = path
     for path in licences:
         files[f"{FOLDER}/{path.name}"] = path
+    for path in wheels:
+        files[f"{FOLDER}/wheels/{path.name}"] = path
     if pages is not None:
         from help_pages import help_pages  # needs a package that nobody else here does
 
@@ -134,6 +143,8 @@ def main() -> int:
     parser.add_argument("--native", type=of_platform, action="append", default=[],
                         metavar="PLATFORM=FILE", help="a library, linux-x64=FILE")  # fmt: skip
     parser.add_argument("--licence", type=Path, action="append", default=[], help="a text to add")
+    parser.add_argument("--wheels", type=Path, help="folder of the wheels that scripts/wheels.txt "
+                        "names; where it is missing, the zip has none")  # fmt: skip
     parser.add_argument("--pages", type=Path, help="folder of the pages that the panel opens")
     parser.add_argument("--output", type=Path, help="the zip to write")
     parser.add_argument("--check-only", action="store_true", help="compare versions, write nothing")
@@ -144,13 +155,16 @@ def main() -> int:
         return 0
     if arguments.output is None:
         parser.error("--output is needed unless --check-only is given")
-    files = contents(arguments.addon, arguments.native, arguments.licence, arguments.pages)
+    wheels = [] if arguments.wheels is None else sorted(arguments.wheels.glob("*.whl"))
+    files = contents(arguments.addon, arguments.native, arguments.licence, arguments.pages, wheels)
     if not arguments.native:
         parser.error("--native is needed: a zip without a library would not work")
     platforms = sorted({platform for platform, _path in arguments.native})
-    write_zip(arguments.output, files, manifest_for(arguments.addon / MANIFEST, platforms))
+    manifest = manifest_for(arguments.addon / MANIFEST, platforms, wheels)
+    write_zip(arguments.output, files, manifest)
     size = arguments.output.stat().st_size / 1024
-    print(f"{arguments.output}: {len(files)} files, {size:.0f} KiB")
+    without = "" if wheels else ", without wheels: scripts/install_dependencies.sh fetches them"
+    print(f"{arguments.output}: {len(files)} files, {size:.0f} KiB{without}")
     return 0
 
 

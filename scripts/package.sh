@@ -76,6 +76,7 @@ pack() {
   for library in "$@"; do flags+=(--native "$library"); done
   /usr/bin/python3 scripts/make_addon_zip.py --addon addon/meander --version "$version" \
     "${flags[@]}" --licence LICENSE --licence THIRD_PARTY_NOTICES.md --pages docs \
+    --wheels build/wheels \
     --output "build/release/$name.zip"
 }
 for library in "${native[@]}"; do

@@ -90,6 +90,10 @@ def main(report: str) -> None:
         raise SystemExit(f"the operator returned {result}")
     (curve,) = set(bpy.data.objects) - before
 
+    stitches = Path(report).with_suffix(".dst")
+    if bpy.ops.meander.export_toolpath(filepath=str(stitches), size=60.0) != {"FINISHED"}:
+        raise SystemExit("no embroidery was written")
+
     # Of the whole package, whatever Blender calls it here.
     preferences = bpy.context.preferences.addons[module].preferences
     preferences.most_points += 1
@@ -100,6 +104,8 @@ def main(report: str) -> None:
     found = {
         "addon": str(Path(sys.modules[module].__file__).parent),
         "libraries": loaded_libraries(),
+        "embroidery": sys.modules["pyembroidery"].__file__,
+        "stitches": stitches.stat().st_size,
         "limits": [preferences.most_points, limit],
         "cyclic": [spline.use_cyclic_u for spline in splines],
         "length": sum(length_of(spline) for spline in splines),

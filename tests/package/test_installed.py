@@ -81,6 +81,13 @@ def test_fills_with_the_operator(installed: tuple[Blender, Path]) -> None:
     assert Path(found["addon"]) == addon
     # The library comes from the profile: nothing of the checkout was used.
     assert [Path(path).parent for path in found["libraries"]] == [addon / "native" / "linux-x64"]
+    # Embroidery works without anything else, by the wheel that the zip brings.
+    assert found["stitches"] > 1000
+    if blender.kind == "blender":
+        assert Path(found["embroidery"]).is_relative_to(addon / "wheels")
+    else:
+        extensions = blender.profile / "extensions"
+        assert list(extensions.rglob("site-packages/pyembroidery/__init__.py"))
     assert found["limits"] == [500_001, 500_001], "the preferences are not those of the add-on"
     assert found["cyclic"] == [True]
     assert found["length"] > 4 * found["seed_length"], "the curve has hardly grown"

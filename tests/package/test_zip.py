@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The zip by itself: its shape, its contents, its manifest."""
 
+import hashlib
+import io
 import os
 import posixpath
 import re
@@ -59,6 +61,9 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     }
     libraries = sorted(name for name in names if name.startswith("meander/native/"))
     assert libraries == [f"meander/native/linux-x64/libmeander-{version}.so"]
+    wheels = [Path(name).name for name in names if name.startswith("meander/wheels/")]
+    wanted = re.findall(r"(?m)^(\w+)==([\d.]+) ", (ROOT / "scripts/wheels.txt").read_text())
+    assert [tuple(name.split("-")[:2]) for name in wheels] == wanted
     presets = {name for name in names if name.startswith("meander/presets/meander/")}
     assert {Path(name).stem for name in presets} == {
         "Even", "Flowing", "Organic", "Few_Corners", "Rows", "As_Published"
@@ -108,6 +113,22 @@ def test_every_page_of_the_help_reads_by_itself(addon_zip: Path) -> None:
             target = name if not path else target
             assert target in pages, f"{name}: {link}"
             assert not heading or heading in pages[target].names, f"{name}: {link}"
+
+
+def test_wheels_are_those_of_the_list_with_their_licences(addon_zip: Path, manifest: dict) -> None:
+    with zipfile.ZipFile(addon_zip) as archive:
+        wheels = [name for name in archive.namelist() if name.endswith(".whl")]
+        assert manifest["wheels"] == [f"./{name.removeprefix('meander/')}" for name in wheels]
+        notices = archive.read("meander/THIRD_PARTY_NOTICES.md").decode()
+        for name in wheels:
+            data = archive.read(name)
+            assert hashlib.sha256(data).hexdigest() in (ROOT / "scripts/wheels.txt").read_text()
+            assert name.endswith("-none-any.whl"), "it has to serve every system and Python"
+            with zipfile.ZipFile(io.BytesIO(data)) as wheel:
+                (licence,) = (one for one in wheel.namelist() if one.endswith("dist-info/LICENSE"))
+                text = " ".join(wheel.read(licence).decode().split())
+            assert text.partition("Permission is hereby")[2] in " ".join(notices.split()), name
+            assert f"## {Path(name).name.split('-')[0]}" in notices
 
 
 def test_name_and_manifest_carry_the_version(addon_zip: Path, manifest: dict) -> None:

@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat drawings as embroidery files, by the Python package pyembroidery, if it is there; no bpy."""
+"""Flat drawings as embroidery files, by the Python package pyembroidery, where it is installed or
+the add-on has its wheel; no bpy."""
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import io
+import sys
+import zipimport
 from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -28,9 +33,30 @@ _MOST_HALVINGS = 12
 _WIDEST = 1000.0
 
 
+# What the add-on's zip brings. Blender 4.2 and later install it; before, it is read as it is.
+_WHEELS = Path(__file__).resolve().parents[1] / "wheels"
+
+
+def _wheel() -> Path | None:
+    return next(iter(sorted(_WHEELS.glob(f"{PACKAGE}-*.whl"))), None)
+
+
 def is_there() -> bool:
     """Whether the package can be imported."""
-    return importlib.util.find_spec(PACKAGE) is not None
+    return importlib.util.find_spec(PACKAGE) is not None or _wheel() is not None
+
+
+def _package() -> ModuleType:
+    """The package, once is_there() is true: one that is installed comes first."""
+    if importlib.util.find_spec(PACKAGE) is None:
+        spec = zipimport.zipimporter(str(_wheel())).find_spec(PACKAGE)
+        module = sys.modules[PACKAGE] = importlib.util.module_from_spec(spec)
+        try:
+            spec.loader.exec_module(module)
+        except BaseException:
+            del sys.modules[PACKAGE]
+            raise
+    return importlib.import_module(PACKAGE)
 
 
 def missing_text(folder: str | None) -> str:
@@ -101,8 +127,7 @@ def embroidery_bytes(drawing: Drawing, title: str, suffix: str) -> bytes:
     """
     if not is_there():
         raise FileError(missing_text(None))
-    import pyembroidery
-
+    pyembroidery = _package()
     low, high = drawing.box()
     width = float((high - low)[:2].max()) * drawing.millimetres
     if width > _WIDEST:
