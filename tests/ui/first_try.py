@@ -163,6 +163,10 @@ def faults() -> Iterator[float]:
         # As an error it would be raised here, and pop up under the cursor of who presses.
         assert bpy.ops.meander.run("INVOKE_DEFAULT") == {"CANCELLED"}
     assert "scaled to nothing" in notes.of(torn)
+    notes.clear(torn)
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.propose_spacing("INVOKE_DEFAULT") == {"CANCELLED"}
+    assert "scaled to nothing" in notes.of(torn), "any button"
     yield 0.3
     picture("6_note")
     torn.scale.x = 1.0

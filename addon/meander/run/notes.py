@@ -11,23 +11,31 @@ from bpy.app.handlers import persistent
 from ..scene.identity import number_of
 from .meaning import Meaning, meaning_of
 
-# By the number of the object.
-_notes: dict[int, tuple[str, Meaning | None]] = {}
+# By the number of the object, and with who left it.
+_notes: dict[int, tuple[str, Meaning | None, str]] = {}
 
 
-def keep(thing: bpy.types.Object | None, sentence: str) -> None:
-    """Notes a sentence on an object; an empty one takes the note away."""
+def keep(thing: bpy.types.Object | None, sentence: str, by: str = "") -> None:
+    """Notes a sentence on an object, instead of the one before it.
+
+    by   which operator says so; empty: a run
+    """
+    if thing is not None:
+        _notes[number_of(thing)] = sentence, meaning_of(thing), by
+
+
+def clear(thing: bpy.types.Object | None, by: str | None = None) -> None:
+    """Takes a note away: that of one operator, or with None whosever it is."""
     if thing is None:
         return
-    if sentence:
-        _notes[number_of(thing)] = sentence, meaning_of(thing)
-    else:
+    _sentence, _meaning, left_by = _notes.get(number_of(thing), ("", None, ""))
+    if by in (None, left_by):
         _notes.pop(number_of(thing), None)
 
 
 def of(thing: bpy.types.Object) -> str:
     """The note on an object; empty where there is none, or what it was said of has changed."""
-    sentence, meaning = _notes.get(number_of(thing), ("", None))
+    sentence, meaning, _by = _notes.get(number_of(thing), ("", None, ""))
     if not sentence:
         return ""
     now = meaning_of(thing)

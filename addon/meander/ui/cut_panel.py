@@ -7,7 +7,6 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from .. import core
 from ..model.cut import light_colours, one_side
 from ..run import session
 from ..run.cutting import CutResult, cut_result, paint, paint_sides
@@ -21,7 +20,7 @@ from ..scene.solid_view import colour_corners, show_colours
 from ..scene.transforms import mean_scale
 from .on_result import NO_RESULT, OnResult
 from .points_panel import draw_light_and_points
-from .run_operators import sentence_of
+from .refusing import refusing
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 _DETAIL = "Length of the edges between the lines, in half spacings; 0 adds none"
@@ -43,25 +42,21 @@ class _Cut(OnResult):
     def poll(cls, context: bpy.types.Context) -> bool:
         return _can_adjust(cls, context) or super().poll(context)
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         result = context.active_object
         if not is_result(result):  # started anew while what it made last is active
-            self.report({"ERROR"}, NO_RESULT)
-            return {"CANCELLED"}
+            raise DataError(NO_RESULT)
         detail = max(self.detail, _FINEST) if self.detail > 0.0 else 0.0
-        try:
-            cut = cut_result(
-                result,
-                context.scene,
-                context.evaluated_depsgraph_get(),
-                detail,
-                self.middle_lines,
-                self.sides,
-            )
-            made = self.make(cut, f"{result.name} {self.suffix}")
-        except (DataError, core.MeanderError) as error:
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+        cut = cut_result(
+            result,
+            context.scene,
+            context.evaluated_depsgraph_get(),
+            detail,
+            self.middle_lines,
+            self.sides,
+        )
+        made = self.make(cut, f"{result.name} {self.suffix}")
         surface = result.meander.surface
         _show(context, made, (result, surface) if self.hide else ())
         if self.hide:

@@ -23,6 +23,7 @@ from ..scene.surface_points import strands_of_result
 from ..scene.visible import visible_strands
 from .declared import declared
 from .on_result import OnResult
+from .refusing import refusing
 from .run_operators import sentence_of
 
 _TABLES = {"CSV": ".csv", "JSON": ".json"}
@@ -192,22 +193,19 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         if not self.properties.is_property_set("file_format"):
             self._take_format_of_name()
         if not self.properties.is_property_set("layout_as"):
             self.layout_as = self._layout_by_shape(context)
         given, path, kind = Path(self.filepath), self._with_suffix(), _BY_NAME.get(self.file_format)
-        try:
-            if kind is None:
-                text, warning = self._write_table(path, context)
-            else:
-                drawing = self._write_drawing(path, kind, context)
-                text = drawing.described()
-                warning = export.crossing_warning(drawing, kind, self.option_values())
-        except (DataError, core.MeanderError, FileError) as error:
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+        if kind is None:
+            text, warning = self._write_table(path, context)
+        else:
+            drawing = self._write_drawing(path, kind, context)
+            text = drawing.described()
+            warning = export.crossing_warning(drawing, kind, self.option_values())
         becomes = f"{given.name} becomes " if given.suffix not in ("", path.suffix) else ""
         self.report({"INFO"}, f"{becomes}{path.name}: {text}")
         if warning:

@@ -13,6 +13,7 @@ from ..scene.errors import DataError
 from ..scene.light_curve import least_spacing, make_light
 from ..scene.surface_points import polylines_of
 from .on_result import OnOwnResult
+from .refusing import refusing
 from .run_operators import sentence_of
 
 
@@ -23,16 +24,16 @@ class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):
     bl_label = "Make Light"
     bl_options = {"REGISTER", "UNDO"}
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         result = context.active_object
         was_light, result.meander.use_light = result.meander.use_light, True
         try:
             light = light_of(chosen(in_panel("Make"), result.meander))
             before, after = make_light(result, light)
-        except DataError as error:
+        except DataError:
             result.meander.use_light = was_light
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+            raise
         self.report({"INFO"}, f"{result.name}: {after:,} of {before:,} points")
         curve, _index, _weights = polylines_of(result, context.evaluated_depsgraph_get())
         places = surface_crossings.of_polylines(curve, least_spacing(result))

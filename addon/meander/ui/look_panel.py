@@ -10,14 +10,13 @@ from __future__ import annotations
 import bpy
 
 from ..scene import look_material, look_modifier
-from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from ..scene.linked_settings import settings_of
 from ..scene.look_upgrade import add_look
 from ..scene.results import last_result
 from .declared import switch
 from .on_result import OnOwnResult
-from .run_operators import sentence_of
+from .refusing import refusing
 from .settings import MeanderSettings
 from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
 
@@ -38,12 +37,9 @@ class MEANDER_OT_add_look(OnOwnResult, bpy.types.Operator):
             return False
         return True
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        try:
-            add_look(context.active_object, context.evaluated_depsgraph_get())
-        except DataError as error:
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+        add_look(context.active_object, context.evaluated_depsgraph_get())
         return {"FINISHED"}
 
 

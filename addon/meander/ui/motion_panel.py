@@ -8,14 +8,12 @@ from typing import Any
 import bpy
 from bpy.props import IntProperty
 
-from .. import core
 from ..run import baking, following, session
 from ..scene import baked_frames
-from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from .declared import switch
 from .on_result import OnOwnResult
-from .run_operators import sentence_of
+from .refusing import refusing
 from .settings import MeanderSettings
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
 
@@ -25,11 +23,7 @@ class _OnResult(OnOwnResult):
 
     def _bake(self, context: bpy.types.Context, bake: Any, *arguments: Any) -> set[str]:
         result = context.active_object
-        try:
-            collection = bake(result, context, *arguments)
-        except (DataError, core.MeanderError) as error:
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+        collection = bake(result, context, *arguments)
         following.forget()
         count = len(collection.objects)
         self.report({"INFO"}, f"{collection.name}: {count} objects; {result.name} is hidden")
@@ -51,6 +45,7 @@ class MEANDER_OT_bake_motion(_OnResult, bpy.types.Operator):
         self.frame_start, self.frame_end = context.scene.frame_start, context.scene.frame_end
         return context.window_manager.invoke_props_dialog(self)
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         first, last = self.frame_start, self.frame_end
         if first > last:
@@ -75,6 +70,7 @@ class MEANDER_OT_bake_growth(_OnResult, bpy.types.Operator):
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         return context.window_manager.invoke_props_dialog(self)
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         return self._bake(context, baking.bake_growth, context.scene.frame_start, self.every)
 

@@ -3,12 +3,11 @@
 
 import bpy
 
-from ..scene.errors import DataError
 from ..scene.fillable import why_not
 from ..scene.linked_settings import can_be_changed, settings_to_change
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
-from .run_operators import sentence_of
+from .refusing import refusing
 
 
 class MEANDER_OT_propose_spacing(bpy.types.Operator):
@@ -25,14 +24,11 @@ class MEANDER_OT_propose_spacing(bpy.types.Operator):
             return False
         return True
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         active = context.active_object
         depsgraph = context.evaluated_depsgraph_get()
-        try:
-            triangles = triangles_of(surface_of(active), depsgraph)
-        except DataError as error:
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+        triangles = triangles_of(surface_of(active), depsgraph)
         settings_to_change(active).spacing = proposed_spacing(*triangles)
         return {"FINISHED"}
 

@@ -16,6 +16,7 @@ from .declared import rows
 from .export_operator import MEANDER_OT_export_toolpath
 from .light_operator import MEANDER_OT_make_light
 from .on_result import OnResult
+from .refusing import refusing
 from .run_operators import sentence_of
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
@@ -24,16 +25,13 @@ class _PointsToObject(OnResult):
     bl_options = {"REGISTER", "UNDO"}
     kind = ""
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         result = context.active_object
         surface = result.meander.surface
         depsgraph = context.evaluated_depsgraph_get()
-        try:
-            point_attributes.refuse(self.kind)
-            strands = strands_of_result(result, depsgraph)
-        except DataError as error:
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+        point_attributes.refuse(self.kind)
+        strands = strands_of_result(result, depsgraph)
         matrix = matrix_of(surface, depsgraph)
         thickness = look.radius_of(result) * mean_scale(matrix)
         thing = point_attributes.make(

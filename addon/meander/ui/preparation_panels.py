@@ -9,11 +9,11 @@ from .. import core
 from ..model import faults
 from ..run import notes, session
 from ..scene import mesh_faults
-from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
 from .declared import row, switch
+from .refusing import refusing
 from .settings import MeanderSettings
 from .sidebar import (
     ADVANCED,
@@ -48,19 +48,16 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
             return True
         return False
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         surface = surface_of(context.active_object)
         spacing = settings_of(context.active_object).spacing
         if context.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
-        try:
-            if not spacing:
-                depsgraph = context.evaluated_depsgraph_get()
-                spacing = proposed_spacing(*triangles_of(surface, depsgraph))
-            mesh_faults.locate_faults(surface, spacing / 2.0)
-        except (DataError, core.MeanderError) as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        if not spacing:
+            depsgraph = context.evaluated_depsgraph_get()
+            spacing = proposed_spacing(*triangles_of(surface, depsgraph))
+        mesh_faults.locate_faults(surface, spacing / 2.0)
         for other in list(context.selected_objects):
             other.select_set(False)
         surface.select_set(True)

@@ -112,7 +112,7 @@ class Watched:
 
     def _new_session(self, plan: Plan, run: SuspendedRun | None = None) -> session.Session:
         """A session that asks nobody whether a wish may be large: it refuses those that are."""
-        notes.keep(plan.settings.find(), "")
+        notes.clear(plan.settings.find())
         created = session.Session(plan, run)
         created.allows = _fits
         return created

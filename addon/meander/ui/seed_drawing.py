@@ -28,7 +28,7 @@ from ..scene.fillable import why_not
 from ..scene.identity import Key
 from ..scene.seed_curves import new_seed
 from ..scene.settings import surface_of
-from .run_operators import sentence_of
+from .refusing import refusing
 from .sidebar import Sidebar
 
 _DRAW_TOOL = "builtin.draw"
@@ -284,16 +284,13 @@ class MEANDER_OT_preview_seed(bpy.types.Operator):
             return True
         return False
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         active = context.active_object
         if seed_preview.is_shown(active):
             seed_preview.hide()
             return {"FINISHED"}
-        try:
-            found = seed_preview.show(active, context)
-        except (DataError, core.MeanderError) as error:
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+        found = seed_preview.show(active, context)
         if found.warning:
             self.report({"WARNING"}, found.warning)
         counts = "one strand" if found.strands == 1 else f"{found.strands} strands"

@@ -12,7 +12,7 @@ from ..run import session
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_to_change
 from ..scene.seed_curves import new_seed, strands_of_boundary, strands_of_edges
-from .run_operators import sentence_of
+from .refusing import refusing
 
 
 def _poll(
@@ -75,16 +75,16 @@ class MEANDER_OT_seed_from_edges(bpy.types.Operator):
         # redo panel.
         return _poll(cls, context, ("EDIT", "OBJECT"), "Select edges of a mesh in Edit Mode")
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         surface, mode = context.active_object, context.active_object.mode
         _leave_edit_mode(context)
         try:
             depsgraph = context.evaluated_depsgraph_get()
             strands = strands_of_edges(surface, depsgraph, branches=self.guides)
-        except DataError as error:
+        except DataError:
             bpy.ops.object.mode_set(mode=mode)
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+            raise
         _use(self, surface, strands, self.guides)
         return {"FINISHED"}
 
@@ -104,16 +104,16 @@ class MEANDER_OT_seed_from_boundary(bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         return _poll(cls, context, ("EDIT", "OBJECT"), "Choose a mesh in Object Mode or Edit Mode")
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         surface, mode = context.active_object, context.active_object.mode
         _leave_edit_mode(context)
         try:
             depsgraph = context.evaluated_depsgraph_get()
             strands = strands_of_boundary(surface, depsgraph, selected=mode == "EDIT")
-        except DataError as error:
+        except DataError:
             bpy.ops.object.mode_set(mode=mode)
-            self.report({"ERROR"}, sentence_of(error))
-            return {"CANCELLED"}
+            raise
         _use(self, surface, strands)
         return {"FINISHED"}
 
@@ -133,6 +133,7 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         return _poll(cls, context, ("EDIT",), "Select two vertices of a mesh in Edit Mode")
 
+    @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         mesh_object = context.active_object
         mesh = bmesh.from_edit_mesh(mesh_object.data)
@@ -144,8 +145,7 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
         others = [vertex for vertex in mesh.verts if vertex.select and vertex not in picked]
         ends = [vertex.co[:] for vertex in picked + others]
         if len(ends) != 2:
-            self.report({"ERROR"}, f"{len(ends)} vertices are selected; select two, the ends")
-            return {"CANCELLED"}
+            raise DataError(f"{len(ends)} vertices are selected; select two, the ends")
         _leave_edit_mode(context)
         stroke = new_seed(mesh_object, f"{mesh_object.name} Stroke", [(np.array(ends), False)])
         settings = settings_to_change(mesh_object)
