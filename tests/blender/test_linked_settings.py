@@ -163,4 +163,5 @@ def test_a_linked_curve_says_why_nothing_can_be_changed(tmp_path):
         bpy.ops.meander.run()
     assert [tuple(point.co) for point in curve.data.splines[0].points] == before
     assert "linked from another file" in labels()
-    assert not bpy.ops.meander.choose_settings.poll()
+    for name in ("choose_settings", "propose_spacing", "use_preset", "add_preset"):
+        assert not getattr(bpy.ops.meander, name).poll(), name

@@ -6,7 +6,9 @@ from __future__ import annotations
 import bpy
 
 from ..run import session
+from ..scene.fillable import is_result, why_not
 from ..scene.linked_settings import is_from_file
+from ..scene.settings import surface_of
 
 NO_RESULT = "Choose a curve that Meander has made"
 LINKED = "The curve is linked from another file"
@@ -15,6 +17,18 @@ LINKED = "The curve is linked from another file"
 def is_linked(result: bpy.types.Object) -> bool:
     """Whether a curve is from another file, and what is changed in it would not be saved."""
     return is_from_file(result) or is_from_file(result.data)
+
+
+def can_choose(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    """Whether the active object has settings that can be chosen; else the message says why not."""
+    active = context.active_object
+    if surface_of(active) is None:
+        cls.poll_message_set(why_not(active))
+        return False
+    if is_result(active) and is_linked(active):
+        cls.poll_message_set(LINKED)
+        return False
+    return True
 
 
 class OnResult:

@@ -3,10 +3,11 @@
 
 import bpy
 
-from ..scene.fillable import why_not
+from ..run.window import redraw
 from ..scene.linked_settings import can_be_changed, settings_to_change
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.settings import surface_of
+from .on_result import can_choose
 from .refusing import refusing
 
 
@@ -19,10 +20,7 @@ class MEANDER_OT_propose_spacing(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        if surface_of(context.active_object) is None:
-            cls.poll_message_set(why_not(context.active_object))
-            return False
-        return True
+        return can_choose(cls, context)
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -53,6 +51,7 @@ class MEANDER_OT_choose_settings(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         settings_to_change(context.active_object)
+        redraw("UI")
         return {"FINISHED"}
 
 

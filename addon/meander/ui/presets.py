@@ -21,9 +21,8 @@ from bpy.props import StringProperty
 
 from ..run.window import redraw
 from ..scene.blender_versions import add_preset_path, remove_preset_path
-from ..scene.fillable import why_not
 from ..scene.linked_settings import lent
-from ..scene.settings import surface_of
+from .on_result import can_choose
 
 SUBDIR = "meander"
 # Its folder presets/meander has the presets of the add-on.
@@ -100,13 +99,6 @@ def _same(value: Any, other: Any) -> bool:
     return value == other
 
 
-def _poll(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
-    if surface_of(context.active_object) is None:
-        cls.poll_message_set(why_not(context.active_object))
-        return False
-    return True
-
-
 class MEANDER_OT_use_preset(bpy.types.Operator):
     """Take the settings of this preset; the spacing, the seed and the look stay as they are"""
 
@@ -118,7 +110,7 @@ class MEANDER_OT_use_preset(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return _poll(cls, context)
+        return can_choose(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         path = Path(self.filepath)
@@ -146,7 +138,7 @@ class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return _poll(cls, context)
+        return can_choose(cls, context)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         if self.remove_name or self.remove_active:
