@@ -139,7 +139,7 @@ def test_density_panel_shows_what_its_source_needs():
     ):
         settings.density_source = source
         shown = draw(term_panels.MEANDER_PT_density)
-        assert {"Source", label, "At Low", "At High", "Ramp"} <= set(shown)
+        assert {"Source", label, "Of the spacing", "At Low", "At High", "Ramp"} <= set(shown)
     settings.density_source = "NONE"
     assert draw(term_panels.MEANDER_PT_density) == ["Source"]
 

@@ -70,6 +70,9 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         taken = active_group(settings, surface_of(owner_of(settings)))
         layout.active = choice_of(settings).varies or bool(taken)
         column = layout.column(align=True)
+        unit = column.split(factor=0.4)
+        unit.label(text="")  # the fields' own labels are below
+        unit.label(text="Of the spacing")
         column.prop(settings, "factor_0", text="At Low")
         column.prop(settings, "factor_1", text="At High")
         layout.prop(settings, "density_interpolation", text="Ramp")
