@@ -268,6 +268,79 @@ TEST(CurveBvh, BallsAmongAllAndAmongNone) {
   }
 }
 
+/// What belongs to other parts costs nothing: nobody is asked about a run that holds none of one's own.
+TEST(CurveBvh, PartsFindWhatTheyWouldAlone) {
+  Rng rng(12);
+  ThreadPool pool(2);
+  size_t limited = 0, passed_over = 0, asked = 0;
+  for (const size_t count : {1, 9, 64, 1501}) {
+    const std::vector<Vec3> points = winding(count, 0.01, rng);
+    // Some parts begin within runs, some come back, and some have no points.
+    std::vector<uint32_t> part(count);
+    for (size_t i = 0; i < count; ++i) part[i] = i > 0 && rng.below(40) > 0 ? part[i - 1] : 2 * rng.below(20);
+    CurveBvh tree;
+    tree.build(points, pool, part);
+    const auto holds = [&](uint32_t run, uint32_t of) {
+      const size_t begin = size_t{run} * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, count);
+      return std::find(part.begin() + begin, part.begin() + end, of) != part.begin() + end;
+    };
+    CurveBvh::Sight sight = sight_of(part, [&](uint32_t of, uint32_t j) { return part[j] == of; });
+    sight.share = [&, share = sight.share](size_t first, size_t last, uint32_t run) {
+      ++asked;
+      bool own = false;
+      for (size_t i = first; i < last; ++i) own = own || holds(run, part[i]);
+      EXPECT_TRUE(own);
+      return share(first, last, run);
+    };
+    std::vector<Sides> b(count);
+    for (Sides& sides : b) sides = {random_direction(rng), random_direction(rng)};
+    for (const double most : {0.03, 0.2, 4.0}) {
+      std::vector<Balls> radii(count, Balls{most, most});
+      std::vector<std::array<uint32_t, 2>> touched(count);
+      tree.largest_balls_seen(0, count, b, sight, radii, touched);
+      for (uint32_t i = 0; i < count; ++i) {
+        const auto own = [&](uint32_t j) { return part[j] == part[i]; };
+        for (size_t side = 0; side < 2; ++side) {
+          const Limit expected = brute_force_seen(points, points[i], b[i][side], most, own);
+          ASSERT_NEAR(radii[i][side], expected.radius, kRounding * expected.radius);
+          ASSERT_EQ(touched[i][side], expected.touched);
+          uint32_t alone = 0;
+          EXPECT_EQ(tree.largest_ball_of_kind(sight, part[i], points[i], b[i][side], most, alone, part[i]),
+                    radii[i][side]);
+          EXPECT_EQ(alone, expected.touched);
+          const auto counts = [&](uint32_t j) {
+            EXPECT_TRUE(holds(j / CurveBvh::kRun, part[i]));
+            return own(j);
+          };
+          EXPECT_EQ(tree.largest_ball_seen(points[i], b[i][side], most, counts, alone, part[i]), radii[i][side]);
+          limited += expected.touched != UINT32_MAX;
+          passed_over += brute_force(points, points[i], b[i][side], most) < expected.radius;
+        }
+      }
+    }
+    std::vector<uint32_t> inside;
+    for (uint32_t of = 0; of < 45; ++of) {
+      const Vec3 from(rng.in(-0.5, 0.5), rng.in(-0.5, 0.5), 0);
+      double own = 4, run = 4;  // of its points, and of all that share a run with one
+      for (uint32_t j = 0; j < count; ++j) {
+        const double apart = (points[j] - from).norm();
+        if (part[j] == of) own = std::min(own, apart);
+        if (holds(j / CurveBvh::kRun, of)) run = std::min(run, apart);
+      }
+      EXPECT_LE(tree.distance(from, 4, of), own * (1 + kRounding));
+      EXPECT_GE(tree.distance(from, 4, of), run * (1 - kRounding));
+      tree.inside(from, 0.3, inside, of);
+      for (uint32_t j = 0; j < count; ++j) {
+        const bool found = std::ranges::find(inside, j) != inside.end(), near = (points[j] - from).norm() < 0.3;
+        EXPECT_EQ(found, near && holds(j / CurveBvh::kRun, of));
+      }
+    }
+  }
+  EXPECT_GT(limited, 1000u);
+  EXPECT_GT(passed_over, 1000u) << "parts are meant to lie through each other";
+  EXPECT_GT(asked, 100u);
+}
+
 /// Of several that limit a ball equally it is the first, whichever the walk meets first.
 TEST(CurveBvh, TheFirstOfEqualsIsTouched) {
   ThreadPool pool(1);

@@ -239,6 +239,78 @@ TEST(GeodesicMedialAxis, LargeBallsDoNotSeeTheLayerAfterTheNext) {
   }
 }
 
+/// Small pieces through each other, farther than patches are compared and too small to be remote: whatever else is
+/// there, each has the balls that it has alone, with nothing of its own within reach as well.
+TEST(GeodesicMedialAxis, LoosePiecesDoNotSeeEachOther) {
+  constexpr double kSize = 2.5, kWithin = 3;  // in r
+  Rng rng(74);
+  Mesh pieces;
+  for (int k = 0; k < 40; ++k) {
+    const Eigen::Matrix3d turn =
+        Eigen::Quaterniond{rng.in(-1, 1), rng.in(-1, 1), rng.in(-1, 1), rng.in(-1, 1)}.normalized().toRotationMatrix();
+    const Vec3 place{rng.in(0, kWithin), rng.in(0, kWithin), rng.in(0, kWithin)};
+    Mesh piece = scaled(flat_grid(k % 2 == 0 ? 1 : 4), kSize);
+    for (uint32_t v = 0; v < piece.vertex_count(); ++v) {
+      const Vec3 p = place + turn * piece.at(v);
+      std::copy_n(p.data(), 3, piece.vertices.begin() + 3 * v);
+    }
+    pieces = joined(pieces, piece, 0);
+  }
+  const Surface s = make_surface(pieces);
+  const double r = 1 / s.scale(), clamp = 3;
+  ThreadPool pool(1);
+  const SurfacePatches patches(s, RadiusField(r), clamp, pool);
+  const BoundaryObstacle boundary(s, 0.25 * r, true);
+  const auto add_strands = [&](Curve& curve, uint32_t piece) {
+    Rng own(80 + piece);
+    for (int k = 0; k < 2; ++k) {
+      SurfacePoint p;
+      do p = random_point(s, own);
+      while (s.component(p.face) != piece);
+      add_walk(s, curve, p, 0.2 * r, 5, 0.3, own);
+    }
+  };
+  struct Balls {
+    NodeData<Radii> radii, euclidean;
+    NodeData<Reach> reach;
+  };
+  const auto balls_of = [&](const Curve& curve, BoundaryRule rule, bool measure) {
+    const LocalMetric metric = even_metric(curve, r, clamp * r, 0, r);
+    Frames frames;
+    compute_frames(s, curve, metric, RadiusField(r), pool, frames);
+    Balls balls;
+    const ReachScene scene{s, curve, frames, boundary, rule, &patches, metric};
+    compute_reach(scene, {}, pool, balls.reach);
+    CurveBvh tree;
+    compute_geodesic_medial_axis(s, patches, curve, frames, boundary, rule, measure, metric, balls.reach, pool, tree,
+                                 balls.radii);
+    compute_medial_axis(frames, boundary, rule, balls.reach, pool, tree, balls.euclidean);
+    return balls;
+  };
+  Curve all;
+  for (uint32_t piece = 0; piece < s.component_count(); ++piece) add_strands(all, piece);
+  for (const BoundaryRule rule : {BoundaryRule::kCentre, BoundaryRule::kObstacle}) {
+    for (const bool measure : {false, true}) {
+      const Balls together = balls_of(all, rule, measure);
+      uint32_t first = 0;
+      size_t disturbed = 0;
+      for (uint32_t piece = 0; piece < s.component_count(); ++piece) {
+        Curve curve;
+        add_strands(curve, piece);
+        const Balls alone = balls_of(curve, rule, measure);
+        for (uint32_t i = 0; i < curve.size(); ++i) {
+          EXPECT_EQ(together.radii[first + i], alone.radii[i]) << "piece " << piece << " node " << i;
+          EXPECT_EQ(together.reach[first + i], alone.reach[i]) << "piece " << piece << " node " << i;
+          disturbed += together.euclidean[first + i] != alone.euclidean[i];
+        }
+        first += curve.size();
+      }
+      EXPECT_EQ(first, all.size());
+      EXPECT_GT(disturbed, 40u) << "they are meant to be near each other through space";
+    }
+  }
+}
+
 /// The same curve with its strands in the reverse order, and closed ones beginning somewhere else. All have a multiple
 /// of `run` nodes, and those that were in a run of the tree still are. `from` receives where its nodes are in `curve`.
 Curve told_otherwise(const Curve& curve, uint32_t run, std::vector<uint32_t>& from) {

@@ -9,7 +9,8 @@ namespace meander {
 namespace {
 
 std::shared_ptr<const BoundaryObstacle> sampled_boundary(const Surface& surface, const FlowSettings& settings) {
-  return std::make_shared<const BoundaryObstacle>(surface, tuning::kBoundarySampling * settings.segment_length);
+  return std::make_shared<const BoundaryObstacle>(surface, tuning::kBoundarySampling * settings.segment_length,
+                                                 settings.medial_axis == MedialAxis::kGeodesic);
 }
 
 std::shared_ptr<const SurfacePatches> patches_for(const Surface& surface, const RadiusField& radius,

@@ -305,6 +305,7 @@ class SurfacePatches::Cutter {
     const std::vector<uint32_t>& patch = patches_.patch_of_cell_;
     centre.assign(count, Vec3::Zero());
     patches_.normal_.assign(count, Vec3::Zero());
+    patches_.component_.resize(count);
     for (std::vector<double>* each : {&area, &r, &coherence}) each->assign(count, 0);
     at_boundary.assign(count, 0);
     at_crease.assign(count, 0);
@@ -314,6 +315,7 @@ class SurfacePatches::Cutter {
       centre[patch[cell]] += c.area * c.middle;
       patches_.normal_[patch[cell]] += c.area * s_.face_normal(c.face);
       r[patch[cell]] += c.area * radius_at(c.face);
+      patches_.component_[patch[cell]] = s_.component(c.face);
     }
     for (const uint32_t cell : boundary_cells_) at_boundary[patch[cell]] = 1;
     for (const auto& [cell, crease] : crease_cells_) {

@@ -18,8 +18,7 @@ std::vector<std::vector<uint32_t>> turned_round(const std::vector<std::vector<ui
   return from;
 }
 
-/// Sheets of fewer patches hardly reach beyond what patches are compared with one by one. Ten thousand loose parts
-/// would each be told all of the others.
+/// Sheets of fewer patches hardly reach beyond what patches are compared with one by one.
 constexpr size_t kLeastMembers = 8;
 
 /// A sheet, and the patches beside it that hide anything of it, where it is not too small.

@@ -120,11 +120,14 @@ class SurfacePatches::Comparison {
   }
   float slack(uint32_t p) const { return static_cast<float>(kSlack * Cutter::kSize * cut_.r[p]); }
 
+  bool on_one_component(uint32_t p, uint32_t q) const { return patches_.component_[p] == patches_.component_[q]; }
+
   bool is_stacked(uint32_t p) const {
     if (!(cut_.area[p] > 0)) return false;
     bool stacked = false;
-    grid_.near(cut_.centre[p], kStacked * cut_.r[p],
-               [&](uint32_t q, double) { stacked = stacked || (q != p && !alike(p, q, slack(p))); });
+    grid_.near(cut_.centre[p], kStacked * cut_.r[p], [&](uint32_t q, double) {
+      stacked = stacked || (q != p && on_one_component(p, q) && !alike(p, q, slack(p)));
+    });
     return stacked;
   }
 
@@ -132,11 +135,19 @@ class SurfacePatches::Comparison {
     if (!(cut_.area[p] > 0)) return;
     const double r = cut_.r[p], far = (kReach + Cutter::kSize) * r;
     double area = 0;
-    bool one_sheet = !known_[p].rough, edged = false, opposed = false;
+    bool one_sheet = !known_[p].rough, edged = false, opposed = false, hides = false, hides_same_side = false;
     auto& near = scratch.near;
     PatchSearch& search = scratch.search;
     near.clear();
-    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) { near.emplace_back(q, squared); });
+    grid_.near(cut_.centre[p], far, [&](uint32_t q, double squared) {
+      if (on_one_component(p, q)) {
+        near.emplace_back(q, squared);
+      } else if (squared <= kReach * kReach * r * r) {
+        // Nothing of it is seen, and nobody has to ask how far it is.
+        hides = true;
+        hides_same_side = hides_same_side || !patches_.opposite(p, q);
+      }
+    });
     for (const auto& [q, squared] : near) {
       const Known& other = known_[q];
       area += static_cast<double>(other.area);
@@ -145,7 +156,10 @@ class SurfacePatches::Comparison {
       edged = edged || (other.own != Crease::kFlat && !other.bend);
       if (other.own != Crease::kFlat) note_crease(p, std::sqrt(squared), other.own, other.bend);
     }
-    patches_.traits_[p].opposed = opposed;
+    Traits& traits = patches_.traits_[p];
+    traits.opposed = opposed;
+    traits.hides = hides;
+    traits.hides_same_side = hides_same_side;
     if (one_sheet && area <= kSheets * std::numbers::pi * far * far) return;
     // All patches that are not too far from p to be seen from it.
     const double most = (kHidden + Cutter::kSize) * r;
@@ -176,8 +190,9 @@ class SurfacePatches::Comparison {
     if (hidden.empty()) return;
     std::ranges::sort(hidden);
     patches_.traits_[p].hides = true;
-    patches_.traits_[p].hides_same_side =
-        !std::ranges::all_of(hidden, [&](uint32_t q) { return patches_.opposite(p, q); });
+    Traits& traits = patches_.traits_[p];
+    traits.hides_same_side = traits.hides_same_side ||
+                             !std::ranges::all_of(hidden, [&](uint32_t q) { return patches_.opposite(p, q); });
     std::vector<HiddenGroup> groups;
     for (const uint32_t q : hidden) {
       const uint32_t group = q / HiddenGroup::kSize;

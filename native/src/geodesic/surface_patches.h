@@ -32,8 +32,9 @@ class SurfacePatches {
   }
 
   /// Whether patch q is within a few r of p through space, but not along the surface; or on a sheet that is remote from
-  /// it, however far it is.
+  /// it, or another component, however far it is.
   bool hidden(uint32_t p, uint32_t q) const {
+    if (component_[p] != component_[q]) return true;
     const auto [first, mask, first_remote, last_remote] = hidden_in_[p];
     if (mask == 0) return false;
     if (first_remote < last_remote && remote(p, sheet_[q])) return true;
@@ -140,6 +141,7 @@ class SurfacePatches {
   std::vector<uint32_t> patch_of_face_;  // or its grid, marked
   std::vector<Grid> grids_;
   std::vector<uint32_t> patch_of_cell_;
+  std::vector<uint32_t> component_;  // of the surface
   std::vector<Vec3> normal_;
   std::vector<Traits> traits_;
   std::vector<uint32_t> first_beside_, beside_;

@@ -72,12 +72,14 @@ class Clearance {
   /// No point of the boundary is nearer than this.
   double at(const Vec3& x) const { return nearest_ - (x - asked_at_).norm(); }
 
-  /// Whether one may be nearer than `far`; false only where none is.
-  bool may_be_within(const Vec3& x, double far) {
+  /// Whether one of a part of it may be nearer than `far`; false only where none is.
+  bool may_be_within(const Vec3& x, uint32_t part, double far) {
+    if (part != part_) nearest_ = 0;
     if (at(x) >= far) return false;
-    if ((x - asked_at_).norm() < kBelieved * far) return true;
+    if (part == part_ && (x - asked_at_).norm() < kBelieved * far) return true;
     asked_at_ = x;
-    nearest_ = boundary_.distance(x, std::min(kFarther * far, CurveBvh::kMostRadius));
+    part_ = part;
+    nearest_ = boundary_.distance(x, std::min(kFarther * far, CurveBvh::kMostRadius), part);
     return nearest_ < far;
   }
 
@@ -88,6 +90,7 @@ class Clearance {
 
   const CurveBvh& boundary_;
   Vec3 asked_at_ = Vec3::Constant(std::numeric_limits<double>::infinity());
+  uint32_t part_ = kNone;
   double nearest_ = 0;  // to there, at least
 };
 
@@ -143,8 +146,9 @@ class ReachFinder {
   /// Whether the boundary may limit balls of a node that are no larger than this; false only if it does not. A geodesic
   /// that ends at the boundary is no shorter than the straight line to there, and leaves a sample beside it.
   bool may_be_within(uint32_t i, double radius) {
-    return clearance_.may_be_within(scene_.frames.position[i], farthest(i, radius) + scene_.boundary.step());
+    return clearance_.may_be_within(scene_.frames.position[i], part(i), farthest(i, radius) + scene_.boundary.step());
   }
+  uint32_t part(uint32_t i) const { return scene_.surface.component(scene_.curve.nodes[i].face); }
 
   /// For what radii the boundary is looked for.
   Radii wanted(uint32_t i, const NodeData<Radii>& likely) const {
@@ -237,7 +241,8 @@ class ReachFinder {
     const auto counts = [&](uint32_t k) {
       return -scene_.boundary.inward()[k].dot(outward) >= tuning::kFacing && !hidden(i, k);
     };
-    return 2 * scene_.boundary.bvh().largest_ball_seen(scene_.frames.position[i], outward, most / 2, counts, touched);
+    return 2 * scene_.boundary.bvh().largest_ball_seen(scene_.frames.position[i], outward, most / 2, counts, touched,
+                                                         part(i));
   }
 
   bool hidden(uint32_t i, uint32_t sample) const {
@@ -257,10 +262,13 @@ class ReachFinder {
 
 }  // namespace
 
-BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step)
+BoundaryObstacle::BoundaryObstacle(const Surface& surface, double step, bool apart)
     : step_(step), tree_(sample_boundary(surface, step, edges_, inward_)) {
+  if (apart && surface.component_count() > 1) {
+    for (const HalfEdge e : edges_) parts_.push_back(surface.component(face_of(e)));
+  }
   ThreadPool alone(1);
-  bvh_.build(tree_.points(), alone);
+  bvh_.build(tree_.points(), alone, parts_);
 }
 
 void compute_reach(const ReachScene& scene, const NodeData<Radii>& likely, ThreadPool& pool, NodeData<Reach>& reach) {

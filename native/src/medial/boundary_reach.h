@@ -23,7 +23,10 @@ enum class BoundaryRule { kCentre, kObstacle };
 class BoundaryObstacle {
  public:
   /// Samples boundary *edges* at most `step` apart, so that a coarse boundary does not leak.
-  BoundaryObstacle(const Surface& surface, double step);
+  ///
+  /// `apart`  whether a component of the surface sees nothing of the boundary of another, as where distances are along
+  ///          the surface
+  BoundaryObstacle(const Surface& surface, double step, bool apart = false);
 
   const std::vector<Vec3>& samples() const { return tree_.points(); }
   /// The boundary edges that the samples lie on.
@@ -31,7 +34,8 @@ class BoundaryObstacle {
   /// Unit directions into the surface at the samples; in the middle between those of two edges at a vertex.
   const std::vector<Vec3>& inward() const { return inward_; }
   const PointTree& tree() const { return tree_; }
-  /// The samples again. Those of a loop come one after the other, as it needs them.
+  /// The samples again, in a part for each component of the surface if these are apart. Those of a loop come one after
+  /// the other, as it needs them.
   const CurveBvh& bvh() const { return bvh_; }
   /// Samples of one edge are no farther apart.
   double step() const { return step_; }
@@ -42,6 +46,7 @@ class BoundaryObstacle {
   std::vector<Vec3> inward_;
   double step_;
   PointTree tree_;
+  std::vector<uint32_t> parts_;  // of the samples; empty: there is one
   CurveBvh bvh_;
 };
 

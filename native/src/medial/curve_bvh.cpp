@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace meander {
 namespace {
@@ -79,12 +80,12 @@ struct Ball {
 
 }  // namespace
 
-void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool) {
+void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool, std::span<const uint32_t> parts) {
   points_ = points;
+  parts_ = parts;
   const uint32_t count = static_cast<uint32_t>((points.size() + kRun - 1) / kRun);
   boxes_.resize(count);
   lanes_.resize(count);
-  runs_.resize(count);
   pool.for_blocks(count, 256, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       Eigen::Vector3d low = points[k * kRun], high = low;
@@ -102,12 +103,48 @@ void CurveBvh::build(std::span<const Eigen::Vector3d> points, ThreadPool& pool) 
         boxes_[k].low[a] = rounded_down(low[a]);
         boxes_[k].high[a] = rounded_up(high[a]);
       }
-      runs_[k] = static_cast<uint32_t>(k);
     }
   });
+  list_runs_of_parts();
   nodes_.clear();
-  nodes_.reserve(count / 2 + 4);
-  if (count > 0) add_branch(nodes_, 0, count, count > kWorthThreads ? &pool : nullptr);
+  nodes_.reserve(runs_.size() / 2 + 4);
+  for (size_t part = 0; part < roots_.size(); ++part) {
+    const uint32_t first = first_[part], last = first_[part + 1];
+    if (first == last) continue;
+    roots_[part] = add_branch(nodes_, first, last, last - first > kWorthThreads ? &pool : nullptr);
+  }
+}
+
+/// Fills runs_ and first_, and makes place for the roots.
+void CurveBvh::list_runs_of_parts() {
+  const auto count = static_cast<uint32_t>(lanes_.size());
+  if (parts_.empty()) {
+    runs_.resize(count);
+    std::iota(runs_.begin(), runs_.end(), 0u);
+    first_ = {0, count};
+    roots_.assign(1, UINT32_MAX);
+    return;
+  }
+  // The parts of a run one after the other as they first come.
+  const auto for_parts_of = [&](uint32_t run, const auto& visit) {
+    const size_t begin = size_t{run} * kRun, length = std::min<size_t>(kRun, parts_.size() - begin);
+    const std::span<const uint32_t> parts = parts_.subspan(begin, length);
+    for (auto at = parts.begin(); at != parts.end(); ++at) {
+      if (std::find(parts.begin(), at, *at) == at) visit(*at);
+    }
+  };
+  roots_.assign(1 + *std::max_element(parts_.begin(), parts_.end()), UINT32_MAX);
+  first_.assign(roots_.size() + 2, 0);
+  for (uint32_t run = 0; run < count; ++run) for_parts_of(run, [&](uint32_t part) { ++first_[part + 2]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  runs_.resize(first_.back());
+  for (uint32_t run = 0; run < count; ++run) for_parts_of(run, [&](uint32_t part) { runs_[first_[part + 1]++] = run; });
+}
+
+bool CurveBvh::of_one_part(size_t begin, size_t end) const {
+  if (parts_.empty()) return true;
+  const std::span<const uint32_t> parts = parts_.subspan(begin, end - begin);
+  return std::all_of(parts.begin(), parts.end(), [&](uint32_t part) { return part == parts[0]; });
 }
 
 /// Puts the runs that come first along the widest axis before `middle`.
@@ -216,9 +253,9 @@ inline bool CurveBvh::shrinks_to(uint32_t run, const Eigen::Vector3d& x, const E
 
 /// Calls shrink(run) for the runs that a ball meets, the nearest about first; true if it has made `radius` less.
 template <bool Centred, class Shrink>
-inline void CurveBvh::visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+inline void CurveBvh::visit_runs(uint32_t part, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
                                  const Shrink& shrink) const {
-  if (nodes_.empty()) return;
+  if (!has(part)) return;
   struct Place {
     uint32_t id;
     float distance;  // squared, from the centre of the ball when it was seen
@@ -227,7 +264,7 @@ inline void CurveBvh::visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d
   constexpr int kMostPlaces = 64;
   Place stack[kMostPlaces];
   int top = 0;
-  stack[top++] = {0, 0};
+  stack[top++] = {root(part), 0};
   Ball ball(x, b, radius);
   while (top > 0) {
     const Place place = stack[--top];
@@ -254,26 +291,26 @@ inline void CurveBvh::visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d
 }
 
 double CurveBvh::largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
-                             uint32_t* touched) const {
+                             uint32_t* touched, uint32_t part) const {
   if (touched) *touched = UINT32_MAX;
   double radius = most;
-  visit_runs(x, b, radius, [&](uint32_t run) { return shrinks_to(run, x, b, radius, touched); });
+  visit_runs(part, x, b, radius, [&](uint32_t run) { return shrinks_to(run, x, b, radius, touched); });
   return radius;
 }
 
-void CurveBvh::visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+void CurveBvh::visit(uint32_t part, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
                      const std::function<bool(uint32_t run)>& shrink) const {
-  visit_runs(x, b, radius, shrink);
+  visit_runs(part, x, b, radius, shrink);
 }
 
 /// All runs whose boxes meet this one, but for those of which nothing counts; false if there are too many.
 template <class ShareOf>
-bool CurveBvh::runs_near(const Box& box, const ShareOf& share, Candidates& found) const {
+bool CurveBvh::runs_near(uint32_t root, const Box& box, const ShareOf& share, Candidates& found) const {
   found.count = 0;
   constexpr int kMostPlaces = 64;
   uint32_t stack[kMostPlaces];
   int top = 0;
-  stack[top++] = 0;
+  stack[top++] = root;
   while (top > 0) {
     const Node& n = nodes_[stack[--top]];
     Int4 meets = Int4{-1, -1, -1, -1};
@@ -382,6 +419,8 @@ double CurveBvh::largest_ball_seen_among(const Candidates& near, Seen& seen, con
 template <class ShareOf>
 bool CurveBvh::gather(size_t begin, size_t end, std::span<const std::array<Eigen::Vector3d, 2>> b,
                       std::span<const std::array<double, 2>> radii, const ShareOf& share, Candidates& near) const {
+  near.count = 0;
+  if (!of_one_part(begin, end)) return false;
   Eigen::Vector3d low = point(begin), high = low;
   for (size_t i = begin; i < end; ++i) {
     for (size_t side = 0; side < 2; ++side) {
@@ -397,7 +436,7 @@ bool CurveBvh::gather(size_t begin, size_t end, std::span<const std::array<Eigen
     box.low[axis] = rounded_down(low[axis]);
     box.high[axis] = rounded_up(high[axis]);
   }
-  return runs_near(box, share, near);
+  return runs_near(root(part(begin)), box, share, near);
 }
 
 uint32_t CurveBvh::lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
@@ -432,7 +471,7 @@ void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::arr
         if (!(r > 0)) continue;
         uint32_t point_touched = UINT32_MAX;
         r = few ? largest_ball_among(near, point(i), b[i][side], r, limiting, point_touched)
-                : largest_ball(point(i), b[i][side], r, touched.empty() ? nullptr : &point_touched);
+                : largest_ball(point(i), b[i][side], r, touched.empty() ? nullptr : &point_touched, part(i));
         if (!touched.empty()) touched[i - first][side] = point_touched;
       }
     }
@@ -440,10 +479,11 @@ void CurveBvh::largest_balls(size_t first, size_t last, std::span<const std::arr
 }
 
 double CurveBvh::largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x,
-                                      const Eigen::Vector3d& b, double most, uint32_t& touched) const {
+                                      const Eigen::Vector3d& b, double most, uint32_t& touched,
+                                      uint32_t part) const {
   touched = UINT32_MAX;
   double radius = most;
-  visit_runs(x, b, radius, [&](uint32_t run) {
+  visit_runs(part, x, b, radius, [&](uint32_t run) {
     uint32_t lanes = lanes_inside(run, x, b, radius);
     if (lanes != 0) lanes &= sight.seen(kind, run);
     return lanes != 0 && shrinks_to_lanes(run, lanes, x, b, radius, touched);
@@ -469,17 +509,17 @@ void CurveBvh::largest_balls_seen(size_t first, size_t last, std::span<const std
           if (!(r > 0)) continue;
           uint32_t& limit = touched[i - first][side];
           r = few ? largest_ball_seen_among(near, seen, point(i), b[i][side], r, limiting, limit)
-                  : largest_ball_of_kind(sight, kind, point(i), b[i][side], r, limit);
+                  : largest_ball_of_kind(sight, kind, point(i), b[i][side], r, limit, part(i));
         }
       }
     }
   }
 }
 
-double CurveBvh::distance(const Eigen::Vector3d& from, double most) const {
+double CurveBvh::distance(const Eigen::Vector3d& from, double most, uint32_t part) const {
   // A ball that grows to no side is one around the place.
   double radius = most, nearest = most * most;
-  visit_runs<true>(from, Eigen::Vector3d::Zero(), radius, [&](uint32_t run) {
+  visit_runs<true>(part, from, Eigen::Vector3d::Zero(), radius, [&](uint32_t run) {
     const Points& p = lanes_[run];
     Double2 least = both(nearest);
     for (size_t k = 0; k < kRun; k += 2) {
@@ -496,13 +536,13 @@ double CurveBvh::distance(const Eigen::Vector3d& from, double most) const {
   return radius;
 }
 
-void CurveBvh::runs_inside(const Eigen::Vector3d& centre, double radius,
+void CurveBvh::runs_inside(uint32_t part, const Eigen::Vector3d& centre, double radius,
                            const std::function<void(uint32_t run)>& visit) const {
-  if (nodes_.empty()) return;
+  if (!has(part)) return;
   constexpr int kMostPlaces = 64;
   uint32_t stack[kMostPlaces];
   int top = 0;
-  stack[top++] = 0;
+  stack[top++] = root(part);
   const Ball ball(centre, Eigen::Vector3d::Zero(), radius);
   while (top > 0) {
     const uint32_t id = stack[--top];
@@ -518,9 +558,10 @@ void CurveBvh::runs_inside(const Eigen::Vector3d& centre, double radius,
   }
 }
 
-void CurveBvh::inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const {
+void CurveBvh::inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found,
+                      uint32_t part) const {
   found.clear();
-  visit_inside(centre, radius, [&](uint32_t i) { found.push_back(i); });
+  visit_inside(centre, radius, [&](uint32_t i) { found.push_back(i); }, part);
   std::sort(found.begin(), found.end());
 }
 

@@ -24,16 +24,21 @@
 namespace meander {
 
 /// A tree of boxes, four to a node, over runs of consecutive points: neighbours on a curve are
-/// neighbours in space, so nothing has to be sorted but the runs. Queries may run on any number of
-/// threads. Refers to the points, which must outlive it; they and all queries must lie within a few
-/// units of the origin (the surface's own unit), because the boxes are kept in single precision.
+/// neighbours in space, so nothing has to be sorted but the runs. Where points belong to parts that see nothing of each
+/// other, as those of the components of a surface, each part has a tree of its own: a query costs what it would if
+/// there were no other. Queries may run on any number of threads. Refers to the points and their parts, which must
+/// outlive it; points and all queries must lie within a few units of the origin (the surface's own unit), because the
+/// boxes are kept in single precision.
 class CurveBvh {
  public:
   CurveBvh() = default;
   CurveBvh(std::span<const Eigen::Vector3d> points, ThreadPool& pool) { build(points, pool); }
 
   /// Becomes the tree of other points, in the memory that it has.
-  void build(std::span<const Eigen::Vector3d> points, ThreadPool& pool);
+  ///
+  /// `parts`  the part of each point; empty: there is only one. A run that holds points of several parts is in the tree
+  ///          of each: a query of one part may meet these few points of another
+  void build(std::span<const Eigen::Vector3d> points, ThreadPool& pool, std::span<const uint32_t> parts = {});
 
   /// The radius of the largest ball that passes through x, has its centre in direction b (unit) from
   /// it, and holds none of the points; at most `most`. It is exactly
@@ -42,8 +47,9 @@ class CurveBvh {
   ///
   /// `touched`  if not null, receives the index of the point that limits it, of several the first;
   ///            UINT32_MAX if none does
+  /// `part`     whose points are meant, here and in all other queries; of no account where there is one part
   double largest_ball(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
-                      uint32_t* touched = nullptr) const;
+                      uint32_t* touched = nullptr, uint32_t part = 0) const;
 
   /// largest_ball for the points first .. last - 1 themselves, on both sides of each, in a third of the
   /// time: neighbours on the curve find what limits them among the same few runs, which one walk
@@ -78,27 +84,27 @@ class CurveBvh {
   /// largest_ball among what counts for points of a kind; what counts is asked once for each run. `touched` receives
   /// the first point that limits it, UINT32_MAX if none does.
   double largest_ball_of_kind(const Sight& sight, uint32_t kind, const Eigen::Vector3d& x, const Eigen::Vector3d& b,
-                              double most, uint32_t& touched) const;
+                              double most, uint32_t& touched, uint32_t part = 0) const;
 
   /// largest_ball without the points j of which counts(j) is false.
   template <class Counts>
   double largest_ball_seen(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most, const Counts& counts,
-                           uint32_t& touched) const {
+                           uint32_t& touched, uint32_t part = 0) const {
     touched = UINT32_MAX;
     double radius = most;
-    visit(x, b, radius, [&](uint32_t run) {
+    visit(part, x, b, radius, [&](uint32_t run) {
       return shrinks_to_counted(run, lanes_inside(run, x, b, radius), x, b, radius, counts, touched);
     });
     return radius;
   }
 
   /// The distance of a place from the nearest point, at most `most`.
-  double distance(const Eigen::Vector3d& from, double most) const;
+  double distance(const Eigen::Vector3d& from, double most, uint32_t part = 0) const;
 
   /// Calls visit(i) for the indices of all points nearer to `centre` than `radius`, in the order of the tree.
   template <class Visit>
-  void visit_inside(const Eigen::Vector3d& centre, double radius, const Visit& visit) const {
-    runs_inside(centre, radius, [&](uint32_t run) {
+  void visit_inside(const Eigen::Vector3d& centre, double radius, const Visit& visit, uint32_t part = 0) const {
+    runs_inside(part, centre, radius, [&](uint32_t run) {
       const size_t first = size_t{run} * kRun, end = std::min<size_t>(first + kRun, points_.size());
       for (size_t i = first; i < end; ++i) {
         if ((point(i) - centre).squaredNorm() < radius * radius) visit(static_cast<uint32_t>(i));
@@ -106,7 +112,7 @@ class CurveBvh {
     });
   }
   /// The same indices in rising order.
-  void inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found) const;
+  void inside(const Eigen::Vector3d& centre, double radius, std::vector<uint32_t>& found, uint32_t part = 0) const;
 
   /// Points in a run.
   static constexpr uint32_t kRun = 8;
@@ -137,7 +143,7 @@ class CurveBvh {
     uint32_t count;
   };
   /// The runs that the balls of some neighbours may meet, but for those of which nothing counts by share(run); false if
-  /// there are too many.
+  /// there are too many, or the neighbours belong to several parts.
   template <class ShareOf>
   bool gather(size_t begin, size_t end, std::span<const std::array<Eigen::Vector3d, 2>> b,
               std::span<const std::array<double, 2>> radii, const ShareOf& share, Candidates& near) const;
@@ -145,12 +151,13 @@ class CurveBvh {
   uint32_t lanes_inside(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double radius) const;
   /// `Centred`  b is 0: the balls have one centre, x
   template <bool Centred = false, class Shrink>
-  void visit_runs(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius, const Shrink& shrink) const;
+  void visit_runs(uint32_t part, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+                  const Shrink& shrink) const;
   /// The same for templates of this header.
-  void visit(const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
+  void visit(uint32_t part, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
              const std::function<bool(uint32_t run)>& shrink) const;
   /// Calls visit(run) for the runs that a ball meets.
-  void runs_inside(const Eigen::Vector3d& centre, double radius,
+  void runs_inside(uint32_t part, const Eigen::Vector3d& centre, double radius,
                    const std::function<void(uint32_t run)>& visit) const;
 
   /// Shrinks a ball until none of these points of a run is in it; true if it had to.
@@ -201,20 +208,32 @@ class CurveBvh {
   bool shrinks_to(uint32_t run, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double& radius,
                   uint32_t* touched) const;
   template <class ShareOf>
-  bool runs_near(const Box& box, const ShareOf& share, Candidates& found) const;
+  bool runs_near(uint32_t root, const Box& box, const ShareOf& share, Candidates& found) const;
   double largest_ball_among(const Candidates& near, const Eigen::Vector3d& x, const Eigen::Vector3d& b, double most,
                             uint32_t& limiting, uint32_t& touched) const;
   double largest_ball_seen_among(const Candidates& near, Seen& seen, const Eigen::Vector3d& x,
                                  const Eigen::Vector3d& b, double most, uint32_t& limiting, uint32_t& touched) const;
   uint32_t add_branch(std::vector<Node>& nodes, uint32_t first, uint32_t last, ThreadPool* pool);
   void halve(uint32_t first, uint32_t middle, uint32_t last);
+  void list_runs_of_parts();
+  /// Where the tree of a part that has points begins.
+  uint32_t root(uint32_t part) const { return parts_.empty() ? 0 : roots_[part]; }
+  bool has(uint32_t part) const {
+    return parts_.empty() ? !nodes_.empty() : part < roots_.size() && roots_[part] != UINT32_MAX;
+  }
+  uint32_t part(size_t i) const { return parts_.empty() ? 0 : parts_[i]; }
+  /// Whether the points begin .. end - 1 are of one part.
+  bool of_one_part(size_t begin, size_t end) const;
 
   const Eigen::Vector3d& point(size_t i) const { return points_[i]; }
 
   std::span<const Eigen::Vector3d> points_;
+  std::span<const uint32_t> parts_;
   std::vector<Box> boxes_;     // of the runs
   std::vector<Points> lanes_;  // of the runs
-  std::vector<uint32_t> runs_; // in the order of the tree's leaves
+  std::vector<uint32_t> runs_; // in the order of the tree's leaves, part after part
+  std::vector<uint32_t> first_; // of the runs of each part
+  std::vector<uint32_t> roots_; // of the parts
   std::vector<Node> nodes_;
 };
 

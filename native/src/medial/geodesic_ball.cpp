@@ -128,7 +128,7 @@ bool GeodesicBall::measure(double straight, uint32_t touched, double most) {
     pass_over(touched);
     const double next = std::min(most, kMargin * least_);
     straight = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, next,
-                                             [&](uint32_t j) { return counts(j); }, touched);
+                                             [&](uint32_t j) { return counts(j); }, touched, part());
     if (touched == kNone) return true;
     if (!alike(touched)) continue;
     least_ = std::min(least_, straight);
@@ -228,7 +228,7 @@ void GeodesicBall::look_from_centre() {
     const Vec2 arriving = conj(way.turn) * ahead_;
     const uint32_t there = scene_.patches.patch_of(scene_.surface, way.point);
     const double inside = (1 - kInside) * radius;
-    scene_.tree.inside(way.position, inside, near_centre_);
+    scene_.tree.inside(way.position, inside, near_centre_, part());
     for (const uint32_t p : near_centre_) {
       if (p == node_ || !scene_.sees(node_, p)) continue;
       if (scene_.patches.opposite(there, scene_.obstacles.patch(p))) continue;
@@ -263,7 +263,7 @@ void GeodesicBall::search() {
   if (flat_known) {
     uint32_t touched;
     const auto counts = [&](uint32_t j) { return !is_own(j) && scene_.sees(node_, j) && alike(j); };
-    least_ = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, least_, counts, touched);
+    least_ = scene_.tree.largest_ball_seen(scene_.frames.position[node_], outward_, least_, counts, touched, part());
   }
   // Where no crease is within reach of the ball, or in it, that was all.
   const double to_crease = flat_known ? scene_.patches.to_crease(scene_.obstacles.patch(node_)) : 0;
@@ -342,7 +342,7 @@ void GeodesicBall::look_around(const Chart& chart, bool flat_known) {
     if (known_already(index)) return;
     const uint32_t there = scene_.obstacles.patch(index);
     if (there == patch || std::ranges::find(beside, there) != beside.end()) look_at(chart, index, position);
-  });
+  }, part());
 }
 
 void GeodesicBall::look_at(const Chart& chart, uint32_t index, const Vec3& position) {

@@ -51,6 +51,7 @@ class GeodesicBall {
 
   static constexpr uint32_t kMostStrands = 3;  // that are measured for one ball
 
+  uint32_t part() const { return scene_.obstacles.part(node_); }
   uint32_t face() const { return scene_.curve.nodes[node_].face; }
   Chart here() const { return Chart::at(scene_.curve.nodes[node_], scene_.obstacles.positions()[node_]); }
   const Vec3& normal_at(uint32_t p, uint32_t patch) const;

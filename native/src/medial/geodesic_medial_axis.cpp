@@ -85,8 +85,10 @@ class BallsOfRun {
     // An empty ball that no point limits is only a lower bound: start again from the clamp.
     if (!(radius < start) && radius < most) {
       const Vec3 &x = scene_.frames.position[i], &outward = scene_.frames.outward[i][side];
-      radius = scene_.sees_all(patch) ? scene_.tree.largest_ball(x, outward, most, creased ? &touched : nullptr)
-                                      : scene_.tree.largest_ball_of_kind(sight_, patch, x, outward, most, touched);
+      const uint32_t part = scene_.obstacles.part(i);
+      radius = scene_.sees_all(patch)
+                   ? scene_.tree.largest_ball(x, outward, most, creased ? &touched : nullptr, part)
+                   : scene_.tree.largest_ball_of_kind(sight_, patch, x, outward, most, touched, part);
     }
     if (creased) radius = measure(i, side, start, touched);
   }
@@ -132,7 +134,7 @@ void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& 
   if (kept.after) kept.after->assign(measure && patches.creased_anywhere() ? n : 0, {});
   radii.resize(n, Radii{0, 0});
   const Obstacles obstacles(surface, patches, curve, frames, boundary, rule, pool);
-  tree.build(obstacles.positions(), pool);
+  tree.build(obstacles.positions(), pool, obstacles.parts());
   const GeodesicScene scene{surface, patches, curve, frames, obstacles, tree, measure};
   const CurveBvh::Sight sight{
       obstacles.patches(), [&](uint32_t patch, uint32_t run) { return scene.lanes_seen(patch, run); },

@@ -12,11 +12,15 @@ Obstacles::Obstacles(const Surface& surface, const SurfacePatches& patches, cons
   const std::vector<Vec3>& at = with_walls_.empty() ? frames.position.values() : with_walls_;
   positions_ = at;
   patch_.resize(at.size());
+  if (surface.component_count() > 1) part_.resize(at.size());
   runs_.resize((at.size() + CurveBvh::kRun - 1) / CurveBvh::kRun);
   pool.for_blocks(runs_.size(), 64, [&](size_t, size_t first, size_t last) {
     for (size_t run = first; run < last; ++run) {
       const size_t begin = run * CurveBvh::kRun, end = std::min(begin + CurveBvh::kRun, at.size());
       for (size_t i = begin; i < end; ++i) patch_[i] = patches.patch_of(surface, point(static_cast<uint32_t>(i)));
+      for (size_t i = begin; i < end && !part_.empty(); ++i) {
+        part_[i] = surface.component(point(static_cast<uint32_t>(i)).face);
+      }
       runs_[run] = Run(patches, std::span(patch_).subspan(begin, end - begin));
     }
   });

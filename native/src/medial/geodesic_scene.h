@@ -36,6 +36,9 @@ class Obstacles {
   }
   uint32_t patch(size_t i) const { return patch_[i]; }
   std::span<const uint32_t> patches() const { return patch_; }
+  /// The component of the surface that each lies on, of which the tree has parts; empty where there is only one.
+  std::span<const uint32_t> parts() const { return part_; }
+  uint32_t part(size_t i) const { return part_.empty() ? 0 : part_[i]; }
 
   /// How a run of the tree and another one face each other, as far as is known of both as wholes.
   enum class Facing { kUnknown, kAway, kAlike };  // all of one from all of the other; nothing of one from any of it
@@ -89,7 +92,7 @@ class Obstacles {
   std::vector<Vec3> with_walls_;
   std::vector<SurfacePoint> walls_;
   std::span<const Vec3> positions_;
-  std::vector<uint32_t> patch_;
+  std::vector<uint32_t> patch_, part_;
   std::vector<Run> runs_;
 };
 
