@@ -15,6 +15,7 @@ import numpy as np
 import studio
 from meander import core
 from meander.scene import curve_writer
+from meander.scene.look_modifier import modifier_of, set_value
 
 DARK = (0.012, 0.016, 0.028)
 PALE = (0.78, 0.76, 0.72)
@@ -397,6 +398,20 @@ def cable() -> None:
     dress(line, (0.85, 0.55, 0.02), 0.35)
     striped(line, (0.02, 0.02, 0.02), 0.4)
     place(ring, line, lens=62.0)
+
+
+@scene
+def yarn() -> None:
+    """A ball of yarn, from one line, of three plies with loose fibres."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32)
+    ball = active()
+    line = fill(ball, 0.2, profile="ROPE", bevel_share=0.45)
+    modifier = modifier_of(line)
+    for name, value in (("Lift", 0.6), ("Twist", 1.8), ("Fuzz", 0.7), ("Resolution", 12)):
+        set_value(modifier, name, value)
+    dress(ball, (0.20, 0.02, 0.03), 0.9)
+    dress(line, (0.55, 0.06, 0.07), 0.9)
+    place(ball, line, lens=80.0)
 
 
 @scene

@@ -5,16 +5,18 @@ from __future__ import annotations
 
 import bpy
 
-from . import creases, nodes
+from . import creases, nodes, rope
 
 NAME = "Meander Look"
+# The number of the profile that is more than a section.
+ROPE = 4
 # Across the flat profiles, as shares of the radius: a ribbon's height and a wall's width.
 THIN = 0.3
 
 _FLOAT, _FACTOR = "NodeSocketFloat", "NodeSocketFloatFactor"
 _INPUTS = (
     (_FACTOR, "Radius", "As a share of the spacing; at 0.5 neighbours touch", 0.2, 0.0, 1.0),
-    ("NodeSocketInt", "Profile", "0 round, 1 square, 2 ribbon, 3 wall", 0, 0, 3),
+    ("NodeSocketInt", "Profile", "0 round, 1 square, 2 ribbon, 3 wall, 4 rope", 0, 0, ROPE),
     ("NodeSocketInt", "Resolution", "Sides of the round profile", 8, 3, 64),
     (_FLOAT, "Lift", "Above the surface, in radii: 0 is half sunk, 1 lies on it", 0.0),
     (
@@ -33,6 +35,7 @@ _INPUTS = (
         0.1,
         0.0,
     ),
+    *rope.INPUTS,
 )
 
 
@@ -58,16 +61,27 @@ def build() -> list[bpy.types.ID]:
     up = tree.add("ShaderNodeVectorMath", {0: normal, "Scale": height}, operation="SCALE")
     lifted = tree.add("GeometryNodeSetPosition", {"Geometry": curve, "Offset": up.outputs[0]})
 
-    profile, is_round = _profile(tree, given)
+    profile, is_round, is_rope = _profile(tree, given)
+    plies = rope.twisted(tree, lifted.outputs[0], given, thickness)
+    path = _switch(tree, is_rope, lifted.outputs[0], plies, "GEOMETRY")
     swept = tree.add(
-        "GeometryNodeCurveToMesh",
-        {"Curve": lifted.outputs[0], "Profile Curve": profile, "Fill Caps": True},
-    )
+        "GeometryNodeCurveToMesh", {"Curve": path, "Profile Curve": profile, "Fill Caps": True}
+    ).outputs[0]
     smooth = tree.add(
-        "GeometryNodeSetShadeSmooth", {"Geometry": swept.outputs[0], "Shade Smooth": is_round}
+        "GeometryNodeSetShadeSmooth", {"Geometry": swept, "Shade Smooth": is_round}
     )
+    body = smooth.outputs[0]
+    has_fuzz = tree.add(
+        "FunctionNodeCompare",
+        {"A": given["Fuzz"], "B": 0.0},
+        data_type="FLOAT",
+        operation="GREATER_THAN",
+    ).outputs[0]
+    both = tree.add("FunctionNodeBooleanMath", {0: is_rope, 1: has_fuzz}, operation="AND")
+    fuzz = rope.fuzzy(tree, body, given, thickness)
+    body = _switch(tree, both.outputs[0], body, fuzz, "GEOMETRY")
     coloured = tree.add(
-        "GeometryNodeSetMaterial", {"Geometry": smooth.outputs[0], "Material": given["Material"]}
+        "GeometryNodeSetMaterial", {"Geometry": body, "Material": given["Material"]}
     )
     tree.add("NodeGroupOutput", {"Geometry": coloured.outputs[0]})
     return [group]
@@ -87,14 +101,9 @@ def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.ty
     signed = tree.math("MULTIPLY_ADD", along, 2.0, -1.0)
     round_trip = tree.math("SUBTRACT", 1.0, tree.math("ABSOLUTE", signed))
     closed = tree.add("GeometryNodeInputSplineCyclic").outputs[0]
-    ramp = tree.add(
-        "GeometryNodeSwitch",
-        {"Switch": closed, "False": along, "True": round_trip},
-        input_type="FLOAT",
-    )
     named = (
         ("along", "FLOAT", along),
-        ("ramp", "FLOAT", nodes.visible(ramp.outputs, "Output")),
+        ("ramp", "FLOAT", _switch(tree, closed, along, round_trip, "FLOAT")),
         ("arc_length", "FLOAT", length),
         ("strand", "INT", nodes.visible(strand.outputs, "Value")),
     )
@@ -108,10 +117,24 @@ def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.ty
     return geometry
 
 
+def _switch(
+    tree: nodes.Tree,
+    switch: bpy.types.NodeSocket,
+    no: object,
+    yes: object,
+    kind: str,
+) -> bpy.types.NodeSocket:
+    node = tree.add(
+        "GeometryNodeSwitch", {"Switch": switch, "False": no, "True": yes}, input_type=kind
+    )
+    return nodes.visible(node.outputs, "Output")
+
+
 def _profile(
     tree: nodes.Tree, given: bpy.types.NodeInputs
-) -> tuple[bpy.types.NodeSocket, bpy.types.NodeSocket]:
-    """The cross section, of radius 1 with X along the surface normal, and whether it is round."""
+) -> tuple[bpy.types.NodeSocket, bpy.types.NodeSocket, bpy.types.NodeSocket]:
+    """The cross section, of radius 1 with X along the surface normal; whether it is round, and
+    whether it is that of the plies of a rope."""
 
     def chosen(number: int) -> bpy.types.NodeSocket:
         return tree.add(
@@ -122,14 +145,12 @@ def _profile(
         ).outputs[0]
 
     def size(thin: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
-        node = tree.add(
-            "GeometryNodeSwitch",
-            {"Switch": thin, "False": 2.0, "True": 2.0 * THIN},
-            input_type="FLOAT",
-        )
-        return nodes.visible(node.outputs, "Output")
+        return _switch(tree, thin, 2.0, 2.0 * THIN, "FLOAT")
 
-    is_round = chosen(0)
+    is_rope = chosen(ROPE)
+    is_round = tree.add(
+        "FunctionNodeBooleanMath", {0: chosen(0), 1: is_rope}, operation="OR"
+    ).outputs[0]
     circle = tree.add(
         "GeometryNodeCurvePrimitiveCircle", {"Resolution": given["Resolution"], "Radius": 1.0}
     )
@@ -137,9 +158,5 @@ def _profile(
         "GeometryNodeCurvePrimitiveQuadrilateral",
         {"Width": size(chosen(2)), "Height": size(chosen(3))},
     )
-    profile = tree.add(
-        "GeometryNodeSwitch",
-        {"Switch": is_round, "False": flat.outputs[0], "True": circle.outputs[0]},
-        input_type="GEOMETRY",
-    )
-    return nodes.visible(profile.outputs, "Output"), is_round
+    profile = _switch(tree, is_round, flat.outputs[0], circle.outputs[0], "GEOMETRY")
+    return profile, is_round, is_rope

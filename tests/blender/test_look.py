@@ -6,6 +6,7 @@ from __future__ import annotations
 import bpy
 import numpy as np
 import pytest
+from mathutils.kdtree import KDTree
 from meander.scene import assets, curve_reader, look, look_material, look_modifier
 from meander.scene.results import last_result
 from scenes import activate, circle_points, cube, fill, poly_curve, sphere, world_splines
@@ -189,6 +190,72 @@ def test_the_ends_of_a_body_stay_where_those_of_the_line_are():
     for end in (line[0], line[-1]):
         rings = np.linalg.norm(points - end, axis=1)
         assert np.count_nonzero(rings < 1.1 * 0.2 * 0.25) >= 8
+
+
+def islands_of(mesh: bpy.types.Mesh) -> int:
+    """How many pieces a mesh is in."""
+    parent = list(range(len(mesh.vertices)))
+
+    def root(vertex: int) -> int:
+        while parent[vertex] != vertex:
+            parent[vertex] = parent[parent[vertex]]
+            vertex = parent[vertex]
+        return vertex
+
+    for edge in mesh.edges:
+        one, other = (root(vertex) for vertex in edge.vertices)
+        parent[one] = other
+    return sum(parent[vertex] == vertex for vertex in range(len(parent)))
+
+
+@pytest.mark.parametrize("closed", [True, False])
+@pytest.mark.parametrize("plies, twist", [(2, 1.0), (3, -1.5), (5, 2.0)])
+def test_a_rope_is_as_many_plies_that_wind_round_the_line(closed: bool, plies: int, twist: float):
+    seed = poly_curve("Seed", [circle_points(0.45, 0.89)[: None if closed else 20]], closed)
+    result = fill(sphere(), SPACING, seed=seed, iteration_limit=12, profile="ROPE")
+    choose(result, Radius=0.15, Plies=plies, Twist=twist, Resolution=8)
+    mesh = body_of(result)
+    assert islands_of(mesh) == plies
+    radius = 0.15 * SPACING
+    ((line, _closed),) = world_splines(result)
+    ends = np.roll(line, -1, axis=0) if closed else line[1:]
+    begins = line if closed else line[:-1]
+    share = np.linspace(0.0, 1.0, 8, endpoint=False)[:, None, None]
+    samples = (begins + share * (ends - begins)).reshape(-1, 3)
+    points = np.array([vertex.co for vertex in mesh.vertices])
+    tree = KDTree(len(samples))
+    for number, sample in enumerate(samples):
+        tree.insert(sample, number)
+    tree.balance()
+    away = np.array([tree.find(point)[2] for point in points])
+    assert away.max() < 1.12 * radius
+    assert np.percentile(away, 95) > 0.95 * radius
+    # Each ply closes where the line does, and turns as often as it is said to.
+    edges = np.array([edge.vertices[:] for edge in mesh.edges])
+    steps = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
+    assert steps.max() < 4.0 * np.median(steps)
+    first = points[: len(points) // plies].reshape(-1, 8, 3).mean(axis=1)
+    nearest = np.array([tree.find(middle)[1] for middle in first])
+    heights = np.linalg.norm(first, axis=1) - np.linalg.norm(samples[nearest], axis=1)
+    crossed = np.count_nonzero(np.diff(np.sign(heights)) != 0)
+    length = np.linalg.norm(ends - begins, axis=1).sum()
+    turns = round(abs(twist) * length / (10.0 * radius))
+    assert crossed == pytest.approx(2 * turns, abs=0.1 * turns + 2)
+
+
+def test_fuzz_is_loose_fibres_that_have_the_colours_of_their_place():
+    result = small(profile="ROPE", bevel_share=0.15)
+    smooth = len(body_of(result).vertices)
+    choose(result, Fuzz=1.0)
+    assert np.abs(heights(result) - 1.0).max() < 3.0 * 0.15 * SPACING
+    mesh = body_of(result)
+    assert islands_of(mesh) > 500 and len(mesh.vertices) > 1.5 * smooth
+    ramp = np.empty(len(mesh.vertices), dtype=np.float32)
+    mesh.attributes["ramp"].data.foreach_get("value", ramp)
+    assert np.quantile(ramp[smooth:], 0.1) > 0.01 and np.ptp(ramp[smooth:]) > 0.9
+    # Other profiles have none.
+    result.meander.shown_profile = "ROUND"
+    assert len(body_of(result).vertices) < smooth
 
 
 def test_no_run_touches_the_look():

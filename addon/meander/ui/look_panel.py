@@ -98,8 +98,12 @@ def _draw_look(
 
     layout.prop(result.meander, "shown_profile")
     row("Radius")
-    if result.meander.shown_profile == "ROUND":
+    if result.meander.shown_profile in ("ROUND", "ROPE"):
         row("Resolution")
+    if result.meander.shown_profile == "ROPE":
+        row("Plies")
+        row("Twist")
+        row("Fuzz")
     row("Lift")
     row("Radius Follows Spacing", "By Spacing")
 

@@ -12,6 +12,7 @@ PROFILES = (
     ("SQUARE", "Square", "A bar with four edges, one side on the surface"),
     ("RIBBON", "Ribbon", "Flat on the surface"),
     ("WALL", "Wall", "Thin, and upright on the surface"),
+    ("ROPE", "Rope", "Plies that wind round one another, as in rope and yarn"),
 )
 
 
