@@ -415,6 +415,30 @@ def yarn() -> None:
 
 
 @scene
+def neon() -> None:
+    """A heart of one neon tube, with its sleeves and wires."""
+    piece = sheet("Heart", heart(), 0.01)
+    for setting, x in (("stroke_from", -0.12), ("stroke_to", 0.12)):
+        end = bpy.data.objects.new(setting, None)
+        end.location = (x, 0.3, 0.01)
+        bpy.context.scene.collection.objects.link(end)
+        setattr(piece.meander, setting, end)
+    tube = fill(piece, 0.2, bevel_share=0.13, border_distance=0.5)
+    modifier = modifier_of(tube)
+    set_value(modifier, "Lift", 2.5)
+    set_value(modifier, "Resolution", 16)
+    tube.meander.shown_ends = "NEON"
+    dress(piece, (0.02, 0.022, 0.03), 0.6)
+    dress(tube, (1.0, 0.25, 0.35), 0.3)
+    shader = tube.active_material.node_tree.nodes["Principled BSDF"]
+    shader.inputs["Emission"].default_value = (1.0, 0.06, 0.16, 1.0)
+    shader.inputs["Emission Strength"].default_value = 6.0
+    studio.add_lights(0.25)
+    studio.add_floor(0.0, (0.05, 0.05, 0.06))
+    studio.add_camera((0.6, -3.2, 4.4), (0.0, 0.02, 0.0), 72.0)
+
+
+@scene
 def moving_character() -> None:
     """A limb in three poses; the line flows on, and keeps its spacing where the skin stretches."""
     around, along, spacing = 48, 64, 0.16

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import creases, nodes, rope
+from . import creases, ends, nodes, rope
 
 NAME = "Meander Look"
 # The number of the profile that is more than a section.
@@ -36,6 +36,7 @@ _INPUTS = (
         0.0,
     ),
     *rope.INPUTS,
+    *ends.INPUTS,
 )
 
 
@@ -63,7 +64,7 @@ def build() -> list[bpy.types.ID]:
 
     profile, is_round, is_rope = _profile(tree, given)
     plies = rope.twisted(tree, lifted.outputs[0], given, thickness)
-    path = _switch(tree, is_rope, lifted.outputs[0], plies, "GEOMETRY")
+    path = nodes.switch(tree, is_rope, lifted.outputs[0], plies, "GEOMETRY")
     swept = tree.add(
         "GeometryNodeCurveToMesh", {"Curve": path, "Profile Curve": profile, "Fill Caps": True}
     ).outputs[0]
@@ -79,11 +80,12 @@ def build() -> list[bpy.types.ID]:
     ).outputs[0]
     both = tree.add("FunctionNodeBooleanMath", {0: is_rope, 1: has_fuzz}, operation="AND")
     fuzz = rope.fuzzy(tree, body, given, thickness)
-    body = _switch(tree, both.outputs[0], body, fuzz, "GEOMETRY")
+    body = nodes.switch(tree, both.outputs[0], body, fuzz, "GEOMETRY")
     coloured = tree.add(
         "GeometryNodeSetMaterial", {"Geometry": body, "Material": given["Material"]}
     )
-    tree.add("NodeGroupOutput", {"Geometry": coloured.outputs[0]})
+    whole = ends.with_ends(tree, coloured.outputs[0], lifted.outputs[0], given)
+    tree.add("NodeGroupOutput", {"Geometry": whole})
     return [group]
 
 
@@ -103,7 +105,7 @@ def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.ty
     closed = tree.add("GeometryNodeInputSplineCyclic").outputs[0]
     named = (
         ("along", "FLOAT", along),
-        ("ramp", "FLOAT", _switch(tree, closed, along, round_trip, "FLOAT")),
+        ("ramp", "FLOAT", nodes.switch(tree, closed, along, round_trip, "FLOAT")),
         ("arc_length", "FLOAT", length),
         ("strand", "INT", nodes.visible(strand.outputs, "Value")),
     )
@@ -115,19 +117,6 @@ def _with_attributes(tree: nodes.Tree, geometry: bpy.types.NodeSocket) -> bpy.ty
             domain="POINT",
         ).outputs[0]
     return geometry
-
-
-def _switch(
-    tree: nodes.Tree,
-    switch: bpy.types.NodeSocket,
-    no: object,
-    yes: object,
-    kind: str,
-) -> bpy.types.NodeSocket:
-    node = tree.add(
-        "GeometryNodeSwitch", {"Switch": switch, "False": no, "True": yes}, input_type=kind
-    )
-    return nodes.visible(node.outputs, "Output")
 
 
 def _profile(
@@ -145,7 +134,7 @@ def _profile(
         ).outputs[0]
 
     def size(thin: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
-        return _switch(tree, thin, 2.0, 2.0 * THIN, "FLOAT")
+        return nodes.switch(tree, thin, 2.0, 2.0 * THIN, "FLOAT")
 
     is_rope = chosen(ROPE)
     is_round = tree.add(
@@ -158,5 +147,5 @@ def _profile(
         "GeometryNodeCurvePrimitiveQuadrilateral",
         {"Width": size(chosen(2)), "Height": size(chosen(3))},
     )
-    profile = _switch(tree, is_round, flat.outputs[0], circle.outputs[0], "GEOMETRY")
+    profile = nodes.switch(tree, is_round, flat.outputs[0], circle.outputs[0], "GEOMETRY")
     return profile, is_round, is_rope

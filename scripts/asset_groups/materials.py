@@ -8,6 +8,8 @@ import bpy
 from . import nodes
 
 LINE = "Meander Line"
+ENDS = "Meander Ends"
+_METAL = (0.035, 0.035, 0.04)
 # From the first point of a strand to its last, or halfway round a closed one: dark, so that it is
 # read on a light surface.
 _STOPS = (
@@ -20,7 +22,23 @@ _IN_VIEWS = (0.012, 0.030, 0.150, 1.0)  # with materials as plain colours, as in
 
 def build() -> list[bpy.types.ID]:
     """Makes the materials in the open file."""
-    return [_line()]
+    return [_line(), _ends()]
+
+
+def _ends() -> bpy.types.Material:
+    material = bpy.data.materials.new(ENDS)
+    material.diffuse_color = (*_METAL, 1.0)
+    material.metallic, material.roughness = 0.8, 0.35
+    material.use_nodes = True
+    material.node_tree.nodes.clear()
+    tree = nodes.Tree(material.node_tree)
+    shader = tree.add(
+        "ShaderNodeBsdfPrincipled",
+        {"Base Color": (*_METAL, 1.0), "Metallic": 0.8, "Roughness": 0.35},
+    )
+    tree.add("ShaderNodeOutputMaterial", {"Surface": shader.outputs[0]})
+    nodes.mark(material, "Of what stands on the ends of a neon tube or a cable", "Materials")
+    return material
 
 
 def _line() -> bpy.types.Material:

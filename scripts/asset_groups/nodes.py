@@ -68,6 +68,16 @@ def visible(sockets: Any, name: str) -> bpy.types.NodeSocket:
     return next(socket for socket in sockets if socket.name == name and socket.enabled)
 
 
+def switch(
+    tree: Tree, condition: bpy.types.NodeSocket, no: object, yes: object, kind: str
+) -> bpy.types.NodeSocket:
+    """One of two values, or geometries, by a condition; `kind` is the node's input type."""
+    node = tree.add(
+        "GeometryNodeSwitch", {"Switch": condition, "False": no, "True": yes}, input_type=kind
+    )
+    return visible(node.outputs, "Output")
+
+
 def geometry_group(name: str, tip: str) -> bpy.types.NodeTree:
     """An empty Geometry Nodes group from geometry to geometry, marked as an asset."""
     group = bpy.data.node_groups.new(name, "GeometryNodeTree")

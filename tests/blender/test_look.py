@@ -258,6 +258,49 @@ def test_fuzz_is_loose_fibres_that_have_the_colours_of_their_place():
     assert len(body_of(result).vertices) < smooth
 
 
+def beyond(result: bpy.types.Object) -> tuple[list[float], set[str]]:
+    """How far the body reaches beyond each end of an open line, in radii of the line, and the
+    materials of its faces."""
+    ((line, _closed),) = world_splines(result)
+    mesh = body_of(result)
+    points = np.array([vertex.co for vertex in mesh.vertices])
+    used = {mesh.materials[polygon.material_index].name for polygon in mesh.polygons}
+    reach = []
+    for end, inner in ((line[0], line[1]), (line[-1], line[-2])):
+        outwards = (end - inner) / np.linalg.norm(end - inner)
+        near = points[np.linalg.norm(points - end, axis=1) < 0.7 * SPACING]
+        reach.append(float(((near - end) @ outwards).max()) / (0.05 * SPACING))
+    return reach, used
+
+
+def test_open_lines_have_ends_and_closed_ones_have_none():
+    # Far enough from each other that nothing else is ahead of an end.
+    seed = poly_curve("Seed", [[(0.6, -0.8, 0.0), (-0.6, -0.8, 0.0)]], False)
+    result = fill(sphere(), SPACING, seed=seed, fixed_ends=True, iteration_limit=1)
+    choose(result, Radius=0.05)
+    found = {}
+    for kind in ("FLAT", "ROUND", "NEON", "PLUG"):
+        result.meander.shown_ends = kind
+        assert result.meander.shown_ends == kind
+        found[kind] = beyond(result)
+    assert max(found["FLAT"][0]) < 0.1 and found["FLAT"][1] == {look.LINE}
+    assert found["ROUND"][0] == pytest.approx([0.97, 0.97], abs=0.05)
+    assert found["ROUND"][1] == {look.LINE}
+    assert found["NEON"][0] == pytest.approx([4.0, 4.0], abs=0.1)
+    assert found["NEON"][1] == found["PLUG"][1] == {look.LINE, look.ENDS}
+    # A plug rises by .8 of what it goes ahead.
+    assert found["PLUG"][0] == pytest.approx([10.2, 10.2], abs=0.8)
+    # One of one's own stays.
+    mine = bpy.data.materials.new("Mine")
+    choose(result, Ends_Material=mine)
+    result.meander.shown_ends = "NEON"
+    assert beyond(result)[1] == {look.LINE, "Mine"}
+    closed = small(bevel_share=0.1)
+    before = len(body_of(closed).vertices)
+    closed.meander.shown_ends = "PLUG"
+    assert len(body_of(closed).vertices) == before
+
+
 def test_no_run_touches_the_look():
     result = small()
     surface = result.meander.surface

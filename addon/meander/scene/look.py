@@ -16,7 +16,7 @@ from . import assets, look_material
 from .errors import DataError
 from .look_modifier import GROUP, copy_values, modifier_of, set_value, value_of
 
-LINE = "Meander Line"
+LINE, ENDS = "Meander Line", "Meander Ends"
 # Inputs that a run tells the look, and what keeps them, to tell them from what the user has set.
 _TOLD = {"Spacing": "look_spacing", "Radius Follows Spacing": "look_follows"}
 # Of what Blender keeps in single precision.
@@ -97,6 +97,17 @@ def _tell(
 ) -> None:
     set_value(modifier, name, value)
     setattr(curve_object.meander.figures, _TOLD[name], value)
+
+
+def give_ends_material(curve_object: bpy.types.Object) -> None:
+    """Gives what stands on the ends of a line the add-on's material, where it has none."""
+    modifier = modifier_of(curve_object)
+    wants = modifier is not None and (value_of(modifier, "Ends") or 0) > 1
+    if wants and value_of(modifier, "Ends Material") is None:
+        try:
+            set_value(modifier, "Ends Material", assets.material(ENDS))
+        except DataError:
+            pass  # it is plain then
 
 
 def radius_of(curve_object: bpy.types.Object) -> float:

@@ -104,6 +104,8 @@ def _draw_look(
         row("Plies")
         row("Twist")
         row("Fuzz")
+    if not all(spline.use_cyclic_u for spline in result.data.splines):
+        layout.prop(result.meander, "shown_ends")
     row("Lift")
     row("Radius Follows Spacing", "By Spacing")
 

@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ..scene import look_modifier
+from ..scene import look, look_modifier
 
 # The cross sections that the look of a curve has, by the numbers that its modifier keeps.
 PROFILES = (
@@ -14,18 +14,30 @@ PROFILES = (
     ("WALL", "Wall", "Thin, and upright on the surface"),
     ("ROPE", "Rope", "Plies that wind round one another, as in rope and yarn"),
 )
+# The same of the ends of open lines.
+ENDS = (
+    ("FLAT", "Flat", "Cut off"),
+    ("ROUND", "Round", "Half a ball"),
+    ("NEON", "Neon", "The sleeves and wires of a neon tube"),
+    ("PLUG", "Plug", "The plugs of a cable, which rise from the surface"),
+)
 
 
-def _shown_profile(settings: bpy.types.PropertyGroup) -> int:
+def _shown(settings: bpy.types.PropertyGroup, name: str, count: int) -> int:
     modifier = look_modifier.modifier_of(settings.id_data)
-    number = None if modifier is None else look_modifier.value_of(modifier, "Profile")
-    return min(max(int(number or 0), 0), len(PROFILES) - 1)
+    number = None if modifier is None else look_modifier.value_of(modifier, name)
+    return min(max(int(number or 0), 0), count - 1)
 
 
-def _choose_profile(settings: bpy.types.PropertyGroup, number: int) -> None:
+def _choose(settings: bpy.types.PropertyGroup, name: str, number: int) -> None:
     modifier = look_modifier.modifier_of(settings.id_data)
     if modifier is not None:
-        look_modifier.set_value(modifier, "Profile", number)
+        look_modifier.set_value(modifier, name, number)
+
+
+def _choose_ends(settings: bpy.types.PropertyGroup, number: int) -> None:
+    _choose(settings, "Ends", number)
+    look.give_ends_material(settings.id_data)
 
 
 class ProfileSettings:
@@ -42,8 +54,16 @@ class ProfileSettings:
         name="Profile",
         description="Cross section of the curve",
         items=PROFILES,
-        get=_shown_profile,
-        set=_choose_profile,
+        get=lambda settings: _shown(settings, "Profile", len(PROFILES)),
+        set=lambda settings, number: _choose(settings, "Profile", number),
+        options=set(),
+    )
+    shown_ends: EnumProperty(
+        name="Ends",
+        description="What is at the ends of open lines",
+        items=ENDS,
+        get=lambda settings: _shown(settings, "Ends", len(ENDS)),
+        set=_choose_ends,
         options=set(),
     )
     radius_follows: BoolProperty(
