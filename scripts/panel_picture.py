@@ -20,9 +20,9 @@ ROOT = Path(__file__).resolve().parents[1]
 PICTURES = ROOT / "build" / "ui"
 IMAGES = ROOT / "docs" / "images"
 # Left, top, width and height, from the upper left of a window of 1280 x 800.
-PANEL = (836, 84, 192, 462)
+PANEL = (836, 84, 192, 580)
 DIALOG = (217, 394, 366, 108)
-LOOK = (836, 456, 192, 284)
+LOOK = (836, 332, 192, 368)
 GAP = 12
 # Of what lies between the pieces, transparent.
 BACKGROUND = (0.0, 0.0, 0.0, 0.0)

@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.run import estimates, session, suspended  # noqa: E402
+from meander.run import estimates, plan, session, suspended  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
     FINE,
@@ -32,6 +32,7 @@ from stage import (  # noqa: E402
     key,
     look_at_surface,
     middle_of,
+    options_of_settings,
     picture,
     press_run,
     show_panel,
@@ -259,6 +260,7 @@ def activate_surface() -> bpy.types.Object:
 
 def large_run() -> Iterator[float]:
     step("a large run asks first")
+    plan.options_of = options_of_settings  # as everywhere but here: the question says how long
     choose_spacing(HUGE)
     yield 1.0
     with bpy.context.temp_override(**window_override()):
