@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
 
 import bpy
@@ -165,3 +166,31 @@ def test_a_linked_curve_says_why_nothing_can_be_changed(tmp_path):
     assert "linked from another file" in labels()
     for name in ("choose_settings", "propose_spacing", "use_preset", "add_preset"):
         assert not getattr(bpy.ops.meander, name).poll(), name
+
+
+# What holds a surface in the code: its settings may be in the scene, as settings_of() knows.
+SURFACES = {"surface", "surface_object", "mesh_object"}
+
+
+def reads_settings_of_a_surface(tree: ast.AST) -> list[int]:
+    """The lines that read object.meander of what may be linked."""
+    return [
+        node.lineno
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute) and node.attr == "meander"
+        and (isinstance(node.value, ast.Call) or getattr(node.value, "id", "") in SURFACES)
+    ]  # fmt: skip
+
+
+def test_settings_of_surfaces_are_read_in_one_place():
+    assert reads_settings_of_a_surface(ast.parse("surface.meander.live")) == [1]
+    assert reads_settings_of_a_surface(ast.parse("key.find().meander.live")) == [1]
+    assert reads_settings_of_a_surface(ast.parse("result.meander.live")) == []
+    package = Path(presets.__file__).parents[1]
+    found = [
+        f"{path.relative_to(package)}:{line}"
+        for room in ("scene", "run", "ui", "headless")
+        for path in sorted((package / room).glob("*.py"))
+        for line in reads_settings_of_a_surface(ast.parse(path.read_text(encoding="utf-8")))
+    ]
+    assert found == []
