@@ -123,6 +123,27 @@ def story() -> Iterator[float]:
     # One material is one colour all over: it glows everywhere, or nowhere.
     glowing = glowing_share("make_ribbon")
     assert 0.1 < glowing < 0.9, glowing
+    shading = window_override()["area"].spaces.active.shading
+    assert shading.color_type == "VERTEX"
+    yield from undo()
+    assert shading.color_type == "MATERIAL", "the view is left as it was for the ribbon"
+    yield from undo(redo=True)
+    assert shading.color_type == "VERTEX"
+
+    step("Animate Growth shows how the line grew, by the frame")
+    yield from undo()
+    assert not hidden(RESULT)
+    with bpy.context.temp_override(**window_override()):
+        assert bpy.ops.meander.animate_growth("EXEC_DEFAULT", True, frames=40) == {"FINISHED"}
+    for frame in (10, 40):
+        bpy.context.scene.frame_set(frame)
+        yield 0.7
+        picture(f"make_growth_{frame}")
+    assert changed_share("make_growth_10", "make_growth_40") > 0.02
+    # The last frame is the line itself.
+    assert changed_share("make_panel", "make_growth_40") < 0.01
+    yield from undo()
+    assert bpy.data.objects[RESULT].meander.bake is None
 
 
 panels.MEANDER_PT_output.bl_options = set()  # open, to be seen

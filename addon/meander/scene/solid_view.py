@@ -1,18 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colours of a mesh's own in Solid view, which shows one colour for each material otherwise."""
+"""Colours of a mesh's own in Solid view, which shows one colour for each material otherwise.
+
+Views that have been changed for them are given back when nothing that is seen has such colours any
+more: undo leaves the settings of views alone.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import bpy
 import numpy as np
+from bpy.app.handlers import persistent
 
 # What Solid view shows of a material nobody has given a colour, and of an object without one.
 _GRAY = 0.8
+LIGHTS = "Lights"
+# Addresses of the views that have been changed.
+_lent: set[int] = set()
 
 
-def colour_corners(mesh: bpy.types.Mesh, name: str, colours: np.ndarray) -> None:
+def colour_corners(mesh: bpy.types.Mesh, colours: np.ndarray) -> None:
     """Gives the face corners of a mesh colours, (n, 3) linear, as its active colour attribute."""
-    layer = mesh.color_attributes.new(name, "BYTE_COLOR", "CORNER")
+    layer = mesh.color_attributes.new(LIGHTS, "BYTE_COLOR", "CORNER")
     opaque = np.ones((len(colours), 4), dtype=np.float32)
     opaque[:, :3] = colours
     layer.data.foreach_set("color", opaque.ravel())
@@ -25,16 +35,30 @@ def show_colours(context: bpy.types.Context, things: list[bpy.types.Object]) -> 
     All others are plain there then; so a view is left alone where another object that it may show
     has a colour.
     """
-    others = (thing for thing in context.visible_objects if thing not in things)
+    others = (thing for thing in _seen(context) if thing not in things)
     if any(_is_coloured(thing) for thing in others):
         return
+    for space in _views(context):
+        if space.shading.color_type == "MATERIAL":
+            space.shading.color_type = "VERTEX"
+            _lent.add(space.as_pointer())
+
+
+def _views(context: bpy.types.Context) -> Iterator[bpy.types.SpaceView3D]:
+    """The 3D views of the windows that show the scene."""
     for window in context.window_manager.windows:
-        if window.scene != context.scene:
-            continue
-        for area in window.screen.areas:
-            space = area.spaces.active
-            if area.type == "VIEW_3D" and space.shading.color_type == "MATERIAL":
-                space.shading.color_type = "VERTEX"
+        if window.scene == context.scene:
+            for area in window.screen.areas:
+                if area.type == "VIEW_3D":
+                    yield area.spaces.active
+
+
+def _seen(context: bpy.types.Context) -> list[bpy.types.Object]:
+    return [thing for thing in context.view_layer.objects if thing.visible_get()]
+
+
+def _has_lights(thing: bpy.types.Object) -> bool:
+    return thing.type == "MESH" and LIGHTS in thing.data.color_attributes
 
 
 def _is_coloured(thing: bpy.types.Object) -> bool:
@@ -43,3 +67,46 @@ def _is_coloured(thing: bpy.types.Object) -> bool:
         and any(abs(value - _GRAY) > 1e-3 for value in slot.material.diffuse_color[:3])
         for slot in thing.material_slots
     )
+
+
+@persistent
+def _give_back(*_arguments: object) -> None:
+    context = bpy.context
+    if not _lent or any(_has_lights(thing) for thing in _seen(context)):
+        return
+    for space in _views(context):
+        if space.as_pointer() in _lent and space.shading.color_type == "VERTEX":
+            space.shading.color_type = "MATERIAL"
+    _lent.clear()
+
+
+@persistent
+def _after_redo(*_arguments: object) -> None:
+    things = [thing for thing in _seen(bpy.context) if _has_lights(thing)]
+    if things:
+        show_colours(bpy.context, things)
+    _give_back()
+
+
+@persistent
+def _on_load(*_arguments: object) -> None:
+    _lent.clear()
+
+
+_HANDLERS = (
+    ("undo_post", _give_back),
+    ("redo_post", _after_redo),
+    ("depsgraph_update_post", _give_back),
+    ("load_post", _on_load),
+)
+
+
+def register() -> None:
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(handler)
+
+
+def unregister() -> None:
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(handler)
+    _lent.clear()

@@ -230,7 +230,7 @@ class MEANDER_OT_ribbon(_Cut, bpy.types.Operator):
         layer = made.data.uv_layers[UV_MAP].data
         uv = np.empty(2 * len(layer), dtype=np.float32)
         layer.foreach_get("uv", uv)
-        colour_corners(made.data, "Lights", light_colours(uv.reshape(-1, 2)))
+        colour_corners(made.data, light_colours(uv.reshape(-1, 2)))
         return [made]
 
 

@@ -13,7 +13,7 @@ from ..run import (
     session,
     suspended,
 )
-from ..scene import after_undo, changes, identity, linked_settings, look_material
+from ..scene import after_undo, changes, identity, linked_settings, look_material, solid_view
 from . import (
     cut_panel,
     export_operator,
@@ -45,6 +45,7 @@ _MODULES = (
     linked_settings,
     after_undo,
     look_material,
+    solid_view,
     preferences,
     settings,
     session,
