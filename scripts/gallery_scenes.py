@@ -439,6 +439,33 @@ def neon() -> None:
 
 
 @scene
+def growth() -> None:
+    """How a line grew: one object, whose modifier is at three places of its factor."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32)
+    ball = active()
+    line = fill(ball, 0.17, bevel_share=0.28)
+    bpy.ops.meander.animate_growth(frames=96)
+    (grown,) = line.meander.bake.objects
+    grown.animation_data_clear()
+    shown = []
+    for number, factor in enumerate((0.2, 0.5, 1.0)):
+        surface, stage = ball.copy(), grown.copy()
+        bpy.context.scene.collection.objects.link(surface)
+        bpy.context.scene.collection.objects.link(stage)
+        surface.location.x = 2.3 * (number - 1)
+        surface.rotation_euler = (0.6, 0.0, 2.8)  # towards who looks, where it began
+        stage.parent = surface
+        set_value(stage.modifiers["Growth"], "Factor", factor)
+        shown += [surface, stage]
+    dress(ball, PALE, 0.6)
+    dress(grown, TEAL, 0.4)
+    for stage in shown[1::2]:
+        set_value(modifier_of(stage), "Material", grown.active_material)
+    ball.hide_render = grown.hide_render = True
+    place(*shown, camera=(1.0, -10.5, 4.6), target=(0.0, 0.0, -0.2), lens=60.0)
+
+
+@scene
 def moving_character() -> None:
     """A limb in three poses; the line flows on, and keeps its spacing where the skin stretches."""
     around, along, spacing = 48, 64, 0.16

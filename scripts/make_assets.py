@@ -23,7 +23,7 @@ from asset_groups import nodes  # noqa: E402  (the path comes first)
 from meander.scene.assets import MARK, VERSION  # noqa: E402
 
 # In the order in which one needs another.
-MODULES = ("materials", "look", "making")
+MODULES = ("materials", "look", "making", "growth")
 _CATALOGS = """\
 # This is an Asset Catalog Definition file for Blender.
 VERSION 1

@@ -225,6 +225,54 @@ def test_growth_can_be_baked(tube: bpy.types.Object, result: bpy.types.Object) -
     assert lengths[-1] == pytest.approx(scenes.length_of(result), rel=0.02)
 
 
+@pytest.mark.parametrize("looks", [False, True])
+def test_growth_is_animated_in_one_object(tube: bpy.types.Object, looks: bool) -> None:
+    scene = bpy.context.scene
+    scene.frame_start = 10
+    result = scenes.fill(tube, 0.6, use_bevel=looks, use_outline=True)
+    expected = [points for points, _cyclic in scenes.world_splines(result)]
+    assert bpy.ops.meander.animate_growth(frames=40) == {"FINISHED"}
+    (shown,) = result.meander.bake.objects
+    assert result.hide_viewport and shown.parent == tube
+    for modifier in list(shown.modifiers)[1:]:
+        assert looks
+        shown.modifiers.remove(modifier)
+    lengths, strands = [], set()
+    for frame in (10, 15, 20, 25, 30, 35, 40, 49):
+        scene.frame_set(frame)
+        evaluated = shown.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        mesh = evaluated.to_mesh()
+        points = np.array([vertex.co[:] for vertex in mesh.vertices])
+        ends = np.array([edge.vertices[:] for edge in mesh.edges])
+        lengths.append(np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1).sum())
+        _labels, count = _pieces(len(points), ends)
+        strands.add(count)
+        evaluated.to_mesh_clear()
+    assert strands == {3}  # the curve, and one strand along each end, in every frame
+    assert len(points) == sum(len(strand) for strand in expected)
+    assert np.allclose(points, np.vstack(expected), atol=1e-5)
+    # It grows evenly with the frames; at its end it gets even, which changes little.
+    assert lengths[0] < 0.5 * lengths[-1]
+    steps = np.diff(lengths[:-1]) / lengths[-1]
+    assert steps.min() > 0.0 and steps.max() < 2.5 * np.median(steps)
+    scenes.activate(tube)
+    assert bpy.ops.meander.clear_bake() == {"FINISHED"}
+    assert not result.hide_viewport and result.meander.bake is None
+
+
+def _pieces(count: int, edges: np.ndarray) -> tuple[np.ndarray, int]:
+    """Which piece each of so many points belongs to, and how many pieces there are."""
+    labels = np.arange(count)
+    while True:
+        least = np.minimum(labels[edges[:, 0]], labels[edges[:, 1]])
+        before = labels.copy()
+        np.minimum.at(labels, edges[:, 0], least)
+        np.minimum.at(labels, edges[:, 1], least)
+        labels = labels[labels]
+        if np.array_equal(labels, before):
+            return labels, len(np.unique(labels))
+
+
 def _spacings_from_the_ends(tube: bpy.types.Object, curve: bpy.types.Object) -> float:
     """How far the strands nearest to the ends of the tube are from them, in the middle."""
     vertices, _faces = scenes.world_triangles(tube)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import bpy
 
+from ..model.stages import stages_of
 from ..scene import baked_frames
 from ..scene.baked_frames import Frames
 from ..scene.evaluated import matrix_of
@@ -95,3 +96,40 @@ def bake_growth(
     finally:
         manager.progress_end()
     return frames.collection
+
+
+def animate_growth(
+    result: bpy.types.Object, context: bpy.types.Context, first: int, last: int
+) -> tuple[bpy.types.Collection, int]:
+    """Grows the curve again from its seed and makes one object of its stages, as many as frames.
+
+    The run is made twice: what stages there are is known when it has ended. Returns the object's
+    collection, and how many stages there are. Raises DataError or core.MeanderError, with nothing
+    made.
+    """
+    plan = plan_of(result, context.scene, context.evaluated_depsgraph_get(), restart=True)
+    frames = Frames(result, context.scene)
+    manager = context.window_manager
+    manager.progress_begin(0.0, 1.0)
+    try:
+        with GrownCurve(plan).flow as flow:
+            flow.run()
+            lengths = [entry["length"] for entry in flow.history()]
+        manager.progress_update(0.5)
+        wanted = set(stages_of(lengths, last - first + 1))
+        grown, stages = GrownCurve(plan), []
+        with grown.flow as flow:
+            for iteration in range(len(lengths) + 1):
+                if iteration:
+                    flow.step()
+                if iteration in wanted:
+                    stages.append(grown.polylines()[0])
+                    manager.progress_update(0.5 + 0.5 * iteration / len(lengths))
+        frames.add_growth(stages, plan.matrix, first, last)
+        frames.finish()
+    except BaseException:
+        baked_frames.clear(result)
+        raise
+    finally:
+        manager.progress_end()
+    return frames.collection, len(stages)

@@ -3,16 +3,21 @@
 
 from __future__ import annotations
 
+from itertools import cycle
+
 import bpy
 import numpy as np
 
 from .. import core
-from . import point_attributes
+from . import assets, point_attributes
 from .blender_versions import fcurves, shape_key_points
 from .curve_writer import write_splines
 from .linked_settings import settings_of
 from .look import copy_look
+from .look_modifier import place_of, set_value
 from .profile import set_tilt_and_radius
+
+GROWTH = "Meander Growth"
 
 
 def write(
@@ -28,8 +33,21 @@ def write(
     if curve == result.data and result.meander.figures.room:
         point_attributes.clear_medial_radii(result)
     set_tilt_and_radius(curve, polylines, matrix, factors)
-    for spline, index in zip(curve.splines, materials):
+    for spline, index in zip(curve.splines, cycle(materials)):
         spline.material_index = index
+
+
+def _together(stages: list[core.Polylines]) -> core.Polylines:
+    """The strands of all of them, one after another."""
+    ends = np.cumsum([0] + [len(stage.positions) for stage in stages])
+    return core.Polylines(
+        np.vstack([stage.positions for stage in stages]),
+        np.vstack([stage.normals for stage in stages]),
+        np.concatenate(
+            [[0], *(stage.offsets[1:].astype(np.int64) + end for stage, end in zip(stages, ends))]
+        ),
+        np.concatenate([stage.closed for stage in stages]),
+    )
 
 
 class Frames:
@@ -89,6 +107,33 @@ class Frames:
         for fcurve in fcurves(keys):
             for keyframe in fcurve.keyframe_points:
                 keyframe.interpolation = "LINEAR"
+        return shown
+
+    def add_growth(
+        self, stages: list[core.Polylines], matrix: np.ndarray, first: int, last: int
+    ) -> bpy.types.Object:
+        """One curve that holds all stages, and a modifier that shows them one after another.
+
+        All stages have the same strands. Keys lead the modifier's Factor from 0 to 1.
+        """
+        curve = self._result.data.copy()
+        curve.animation_data_clear()
+        write(self._result, curve, _together(stages), matrix, None)
+        shown = bpy.data.objects.new(f"{self._result.name} Growth", curve)
+        self.collection.objects.link(shown)
+        shown.parent = self._surface
+        modifier = shown.modifiers.new("Growth", "NODES")
+        modifier.node_group = assets.node_group(GROWTH)
+        set_value(modifier, "Stages", len(stages))
+        set_value(modifier, "Strands", len(stages[0].closed))
+        for frame, factor in ((first, 0.0), (last, 1.0)):
+            set_value(modifier, "Factor", factor)
+            owner, path = place_of(modifier, "Factor")
+            owner.keyframe_insert(path, frame=frame)
+        for fcurve in fcurves(shown):
+            for keyframe in fcurve.keyframe_points:
+                keyframe.interpolation = "LINEAR"
+        copy_look(self._result, shown)
         return shown
 
     def finish(self) -> None:

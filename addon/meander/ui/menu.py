@@ -38,7 +38,12 @@ _ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
         ("cut_along_curve", "", {}),
         ("add_look", "", {}),
     ),
-    (("bake_motion", "", {}), ("bake_growth", "", {}), ("clear_bake", "", {})),
+    (
+        ("bake_motion", "", {}),
+        ("bake_growth", "", {}),
+        ("animate_growth", "", {}),
+        ("clear_bake", "", {}),
+    ),
     (
         ("make_light", "", {}),
         ("points_to_mesh", "", {}),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sub-panel "Motion": Follow, Bake Motion, Bake Growth."""
+"""The sub-panel "Motion": Follow, Bake Motion, Bake Growth, Animate Growth."""
 
 from __future__ import annotations
 
@@ -75,6 +75,38 @@ class MEANDER_OT_bake_growth(_OnResult, bpy.types.Operator):
         return self._bake(context, baking.bake_growth, context.scene.frame_start, self.every)
 
 
+class MEANDER_OT_animate_growth(_OnResult, bpy.types.Operator):
+    """Grow the curve again from its seed, and make one object of it that shows how it grew"""
+
+    bl_idname = "meander.animate_growth"
+    bl_label = "Animate Growth"
+    bl_description = (
+        "Grow the curve again from its seed, and make one object that shows how it grew, by a "
+        "factor that has keys. It renders without this add-on"
+    )
+
+    frames: IntProperty(
+        name="Frames",
+        description="How long the growth takes, from the first frame of the scene on",
+        default=96,
+        min=2,
+        soft_max=500,
+    )
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        return context.window_manager.invoke_props_dialog(self)
+
+    @refusing
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        result, first = context.active_object, context.scene.frame_start
+        last = first + self.frames - 1
+        collection, stages = baking.animate_growth(result, context, first, last)
+        following.forget()
+        made = collection.objects[0].name
+        self.report({"INFO"}, f"{made}: {stages} stages in one object; {result.name} is hidden")
+        return {"FINISHED"}
+
+
 class MEANDER_OT_clear_bake(bpy.types.Operator):
     """Delete the baked frames of this curve, and show the curve itself again"""
 
@@ -144,6 +176,7 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.operator(MEANDER_OT_bake_motion.bl_idname, icon="RENDER_ANIMATION")
         column.operator(MEANDER_OT_bake_growth.bl_idname, icon="FORCE_CURVE")
+        column.operator(MEANDER_OT_animate_growth.bl_idname, icon="ANIM")
         if settings.bake is not None:
             column.operator(MEANDER_OT_clear_bake.bl_idname, icon="TRASH")
 
@@ -151,6 +184,7 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
 _CLASSES = (
     MEANDER_OT_bake_motion,
     MEANDER_OT_bake_growth,
+    MEANDER_OT_animate_growth,
     MEANDER_OT_clear_bake,
     MEANDER_PT_motion,
 )
