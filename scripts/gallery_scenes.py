@@ -7,7 +7,9 @@ Every function begins with an empty scene and leaves it ready for the camera.
 from __future__ import annotations
 
 import math
+import tempfile
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import bpy
@@ -342,6 +344,53 @@ def two_tone() -> None:
     """The head of Suzanne parted in two by one closed line, and each eye by its own."""
     shell = make_of(fill(suzanne(), 0.11), "two_tone")
     place(shell)
+
+
+@scene
+def inlay() -> None:
+    """A ring whose material is made of images alone: there is no curve in the picture."""
+    bpy.ops.mesh.primitive_torus_add(
+        major_segments=96, minor_segments=40, major_radius=1.3, minor_radius=0.62
+    )
+    ring = active()
+    ring.data.polygons.foreach_set("use_smooth", [True] * len(ring.data.polygons))
+    line = fill(ring, 0.14)
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(Path(folder) / "ring.png")
+        bpy.ops.meander.maps(filepath=path, kinds={"MASK", "NORMAL"}, line_width=0.32, depth=0.12)
+        images = {kind: image_of(f"{folder}/ring_{kind}.png") for kind in ("mask", "normal")}
+    bpy.data.objects.remove(line)
+    ring.data.materials.append(inlaid(images))
+    place(ring, lens=60.0)
+
+
+def image_of(path: str) -> bpy.types.Image:
+    """A file as numbers and not as colours, held in the scene."""
+    image = bpy.data.images.load(path)
+    image.colorspace_settings.name = "Non-Color"
+    image.pack()
+    return image
+
+
+def inlaid(images: dict[str, bpy.types.Image]) -> bpy.types.Material:
+    """Brass where the mask is white, polished dark wood between, which bulges by the normals."""
+    made = studio.material("Inlay", (0.035, 0.012, 0.006), 0.35)
+    nodes, links = made.node_tree.nodes, made.node_tree.links
+    shader = nodes["Principled BSDF"]
+    textures = {}
+    for kind, image in images.items():
+        textures[kind] = nodes.new("ShaderNodeTexImage")
+        textures[kind].image = image
+    mix = nodes.new("ShaderNodeMixRGB")
+    mix.inputs["Color1"].default_value = shader.inputs["Base Color"].default_value
+    mix.inputs["Color2"].default_value = (0.85, 0.52, 0.16, 1.0)
+    bump = nodes.new("ShaderNodeNormalMap")
+    links.new(textures["mask"].outputs["Color"], mix.inputs["Fac"])
+    links.new(mix.outputs["Color"], shader.inputs["Base Color"])
+    links.new(textures["mask"].outputs["Color"], shader.inputs["Metallic"])
+    links.new(textures["normal"].outputs["Color"], bump.inputs["Color"])
+    links.new(bump.outputs["Normal"], shader.inputs["Normal"])
+    return made
 
 
 @scene

@@ -143,6 +143,7 @@ def of_the_command(said: Said) -> None:
     said.by_the_command("--seed-object", "None")
     svg = said.folder / "out.svg"
     said.by_the_command("--output", svg, "--layout", "uv")
+    said.by_the_command("--maps", said.folder / "line.png")
     cube()
     activate(None)
     said.by_the_command()

@@ -44,6 +44,10 @@ TRIES = """
 --cut a.fbx
 --cut-detail 1
 --cut-middle-lines
+--maps a.jpg
+--maps a.png
+--map-size 64
+--maps a.png --map-kinds colour
 --density-curvature mean --density-group Name
 --density-group Name
 --uv-map Name
@@ -235,6 +239,7 @@ ELSEWHERE = {
     "is protected against writing": "the same",
     "no spacing gives a length": "test_target_length.py",
     "which no machine can do": "needs pyembroidery",
+    "--maps is not possible here: the UV map": "needs Blender: tests/blender/test_maps.py",
 }
 
 

@@ -20,6 +20,7 @@ from . import (
     flags,
     least_bend,
     limits,
+    maps,
     motion,
     preparation,
     strands,
@@ -83,6 +84,7 @@ def parser(place: Place) -> argparse.ArgumentParser:
     export.add_options(parser)
     motion.add_options(parser)
     cut.add_options(parser)
+    maps.add_options(parser)
     limits.add_options(parser)
     return parser
 
@@ -126,7 +128,7 @@ def check_options(arguments: argparse.Namespace) -> None:
     if arguments.output.suffix.lower() not in OUTPUTS:
         kinds = ", ".join(OUTPUTS[:-1])
         raise BadInput(f"--output {arguments.output} is no {kinds} or {OUTPUTS[-1]} file")
-    for output in (toolpath, export, cut, least_bend):
+    for output in (toolpath, export, cut, maps, least_bend):
         wrong = output.problem_of(arguments)
         if wrong is not None:
             raise BadInput(wrong)
@@ -138,6 +140,7 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
         "--output": arguments.output,
         "--report": arguments.report,
         "--cut": arguments.cut,
+        "--maps": arguments.maps,
     }
     for option, path in outputs.items():
         if path is None:

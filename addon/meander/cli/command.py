@@ -18,7 +18,7 @@ from ..model.bend_radius import sharpest_bend
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
-from . import cut, least_bend, limits, preparation, target_length
+from . import cut, least_bend, limits, maps, preparation, target_length
 from .any_letters import print_any_letters
 from .arguments import check_arguments, parser
 from .flags import flow_options
@@ -40,6 +40,8 @@ def _process(argv: Sequence[str], place: Place) -> None:
         place.blender(arguments.output).refuse_points(arguments.points)
     if arguments.cut is not None and arguments.cut.suffix.lower() == ".blend":
         place.blender(arguments.cut)
+    if arguments.maps is not None:
+        place.blender("--maps")
     search = target_length.begin(arguments, place)
     filled = _filled(arguments, search, place, warned=False)
     while filled is None:
@@ -48,7 +50,7 @@ def _process(argv: Sequence[str], place: Place) -> None:
     write_outputs(arguments, given, grown, record, place)
     for line in _remarks(given, opened, figures, record):
         place.say(f"meander: {line}")
-    for written in (arguments.output, arguments.cut):
+    for written in (arguments.output, arguments.cut, *grown.images):
         if written is not None:
             place.say(f"meander: wrote {written}")
 
@@ -91,7 +93,8 @@ def _filled(
             echo(arguments, options, given),
         )
         grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
-        grown = replace(grown, cut=cut.cut_of(flow, arguments))
+        images = maps.images_of(flow, arguments, given, place)
+        grown = replace(grown, cut=cut.cut_of(flow, arguments), images=images)
     record["warnings"] = warnings
     record["estimate"] = asdict(opened.cost)
     record["lines"] = {

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ class Grown:
     density   per vertex of the surface; None: 1 everywhere
     cut       of the surface along all of the curve; None: none is wanted
     line      what was joined to one line by bridges; None: nothing
+    images    PNG files of the curve by a UV map, by their paths
     """
 
     curve: core.Polylines
@@ -29,6 +31,7 @@ class Grown:
     density: NDArray[np.float64] | None
     cut: core.CutSurface | None = None
     line: bridges.Joined | None = None
+    images: dict[Path, bytes] = field(default_factory=dict)
 
 
 def grown_of(flow: core.Flow, opened: Opened, without_guides: bool) -> Grown:

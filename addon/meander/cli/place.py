@@ -63,6 +63,9 @@ class Host(Protocol):
     ) -> list[toolpath.Strand]:
         """Strands laid flat by a UV map of the surface; "": the active one."""
 
+    def map_corners(self, given: Input, uv_map: str) -> NDArray[np.float64]:
+        """A UV map at the corners of the surface's faces, (n, 3, 2); "": the active one."""
+
     def metres(self) -> float:
         """The length of a scene unit."""
 

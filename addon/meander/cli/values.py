@@ -62,6 +62,21 @@ def share_or(read: Callable[[str], float]) -> Callable[[str], float]:
     return lambda text: Share(read(text[:-1]) / 100.0) if text.endswith("%") else read(text)
 
 
+def one_of_several(choices: tuple[str, ...]) -> Callable[[str], tuple[str, ...]]:
+    """What reads words of a choice, with commas between them, into their order in the choice."""
+
+    def read(text: str) -> tuple[str, ...]:
+        words = [word.strip() for word in text.split(",")]
+        for word in words:
+            if word not in choices:
+                raise argparse.ArgumentTypeError(
+                    f"{word!r} is none of {', '.join(choices)}; name some of them"
+                )
+        return tuple(choice for choice in choices if choice in words)
+
+    return read
+
+
 def synonym_reader(synonyms: tuple[tuple[str, str], ...]) -> Callable[[str], str]:
     """What reads a word and puts the choice that it stands for in its place."""
     meaning = dict(synonyms)

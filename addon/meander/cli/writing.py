@@ -15,7 +15,7 @@ from .. import core
 from ..model import bridges, last_run, mesh_files, report, surface_crossings, thinning
 from ..model.simplification import light_of
 from ..model.whole_files import naming, whole_files
-from . import cut, density, export, flags, motion, preparation, strands, terms
+from . import cut, density, export, flags, maps, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown, bridge_figures, bridged, lightened
 from .input import Input
@@ -56,6 +56,7 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
         **terms.echo(arguments, options),
         **motion.echo(arguments),
         **cut.echo(arguments),
+        **maps.echo(arguments),
         "target_length": arguments.target_length,
         "limit_nodes": arguments.limit_nodes,
         "limit_memory": arguments.limit_memory,
@@ -77,7 +78,8 @@ def write_outputs(
     place: Place,
 ) -> None:
     """Writes all files beside their places first, then moves them in, the report at the end."""
-    wanted = (arguments.output, None if grown.cut is None else arguments.cut, arguments.report)
+    of_cut = None if grown.cut is None else arguments.cut
+    wanted = (arguments.output, of_cut, *grown.images, arguments.report)
     with whole_files([path for path in wanted if path is not None]) as temporary:
         paths = iter(temporary)
         with naming(arguments.output):
@@ -91,6 +93,9 @@ def write_outputs(
         if grown.cut is not None:
             with naming(arguments.cut):
                 record["cut"] = cut.write(next(paths), arguments, given, grown.cut, place)
+        for path, image in grown.images.items():
+            with naming(path):
+                next(paths).write_bytes(image)
         record["bridges"] = bridge_figures(line)
         record["lines"] |= _lines(grown if line is None else line, given, record)
         if arguments.report is not None:

@@ -78,6 +78,18 @@ class Blender:
         except DataError as refusal:
             raise BadInput(f"--layout uv is not possible here: {refusal}") from refusal
 
+    def map_corners(self, given: Input, uv_map: str) -> NDArray[np.float64]:
+        import bpy
+
+        from ..scene.errors import DataError
+        from ..scene.layouts import map_of
+
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        try:
+            return map_of(given.surface_object, depsgraph, uv_map)
+        except DataError as refusal:
+            raise BadInput(f"--maps is not possible here: {refusal}") from refusal
+
     def metres(self) -> float:
         import bpy
 

@@ -40,7 +40,7 @@ def unrolled_strands(
     vertices, faces = triangles_of(surface, depsgraph)
     mesh = toolpath.Mesh(vertices, faces)
     flat = unrolled(
-        strands, mesh, _map_of(surface, depsgraph, uv_map), nearest_on(vertices, faces)
+        strands, mesh, map_of(surface, depsgraph, uv_map), nearest_on(vertices, faces)
     )
     if not flat:
         raise DataError(f"The UV map of '{surface.name}' has no area; unwrap the mesh again")
@@ -53,7 +53,7 @@ def has_map(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
         return len(mesh.uv_layers) > 0
 
 
-def _map_of(
+def map_of(
     surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph, uv_map: str
 ) -> np.ndarray:
     """The map at the corners of the triangles of triangles_of(), (n, 3, 2)."""

@@ -72,6 +72,7 @@ _OF_OPERATORS = (
     ("points_to_*", "export"),
     ("make_light", "export"),
     ("two_tone", "making"),
+    ("maps", "making"),
     ("relief", "making"),
     ("ribbon", "making"),
     ("cut_along_curve", "making"),

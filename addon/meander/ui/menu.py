@@ -49,6 +49,7 @@ _ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
         ("points_to_mesh", "", {}),
         ("points_to_curves", "", {}),
         ("export_toolpath", "", {}),
+        ("maps", "Write Images", {}),
     ),
     (("open_help", "", {}),),
 )

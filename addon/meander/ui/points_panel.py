@@ -15,6 +15,7 @@ from ..scene.transforms import mean_scale
 from .declared import rows
 from .export_operator import MEANDER_OT_export_toolpath
 from .light_operator import MEANDER_OT_make_light
+from .maps_operator import MEANDER_OT_maps
 from .on_result import OnResult
 from .refusing import refusing
 from .run_operators import sentence_of
@@ -92,7 +93,9 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         layout.operator_context = "INVOKE_DEFAULT"
-        layout.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
+        column = layout.column(align=True)
+        column.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
+        column.operator(MEANDER_OT_maps.bl_idname, icon="IMAGE_DATA")
 
 
 def draw_light_and_points(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:

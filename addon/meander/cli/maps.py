@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options of the batch command that write the curve as images by a UV map."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from .. import core
+from ..model import line_maps
+from .input import Input
+from .place import Place
+from .values import BadInput, one_of_several, reader
+from .watching import interruptible
+
+_SUFFIX = ".png"
+_DEFAULT = line_maps.Style()
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group(
+        "maps", "The curve as images with 16 bits a channel, by a UV map of the surface."
+    )
+    add = group.add_argument
+    add(
+        "--maps",
+        type=Path,
+        metavar="OUT.png",
+        help="also write them: OUT_mask.png and so on, with UDIM numbers for several tiles",
+    )
+    add(
+        "--map-kinds",
+        type=one_of_several(line_maps.KINDS),
+        metavar="LIST",
+        help=f"some of {','.join(line_maps.KINDS)}; default: all of them",
+    )
+    least, most = line_maps.SIZES
+    add("--map-size", type=reader(int, least, most), metavar="N", help="pixels; default: 2048")
+    add(
+        "--map-margin",
+        type=reader(int, 0, most),
+        metavar="N",
+        help="pixels that islands go on beyond their edges; default: 16",
+    )
+    add("--map-uv", metavar="NAME", help="the UV map; default: the active one")
+
+
+def problem_of(arguments: argparse.Namespace) -> str | None:
+    """What is wrong with the options, as a sentence, or None."""
+    if arguments.maps is None:
+        for option in ("map_kinds", "map_size", "map_margin", "map_uv"):
+            if getattr(arguments, option) is not None:
+                return f"--{option.replace('_', '-')} needs --maps FILE"
+        return None
+    if arguments.maps.suffix.lower() != _SUFFIX:
+        return f"--maps {arguments.maps} is no {_SUFFIX} file"
+    if arguments.input.suffix.lower() != ".blend":
+        return "--maps needs a UV map; give a .blend as --input"
+    return None
+
+
+def echo(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What is in effect, for the report."""
+    if arguments.maps is None:
+        return {"maps": None}
+    style = _style(arguments)
+    return {
+        "maps": str(arguments.maps),
+        "map_kinds": list(arguments.map_kinds or line_maps.KINDS),
+        "map_size": style.size,
+        "map_margin": style.margin,
+        "map_uv": arguments.map_uv,
+    }
+
+
+def images_of(
+    flow: core.Flow, arguments: argparse.Namespace, given: Input, place: Place
+) -> dict[Path, bytes]:
+    """The images of a run that has ended, by their paths; none where none are wanted.
+
+    Raises BadInput for a UV map that is not there or cannot be drawn on, and core.MeanderError.
+    """
+    if arguments.maps is None:
+        return {}
+    corners = place.blender("--maps").map_corners(given, arguments.map_uv or "")
+    detail = line_maps.DETAIL * arguments.spacing
+    cut = interruptible(lambda context: core.cut_surface(flow, detail, True, context))
+    mapped = line_maps.mapped(cut, corners, arguments.spacing)
+    try:
+        images, overlap = line_maps.images(
+            mapped, arguments.maps, arguments.map_kinds or line_maps.KINDS, _style(arguments)
+        )
+    except line_maps.NoPlace as problem:
+        raise BadInput(f"--maps is not possible here: the UV map {problem}") from problem
+    warning = line_maps.overlap_warning(overlap)
+    if warning:
+        place.warn(warning)
+    return images
+
+
+def _style(arguments: argparse.Namespace) -> line_maps.Style:
+    size, margin = arguments.map_size, arguments.map_margin
+    return line_maps.Style(
+        size=_DEFAULT.size if size is None else size,
+        margin=_DEFAULT.margin if margin is None else margin,
+    )

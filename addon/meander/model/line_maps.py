@@ -1,0 +1,366 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A curve as images by a UV map of its surface, made of the surface cut along it; numpy only.
+
+The cut has the curve among its edges, and every corner of it has its place in the UV map, so that
+each pixel is asked of the triangle that it lies in: nothing is rendered, and nothing is sampled.
+"""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import core
+from .cut import along_shares
+
+# What an image can show; docs/making.md says what its values mean.
+KINDS = ("mask", "distance", "height", "normal", "side", "along")
+SIZES = (16, 16384)
+MOST_TILES = 100
+# How long the edges of a cut are to be between the lines, in spacings.
+DETAIL = 0.125
+# So many pixels are asked at a time which triangle they are in.
+_AT_ONCE = 1 << 21
+# A pixel on the edge between two triangles belongs to both, one that is farther inside both of two
+# only where the map lies on itself: as shares of a triangle's height.
+_ON_EDGE, _INSIDE = 1e-9, 1e-3
+# From this share of pixels in two places on it is worth a word.
+_OVERLAPPING = 0.005
+_NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1))
+
+
+class NoPlace(Exception):
+    """A UV map that cannot be drawn on; ``str(error)`` ends a sentence that begins with it."""
+
+
+@dataclass(frozen=True)
+class Style:
+    """What images look like.
+
+    size         of a side, in pixels, within SIZES
+    margin       how far islands go on beyond their edges, in pixels, so that no seam shows
+    line_width   of the mask's line, in spacings
+    depth        from the line up to the ridges, in spacings: how steep the normals are
+    """
+
+    size: int = 2048
+    margin: int = 16
+    line_width: float = 0.25
+    depth: float = 0.25
+
+
+@dataclass(frozen=True)
+class Mapped:
+    """A cut, and where it lies in a UV map.
+
+    uv        (m, 3, 2), of the corners of the cut's faces
+    spacing   of the curve, in the units of the cut
+    """
+
+    cut: core.CutSurface
+    uv: NDArray[np.float64]
+    spacing: float
+
+    def tiles(self) -> list[tuple[int, int]]:
+        """The unit squares of the map that faces lie in, by columns and rows, as UDIM counts."""
+        sides = self.uv[:, 1:] - self.uv[:, :1]
+        flat = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+        # One without area is on no pixel; what is not a number is none either.
+        middles = self.uv.mean(axis=1)[flat > 0.0]
+        found = np.unique(np.floor(np.clip(middles, -1e6, 1e6)).astype(int), axis=0)
+        return sorted((int(column), int(row)) for column, row in found)
+
+
+class Tile:
+    """One unit square of a map, as pixels: which face each of them lies in, and where.
+
+    overlap   the share of its pixels that lie in two places of the surface
+    """
+
+    def __init__(self, mapped: Mapped, tile: tuple[int, int], style: Style) -> None:
+        self._mapped, self._style = mapped, style
+        size = style.size
+        # In pixels, whose centres are whole numbers; rows count from the top, as in image files.
+        places = (mapped.uv - np.array(tile)) * size - 0.5
+        places[:, :, 1] = size - 1 - places[:, :, 1]
+        self._places = places
+        self.face = np.full(size * size, -1, dtype=np.int32)
+        self._weights = np.zeros((size * size, 3), dtype=np.float32)
+        self._twice = np.zeros(size * size, dtype=bool)
+        self._fill()
+        covered = int((self.face >= 0).sum())
+        self.overlap = float(self._twice.sum()) / covered if covered else 0.0
+        self._widen()
+
+    def _fill(self) -> None:
+        size, places = self._style.size, self._places
+        usable = np.isfinite(places).all(axis=(1, 2))
+        low = np.clip(np.ceil(np.where(usable[:, None], places.min(axis=1), size)), 0, size)
+        high = np.clip(np.floor(np.where(usable[:, None], places.max(axis=1), -1)), -1, size - 1)
+        low, spans = low.astype(np.int64), (high - low + 1).astype(np.int64)
+        spans[(spans <= 0).any(axis=1)] = 0
+        counts = spans.prod(axis=1)
+        faces = np.flatnonzero(counts)
+        ends = np.cumsum(counts[faces])
+        begin = 0
+        while begin < len(faces):
+            before = ends[begin - 1] if begin else 0
+            end = max(int(np.searchsorted(ends, before + _AT_ONCE, side="right")), begin + 1)
+            self._ask(faces[begin:end], low, spans, counts)
+            begin = end
+
+    def _ask(
+        self, faces: NDArray, low: NDArray, spans: NDArray, counts: NDArray
+    ) -> None:
+        """Gives pixels within the boxes of some faces to those that they lie in."""
+        face = np.repeat(faces, counts[faces])
+        starts = np.cumsum(counts[faces]) - counts[faces]
+        number = np.arange(len(face)) - np.repeat(starts, counts[faces])
+        column = low[face, 0] + number % spans[face, 0]
+        row = low[face, 1] + number // spans[face, 0]
+        weights = _weights_at(self._places[face], np.stack((column, row), axis=1))
+        inside = (weights >= -_ON_EDGE).all(axis=1)
+        face, weights = face[inside], weights[inside]
+        pixel = row[inside] * self._style.size + column[inside]
+        well_inside = pixel[(weights > _INSIDE).all(axis=1)]
+        seen, times = np.unique(well_inside, return_counts=True)
+        self._twice[seen[(times > 1) | (self.face[seen] >= 0)]] = True
+        self.face[pixel], self._weights[pixel] = face, weights
+
+    def _widen(self) -> None:
+        """Carries what lies at the edges of islands on beyond them."""
+        size = self._style.size
+        front = np.flatnonzero(self.face >= 0)
+        for _ in range(self._style.margin):
+            reached = []
+            for down, right in _NEIGHBOURS:
+                row, column = front // size + down, front % size + right
+                there = (row >= 0) & (row < size) & (column >= 0) & (column < size)
+                source, target = front[there], (row * size + column)[there]
+                empty = self.face[target] < 0
+                source, target = source[empty], target[empty]
+                target, first = np.unique(target, return_index=True)
+                self.face[target] = self.face[source[first]]
+                self._weights[target] = self._weights[source[first]]
+                reached.append(target)
+            front = np.concatenate(reached)
+            if not len(front):
+                break
+
+    def image(self, kind: str) -> NDArray[np.uint16]:
+        """One of KINDS, (size, size) or, of normals, (size, size, 3); 0 where no face is near."""
+        size = self._style.size
+        known = self.face >= 0
+        values = self._values(kind, self.face[known], self._weights[known].astype(np.float64))
+        image = np.zeros((size * size, *values.shape[1:]), dtype=np.uint16)
+        image[known] = np.rint(np.clip(values, 0.0, 1.0) * 65535.0)
+        return image.reshape(size, size, *values.shape[1:])
+
+    def _values(
+        self, kind: str, face: NDArray[np.int32], weights: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        cut, spacing = self._mapped.cut, self._mapped.spacing
+        if kind == "side":
+            return (cut.sides[face] > 0).astype(np.float64)
+        if kind == "along":
+            return (along_shares(cut)[face] * weights).sum(axis=1)
+        distance, away = self._distances(face, weights)
+        distance = distance / spacing
+        if kind == "mask":
+            edge = 0.5 * self._style.line_width - distance
+            return 0.5 + edge * spacing / self._pixel_widths()[face]
+        if kind == "normal":
+            return self._normals(face, distance, away)
+        return distance if kind == "distance" else _height(distance)
+
+    def _distances(
+        self, face: NDArray[np.int32], weights: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """From the curve, at most the spacing, and the way from it in space, of any length.
+
+        Between corners a distance is no straight line, above all round the tips of turns: it is
+        that from the place on the curve between their nearest places, and in proportion to their
+        own distances where the surface bends on the way. It is never more than what lies straight
+        between corners, be it of their distances from this strand's turn or from any.
+        """
+        cut, spacing = self._mapped.cut, self._mapped.spacing
+        # No strand runs on some parts: they are as far away as can be.
+        corners = np.minimum(cut.face_distances, spacing)[face]
+        of_vertices = np.minimum(cut.distances, spacing)[cut.faces[face]]
+        between = (corners * weights).sum(axis=1)
+        places = cut.positions[cut.faces]
+        line = _Line(cut)
+        to_line = np.linalg.norm(places - line.at(cut.strands[:, None], cut.along), axis=2)[face]
+        point = np.einsum("nk,nkx->nx", weights, places[face])
+        away = point - line.at(cut.strands[face], (cut.along[face] * weights).sum(axis=1))
+        chords = (to_line * weights).sum(axis=1)
+        bent = np.divide(between, chords, out=np.ones_like(chords), where=chords > 0.0)
+        straight = np.linalg.norm(away, axis=1) * bent
+        return np.minimum(np.minimum(straight, between), (of_vertices * weights).sum(axis=1)), away
+
+    def _pixel_widths(self) -> NDArray[np.float64]:
+        """How wide a pixel is on the surface, for each face of the cut."""
+        corners = self._mapped.cut.positions[self._mapped.cut.faces]
+        sides = corners[:, 1:] - corners[:, :1]
+        area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+        flat = self._places[:, 1:] - self._places[:, :1]
+        pixels = np.abs(flat[:, 0, 0] * flat[:, 1, 1] - flat[:, 0, 1] * flat[:, 1, 0])
+        return np.sqrt(area / np.maximum(pixels, 1e-300)).clip(1e-12 * self._mapped.spacing)
+
+    def _normals(
+        self, face: NDArray[np.int32], distance: NDArray[np.float64], away: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Normals of the relief in the tangent space of the map, x along U and y along V.
+
+        away   from the nearest place on the curve: the way on which the distance grows
+        """
+        cut = self._mapped.cut
+        corners = cut.positions[cut.faces]
+        sides = corners[:, 1:] - corners[:, :1]
+        uv = self._mapped.uv[:, 1:] - self._mapped.uv[:, :1]
+        determinant = uv[:, 0, 0] * uv[:, 1, 1] - uv[:, 0, 1] * uv[:, 1, 0]
+        turned = np.sign(determinant)[:, None]
+        along_u = _unit(turned * (uv[:, 1, 1:] * sides[:, 0] - uv[:, 0, 1:] * sides[:, 1]))
+        along_v = turned * np.cross(_unit(np.cross(sides[:, 0], sides[:, 1])), along_u)
+        rise = np.stack(((away * along_u[face]).sum(1), (away * along_v[face]).sum(1)), axis=1)
+        slope = -self._style.depth * _steepness(distance)[:, None] * _unit(rise)
+        return 0.5 + 0.5 * _unit(np.concatenate((slope, np.ones_like(slope[:, :1])), axis=1))
+
+
+class _Line:
+    """The curve of a cut by its arc length."""
+
+    def __init__(self, cut: core.CutSurface) -> None:
+        # Strands one behind the other, a closed one with its first point once more at its end.
+        keys, points = [np.zeros(0)], [np.zeros((0, 3))]
+        count = int(cut.line_strands.max()) + 2 if len(cut.line_strands) else 1
+        self._begin, self._length = np.zeros(count), np.full(count, np.inf)
+        begin = 0.0
+        for k, strand in enumerate(cut.line_strands):
+            first, last = cut.offsets[k], cut.offsets[k + 1]
+            self._begin[strand], self._length[strand] = begin, cut.lengths[k]
+            keys.append(begin + cut.arc_lengths[first:last])
+            points.append(cut.positions[cut.line_vertices[first:last]])
+            if cut.closed[k]:
+                keys.append(np.array([begin + cut.lengths[k]]))
+                points.append(points[-1][:1])
+            begin += 2.0 * cut.lengths[k]
+        self._keys, self._points = np.concatenate(keys), np.concatenate(points)
+
+    def at(self, strand: NDArray, along: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Points in space; of a closed strand, arc lengths beyond its end begin anew."""
+        strand = np.minimum(strand, len(self._begin) - 1)
+        length = self._length[strand]
+        within = np.where((along < 0.0) | (along > length), along % length, along)
+        key = self._begin[strand] + within
+        if not len(self._keys):
+            return np.zeros((*key.shape, 3))
+        columns = [np.interp(key, self._keys, self._points[:, k]) for k in range(3)]
+        return np.stack(columns, axis=-1)
+
+
+def _weights_at(corners: NDArray[np.float64], point: NDArray) -> NDArray[np.float64]:
+    """Barycentric weights of points in triangles, (n, 3); not a number in one without area."""
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        area = _cross(b - a, c - a)
+        first, second = _cross(b - point, c - point) / area, _cross(c - point, a - point) / area
+    return np.stack((first, second, 1.0 - first - second), axis=1)
+
+
+def _cross(a: NDArray, b: NDArray) -> NDArray:
+    return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+
+
+def _unit(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
+    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)
+
+
+def _height(distance: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A round ridge halfway between the turns: 0 on the line, 1 half a spacing from it."""
+    return 1.0 - np.clip(1.0 - 2.0 * distance, 0.0, 1.0) ** 2
+
+
+def _steepness(distance: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The derivative of _height()."""
+    return 4.0 * np.clip(1.0 - 2.0 * distance, 0.0, 1.0)
+
+
+def mapped(
+    cut: core.CutSurface, corners: NDArray[np.float64], spacing: float
+) -> Mapped:
+    """Lays a cut into a UV map.
+
+    corners   (f, 3, 2), the map at the corners of the surface's faces
+    """
+    uv = np.einsum("mkw,mwx->mkx", cut.corner_weights, corners[cut.origins])
+    return Mapped(cut, uv, spacing)
+
+
+def images(
+    mapped: Mapped, path: Path, kinds: Sequence[str], style: Style
+) -> tuple[dict[Path, bytes], float]:
+    """PNG files beside the path NAME.png: NAME_KIND.png, with UDIM numbers where there are several
+    tiles; and the largest overlap of a tile. Raises NoPlace."""
+    tiles = mapped.tiles()
+    problem = problem_of_tiles(tiles)
+    if problem is not None:
+        raise NoPlace(problem)
+    files, overlap = {}, 0.0
+    for number in tiles:
+        tile = Tile(mapped, number, style)
+        overlap = max(overlap, tile.overlap)
+        for kind in kinds:
+            files[file_of(path, kind, number, len(tiles) > 1)] = png(tile.image(kind))
+    return files, overlap
+
+
+def overlap_warning(overlap: float) -> str | None:
+    """What somebody should know of a map that lies on itself, as a sentence, or None."""
+    if overlap < _OVERLAPPING:
+        return None
+    return (
+        f"The UV map lies on itself: {100.0 * overlap:.0f} % of its pixels belong to two places "
+        "of the surface, and show one of them; unwrap the mesh without overlaps"
+    )
+
+
+def file_of(path: Path, kind: str, tile: tuple[int, int], many: bool) -> Path:
+    """Where one image goes."""
+    number = f".{1001 + tile[0] + 10 * tile[1]}" if many else ""
+    return path.with_name(f"{path.stem}_{kind}{number}{path.suffix}")
+
+
+def problem_of_tiles(tiles: Sequence[tuple[int, int]]) -> str | None:
+    """What is wrong with the squares that a UV map lies in, as the end of a sentence, or None."""
+    if not tiles:
+        return "has no area; unwrap the mesh again"
+    if any(not 0 <= column < 10 or row < 0 for column, row in tiles):
+        return "leaves the squares that UDIM counts, 0 to 10 across and up from 0; move it there"
+    if len(tiles) > MOST_TILES:
+        return f"lies in {len(tiles)} squares, and {MOST_TILES} is the most; pack its islands"
+    return None
+
+
+def png(image: NDArray[np.uint16]) -> bytes:
+    """A PNG file with 16 bits a channel: grey, or red, green and blue."""
+    height, width = image.shape[:2]
+    colour = 2 if image.ndim == 3 else 0
+    rows = image.astype(">u2").reshape(height, -1).view(np.uint8)
+    # Each row as its difference from the one above: images of distances become a third as long.
+    above = np.zeros_like(rows)
+    above[1:] = rows[:-1]
+    filtered = np.concatenate((np.full((height, 1), 2, dtype=np.uint8), rows - above), axis=1)
+    header = struct.pack(">IIBBBBB", width, height, 16, colour, 0, 0, 0)
+    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(filtered.tobytes(), 6)), (b"IEND", b""))
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+        for name, data in chunks
+    )

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes a result as images by a UV map of its surface."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
+
+from ..model import line_maps
+from ..model.whole_files import naming, whole_files
+from ..run.cutting import cut_result
+from ..scene.errors import DataError
+from ..scene.layouts import map_of
+from .on_result import OnResult
+from .refusing import refusing
+from .run_operators import sentence_of
+
+_TIPS = {
+    "mask": "White line on black",
+    "distance": "From the line: black on it, white a spacing away",
+    "height": "Round ridges between the turns, black on the line",
+    "normal": "Normals of these ridges, with Y upwards",
+    "side": "White on one side of the line, black on the other",
+    "along": "Black where the line begins, white where it ends",
+}
+_KINDS = tuple((kind.upper(), kind.capitalize(), _TIPS[kind]) for kind in line_maps.KINDS)
+_ALL = {name for name, _label, _tip in _KINDS}
+
+
+class MEANDER_OT_maps(OnResult, bpy.types.Operator):
+    """Write the curve as images with 16 bits a channel, by a UV map of its surface: for other
+    programs, and for materials without a curve"""
+
+    bl_idname = "meander.maps"
+    bl_label = "Images"
+
+    filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
+    filter_glob: StringProperty(default="*.png", options={"HIDDEN", "SKIP_SAVE"})
+    kinds: EnumProperty(
+        name="Images",
+        description="What the images show; each becomes a file",
+        items=_KINDS,
+        options={"ENUM_FLAG"},
+        default=_ALL,
+    )
+    size: IntProperty(
+        name="Size",
+        description="Of a side, in pixels",
+        default=2048,
+        min=line_maps.SIZES[0],
+        max=line_maps.SIZES[1],
+        subtype="PIXEL",
+    )
+    margin: IntProperty(
+        name="Margin",
+        description="How far islands go on beyond their edges, in pixels, so that no seam shows",
+        default=16,
+        min=0,
+        soft_max=64,
+        subtype="PIXEL",
+    )
+    line_width: FloatProperty(
+        name="Line Width",
+        description="Of the mask's line, in spacings",
+        default=0.25,
+        min=0.001,
+        max=1.0,
+    )
+    depth: FloatProperty(
+        name="Depth",
+        description="From the line up to the ridges, in spacings: how steep the normals are",
+        default=0.25,
+        min=0.0,
+        soft_max=1.0,
+    )
+    uv_map: StringProperty(name="UV Map", description="The active one if empty")
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        layout.column().prop(self, "kinds")
+        for name in ("size", "margin", "line_width", "depth", "uv_map"):
+            layout.prop(self, name)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if not self.filepath:
+            self.filepath = bpy.path.clean_name(context.active_object.name) + ".png"
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    @refusing
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        kinds = [kind for kind in line_maps.KINDS if kind.upper() in self.kinds]
+        if not kinds:
+            raise DataError("No image is chosen; choose at least one under Images")
+        if not self.filepath:
+            raise DataError("No file is named; give a name that ends in .png")
+        result, depsgraph = context.active_object, context.evaluated_depsgraph_get()
+        surface = result.meander.surface
+        corners = map_of(surface, depsgraph, self.uv_map)
+        # Details of a cut are in half spacings.
+        cut = cut_result(result, context.scene, depsgraph, 2.0 * line_maps.DETAIL, True)
+        style = line_maps.Style(self.size, self.margin, self.line_width, self.depth)
+        mapped = line_maps.mapped(cut.cut, corners, cut.plan.spacing)
+        path = Path(bpy.path.abspath(self.filepath)).with_suffix(".png")
+        try:
+            images, overlap = line_maps.images(mapped, path, kinds, style)
+        except line_maps.NoPlace as problem:
+            raise DataError(f"The UV map of '{surface.name}' {problem}") from problem
+        with whole_files(list(images)) as temporary:
+            for image, (place, data) in zip(temporary, images.items(), strict=True):
+                with naming(place):
+                    image.write_bytes(data)
+        warning = line_maps.overlap_warning(overlap)
+        if warning:
+            self.report({"WARNING"}, sentence_of(warning))
+        files = "1 image" if len(images) == 1 else f"{len(images)} images"
+        self.report({"INFO"}, f"{result.name}: {files} in {path.parent}")
+        return {"FINISHED"}
+
+
+def register() -> None:
+    bpy.utils.register_class(MEANDER_OT_maps)
+
+
+def unregister() -> None:
+    bpy.utils.unregister_class(MEANDER_OT_maps)

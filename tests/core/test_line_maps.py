@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Images of the curve by a UV map, against distances found pixel by pixel."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from dataclasses import replace
+from pathlib import Path
+
+import geometry
+import numpy as np
+import pytest
+from meander import core
+from meander.model import line_maps
+from meander.model.line_maps import Mapped, Style, Tile
+
+SPACING = 0.1
+SIZE = 200
+
+
+@pytest.fixture(scope="module")
+def sheet() -> Mapped:
+    """A square that fills the map, with a curve that has not converged: nothing here needs that."""
+    mesh = geometry.grid(12, 12)
+    low = mesh.vertices.min(axis=0)
+    vertices = (mesh.vertices - low) / np.ptp(mesh.vertices[:, 0])
+    options = core.default_options("even")
+    options.radius, options.iteration_limit = SPACING / 2, 120
+    with core.Flow(core.Surface(vertices, mesh.faces), options) as flow:
+        flow.run()
+        cut = core.cut_surface(flow, SPACING / 8, middle_lines=True)
+    return Mapped(cut, cut.positions[cut.faces][:, :, :2].copy(), SPACING)
+
+
+def centres(size: int = SIZE) -> np.ndarray:
+    """Where the pixels of an image lie in the map, (size, size, 2), its first row at the top."""
+    u = (np.arange(size) + 0.5) / size
+    return np.stack(np.meshgrid(u, 1.0 - u), axis=2)
+
+
+def true_distances(mapped: Mapped, places: np.ndarray) -> np.ndarray:
+    """From points of the plane to the curve, segment by segment."""
+    ends = mapped.cut.positions[mapped.cut.line_edges()][:, :, :2]
+    start, along = ends[:, 0], ends[:, 1] - ends[:, 0]
+    nearest = np.full(len(places), np.inf)
+    for begin in range(0, len(places), 2000):
+        to = places[begin : begin + 2000, None] - start
+        t = np.clip((to * along).sum(2) / (along * along).sum(1), 0.0, 1.0)
+        away = np.linalg.norm(to - t[:, :, None] * along, axis=2)
+        nearest[begin : begin + 2000] = away.min(axis=1)
+    return nearest
+
+
+def test_pixels_say_how_far_the_line_is(sheet: Mapped) -> None:
+    image = Tile(sheet, (0, 0), Style(SIZE, 0)).image("distance") / 65535.0
+    true = true_distances(sheet, centres().reshape(-1, 2)).reshape(SIZE, SIZE) / SPACING
+    near = true < 1.0
+    off = np.abs(image - true)[near]
+    assert np.median(off) < 1e-4 and np.percentile(off, 99) < 0.02 and off.max() < 0.1
+
+
+def test_the_mask_is_as_wide_as_asked(sheet: Mapped) -> None:
+    image = Tile(sheet, (0, 0), Style(SIZE, 0, line_width=0.3)).image("mask") / 65535.0
+    true = true_distances(sheet, centres().reshape(-1, 2)).reshape(SIZE, SIZE)
+    pixel = 1.0 / SIZE
+    assert (image[true < 0.15 * SPACING - pixel] == 1.0).mean() > 0.999
+    assert (image[true > 0.15 * SPACING + pixel] == 0.0).mean() > 0.995
+    assert image.mean() == pytest.approx((true < 0.15 * SPACING).mean(), rel=0.02)
+
+
+def test_normals_lean_as_heights_rise(sheet: Mapped) -> None:
+    style = Style(SIZE, 0, depth=0.4)
+    tile = Tile(sheet, (0, 0), style)
+    normal = tile.image("normal") / 65535.0 * 2.0 - 1.0
+    assert np.linalg.norm(normal, axis=2) == pytest.approx(1.0, abs=1e-3)
+    height = tile.image("height") / 65535.0 * style.depth * SPACING
+    rise_v, rise_u = np.gradient(height, 1.0 / SIZE)
+    # A difference of two pixels says nothing where a valley or a ridge is between them.
+    distance = tile.image("distance") / 65535.0
+    smooth = (distance > 0.1) & (distance < 0.35)
+    slopes = normal[:, :, :2] / normal[:, :, 2:]
+    # Rows count downwards, V counts upwards.
+    for found, expected in ((slopes[:, :, 0], -rise_u), (slopes[:, :, 1], rise_v)):
+        steep = smooth & (np.abs(expected) > 0.1)
+        assert np.corrcoef(found[steep], expected[steep])[0, 1] > 0.97
+        assert np.median(found[steep] / expected[steep]) == pytest.approx(1.0, abs=0.05)
+
+
+def test_a_mirrored_map_mirrors_the_image_and_turns_normals(sheet: Mapped) -> None:
+    mirrored = replace(sheet, uv=sheet.uv * [-1, 1] + [1, 0])
+    style = Style(SIZE, 0)
+    one, other = Tile(sheet, (0, 0), style), Tile(mirrored, (0, 0), style)
+    for kind in ("distance", "height", "along", "side"):
+        off = np.abs(one.image(kind).astype(float) - other.image(kind)[:, ::-1])
+        assert (off < 70.0).mean() > 0.999
+    a, b = one.image("normal").astype(float), other.image("normal")[:, ::-1].astype(float)
+    b[:, :, 0] = 65535.0 - b[:, :, 0]
+    assert (np.abs(a - b) < 70.0).mean() > 0.99
+
+
+def test_sides_part_at_the_line_and_along_runs_from_0_to_1(sheet: Mapped) -> None:
+    tile = Tile(sheet, (0, 0), Style(SIZE, 0))
+    side = tile.image("side")
+    assert set(np.unique(side)) == {0, 65535}
+    # Where the side changes from pixel to pixel, the line is between them, or a middle line is.
+    changes = side[:, 1:] != side[:, :-1]
+    distance = tile.image("distance") / 65535.0
+    near = np.minimum(distance[:, 1:], distance[:, :-1])[changes]
+    assert (near < 1.5 / SIZE / SPACING).mean() > 0.95
+    along = tile.image("along") / 65535.0
+    assert along.min() < 0.01 and along.max() > 0.99
+    assert np.histogram(along, 10, (0, 1))[0].min() > 0.05 * SIZE * SIZE
+
+
+def test_islands_go_on_beyond_their_edges(sheet: Mapped) -> None:
+    island = replace(sheet, uv=0.25 + 0.5 * sheet.uv)
+    bare = Tile(island, (0, 0), Style(SIZE, 0)).face.reshape(SIZE, SIZE) >= 0
+    assert bare.mean() == pytest.approx(0.25, abs=0.01)
+    wide = Tile(island, (0, 0), Style(SIZE, 7))
+    assert (wide.face >= 0).sum() == (0.5 * SIZE + 14) ** 2
+    image = wide.image("distance")
+    quarter = SIZE // 4
+    inner = image[quarter, quarter : 3 * quarter]
+    assert (np.abs(image[quarter - 7, quarter : 3 * quarter].astype(float) - inner) < 2500).all()
+    assert (image[: quarter - 7] == 0).all()
+
+
+def test_a_map_that_lies_on_itself_is_told(sheet: Mapped) -> None:
+    assert Tile(sheet, (0, 0), Style(SIZE, 4)).overlap < 0.001
+    folded = replace(sheet, uv=np.abs(sheet.uv - [0.5, 0.0]))
+    assert Tile(folded, (0, 0), Style(SIZE, 4)).overlap > 0.9
+
+
+def test_tiles_are_counted_as_udim_counts() -> None:
+    corners = np.zeros((3, 3, 2)) + [[0.1, 0.1], [0.9, 0.1], [0.1, 0.9]]
+    mapped = Mapped(None, corners + np.array([[[0, 0]], [[1, 0]], [[0, 1]]]), 1.0)
+    assert mapped.tiles() == [(0, 0), (0, 1), (1, 0)]
+    path = Path("folder/line.png")
+    assert line_maps.file_of(path, "mask", (0, 0), False) == Path("folder/line_mask.png")
+    assert line_maps.file_of(path, "mask", (1, 2), True) == Path("folder/line_mask.1022.png")
+    assert line_maps.problem_of_tiles(mapped.tiles()) is None
+    many = [(0, k) for k in range(101)]
+    for wrong, word in (([], "no area"), ([(-1, 0)], "UDIM"), (many, "101")):
+        assert word in line_maps.problem_of_tiles(wrong)
+
+
+def test_tiles_that_lie_beside_each_other_share_the_image(sheet: Mapped) -> None:
+    moved = replace(sheet, uv=sheet.uv + [3, 1])
+    assert moved.tiles() == [(3, 1)]
+    one, other = (Tile(sheet, (0, 0), Style(64, 2)), Tile(moved, (3, 1), Style(64, 2)))
+    assert (np.abs(one.image("height").astype(float) - other.image("height")) < 70.0).all()
+
+
+def test_png_holds_what_was_put_in() -> None:
+    """Read by hand: signature, chunks with their sums, rows that add up."""
+    rng = np.random.default_rng(1)
+    for shape in ((5, 7), (4, 6, 3)):
+        image = rng.integers(0, 2**16, shape, dtype=np.uint16)
+        data = line_maps.png(image)
+        assert data[:8] == b"\x89PNG\r\n\x1a\n"
+        chunks, at = {}, 8
+        while at < len(data):
+            (length,) = struct.unpack(">I", data[at : at + 4])
+            name, body = data[at + 4 : at + 8], data[at + 8 : at + 8 + length]
+            (sum_of,) = struct.unpack(">I", data[at + 8 + length : at + 12 + length])
+            assert sum_of == zlib.crc32(name + body)
+            chunks[name], at = body, at + 12 + length
+        width, height, depth, colour = struct.unpack(">IIBB", chunks[b"IHDR"][:10])
+        assert (height, width, depth, colour) == (*shape[:2], 16, 2 if len(shape) == 3 else 0)
+        raw = np.frombuffer(zlib.decompress(chunks[b"IDAT"]), np.uint8).reshape(height, -1)
+        assert (raw[:, 0] == 2).all()
+        rows = np.cumsum(raw[:, 1:], axis=0, dtype=np.uint8)
+        assert (rows.view(">u2").reshape(shape) == image).all()
