@@ -284,7 +284,8 @@ TEST(PatchDefinition, HoldsForSheetsOneAboveTheOther) {
         std::swap(sheets.faces[f], sheets.faces[f + 1]);
       }
       EXPECT_GT(expect_as_defined(Cut(sheets)).hidden, 100u);
-      if (lift > 0) EXPECT_GT(expect_as_defined(Cut(tied(sheets, sheets.face_count() / 2, {0, 0, 0}))).hidden, 100u);
+      if (lift == 0) continue;
+      EXPECT_GT(expect_as_defined(Cut(tied(sheets, sheets.face_count() / 2, {0, 0, 0}))).hidden, 100u);
     }
   }
 }
