@@ -62,6 +62,10 @@ class SurfacePatches::Cutter {
   /// The same for all of a patch: the length of the mean of its unit normals. .96 is an arc with a radius of r.
   static constexpr double kCreasedPatch = 0.96, kSharpPatch = 0.8, kBentPatch = 0.7;
 
+  /// A patch is coarse if it has no more faces than this for each r^2, as of edges of 1.24 r: there windows take less
+  /// time than what they stand in for, docs/medial_axis.md.
+  static constexpr double kMostFaces = 1.5;
+
   /// Which cube of space of this size a point is in. The origin is the middle of the surface: cubes are shifted, as
   /// rounding would else scatter a plane through it over both sides.
   static uint64_t voxel(const Vec3& p, double size, uint32_t level) {
@@ -307,6 +311,7 @@ class SurfacePatches::Cutter {
     patches_.normal_.assign(count, Vec3::Zero());
     patches_.component_.resize(count);
     for (std::vector<double>* each : {&area, &r, &coherence}) each->assign(count, 0);
+    std::vector<uint32_t> faces(count, 0);
     at_boundary.assign(count, 0);
     at_crease.assign(count, 0);
     for (uint32_t cell = 0; cell < cells_.size(); ++cell) {
@@ -315,6 +320,7 @@ class SurfacePatches::Cutter {
       centre[patch[cell]] += c.area * c.middle;
       patches_.normal_[patch[cell]] += c.area * s_.face_normal(c.face);
       r[patch[cell]] += c.area * radius_at(c.face);
+      if (!gridded(c.face)) ++faces[patch[cell]];
       patches_.component_[patch[cell]] = s_.component(c.face);
     }
     for (const uint32_t cell : boundary_cells_) at_boundary[patch[cell]] = 1;
@@ -333,6 +339,7 @@ class SurfacePatches::Cutter {
       if (coherence[p] < kCreasedPatch) traits.own = std::max(traits.own, Crease::kBlunt);
       if (coherence[p] < kSharpPatch) traits.own = Crease::kSharp;
       traits.bent = coherence[p] < kBentPatch;
+      traits.coarse = faces[p] * r[p] * r[p] <= kMostFaces * area[p];
     }
   }
 

@@ -243,6 +243,8 @@ SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius
   }
   Comparison(*this, cutter, pool).compare(clamp, pool);
   creased_anywhere_ = std::ranges::any_of(traits_, [](const Traits& t) { return t.creased != Crease::kFlat; });
+  coarse_creases_anywhere_ =
+      std::ranges::any_of(traits_, [](const Traits& t) { return t.creased != Crease::kFlat && t.coarse; });
   largest_radius_ = *std::ranges::max_element(cutter.r);
   if (!cutter.creases.empty()) creases_ = std::make_unique<const PointTree>(std::move(cutter.creases));
 }

@@ -90,6 +90,10 @@ class SurfacePatches {
   bool at_crease(uint32_t p) const { return traits_[p].own != Crease::kFlat; }
   /// Whether it bends so much that its normal says little.
   bool bent(uint32_t p) const { return traits_[p].bent; }
+  /// Whether its faces are so large that a ball reaches few of them; see WindowSearch.
+  bool coarse(uint32_t p) const { return traits_[p].coarse; }
+  /// Whether any patch is both creased and coarse.
+  bool coarse_creases_anywhere() const { return coarse_creases_anywhere_; }
   /// Unit; the mean over the patch.
   const Vec3& normal(uint32_t p) const { return normal_[p]; }
 
@@ -118,6 +122,7 @@ class SurfacePatches {
     float to_crease, to_bend;
     Crease own = Crease::kFlat, creased = Crease::kFlat;  // in it, and within reach
     bool bent = false;
+    bool coarse = false;
     bool hides = false;  // others: asked of every node, where the table of them is not
     bool hides_same_side = false;
     bool opposed = false;
@@ -151,7 +156,7 @@ class SurfacePatches {
   std::vector<uint32_t> remote_;  // sheets, in rising order for each patch
   std::unique_ptr<const PointTree> creases_;  // null: there are none
   double largest_radius_;                     // r, where it varies
-  bool creased_anywhere_ = false;
+  bool creased_anywhere_ = false, coarse_creases_anywhere_ = false;
 };
 
 }  // namespace meander

@@ -82,12 +82,25 @@ double GeodesicBall::largest(uint32_t node, size_t side, double straight, uint32
       certain && patches.to_bend(patch) > 1.5 * straight &&
       ((along >= kAhead && agrees(straight, touched)) || !holds_crease(straight));
   if (flat && alike(touched)) return straight;
-  note_own();
-  const bool opposite = certain && patches.opposite(patch, scene_.obstacles.patch(touched));
-  searched_ = !certain || opposite || !measure(straight, touched, most);
-  if (searched_) search_below(likely);
+  if (!patches.coarse(patch) || !look_through_windows(likely, most, touched)) {
+    note_own();
+    const bool opposite = certain && patches.opposite(patch, scene_.obstacles.patch(touched));
+    searched_ = !certain || opposite || !measure(straight, touched, most);
+    if (searched_) search_below(likely);
+  }
   if (patches.sharp(patch)) look_from_centre();
   return least_;
+}
+
+/// The ball by windows, which look first for one of less than `likely`; false if it reaches too many faces.
+bool GeodesicBall::look_through_windows(double likely, double most, uint32_t touched) {
+  const SurfacePoint& from = scene_.curve.nodes[node_];
+  std::optional<double> radius = windows_.largest(from, node_, ahead_, std::min(likely, most));
+  if (radius && windows_.touched() == kNone && likely < most) radius = windows_.largest(from, node_, ahead_, most);
+  if (!radius) return false;
+  least_ = *radius;
+  searched_ = windows_.touched() != touched;
+  return true;
 }
 
 /// That of the patch, where it is of one face of a crease only.

@@ -16,7 +16,7 @@ namespace meander {
 /// One ball after the other, and the scratch memory of one thread. What it does is in docs/medial_axis.md.
 class GeodesicBall {
  public:
-  explicit GeodesicBall(const GeodesicScene& scene) : scene_(scene) {}
+  explicit GeodesicBall(const GeodesicScene& scene) : scene_(scene), windows_(scene.surface, scene.points) {}
 
   /// In this order nodes of a run of the tree are to be asked for: the first three lead rays, and have one of them
   /// beside every other.
@@ -57,6 +57,7 @@ class GeodesicBall {
   const Vec3& normal_at(uint32_t p, uint32_t patch) const;
   bool alike(uint32_t p) const;
   bool agrees(double straight, uint32_t p) const;
+  bool look_through_windows(double likely, double most, uint32_t touched);
   bool measure(double straight, uint32_t touched, double most);
   void pass_over(uint32_t p);
   bool counts(uint32_t j) const;
@@ -77,6 +78,7 @@ class GeodesicBall {
   void come_across(uint32_t index, Vec2 place);
 
   const GeodesicScene& scene_;
+  WindowSearch windows_;
   // The ball that is looked for.
   uint32_t node_ = 0;
   Vec3 outward_;

@@ -135,7 +135,12 @@ void compute_geodesic_medial_axis(const Surface& surface, const SurfacePatches& 
   radii.resize(n, Radii{0, 0});
   const Obstacles obstacles(surface, patches, curve, frames, boundary, rule, pool);
   tree.build(obstacles.positions(), pool, obstacles.parts());
-  const GeodesicScene scene{surface, patches, curve, frames, obstacles, tree, measure};
+  PointsOfFaces points;
+  if (measure && patches.coarse_creases_anywhere()) {
+    points.sort(surface, static_cast<uint32_t>(obstacles.positions().size()),
+                [&](uint32_t i) { return obstacles.point(i); }, pool);
+  }
+  const GeodesicScene scene{surface, patches, curve, frames, obstacles, tree, measure, points};
   const CurveBvh::Sight sight{
       obstacles.patches(), [&](uint32_t patch, uint32_t run) { return scene.lanes_seen(patch, run); },
       [&](size_t first, size_t last, uint32_t run) { return scene.share_seen(first, last, run); }};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geodesic/surface_patches.h"
+#include "geodesic/windows.h"
 #include "medial/boundary_reach.h"
 #include "medial/curve_bvh.h"
 
@@ -105,6 +106,7 @@ struct GeodesicScene {
   const Obstacles& obstacles;
   const CurveBvh& tree;  ///< of the obstacles
   bool measure;          ///< balls near creases, see compute_geodesic_medial_axis
+  const PointsOfFaces& points;  ///< the obstacles again, if balls are measured where creased patches are coarse
 
   bool one_sided(uint32_t patch) const { return passes_over_away(patches, patch, measure); }
   bool sees_all(uint32_t patch) const { return !patches.hides(patch) && !one_sided(patch); }
