@@ -41,7 +41,10 @@ def choose(thing: bpy.types.Object, **values) -> bpy.types.Object:
 
 def values_of(thing: bpy.types.Object) -> dict[str, object]:
     modifier = look_modifier.modifier_of(thing)
-    names = ("Radius", "Profile", "Resolution", "Lift", "Radius Follows Spacing", "Material")
+    names = (
+        *("Radius", "Profile", "Resolution", "Lift", "Radius Follows Spacing", "Material"),
+        *("Plies", "Twist", "Fuzz", "Ends", "Ends Material"),
+    )
     return {name: look_modifier.value_of(modifier, name) for name in names}
 
 
@@ -305,7 +308,8 @@ def test_no_run_touches_the_look():
     result = small()
     surface = result.meander.surface
     mine = bpy.data.materials.new("Mine")
-    choose(result, Radius=0.4, Profile=2, Resolution=5, Lift=0.5, Material=mine)
+    choose(result, Radius=0.4, Profile=4, Resolution=5, Lift=0.5, Material=mine)
+    choose(result, Plies=4, Twist=0.5, Fuzz=0.1, Ends=2)
     modifier = look_modifier.modifier_of(result)
     owner, path = look_modifier.place_of(modifier, "Radius")
     if path.startswith("["):

@@ -22,6 +22,7 @@ _OWN = frozenset(
         "bake",
         "last_result",
         "shown_profile",
+        "shown_ends",
     }
 )
 
