@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from meander.run import seed_preview
+from meander.ui import seed_drawing
 from scenes import (
     activate,
     circle_points,
@@ -192,6 +193,20 @@ def test_a_seed_is_drawn_in_edit_mode_and_nothing_drawn_changes_nothing():
     result = fill(surface, 0.3)
     ((_points, cyclic),) = world_splines(result)
     assert not cyclic
+
+
+def test_strokes_are_shown_and_what_a_run_would_refuse_is_said():
+    """What a timer asks for in a window."""
+    surface = grid(8)
+    assert bpy.ops.meander.draw_seed() == {"FINISHED"}
+    drawing, curve = seed_drawing._drawing, surface.meander.seed
+    for turn, shown in ((0.0, True), (1.0, False)):
+        bpy.ops.curve.primitive_bezier_curve_add(radius=0.4, rotation=(0.0, 0.0, turn))
+        seed_drawing._show_strokes(drawing, curve)
+        assert seed_preview.is_shown(surface)
+        assert bool(drawing.problem) != shown
+    assert "crosses or touches itself" in drawing.problem
+    bpy.ops.meander.end_seed()
 
 
 def test_the_preview_shows_what_a_run_starts_from_until_that_changes(capfd):

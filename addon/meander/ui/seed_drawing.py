@@ -29,6 +29,7 @@ from ..scene.identity import Key
 from ..scene.seed_curves import new_seed
 from ..scene.settings import surface_of
 from .refusing import refusing
+from .run_operators import sentence_of
 from .sidebar import Sidebar
 
 _DRAW_TOOL = "builtin.draw"
