@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import bpy
 import numpy as np
+import panel_layout
 import pytest
 from meander.run import following
+from meander.ui.panels import MEANDER_PT_figures
 from scenes import (
     activate,
     circle_points,
@@ -79,6 +81,10 @@ def test_parts_without_a_seed_are_told_of_and_can_be_filled(capfd):
     result = fill(surface, 0.4, seed=seed)
     assert len(result.data.splines) == 1
     assert result.meander.figures.empty_parts == surface.meander.figures.empty_parts == 1
+    for thing in (result, surface):
+        activate(thing)
+        texts = [text.text for text in panel_layout.drawn(MEANDER_PT_figures, bpy.context).texts()]
+        assert "Parts remain empty" in texts, "in Last Run, where one looks"
     result = fill(surface, 0.4, seed=seed, seed_every_part=True)
     assert len(result.data.splines) == 2
     assert result.meander.figures.empty_parts == 0
@@ -146,7 +152,7 @@ def test_a_stroke_needs_both_ends_on_one_part():
     surface.modifiers.new("Array", "ARRAY").relative_offset_displace = (1.5, 0.0, 0.0)
     b = empty("B", (3.0, 0.0, 0.0))
     sentence = refused(surface, stroke_to=b)
-    assert "different components" in sentence and "'A to B'" in sentence
+    assert "leaves its part of the surface" in sentence and "'A to B'" in sentence
 
 
 # -- guides ----------------------------------------------------------------------------------------

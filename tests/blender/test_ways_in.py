@@ -188,16 +188,30 @@ def test_the_menu_has_every_operator():
             called.append((idname, text, given))
             return given
 
-    this = SimpleNamespace(layout=Noted())
-    MEANDER_MT_object.draw(this, bpy.context)
-    # Menu Search shows the text alone: no two may be the same.
-    texts = [item.label for item in this.layout.children]
-    assert len(set(texts)) == len(texts) and "Done" not in texts and "Show" not in texts
-    of_panels = {"live", "ask_run", "use_preset", "add_preset"}
-    operators = {f"meander.{name}" for name in set(dir(bpy.ops.meander)) - of_panels}
-    assert {idname for idname, _text, _given in called} == operators
-    run = [vars(given) for idname, _text, given in called if idname == "meander.run"]
-    assert run == [{}, {"restart": True}, {"beside": True}]
+    def texts_of_run() -> list[tuple[str | None, dict]]:
+        called.clear()
+        this = SimpleNamespace(layout=Noted())
+        MEANDER_MT_object.draw(this, bpy.context)
+        # Menu Search shows the text alone: no two may be the same.
+        texts = [item.label for item in this.layout.children]
+        assert len(set(texts)) == len(texts) and "Done" not in texts and "Show" not in texts
+        # What goes on with a run that was stopped stands there only when there is one.
+        of_panels = {"live", "ask_run", "use_preset", "add_preset", "resume"}
+        operators = {f"meander.{name}" for name in set(dir(bpy.ops.meander)) - of_panels}
+        assert {idname for idname, _text, _given in called} == operators
+        return [(text, vars(given)) for idname, text, given in called if idname == "meander.run"]
+
+    # The same words as in the panel, for the same things.
+    activate(None)
+    assert texts_of_run() == [(None, {})]
+    surface = cube()
+    assert texts_of_run() == [(None, {})]
+    result = fill(surface, 0.5)
+    assert texts_of_run() == [("Continue", {}), ("Fill Again", {"restart": True})]
+    activate(surface)
+    again = [("Fill Again", {}), ("New Curve", {"beside": True})]
+    assert texts_of_run() == again
+    assert result.meander.surface == surface
 
 
 def test_help_opens_a_page_or_says_why_not(tmp_path, monkeypatch, capfd):

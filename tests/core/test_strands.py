@@ -418,5 +418,5 @@ def test_objects_need_blender(run) -> None:
 def test_batch_refuses_a_stroke_between_parts(run) -> None:
     mesh = geometry.two_spheres()
     code, _out, err = run(mesh, "--from-vertex", 0, "--to-vertex", len(mesh.vertices) - 1)
-    assert code == 2 and "different components" in err
+    assert code == 2 and "leaves its part of the surface" in err
     assert_sentence(err.rstrip("\n"))

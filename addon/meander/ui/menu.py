@@ -8,16 +8,12 @@ from __future__ import annotations
 
 import bpy
 
+from .fill_buttons import draw_fill_buttons
+
 # In groups: the operator, a text where its own would not say enough, and what it is called with.
 _ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
     (
-        ("run", "", {}),
-        ("run", "Fill Again", {"restart": True}),
-        ("run", "New Curve", {"beside": True}),
-        ("resume", "Continue Filling", {}),
         ("stop", "Stop Filling", {}),
-    ),
-    (
         ("choose_settings", "Choose Settings of Linked Mesh", {}),
         ("propose_spacing", "", {}),
         ("show_gaps", "", {}),
@@ -59,12 +55,12 @@ class MEANDER_MT_object(bpy.types.Menu):
     bl_idname = "MEANDER_MT_object"
     bl_label = "Meander"
 
-    def draw(self, _context: bpy.types.Context) -> None:
+    def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         layout.operator_context = "INVOKE_DEFAULT"
-        for number, group in enumerate(_ENTRIES):
-            if number:
-                layout.separator()
+        draw_fill_buttons(layout, context)
+        for group in _ENTRIES:
+            layout.separator()
             for name, text, given in group:
                 entry = {"text": text} if text else {}
                 operator = layout.operator(f"meander.{name}", **entry)

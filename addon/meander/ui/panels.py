@@ -9,7 +9,7 @@ from bpy.props import FloatProperty
 from ..model import last_run
 from ..model.estimate import described
 from ..model.options import in_panel
-from ..run import estimates, gap_marks, session, suspended
+from ..run import estimates, gap_marks, session
 from ..run.queue import objects_of
 from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
@@ -18,13 +18,14 @@ from ..scene.linked_settings import can_be_changed, settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
 from .declared import row, rows, switch
+from .fill_buttons import draw_fill_buttons
 from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
 from .on_result import LINKED, is_linked
 from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation_panels import draw_faults
 from .presets import MEANDER_PT_presets, active_name
-from .run_operators import MEANDER_OT_resume, MEANDER_OT_run, MEANDER_OT_stop
+from .run_operators import MEANDER_OT_stop
 from .seed_drawing import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, GUIDANCE, ORDER, OUTPUT, Sidebar, SubPanel, columns, notice
@@ -76,27 +77,11 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
     def _draw_buttons(
         self, layout: bpy.types.UILayout, context: bpy.types.Context
     ) -> None:
-        active, scene = context.active_object, context.scene
+        active = context.active_object
         layout.operator_context = "INVOKE_DEFAULT"
         column = layout.column(align=True)
         column.scale_y = 1.4
-        kept = suspended.run_of(active)
-        if kept is not None:
-            # What has its whole length is still being made even.
-            text = f"Continue at {min(100.0 * kept.progress, 99.0):.0f} %"
-            column.operator(MEANDER_OT_resume.bl_idname, text=text, icon="PLAY")
-        if is_result(active):
-            if kept is None:
-                column.operator(MEANDER_OT_run.bl_idname, text="Continue", icon="PLAY")
-            column.operator(
-                MEANDER_OT_run.bl_idname, text="Fill Again", icon="FILE_REFRESH"
-            ).restart = True
-        elif last_result(active, scene) is None:
-            column.operator(MEANDER_OT_run.bl_idname, icon="PLAY")
-        else:
-            column.operator(MEANDER_OT_run.bl_idname, text="Fill Again", icon="FILE_REFRESH")
-            new = column.operator(MEANDER_OT_run.bl_idname, text="New Curve", icon="ADD")
-            new.beside = True
+        draw_fill_buttons(column, context)
         objects = objects_of(context)
         if settings_of(active).spacing == 0.0:
             layout.label(text=_automatic(context, objects), icon="INFO")
@@ -201,6 +186,8 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
             column = layout.column(align=True)
             column.label(text=last_run.lines(figures.lines, figures.closed_lines))
             notice(column, figures.lines_why, "NONE")
+        if figures.empty_parts:
+            notice(layout, "Parts remain empty", "ERROR")
         gaps = wide_gaps(figures)
         _figures(
             layout,

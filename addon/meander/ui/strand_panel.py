@@ -15,7 +15,7 @@ from .seed_operators import (
     MEANDER_OT_stroke_from_vertices,
 )
 from .settings import MeanderSettings
-from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns, notice
+from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
 
 
 class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
@@ -51,8 +51,6 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         row = layout.row()
         row.active = bool(settings.guides or settings.guide_collection)
         switch(row, settings, "keep_guides")
-        if settings.figures.empty_parts:
-            notice(layout, "Parts remain empty", "ERROR")
 
 
 def _draw_makers(column: bpy.types.UILayout, surface: bpy.types.Object) -> None:

@@ -221,9 +221,8 @@ void join_nodes(const Surface& surface, const SeedStrands& seed, const RadiusFie
     if (j == kNone) continue;
     poll(kJoined);
     if (!connect_faces(surface, curve.nodes[i].face, curve.nodes[j], curve.paths[i], poll)) {
-      refuse("Seed points " + std::to_string(point_of_node[i]) + " and " + std::to_string(point_of_node[j]) +
-                 " are neighbours on one strand but lie on different components of the surface, which "
-                 "no strand can leave; draw one strand for each component.",
+      refuse("At seed points " + std::to_string(point_of_node[i]) + " and " + std::to_string(point_of_node[j]) +
+                 " a strand leaves its part of the surface for another, which no strand can; draw one for each part.",
              point_of_node[i]);
     }
     curve.shapes[i] = shortener.shorten(curve.nodes[i], curve.nodes[j], curve.paths[i]);
