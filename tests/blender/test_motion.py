@@ -369,6 +369,7 @@ def test_a_bake_can_be_deleted_from_what_is_seen(
 ) -> None:
     scenes.activate(result)
     bpy.ops.meander.bake_motion(frame_start=1, frame_end=3)
+    assert bpy.context.view_layer.objects.active == tube, "the panel is empty for a hidden curve"
     frame = result.meander.bake.objects[0]
     scenes.sphere()
     assert not bpy.ops.meander.clear_bake.poll(), "this mesh has nothing to do with it"

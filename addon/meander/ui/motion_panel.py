@@ -24,10 +24,18 @@ class _OnResult(OnOwnResult):
     def _bake(self, context: bpy.types.Context, bake: Any, *arguments: Any) -> set[str]:
         result = context.active_object
         collection = bake(result, context, *arguments)
+        _activate_surface(context, result)
         following.forget()
         count = len(collection.objects)
         self.report({"INFO"}, f"{collection.name}: {count} objects; {result.name} is hidden")
         return {"FINISHED"}
+
+
+def _activate_surface(context: bpy.types.Context, result: bpy.types.Object) -> None:
+    """Makes the surface active in place of its result, which is hidden: the panel goes on there."""
+    surface, layer = result.meander.surface, context.view_layer
+    if layer.objects.get(surface.name) == surface and surface.visible_get(view_layer=layer):
+        layer.objects.active = surface
 
 
 class MEANDER_OT_bake_motion(_OnResult, bpy.types.Operator):
@@ -101,6 +109,7 @@ class MEANDER_OT_animate_growth(_OnResult, bpy.types.Operator):
         result, first = context.active_object, context.scene.frame_start
         last = first + self.frames - 1
         collection, stages = baking.animate_growth(result, context, first, last)
+        _activate_surface(context, result)
         following.forget()
         made = collection.objects[0].name
         self.report({"INFO"}, f"{made}: {stages} stages in one object; {result.name} is hidden")
