@@ -123,6 +123,14 @@ def test_a_linked_mesh_takes_presets_and_gives_them(tmp_path, monkeypatch):
     assert presets.active_name(surface.meander) != "Own"
 
 
+def test_a_linked_mesh_is_filled_without_a_word_on_the_console(tmp_path, capfd):
+    """Settings in the scene have no look, and are not asked for one."""
+    linked(library(tmp_path, with_curve=False))
+    capfd.readouterr()
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert "Traceback" not in "".join(capfd.readouterr())
+
+
 def test_a_linked_mesh_takes_seeds(tmp_path):
     surface = linked(library(tmp_path))
     assert bpy.ops.meander.propose_spacing() == {"FINISHED"}

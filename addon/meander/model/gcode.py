@@ -129,7 +129,8 @@ def gcode_text(
     writer.safe = max(float(way[:, 2].max()) for ways in layers for way in ways)
     writer.safe += motion.lift / drawing.millimetres
     writer.line(f"; {_plain(title)}, Meander {version}")
-    writer.line(f"; {len(drawing.strands)} strands, length {drawing.length:.6g} {drawing.unit}")
+    strands = "1 strand" if len(drawing.strands) == 1 else f"{len(drawing.strands)} strands"
+    writer.line(f"; {strands}, length {drawing.length:.6g} {drawing.unit}")
     writer.line(_UNIT_WORDS[drawing.unit])
     for line in words.head if head is None else head:
         writer.line(line)

@@ -279,7 +279,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             result.meander.figures.least_spacing or result.meander.spacing,
         )
         warning = surface_crossings.crossing_warning(places)
-        return f"{count:,} points in {len(strands):,} strands", warning
+        of_strands = "1 strand" if len(strands) == 1 else f"{len(strands):,} strands"
+        return f"{count:,} points in {of_strands}", warning
 
     def _write_drawing(
         self, path: Path, kind: export.Format, context: bpy.types.Context

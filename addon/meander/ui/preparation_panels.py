@@ -106,7 +106,8 @@ def draw_faults(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
         notice(column, sentence.partition(";")[0], "ERROR")
     else:
         column.label(text=f"{count:,} repaired", icon="CHECKMARK")
-    column.operator(MEANDER_OT_select_problem.bl_idname, icon="RESTRICT_SELECT_OFF")
+    if surface.type == "MESH":  # there is nothing to select in others
+        column.operator(MEANDER_OT_select_problem.bl_idname, icon="RESTRICT_SELECT_OFF")
 
 
 class MEANDER_PT_mask(SubPanel, bpy.types.Panel):

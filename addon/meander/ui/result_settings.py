@@ -23,21 +23,28 @@ ENDS = (
 )
 
 
+def _modifier_of(settings: bpy.types.PropertyGroup) -> bpy.types.Modifier | None:
+    """That of the look; settings of a linked surface are the scene's, which has none."""
+    thing = settings.id_data
+    return look_modifier.modifier_of(thing) if isinstance(thing, bpy.types.Object) else None
+
+
 def _shown(settings: bpy.types.PropertyGroup, name: str, count: int) -> int:
-    modifier = look_modifier.modifier_of(settings.id_data)
+    modifier = _modifier_of(settings)
     number = None if modifier is None else look_modifier.value_of(modifier, name)
     return min(max(int(number or 0), 0), count - 1)
 
 
 def _choose(settings: bpy.types.PropertyGroup, name: str, number: int) -> None:
-    modifier = look_modifier.modifier_of(settings.id_data)
+    modifier = _modifier_of(settings)
     if modifier is not None:
         look_modifier.set_value(modifier, name, number)
 
 
 def _choose_ends(settings: bpy.types.PropertyGroup, number: int) -> None:
     _choose(settings, "Ends", number)
-    look.give_ends_material(settings.id_data)
+    if isinstance(settings.id_data, bpy.types.Object):
+        look.give_ends_material(settings.id_data)
 
 
 class ProfileSettings:
