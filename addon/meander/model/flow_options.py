@@ -39,7 +39,7 @@ ROWS: tuple[Option, ...] = (
         kind=str,
         default="even",
         choices=(
-            ("even", "Even", "Evenly spaced, few hairpins, no gaps"),
+            ("even", "Even", "Evenly spaced, with few hairpins"),
             ("finest", "Finest", "More even than Even, in long rows with a third of the hairpins"),
             ("paper", "As Published", "Faster, more winding, less even: the method as published"),
         ),

@@ -149,7 +149,7 @@ class DensitySettings:
             (
                 "FREE",
                 "Curve",
-                "Drawn by hand: to the right the value, upwards the share of Factor High",
+                "Drawn by hand: to the right the value, upwards the share of At High",
             ),
         ),
         default="LINEAR",

@@ -163,8 +163,8 @@ class MeanderSettings(
     live: BoolProperty(
         name="Live",
         description=(
-            "Let the curve follow changes of spacing, density and weights at once, while it grows "
-            "and after, also while you paint"
+            "Let the curve follow changes of spacing, density and strand shape at once, while it "
+            "grows and after, also while you paint"
         ),
         default=False,
         options=set(),
