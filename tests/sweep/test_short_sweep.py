@@ -16,7 +16,7 @@ from sentences import assert_sentence
 from shapes import SHAPES
 from sweep import Sweep
 
-# None of these takes more than two seconds; the limits end what hangs.
+# None of these takes more than ten seconds; the limits end what hangs.
 LIMITS = Limits(seconds=20, clock=250)
 RUNS = list(short_runs(SHAPES))
 

@@ -127,16 +127,17 @@ std::array<int64_t, 3> LineNetwork::cell(const Vec3& p, double size) {
           static_cast<int64_t>(std::floor(p.z() / size))};
 }
 
-uint64_t LineNetwork::key(int64_t x, int64_t y, int64_t z) {
+uint64_t LineNetwork::key(uint32_t component, int64_t x, int64_t y, int64_t z) {
+  constexpr uint64_t kSpread = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio (Knuth)
   const auto part = [](int64_t i) { return static_cast<uint64_t>(i) & 0x1fffff; };
-  return part(x) | part(y) << 21 | part(z) << 42;
+  return (part(x) | part(y) << 21 | part(z) << 42) ^ component * kSpread;
 }
 
 std::pair<size_t, uint64_t> LineNetwork::cell_of(const Node& node) const {
   const int octave = std::ilogb(kCell * node.radius / least_cell_);
   const auto level = static_cast<size_t>(std::clamp(octave, 0, 40));
   const auto [x, y, z] = cell(node.place, cell_size(level));
-  return {level, key(x, y, z)};
+  return {level, key(surface_.component(node.point.face), x, y, z)};
 }
 
 double LineNetwork::along_surface(const Node& a, const Node& b, double chord) const {

@@ -80,10 +80,11 @@ class LineNetwork {
       const double size = cell_size(level);
       const auto low = cell(node.place - Vec3::Constant(reach), size);
       const auto high = cell(node.place + Vec3::Constant(reach), size);
+      const uint32_t component = surface_.component(node.point.face);
       for (int64_t x = low[0]; x <= high[0]; ++x) {
         for (int64_t y = low[1]; y <= high[1]; ++y) {
           for (int64_t z = low[2]; z <= high[2]; ++z) {
-            const auto found = levels_[level].find(key(x, y, z));
+            const auto found = levels_[level].find(key(component, x, y, z));
             if (found == levels_[level].end()) continue;
             for (const uint32_t i : found->second) {
               const double chord = (nodes_[i].place - node.place).norm();
@@ -109,7 +110,9 @@ class LineNetwork {
 
   double cell_size(size_t level) const { return least_cell_ * static_cast<double>(uint64_t{1} << level); }
   static std::array<int64_t, 3> cell(const Vec3& p, double size);
-  static uint64_t key(int64_t x, int64_t y, int64_t z);
+  /// Of a cell that holds nodes of one component: of the others nothing is near along the surface, and ten thousand of
+  /// them may lie in one place. Cells far apart may share a key, which costs time only.
+  static uint64_t key(uint32_t component, int64_t x, int64_t y, int64_t z);
   std::pair<size_t, uint64_t> cell_of(const Node& node) const;
   double along_surface(const Node& a, const Node& b, double chord) const;
   template <class Put>
