@@ -152,7 +152,8 @@ void average_over_radius(const Surface& surface, const RadiusField& radius, doub
     SpaceSums<Count> sums(std::ldexp(cubes_of_radius * least, octave));
     for (uint32_t v = 0; v < n; ++v) {
       poll();
-      sums.add(surface.position(v), add(v));
+      // What no face uses may lie nowhere.
+      if (surface.position(v).allFinite()) sums.add(surface.position(v), add(v));
     }
     if (!finish(sums.corners())) continue;
     for (uint32_t v = 0; v < n; ++v) {
@@ -160,7 +161,7 @@ void average_over_radius(const Surface& surface, const RadiusField& radius, doub
       double fraction = 0;
       const int own = octave_of(v, fraction);
       const double share = own == octave ? 1 - fraction : (own + 1 == octave ? fraction : 0);
-      if (share > 0) read(v, sums.at(surface.position(v)), share);
+      if (share > 0 && surface.position(v).allFinite()) read(v, sums.at(surface.position(v)), share);
     }
   }
 }
