@@ -86,7 +86,7 @@ def images_of(
     corners = place.blender("--maps").map_corners(given, arguments.map_uv or "")
     detail = line_maps.DETAIL * arguments.spacing
     cut = interruptible(lambda context: core.cut_surface(flow, detail, True, context))
-    mapped = line_maps.mapped(cut, corners, arguments.spacing)
+    mapped = line_maps.Mapped.of(cut, corners, arguments.spacing)
     try:
         images, overlap = line_maps.images(
             mapped, arguments.maps, arguments.map_kinds or line_maps.KINDS, _style(arguments)

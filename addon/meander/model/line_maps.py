@@ -67,6 +67,15 @@ class Mapped:
     uv: NDArray[np.float64]
     spacing: float
 
+    @classmethod
+    def of(cls, cut: core.CutSurface, corners: NDArray[np.float64], spacing: float) -> Mapped:
+        """A cut laid into a UV map.
+
+        corners   (f, 3, 2), the map at the corners of the surface's faces
+        """
+        uv = np.einsum("mkw,mwx->mkx", cut.corner_weights, corners[cut.origins])
+        return cls(cut, uv, spacing)
+
     def tiles(self) -> list[tuple[int, int]]:
         """The unit squares of the map that faces lie in, by columns and rows, as UDIM counts."""
         sides = self.uv[:, 1:] - self.uv[:, :1]
@@ -291,17 +300,6 @@ def _height(distance: NDArray[np.float64]) -> NDArray[np.float64]:
 def _steepness(distance: NDArray[np.float64]) -> NDArray[np.float64]:
     """The derivative of _height()."""
     return 4.0 * np.clip(1.0 - 2.0 * distance, 0.0, 1.0)
-
-
-def mapped(
-    cut: core.CutSurface, corners: NDArray[np.float64], spacing: float
-) -> Mapped:
-    """Lays a cut into a UV map.
-
-    corners   (f, 3, 2), the map at the corners of the surface's faces
-    """
-    uv = np.einsum("mkw,mwx->mkx", cut.corner_weights, corners[cut.origins])
-    return Mapped(cut, uv, spacing)
 
 
 def images(

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
 import bpy
 
 from ..model.stages import stages_of
@@ -13,6 +16,22 @@ from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
 from .followers import GrownCurve, follower_of
 from .plan import plan_of
+
+
+@contextmanager
+def _all_or_nothing(
+    result: bpy.types.Object, context: bpy.types.Context
+) -> Iterator[Callable[[float], None]]:
+    """Gives what shows how far it is, from 0 to 1; takes away what was baked where it fails."""
+    manager = context.window_manager
+    manager.progress_begin(0.0, 1.0)
+    try:
+        yield manager.progress_update
+    except BaseException:
+        baked_frames.clear(result)
+        raise
+    finally:
+        manager.progress_end()
 
 
 def bake_motion(
@@ -30,34 +49,29 @@ def bake_motion(
     follow, settings.follow = settings.follow, False  # two followers would take turns
     frames = Frames(result, scene)
     context.view_layer.update()
-    manager = context.window_manager
-    manager.progress_begin(0.0, 1.0)
     try:
-        depsgraph = context.evaluated_depsgraph_get()
-        follower = follower_of(result, scene, depsgraph)
-        sticks = settings.motion == "STICK"
-        numbers, places, offsets = [], [], None
-        for frame in range(first, last + 1):
-            scene.frame_set(frame)
+        with _all_or_nothing(result, context) as show:
             depsgraph = context.evaluated_depsgraph_get()
-            vertices, faces = triangles_of(settings.surface, depsgraph)
-            matrix = matrix_of(settings.surface, depsgraph)
-            curve = follower.moved(vertices, faces)
+            follower = follower_of(result, scene, depsgraph)
+            sticks = settings.motion == "STICK"
+            numbers, places, offsets = [], [], None
+            for frame in range(first, last + 1):
+                scene.frame_set(frame)
+                depsgraph = context.evaluated_depsgraph_get()
+                vertices, faces = triangles_of(settings.surface, depsgraph)
+                matrix = matrix_of(settings.surface, depsgraph)
+                curve = follower.moved(vertices, faces)
+                if sticks:
+                    numbers.append(frame)
+                    places.append(to_local(curve.positions, matrix))
+                    offsets = curve.offsets
+                else:
+                    frames.add(frame, curve, matrix, follower.factors)
+                show((frame - first + 1) / (last - first + 1))
             if sticks:
-                numbers.append(frame)
-                places.append(to_local(curve.positions, matrix))
-                offsets = curve.offsets
-            else:
-                frames.add(frame, curve, matrix, follower.factors)
-            manager.progress_update((frame - first + 1) / (last - first + 1))
-        if sticks:
-            frames.add_sticking(numbers, places, offsets)
-        frames.finish()
-    except BaseException:
-        baked_frames.clear(result)
-        raise
+                frames.add_sticking(numbers, places, offsets)
+            frames.finish()
     finally:
-        manager.progress_end()
         settings.follow = follow
         scene.frame_set(present)
     return frames.collection
@@ -72,9 +86,7 @@ def bake_growth(
     """
     plan = plan_of(result, context.scene, context.evaluated_depsgraph_get(), restart=True)
     frames = Frames(result, context.scene)
-    manager = context.window_manager
-    manager.progress_begin(0.0, 1.0)
-    try:
+    with _all_or_nothing(result, context) as show:
         grown = GrownCurve(plan)
         with grown.flow as flow:
             reason, iteration, frame = "running", 0, first
@@ -88,13 +100,8 @@ def bake_growth(
                     iteration += 1
                     if reason != "running":
                         break
-                manager.progress_update(iteration / plan.problem.options.iteration_limit)
+                show(iteration / plan.problem.options.iteration_limit)
         frames.finish()
-    except BaseException:
-        baked_frames.clear(result)
-        raise
-    finally:
-        manager.progress_end()
     return frames.collection
 
 
@@ -109,13 +116,11 @@ def animate_growth(
     """
     plan = plan_of(result, context.scene, context.evaluated_depsgraph_get(), restart=True)
     frames = Frames(result, context.scene)
-    manager = context.window_manager
-    manager.progress_begin(0.0, 1.0)
-    try:
+    with _all_or_nothing(result, context) as show:
         with GrownCurve(plan).flow as flow:
             flow.run()
             lengths = [entry["length"] for entry in flow.history()]
-        manager.progress_update(0.5)
+        show(0.5)
         wanted = set(stages_of(lengths, last - first + 1))
         grown, stages = GrownCurve(plan), []
         with grown.flow as flow:
@@ -124,12 +129,7 @@ def animate_growth(
                     flow.step()
                 if iteration in wanted:
                     stages.append(grown.polylines()[0])
-                    manager.progress_update(0.5 + 0.5 * iteration / len(lengths))
+                    show(0.5 + 0.5 * iteration / len(lengths))
         frames.add_growth(stages, plan.matrix, first, last)
         frames.finish()
-    except BaseException:
-        baked_frames.clear(result)
-        raise
-    finally:
-        manager.progress_end()
     return frames.collection, len(stages)

@@ -104,7 +104,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         # Details of a cut are in half spacings.
         cut = cut_result(result, context.scene, depsgraph, 2.0 * line_maps.DETAIL, True)
         style = line_maps.Style(self.size, self.margin, self.line_width, self.depth)
-        mapped = line_maps.mapped(cut.cut, corners, cut.plan.spacing)
+        mapped = line_maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
         path = Path(bpy.path.abspath(self.filepath)).with_suffix(".png")
         try:
             images, overlap = line_maps.images(mapped, path, kinds, style)

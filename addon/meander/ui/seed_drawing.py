@@ -9,7 +9,6 @@ strokes come to is shown on the surface after each.
 
 from __future__ import annotations
 
-import textwrap
 import time
 from dataclasses import dataclass, field
 from typing import Any
@@ -30,7 +29,7 @@ from ..scene.seed_curves import new_seed
 from ..scene.settings import surface_of
 from .refusing import refusing
 from .run_operators import sentence_of
-from .sidebar import Sidebar
+from .sidebar import Sidebar, notice
 
 _DRAW_TOOL = "builtin.draw"
 # What makes a stroke lie on what is seen under the mouse; Blender without one of them goes without.
@@ -48,8 +47,6 @@ _INTERVAL = 0.1
 # Strokes on a surface where showing one takes longer than this, in seconds, are not shown: the next
 # one would have to wait. The curve itself is in front.
 _QUICK = 0.7
-# How many letters fit beside an icon.
-_LINE = 24
 
 
 @dataclass
@@ -327,8 +324,7 @@ class MEANDER_PT_drawing(Sidebar, bpy.types.Panel):
         surface = surface_drawn_on(context.active_object)
         column.label(text=f"Draw on {surface.name}", icon="GREASEPENCIL")
         if _drawing.problem:
-            for number, line in enumerate(textwrap.wrap(_drawing.problem, _LINE)):
-                column.label(text=line, icon="BLANK1" if number else "ERROR")
+            notice(column, _drawing.problem, "ERROR")
         else:
             column.label(text="Each stroke is a strand", icon="BLANK1")
         row = column.row()
