@@ -12,7 +12,7 @@ from meander.model.density import Choice
 from meander.run.plan import plan_run
 from meander.scene import attributes, ramp
 from meander.scene import density as scene_density
-from scenes import fill, grid, mesh_object, poly_curve, refused, sphere, world_splines
+from scenes import activate, fill, grid, mesh_object, poly_curve, refused, sphere, world_splines
 
 KINDS = [
     ("BYTE_COLOR", "POINT"),
@@ -299,8 +299,10 @@ def test_a_result_has_a_curve_of_its_own(tmp_path):
     stops = ((0.0, 0.0), (0.5, 1.0), (1.0, 0.25))
     choice = Choice("ATTRIBUTE", "height", factors=(1.0, 2.0), interpolation="free", stops=stops)
     scene_density.store_choice(choice, thing.meander)
-    result = fill(thing, 0.4)
-    own, source = result.meander.density_ramp, thing.meander.density_ramp
+    earlier = fill(thing, 0.4)
+    activate(thing)
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    own, source = earlier.meander.density_ramp, thing.meander.density_ramp
     assert own != source
     assert ramp.stops_of(own) == ramp.stops_of(source)
     path = tmp_path / "kept.blend"

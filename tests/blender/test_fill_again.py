@@ -168,8 +168,7 @@ def test_a_linked_surface_is_filled_again_into_its_curve(tmp_path):
 
 def figures_shown() -> list[str]:
     layout = drawn(MEANDER_PT_figures, bpy.context)
-    texts = [] if layout is None else [text.text for text in layout.texts()]
-    return [text for text in texts if text != "Show Gaps"]  # which a curve alone can
+    return [] if layout is None else [text.text for text in layout.texts()]
 
 
 @pytest.mark.parametrize("restart", [True, False])
@@ -188,6 +187,44 @@ def test_a_curve_that_is_changed_by_itself_changes_what_its_mesh_says(restart):
     assert figures_shown() == shown
     assert bpy.ops.meander.run() == {"FINISHED"}
     assert result.meander.spacing == pytest.approx(0.4), "filling again does not go back"
+
+
+def test_what_is_chosen_on_a_curve_or_its_mesh_is_chosen_on_both():
+    surface = sphere()
+    first = fill(surface, **QUICK)
+    activate(surface)
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    second = last_result(surface, bpy.context.scene)
+    assert second != first
+    spacing = first.meander.spacing
+    second.meander.spacing, second.meander.preset = 0.4, "FINEST"
+    assert surface.meander.spacing == pytest.approx(0.4) and surface.meander.preset == "FINEST"
+    surface.meander.density_source, surface.meander.border_distance = "CURVATURE", 1.5
+    assert second.meander.density_source == "CURVATURE"
+    assert second.meander.border_distance == pytest.approx(1.5)
+    assert first.meander.spacing == spacing, "an earlier curve keeps its own"
+    assert first.meander.density_source == "GROUP"
+    first.meander.spacing = 0.5
+    assert surface.meander.spacing == pytest.approx(0.4)
+    surface.meander.last_result = first  # is updated next
+    surface.meander.spacing = 0.3
+    assert first.meander.spacing == pytest.approx(0.3)
+    assert second.meander.spacing == pytest.approx(0.4)
+
+
+def test_a_drawn_ramp_is_one_of_a_curve_and_its_mesh():
+    surface = sphere()
+    result = fill(surface, **QUICK)
+    result.meander.density_source, result.meander.density_interpolation = "CURVATURE", "FREE"
+    assert surface.meander.density_ramp == result.meander.density_ramp is not None
+    activate(surface)
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    other = last_result(surface, bpy.context.scene)
+    assert other.meander.density_ramp not in (None, result.meander.density_ramp)
+    assert surface.meander.density_ramp == other.meander.density_ramp
+    activate(surface)
+    assert bpy.ops.meander.run() == {"FINISHED"}
+    assert surface.meander.density_ramp == other.meander.density_ramp
 
 
 def test_a_curve_that_is_deleted_takes_its_figures_with_it():

@@ -69,7 +69,7 @@ def test_names_and_counts_are_read_whole():
     assert result.name == "Suzanne.001 Meander"
     assert too_wide() == []
     activate(surface)
-    figures = surface.meander.figures
+    figures = result.meander.figures
     figures.mended, figures.smoothing = 12918, 0.4
     figures.lines, figures.lines_why = 201, "the mesh has 201 parts, 199 of them smaller than that"
     assert "12,918 repaired" in texts_of(MEANDER_PT_main)

@@ -254,5 +254,5 @@ def test_groups_of_bones_are_left_out_and_said_to_be():
     surface.modifiers.new("Armature", "ARMATURE").object = bones
     curve = fill(surface, 0.2)
     assert curve.meander.density_group == ""
-    assert "no vertex group is chosen" in surface.meander.figures.preparation
+    assert "no vertex group is chosen" in surface.meander.last_result.meander.figures.preparation
     assert 0.4 < (points_of(curve)[:, 0] > 0.0).mean() < 0.6

@@ -112,6 +112,13 @@ def test_sizes_are_distances_over_half_the_spacing():
         assert np.linalg.norm(points - gap, axis=1).min() / 0.1 == pytest.approx(size, rel=0.03)
 
 
+def test_another_spacing_chosen_moves_no_mark():
+    result = stopped_early(cube())
+    before = gap_marks.places(result)
+    result.meander.spacing *= 3.0
+    assert all(map(np.array_equal, gap_marks.places(result), before))
+
+
 def test_without_gaps_a_plain_message(monkeypatch):
     result = fill(cube(), 0.5)
     figures = result.meander.figures
@@ -133,12 +140,11 @@ def test_only_wide_gaps_are_named():
     assert shown[shown.index("Gaps") + 1] == f"{figures.wide_gaps:,}"
     assert figures.wide_gaps == sum(gap.size > 1.5 for gap in figures.gaps)
     assert "Show Gaps" in shown
-    # The surface has the figures of the run, but no places.
     activate(surface)
-    assert figures.gap_count == surface.meander.figures.gap_count
-    assert len(surface.meander.figures.gaps) == 0
-    shown = draw(panels.MEANDER_PT_figures)
-    assert "Gaps" in shown and "Show Gaps" not in shown
+    assert draw(panels.MEANDER_PT_figures) == shown, "a surface shows what its curve does"
+    assert bpy.ops.meander.show_gaps() == {"FINISHED"}
+    assert gap_marks.shown_of(result)
+    gap_marks.hide()
 
 
 def test_only_on_results():

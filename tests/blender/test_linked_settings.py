@@ -96,7 +96,7 @@ def test_settings_chosen_in_the_panel_stay_with_the_file(tmp_path, monkeypatch, 
     assert settings.density_source == "CURVATURE"
     assert settings.bending_weight == pytest.approx(0.3)
     assert settings.seed == bpy.data.objects["Seed"]
-    assert settings.figures.stop_reason, "Last Run too"
+    assert last_result(surface, bpy.context.scene).meander.figures.stop_reason, "Last Run too"
     activate(surface)
     shown = panel_settings(monkeypatch)
     assert settings in shown and surface.meander not in shown

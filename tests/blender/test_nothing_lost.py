@@ -314,8 +314,8 @@ def test_a_spacing_chosen_during_a_run_is_for_the_next_one():
     tick_until(running, lambda: running.shown_points > 0)
     surface.meander.spacing = 0.3
     result = bpy.data.objects[finish(running)]
-    assert surface.meander.spacing == pytest.approx(0.3)
-    assert result.meander.spacing == pytest.approx(LONG)
+    assert surface.meander.spacing == result.meander.spacing == pytest.approx(0.3)
+    assert result.meander.figures.spacing == pytest.approx(LONG), "what it was made with"
 
 
 # -- to resume -------------------------------------------------------------------------------------

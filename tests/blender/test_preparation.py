@@ -14,6 +14,11 @@ from test_batch_scene import run_batch
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 
 
+def told(surface: bpy.types.Object) -> str:
+    """What the last run has done to the mesh, in words."""
+    return surface.meander.last_result.meander.figures.preparation
+
+
 def points_of(curve: bpy.types.Object) -> np.ndarray:
     return np.vstack([points for points, _closed in world_splines(curve)])
 
@@ -56,7 +61,7 @@ def test_the_curve_stays_in_the_part_chosen(settings):
     points = points_of(fill(surface, 0.2, **settings))
     assert points[:, 0].min() > 0.0
     assert points[:, 0].min() < 0.2 and points[:, 0].max() > 0.8
-    assert "left out 200 faces" in surface.meander.figures.preparation.replace("400", "200")
+    assert "left out 200 faces" in told(surface).replace("400", "200")
 
 
 def test_a_threshold_runs_through_faces_and_can_be_turned_round():
@@ -64,7 +69,7 @@ def test_a_threshold_runs_through_faces_and_can_be_turned_round():
     settings = {"mask_source": "GROUP", "mask_group": "Slope", "mask_threshold": 0.62}
     high = points_of(fill(surface, 0.2, **settings))
     assert 0.24 < high[:, 0].min() < 0.4
-    assert "clipped" in surface.meander.figures.preparation
+    assert "clipped" in told(surface)
     low = points_of(fill(activate(surface), 0.2, **settings, mask_inverted=True))
     assert 0.1 < low[:, 0].max() < 0.24
 
@@ -115,7 +120,7 @@ def test_loose_edges_and_vertices_are_reported():
     surface.data.edges[-1].vertices = (4, 5)
     surface.data.update()
     fill(surface, 0.2)
-    assert surface.meander.figures.preparation == "ignored 3 loose vertices, ignored 1 loose edge"
+    assert told(surface) == "ignored 3 loose vertices, ignored 1 loose edge"
 
 
 def soup(surface: bpy.types.Object) -> bpy.types.Object:
@@ -131,11 +136,11 @@ def test_merging_makes_one_surface_of_a_soup():
     surface = soup(grid(6))
     curve = fill(surface, 0.2, use_merge=True, merge_distance=0.001, strict=True)
     assert len(world_splines(curve)) == 1
-    assert surface.meander.figures.preparation == "merged 95 vertices"
+    assert told(surface) == "merged 95 vertices"
     assert len(surface.data.vertices) == 144  # the mesh itself is left alone
     curve = fill(activate(surface), 0.2, use_merge=False, strict=False)
     assert len(world_splines(curve)) == 1
-    assert surface.meander.figures.preparation == "closed 60 edges of seams"
+    assert told(surface) == "closed 60 edges of seams"
 
 
 def bow_tie() -> bpy.types.Object:
@@ -184,12 +189,13 @@ def test_faults_are_shown_and_mended(build, setting, mode, chosen, fault, word):
     assert {vertex.index for vertex in surface.data.vertices if vertex.select} == chosen
     if setting:  # by itself
         fill(activate(surface), 0.1, **{setting: True})
-        assert word in surface.meander.figures.preparation
+        assert word in told(surface)
         bpy.data.objects.remove(bpy.context.object)
     before = len(surface.data.vertices), len(surface.data.polygons)
     fill(activate(surface), 0.1, strict=False)
-    assert word in surface.meander.figures.preparation
-    assert surface.meander.figures.mended > 0 and not surface.meander.problem.sentence
+    assert word in told(surface)
+    result = surface.meander.last_result
+    assert result.meander.figures.mended > 0 and not surface.meander.problem.sentence
     assert (len(surface.data.vertices), len(surface.data.polygons)) == before
 
 

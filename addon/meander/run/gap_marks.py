@@ -17,6 +17,7 @@ from mathutils import Vector
 from ..model.last_run import GAP_THAT_MATTERS
 from ..scene.blender_versions import flat_shader
 from ..scene.identity import Key
+from ..scene.results import made_spacing
 from ..scene.settings import surface_of
 from ..scene.transforms import to_world, world_matrix
 from . import session
@@ -43,7 +44,7 @@ def places(result: bpy.types.Object) -> tuple[np.ndarray, np.ndarray]:
         return np.empty((0, 3)), np.empty(0)
     centres = np.array([gap.position[:] for gap in gaps], dtype=np.float64)
     sizes = np.array([gap.size for gap in gaps], dtype=np.float64)
-    return to_world(centres, world_matrix(result)), sizes * result.meander.spacing / 2.0
+    return to_world(centres, world_matrix(result)), sizes * made_spacing(result) / 2.0
 
 
 def rings(
@@ -86,7 +87,7 @@ class _Marks:
             return
         rotation = context.region_data.view_rotation
         right, up = (np.array(rotation @ axis) for axis in _AXES)
-        most = _LARGEST_RING * result.meander.spacing
+        most = _LARGEST_RING * made_spacing(result)
         corners = rings(centres, np.minimum(radii, most), right, up).astype(np.float32)
         shader = gpu.shader.from_builtin(flat_shader())
         points = gpu.types.GPUVertBuf(shader.format_calc(), len(corners))

@@ -18,7 +18,6 @@ from bpy.app.handlers import persistent
 
 from .. import core
 from ..model.options import OF_THE_FLOW
-from ..scene import ramp
 from ..scene.alignment import alignment_of
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
@@ -26,7 +25,7 @@ from ..scene.flow_options import options_of
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
 from ..scene.results import is_present
-from ..scene.settings import copied, surface_of
+from ..scene.settings import surface_of
 from .meaning import Meaning
 from .plan import Plan
 from .suspended import SuspendedRun, same_mesh
@@ -121,22 +120,6 @@ def wish_of(
         return None
     group = choice.name if choice.source == "GROUP" else ""
     return Wish(options, density, spacing, Key(active), group)
-
-
-def share_settings(result: bpy.types.Object, surface: bpy.types.Object) -> None:
-    """Gives the surface of a result with Live the result's live settings: both are one then."""
-    source, target = result.meander, settings_of(surface)
-    if not (source.live and target.live):
-        return
-    for name in copied(source):
-        if not is_live(name) or name == "density_ramp":
-            continue
-        value = getattr(source, name)
-        if getattr(target, name) != value:
-            setattr(target, name, value)
-    theirs, mine = source.density_ramp, target.density_ramp
-    if theirs is not None and (mine is None or ramp.stops_of(mine) != ramp.stops_of(theirs)):
-        target.density_ramp = theirs.copy()
 
 
 # ------------------------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ from ..scene.look_modifier import modifier_of
 from ..scene.profile import set_tilt_and_radius
 from ..scene.region import store_region
 from ..scene.settings import copy_settings
+from ..scene.shared_settings import share
 from ..scene.transforms import mean_scale, to_local
 from .plan import Plan
 from .stepper import Snapshot, Stepper
@@ -175,56 +176,47 @@ def _store(
     statistics: dict[str, Any],
     stop_reason: str,
 ) -> None:
-    """Writes the settings and the figures of the run to the result and the object that asked."""
+    """Writes the settings and the figures of the run to the result."""
     source = plan.settings.find()
-    if source is None:
-        source = result
-    own_part = (result.meander.mask_source, result.meander.mask_attribute)
-    if source != result:
-        copy_settings(settings_of(source), result.meander)
-    surface = plan.surface.find()
-    result.meander.surface = surface
+    settings, surface = result.meander, plan.surface.find()
+    own_part = (settings.mask_source, settings.mask_attribute)
+    if source not in (None, result):
+        copy_settings(settings_of(source), settings)
+    settings.surface = surface
     if plan.region is not None:
-        result.meander.mask_source, result.meander.mask_attribute = own_part
-        store_region(plan.region, surface, result.meander)
-    results.remember(result, result.meander.surface)
-    of_surface = settings_to_change(surface)
-    if source == result:
-        # What fills the mesh again updates this curve: both panels say what it was made with.
-        part = (of_surface.mask_source, of_surface.mask_attribute)
-        copy_settings(result.meander, of_surface)
-        of_surface.mask_source, of_surface.mask_attribute = part
-    grown_with = stepper.problem.options
-    for target in (of_surface, result.meander):
-        # A result tells what it was made with. A surface has the user's choice for the next run,
-        # which may be another one by now; only the proposed spacing he has yet to see.
-        if target == result.meander or not target.spacing:
-            target.spacing = plan.spacing
-        if plan.density_group and not target.density_group:
-            target.density_group = plan.density_group
-        if grown_with.bending_weight != plan.problem.options.bending_weight and (
-            target == result.meander or _asks_for(target, plan.problem.options.bending_weight)
-        ):
-            keep_shape(grown_with, target)  # what held the least bend radius
-        figures = target.figures
-        figures.stop_reason = stop_reason
-        figures.nodes = int(statistics["nodes"])
-        figures.iterations = int(statistics["iterations"])
-        figures.length = float(statistics["length"])
-        figures.spacing_median = float(statistics["spacing_median"])
-        figures.seconds = float(statistics["seconds_total"])
-        figures.evenness = float(statistics["evenness"])
-        figures.smoothing = float(statistics["smoothing"])
-        figures.stretch = float(statistics["stretch"])
-        figures.lines = statistics["lines"]
-        figures.closed_lines = statistics["closed_lines"]
-        figures.lines_why = statistics["lines_why"]
-        figures.bridge_count = statistics["bridge_count"]
-        figures.bridge_length = statistics["bridge_length"]
-        figures.empty_parts = int(statistics["empty_components"])
-        figures.preparation = preparation_text(plan, stepper)
-        figures.mended = mended(stepper.surface_figures, _masked(plan))
-        _store_gaps(figures, stepper.gaps, plan, target == result.meander)
+        settings.mask_attribute, settings.mask_source = reversed(own_part)
+        store_region(plan.region, surface, settings)
+    results.remember(result, surface)
+    share(result, settings_to_change(surface))
+    # The settings are the user's choice for the next run, which may be another one by now; only
+    # what the run has chosen is yet to be seen.
+    if not settings.spacing:
+        settings.spacing = plan.spacing
+    if plan.density_group and not settings.density_group:
+        settings.density_group = plan.density_group
+    asked, grown_with = plan.problem.options.bending_weight, stepper.problem.options
+    if grown_with.bending_weight != asked and _asks_for(settings, asked):
+        keep_shape(grown_with, settings)  # what held the least bend radius
+    figures = settings.figures
+    figures.stop_reason = stop_reason
+    figures.nodes = int(statistics["nodes"])
+    figures.iterations = int(statistics["iterations"])
+    figures.length = float(statistics["length"])
+    figures.spacing = plan.spacing
+    figures.spacing_median = float(statistics["spacing_median"])
+    figures.seconds = float(statistics["seconds_total"])
+    figures.evenness = float(statistics["evenness"])
+    figures.smoothing = float(statistics["smoothing"])
+    figures.stretch = float(statistics["stretch"])
+    figures.lines = statistics["lines"]
+    figures.closed_lines = statistics["closed_lines"]
+    figures.lines_why = statistics["lines_why"]
+    figures.bridge_count = statistics["bridge_count"]
+    figures.bridge_length = statistics["bridge_length"]
+    figures.empty_parts = int(statistics["empty_components"])
+    figures.preparation = preparation_text(plan, stepper)
+    figures.mended = mended(stepper.surface_figures, _masked(plan))
+    _store_gaps(figures, stepper.gaps, plan)
 
 
 def _asks_for(settings: bpy.types.PropertyGroup, stiffness: float) -> bool:
@@ -232,15 +224,13 @@ def _asks_for(settings: bpy.types.PropertyGroup, stiffness: float) -> bool:
     return options_of(settings, 1.0).bending_weight == stiffness
 
 
-def _store_gaps(
-    figures: bpy.types.PropertyGroup, gaps: core.Gaps | None, plan: Plan, on_result: bool
-) -> None:
+def _store_gaps(figures: bpy.types.PropertyGroup, gaps: core.Gaps | None, plan: Plan) -> None:
     """None: they were not searched for, which counts of -1 say."""
     figures.gap_count = -1 if gaps is None else len(gaps)
     figures.wide_gaps = -1 if gaps is None else int(np.sum(gaps.sizes > GAP_THAT_MATTERS))
     figures.largest_gap = float(gaps.sizes[0]) if gaps else 0.0
     figures.gaps.clear()
-    if gaps is None or not on_result:  # positions mean nothing beside another object's curve
+    if gaps is None:
         return
     positions = to_local(gaps.positions[:MOST_GAPS], plan.matrix)
     for position, size in zip(positions.tolist(), gaps.sizes.tolist()):

@@ -335,7 +335,6 @@ class Session:
             result = write_result(context, self.plan, self.stepper, outcome)
         _snapshot, figures, stop_reason = outcome
         if result.meander.live:
-            live.share_settings(result, self.plan.surface.find())
             # The next one updates it, and leaves alone what is active then.
             problem = replace(self.plan.problem, options=self.stepper.problem.options)
             self.plan = replace(

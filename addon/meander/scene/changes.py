@@ -2,7 +2,8 @@
 """Whether the shape of an object has changed since somebody looked, without looking at its points.
 
 The dependency graph says which objects it has evaluated anew; those that somebody has asked for are
-counted here. Selecting, renaming and the settings of this add-on do not count.
+counted here. Selecting, renaming and the settings of this add-on do not count. A count is a hint: what
+goes on from an earlier run compares the points as well.
 """
 
 from __future__ import annotations
@@ -39,15 +40,27 @@ def uncounted() -> Iterator[None]:
         _counting = True
 
 
-@persistent
-def _on_update(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+def _count(depsgraph: Any, whole: bool) -> None:
+    """whole   count objects too of which everything is evaluated anew, their place as well"""
     if depsgraph is None or not _counts or not _counting:
         return
     for update in depsgraph.updates:
-        if update.is_updated_geometry and isinstance(update.id, bpy.types.Object):
-            number = number_of(update.id.original)
-            if number in _counts:
-                _counts[number] += 1
+        if not update.is_updated_geometry or not isinstance(update.id, bpy.types.Object):
+            continue
+        number = number_of(update.id.original)
+        if number in _counts and (whole or not update.is_updated_transform):
+            _counts[number] += 1
+
+
+@persistent
+def _on_update(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+    # Blender evaluates all of an object when a panel changes any setting of an add-on on it.
+    _count(depsgraph, whole=False)
+
+
+@persistent
+def _on_frame(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+    _count(depsgraph, whole=True)
 
 
 @persistent
@@ -60,7 +73,7 @@ def _on_load(*_arguments: object) -> None:
 
 _HANDLERS = (
     ("depsgraph_update_post", _on_update),
-    ("frame_change_post", _on_update),
+    ("frame_change_post", _on_frame),
     ("load_post", _on_load),
 )
 

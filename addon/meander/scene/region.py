@@ -28,6 +28,11 @@ def selected_faces(surface: bpy.types.Object) -> np.ndarray | None:
     return selected if selected.any() else None
 
 
+def is_region(settings: bpy.types.PropertyGroup) -> bool:
+    """Whether settings name a region that was selected in Edit Mode."""
+    return settings.mask_attribute.startswith(NAME)
+
+
 def triangles_of_region(
     region: np.ndarray, surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> np.ndarray:
@@ -52,8 +57,7 @@ def store_region(
     attribute, so that going on is refused with a sentence and does not flood the rest.
     """
     mesh: bpy.types.Mesh = surface.data
-    own = settings.mask_source == "ATTRIBUTE" and settings.mask_attribute.startswith(NAME)
-    attribute = mesh.attributes.get(settings.mask_attribute) if own else None
+    attribute = mesh.attributes.get(settings.mask_attribute) if is_region(settings) else None
     if len(mesh.polygons) == len(region):
         if attribute is None or (attribute.domain, attribute.data_type) != ("FACE", "BOOLEAN"):
             attribute = mesh.attributes.new(NAME, "BOOLEAN", "FACE")
@@ -61,6 +65,6 @@ def store_region(
         name = attribute.name
     else:
         name = f"{NAME} of other faces"
+    settings.mask_attribute = name  # first: what names a region is not shared with the surface
     settings.mask_source = "ATTRIBUTE"
-    settings.mask_attribute = name
     settings.mask_inverted = False

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from .fillable import has_faces
+from .fillable import has_faces, is_result
 from .linked_settings import settings_of, settings_to_change
 
 
@@ -33,6 +33,19 @@ def last_result(
     if not is_result_of(found, surface) or scene not in found.users_scene[:]:
         return None
     return found if found.library is None and found.data.library is None else None
+
+
+def shown_result(
+    active: bpy.types.Object | None, scene: bpy.types.Scene
+) -> bpy.types.Object | None:
+    """The curve that a panel is about: what is active itself, or the last result of a surface."""
+    return active if is_result(active) else last_result(active, scene)
+
+
+def made_spacing(result: bpy.types.Object) -> float:
+    """The spacing that a curve was made with, in world units; the setting is that of its next
+    run."""
+    return result.meander.figures.spacing or result.meander.spacing
 
 
 def remember(result: bpy.types.Object, surface: bpy.types.Object) -> None:

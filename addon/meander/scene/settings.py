@@ -31,17 +31,22 @@ _OWN = frozenset(
 IN_SPACINGS = "_in_spacings"
 
 
+def is_copied(name: str) -> bool:
+    """Whether a result takes a setting over from those that it was made with."""
+    return name not in _OWN and not name.endswith(IN_SPACINGS)
+
+
 def copied(settings: bpy.types.PropertyGroup) -> list[str]:
     """The names of the settings that a result takes over from those that it was made with."""
-    names = settings.bl_rna.properties.keys()
-    return [name for name in names if name not in _OWN and not name.endswith(IN_SPACINGS)]
+    return [name for name in settings.bl_rna.properties.keys() if is_copied(name)]
 
 
 def copy_settings(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGroup) -> None:
     """Copies what a user can choose, not the surface and not the figures."""
+    former = target.density_ramp
     for name in copied(source):
         setattr(target, name, getattr(source, name))
-    if target.density_ramp is not None:
+    if target.density_ramp not in (None, former):
         # Each has its own, so that one may be changed and the other is what it was made with.
         target.density_ramp = target.density_ramp.copy()
 

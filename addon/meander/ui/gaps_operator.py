@@ -7,6 +7,7 @@ import bpy
 
 from ..model.last_run import GAP_THAT_MATTERS
 from ..run import gap_marks, session
+from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .settings import MeanderFigures
 
@@ -31,39 +32,39 @@ class MEANDER_OT_show_gaps(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
+        result = shown_result(context.active_object, context.scene)
         if session.current() is not None:
             cls.poll_message_set("A curve is growing")
-        elif active is None or active.type != "CURVE" or surface_of(active) is None:
-            cls.poll_message_set("Choose a curve that Meander has made")
-        elif not active.visible_get():
+        elif result is None or surface_of(result) is None:
+            cls.poll_message_set("Choose a curve that Meander has made, or its mesh")
+        elif not result.visible_get():
             cls.poll_message_set("The curve is hidden")
         else:
             return True
         return False
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        active = context.active_object
-        if gap_marks.shown_of(active):
+        result = shown_result(context.active_object, context.scene)
+        if gap_marks.shown_of(result):
             gap_marks.hide()
             return {"FINISHED"}
-        figures = active.meander.figures
+        figures = result.meander.figures
         count = wide_gaps(figures)
         if count <= 0:
             self.report(
                 {"INFO"},
-                f"{active.name}: the last run left no gaps"
+                f"{result.name}: the last run left no gaps"
                 if count == 0
-                else f"{active.name}: a run that was stopped has gaps everywhere; let it go on",
+                else f"{result.name}: a run that was stopped has gaps everywhere; let it go on",
             )
             return {"CANCELLED"}
-        gap_marks.show(active)
-        shown = len(gap_marks.places(active)[0])
+        gap_marks.show(result)
+        shown = len(gap_marks.places(result)[0])
         of_all = f" of {count:,}" if count > shown else ""
         gaps = "gap" if count == 1 else "gaps"
         self.report(
             {"INFO"},
-            f"{active.name}: {shown:,}{of_all} {gaps}, the largest "
+            f"{result.name}: {shown:,}{of_all} {gaps}, the largest "
             f"{figures.largest_gap:.2f} times as far from the curve as wanted",
         )
         return {"FINISHED"}

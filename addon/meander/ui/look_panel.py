@@ -10,10 +10,9 @@ from __future__ import annotations
 import bpy
 
 from ..scene import look_material, look_modifier
-from ..scene.fillable import is_result
 from ..scene.linked_settings import settings_of
 from ..scene.look_upgrade import add_look
-from ..scene.results import last_result
+from ..scene.results import shown_result
 from .declared import switch
 from .on_result import OnOwnResult
 from .refusing import refusing
@@ -53,7 +52,7 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
-        result = _result_of(context)
+        result = shown_result(context.active_object, context.scene)
         if result is None:
             _draw_seed(layout, settings_of(active))
             return
@@ -149,16 +148,11 @@ class MEANDER_PT_look_color(SubPanel, bpy.types.Panel):
 
 def _ramp_shown(context: bpy.types.Context) -> bpy.types.Node | None:
     """The colours along the line of the result that is active, or is of the mesh that is."""
-    result = _result_of(context)
+    result = shown_result(context.active_object, context.scene)
     if result is None or look_modifier.modifier_of(result) is None:
         return None
     material = look_material.material_of(result)
     return None if material is None else look_material.ramp_node_of(material)
-
-
-def _result_of(context: bpy.types.Context) -> bpy.types.Object | None:
-    active = context.active_object
-    return active if is_result(active) else last_result(active, context.scene)
 
 
 _CLASSES = (MEANDER_OT_add_look, MEANDER_PT_look, MEANDER_PT_look_color)

@@ -15,7 +15,7 @@ from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
 from ..scene.lengths import length_text
 from ..scene.linked_settings import can_be_changed, settings_of
-from ..scene.results import last_result
+from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, rows, switch
 from .fill_buttons import draw_fill_buttons
@@ -54,7 +54,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             self._draw_progress(layout, context, running)
         elif surface is not None:
             self._draw_buttons(layout, context)
-            draw_faults(layout, context.active_object)
+            draw_faults(layout, context)
 
     def _draw_settings(
         self, layout: bpy.types.UILayout, active: bpy.types.Object, surface: bpy.types.Object
@@ -170,13 +170,12 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
         active = context.active_object
         if session.current() is not None or surface_of(active) is None:
             return False
-        if not is_result(active) and last_result(active, context.scene) is None:
-            return False  # its curve is gone
-        return bool(settings_of(active).figures.stop_reason)
+        result = shown_result(active, context.scene)
+        return result is not None and bool(result.meander.figures.stop_reason)
 
     def draw(self, context: bpy.types.Context) -> None:
-        active = context.active_object
-        figures = settings_of(active).figures
+        result = shown_result(context.active_object, context.scene)
+        figures = result.meander.figures
         layout = self.layout
         if figures.stop_reason in last_run.ENDED:
             notice(layout, last_run.ENDED[figures.stop_reason])
@@ -199,10 +198,10 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
                 ("Time", f"{figures.seconds:.1f} s"),
             ),
         )
-        if is_result(active) and gaps > 0:
+        if gaps > 0:
             layout.operator(
                 MEANDER_OT_show_gaps.bl_idname,
-                text="Hide Gaps" if gap_marks.shown_of(active) else "Show Gaps",
+                text="Hide Gaps" if gap_marks.shown_of(result) else "Show Gaps",
                 icon="HIDE_OFF",
             )
 

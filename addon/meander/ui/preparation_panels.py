@@ -11,6 +11,7 @@ from ..run import notes, session
 from ..scene import mesh_faults
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import proposed_spacing, triangles_of
+from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, switch
 from .refusing import refusing
@@ -92,10 +93,12 @@ def _view_selected(context: bpy.types.Context) -> None:
             bpy.ops.view3d.view_selected()
 
 
-def draw_faults(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
+def draw_faults(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     """What was refused last, and why the mesh was, or how much of it was repaired, with the button
     that shows where."""
-    surface, count = surface_of(active), settings_of(active).figures.mended
+    active = context.active_object
+    surface, result = surface_of(active), shown_result(active, context.scene)
+    count = result.meander.figures.mended if result is not None else 0
     sentence, note = settings_of(surface).problem.sentence, notes.of(active)
     if note and note != sentence:
         notice(layout, note, "ERROR")
@@ -167,7 +170,9 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
         sub.active = settings.strict  # else done in any case
         switch(sub, settings, "drop_degenerate")
         switch(sub, settings, "split_bow_ties")
-        notice(column, settings.figures.preparation)
+        result = shown_result(context.active_object, context.scene)
+        if result is not None:
+            notice(column, result.meander.figures.preparation)
 
 
 _CLASSES = (MEANDER_OT_select_problem, MEANDER_PT_mask, MEANDER_PT_repair)

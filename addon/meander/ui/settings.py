@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The settings on an object: on a surface for the next run, on a result those it was made with.
+"""The settings on an object: those of the next run, on a surface and on its curve.
 
-They are saved with the file, those of linked surfaces with the scene: see scene.linked_settings. A
-result is a curve object whose settings name its surface.
+Both have the same: see scene.shared_settings. They are saved with the file, those of linked
+surfaces with the scene: see scene.linked_settings. A result is a curve object whose settings name
+its surface.
 """
 
 import bpy
@@ -20,6 +21,7 @@ from ..scene import results
 from ..scene.curve_reader import has_strands
 from ..scene.fillable import has_faces
 from ..scene.linked_settings import owner_of
+from ..scene.shared_settings import watched
 from .alignment_settings import AlignmentSettings
 from .density_settings import DensitySettings
 from .motion_settings import FollowSettings
@@ -64,6 +66,12 @@ class MeanderFigures(bpy.types.PropertyGroup):
     nodes: IntProperty(name="Nodes", options=set())
     iterations: IntProperty(name="Iterations", options=set())
     length: FloatProperty(name="Length", unit="LENGTH", options=set())
+    spacing: FloatProperty(
+        name="Spacing",
+        description="That of the run; the setting may be another by now. 0: not kept",
+        unit="LENGTH",
+        options=set(),
+    )
     spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH", options=set())
     seconds: FloatProperty(name="Seconds", options=set())
     empty_parts: IntProperty(name="Empty Parts", options=set())
@@ -201,6 +209,10 @@ class MeanderSettings(
         description="Why the mesh was refused last",
         options=set(),
     )
+
+
+for _part in (*MeanderSettings.__bases__[:-1], MeanderSettings):
+    watched(_part.__annotations__)
 
 
 class MeanderLinked(bpy.types.PropertyGroup):
