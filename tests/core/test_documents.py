@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """README.md and docs/*.md name only what exists: links, files, tests and names of the C interface.
+Comments in the library name only decisions that docs/decisions.md has.
 
 What their commands do is for scripts/run_documents.py to say.
 """
@@ -19,6 +20,7 @@ ROOMS = sorted(folder.name for folder in SOURCES.iterdir())
 FENCE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 CODE = re.compile(r"`([^`\n]+)`")
+DECISION = re.compile(r'docs/decisions\.md(?:,|:)? "([^"]+)"')
 # `medial/frames`, `medial/frames.h` or `medial/frames.cpp`
 SOURCE = re.compile(rf"(?:{'|'.join(ROOMS)})/\w+(?:\.h|\.cpp)?")
 TEST = re.compile(r"(?:tests/\w+/)?test_\w+(?:\.py|\.cpp)?")
@@ -91,3 +93,22 @@ def test_a_document_names_only_what_exists(document, header):
 )
 def test_a_wrong_name_is_found(text, wrong, header):
     assert wrong_names(text, ROOT / "docs", header) == [wrong]
+
+
+def decisions_named(source: str) -> list[str]:
+    """The headings of docs/decisions.md that comments name, also where a name is broken in two."""
+    return DECISION.findall(re.sub(r"\s*\n\s*///?\s*", " ", source))
+
+
+def test_comments_name_decisions_that_are_there():
+    page = (ROOT / "docs" / "decisions.md").read_text(encoding="utf-8")
+    headings = set(re.findall(r"^### (.+)$", page, re.MULTILINE))
+    sources = [path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.h")]
+    named = {name for text in sources for name in decisions_named(text)}
+    assert len(named) > 10
+    assert named - headings == set()
+
+
+def test_a_decision_is_found_in_a_broken_comment():
+    source = '/// 3 (docs/decisions.md, "Wide\n/// loops"), and 4: docs/decisions.md,\n/// "Necks".'
+    assert decisions_named(source) == ["Wide loops", "Necks"]

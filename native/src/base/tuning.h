@@ -7,7 +7,7 @@
 // blocks, limits of rounding and of approximations, and what only saves time stand beside the code that they belong
 // to. What callers may choose (weights, powers, numbers of iterations) is not here: the presets of the C API have it.
 //
-// A change here changes every curve: measure it as docs/quality.md does.
+// A change here changes every curve: measure it as docs/quality.md does, and say in docs/decisions.md what chose it.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,8 @@ inline constexpr double kJumpFactor = 2, kJumpRadii = 2;
 // ---- The metric at the nodes, and the boundary ----------------------------------------------------------------------
 
 /// In front of an empty strip wider than this, in spacings, the boundary pushes no harder than other strands do: they
-/// have room to give way there, and between two such strips they would never come to rest. Measured: docs/surfaces.md.
+/// have room to give way there, and between two such strips they would never come to rest
+/// (docs/decisions.md, "Wide strips").
 inline constexpr double kWideStrip = 1;
 
 /// Samples of the boundary are at most this far apart, in h. Not measured.
@@ -51,11 +52,12 @@ inline constexpr double kLeastRadiusGrowth = -0.75, kMostRadiusGrowth = 3;
 
 /// Balls grow along the chord to where a geodesic arrives after this much of r: most of the distance to the centre of a
 /// ball of the wanted size. Farther, and strands on thin limbs come to lie too far apart; nearer, and those at creases
-/// come too close. Spot at twice the radius: near_target .81 in the mean, .80 with a whole r (docs/method.md).
+/// come too close. Spot at twice the radius: near_target .81 in the mean, .80 with a whole r (docs/decisions.md,
+/// "Chords").
 inline constexpr double kChord = 0.75;
 
 /// A node keeps its directions while it is no farther than this from where it found them, in r, and its strand has
-/// turned by less than this since, as a sine. Measured: docs/performance.md, "What stands still".
+/// turned by less than this since, as a sine. Measured: docs/decisions.md, "What stands still".
 inline constexpr double kRest = 0.05, kTurn = 0.1;
 
 /// A node keeps a ball that was measured along the surface while it is no farther than the first of these from where
@@ -71,7 +73,7 @@ inline constexpr uint32_t kUnmeasuredPolish = 16;
 
 /// What a ball falls short of at the boundary counts so many times, and with ease so many; below this share of the
 /// distance wanted, so many times again. "flow: Let the boundary push twice as hard ..." and "boundary_reach: Keep
-/// strands from corners ..."; docs/quality.md, on voids at the boundary.
+/// strands from corners ..."; docs/decisions.md, "Push of the boundary".
 inline constexpr double kPush = 2, kEasedPush = 1;
 inline constexpr double kVeryNear = 0.8, kVeryNearPush = 6;
 
@@ -79,8 +81,8 @@ inline constexpr double kVeryNear = 0.8, kVeryNearPush = 6;
 inline constexpr double kVeryNearOfPaper = 0.7;
 
 /// The Hessian of the medial term counts so many times where the boundary pushes harder than an empty ball. As its push
-/// falls it would count eight times, with which voids at the boundary are filled too late. Measured: docs/quality.md, on
-/// necks.
+/// falls it would count eight times, with which voids at the boundary are filled too late. Measured:
+/// docs/decisions.md, "Necks".
 inline constexpr double kPushStiffness = 3;
 
 /// What of the boundary is turned to a side of a node by less than this, as a cosine, does not limit its ball. Not
@@ -93,8 +95,8 @@ inline constexpr double kFacing = 0.5;
 inline constexpr double kIntoEmpty = -1;
 
 /// There one side and the other are favoured in turn by this share of the radius, with this wavelength in r, which has
-/// room for two fingers. A wide smooth loop stood still for up to 60 iterations before (docs/quality.md); the two
-/// numbers are not measured.
+/// room for two fingers. A wide smooth loop stands still for up to 60 iterations without (docs/decisions.md, "Wide
+/// loops"); the two numbers are not measured.
 inline constexpr double kPerturbation = 0.3, kPerturbationWavelength = 8;
 
 /// Closed strands shorter than a circle of this radius, in r, are not bent or shortened yet. Not measured.
@@ -120,12 +122,12 @@ inline constexpr double kPolishBalance = 0.8, kPolishBalanceSlope = 0.05;
 
 // ---- A field (eq. 11) -----------------------------------------------------------------------------------------------
 
-/// The length weight that pushes strands along the field: this many beta, and no more than so much, before a polish and
-/// in it. Measured in "flow: Lie along fields ..." and "flow: Lay strands along a field from any seed, and not
-/// overfull", docs/terms.md: a push that rises with beta beyond 2 fills overfull; a beta of 6 with a push of 2 leaves
-/// zigzags, since nothing can turn any more and tilted strands are all that still fills. With beta = 4 and a push of 2
-/// the share of the length within 15 degrees of the field is the same wherever the seed lies, which with beta = 2 it
-/// is not.
+/// The length weight that pushes strands along the field: this many beta, and no more than so much, before a polish
+/// and in it. Measured in "flow: Lie along fields ..." and "flow: Lay strands along a field from any seed, and not
+/// overfull" (docs/decisions.md, "Fields"): a push that rises with beta beyond 2 fills overfull; a beta of 6 with a
+/// push of 2 leaves zigzags, since nothing can turn any more and tilted strands are all that still fills. With beta
+/// = 4 and a push of 2 the share of the length within 15 degrees of the field is the same wherever the seed lies,
+/// which with beta = 2 it is not.
 inline constexpr double kAlignedGrowth = 1, kMostAlignedGrowth = 2;
 inline constexpr double kAlignedPolish = 0.25, kMostAlignedPolish = 1.1;
 
@@ -136,12 +138,12 @@ inline constexpr double kOverfull = 0.4, kHardlyOverfull = 0.7;
 // ---- Hairpin removal ------------------------------------------------------------------------------------------------
 
 /// This share of the runs between opposite hairpins is drawn in, the shortest. An eighth or three tenths of the runs:
-/// within noise (docs/quality.md, "What was tried and did not help").
+/// within noise (docs/decisions.md, "Rough hairpin removal").
 inline constexpr double kHairpinRemovalShare = 0.2;
 
 /// The length weight that draws them in, and the share of its last step with which a node goes on meanwhile: of a rough
 /// removal, and of a gentle one. A short one has to be rough; roughness that lasts leaves a curve too dense. Measured:
-/// docs/quality.md, on rough hairpin removal.
+/// docs/decisions.md, "Rough hairpin removal".
 inline constexpr double kRoughPull = 12, kGentlePull = 3;
 inline constexpr double kRoughMomentum = 0.76, kGentleMomentum = 0.7;
 
@@ -162,13 +164,13 @@ inline constexpr double kLeastPolishLength = -1, kMostPolishLength = 3;
 /// Hairpins are kept round: where the curvature, as a mean over this many r to both sides, exceeds the second of these
 /// over r, bending weighs more, at the third and beyond by so many times more. A hairpin between strands at their
 /// spacing has a curvature of 1 / r. Elsewhere less bending does, so strands yield into the voids before hairpins.
-/// Measured: docs/quality.md, on round hairpins.
+/// Measured: docs/decisions.md, "Round hairpins".
 inline constexpr double kCurvatureSmoothing = 1.2, kRoundHairpin = 0.9, kTightHairpin = 1.2;
 inline constexpr double kHairpinStiffening = 2.5;
 
 /// After a gentle removal of hairpins, bending weighs so many times as much beside the boundary, where a ball is left
 /// less than the first of these in r. After a rough one some tips would come too near to the boundary with less of it.
-/// Measured: docs/quality.md, on voids at the boundary.
+/// Measured: docs/decisions.md, "Voids at the boundary".
 inline constexpr double kBesideBoundary = 2, kBoundaryBending = 0.3;
 
 /// Length weight in a strip along the boundary that is to stay empty, and the highest power q of the polish where such
@@ -181,8 +183,8 @@ inline constexpr double kMostPowerAtStrips = 4;
 // ---- The step -------------------------------------------------------------------------------------------------------
 
 /// A node goes on by this share of its last step in the polish while segments are long. In growth momentum makes more
-/// hairpins; from 0.7 on in the polish a curve does not come to rest. Measured: docs/quality.md, on momentum; 0.4
-/// instead of 0.3 is within noise (the same page, on fewer segments).
+/// hairpins; from 0.7 on in the polish a curve does not come to rest. Measured: docs/decisions.md, "Momentum"; 0.4
+/// instead of 0.3 is within noise.
 inline constexpr double kPolishMomentum = 0.3;
 
 /// A node moves no more than this share of its medial radius on the side to which it moves, so that it cannot leap over
@@ -194,7 +196,7 @@ inline constexpr double kMostOfRadius = 0.9;
 inline constexpr double kMostAtBoundary = 0.25;
 
 /// No step leads a node nearer to the boundary than the first of these, in r, unless it is shorter than the second, so
-/// that strands of a narrow strip can move. Measured: docs/quality.md, on necks.
+/// that strands of a narrow strip can move. Measured: docs/decisions.md, "Necks".
 inline constexpr double kKeptFromBoundary = 0.6, kLeastTowardsBoundary = 0.04;
 
 /// And no more than this many r while the flow cools. So much the last two curves differ by (docs/quality.md).
@@ -202,7 +204,7 @@ inline constexpr double kMostWhileCooling = 0.04;
 
 /// While hairpins are removed, and in the polish with long segments, a node where a strand doubles back by more than
 /// this, in radians, is taken out: else a spike may stay for ever, since its tip has an empty ball ahead and none
-/// behind. With a gentle removal of hairpins it is the second. Measured: docs/quality.md, on spikes.
+/// behind. With a gentle removal of hairpins it is the second. Measured: docs/decisions.md, "Spikes".
 inline constexpr double kMostTurn = 2 * std::numbers::pi / 3, kMostGentleTurn = 5 * std::numbers::pi / 9;
 
 // ---- When a phase ends ----------------------------------------------------------------------------------------------
@@ -214,8 +216,8 @@ inline constexpr size_t kPaperIterations = 10;
 
 /// Growth ends when the length changes by less than this share in so many iterations and fewer nodes than this still
 /// see nothing beside them, or when the length has all but stopped changing. Half as many iterations, the same shares:
-/// two hairpins more of fifty, and what is to lie along a field has not turned yet (docs/quality.md, on when a curve
-/// has settled).
+/// two hairpins more of fifty, and what is to lie along a field has not turned yet (docs/decisions.md,
+/// "Settled").
 inline constexpr size_t kGrowthWindow = 10;
 inline constexpr double kGrownLength = 0.02, kGrownClamped = 0.01;
 inline constexpr double kGrownForSure = 0.005;
@@ -223,7 +225,7 @@ inline constexpr double kGrownForSure = 0.005;
 /// Iterations of the polish with long segments, after a rough removal of hairpins and after a gentle one. With five
 /// iterations for growth 30 instead of 22 leave .004 more near_target and a hairpin less, for 8 % more work (the same
 /// place); 60 instead of 22 make `finest` .005 more even, and packing .02 less different from one surface to another;
-/// 140 let it cover what is left at the same packing (docs/quality.md, on a longer polish).
+/// 140 let it cover what is left at the same packing (docs/decisions.md, "Long polish").
 inline constexpr uint32_t kPolishIterations = 22, kLongPolishIterations = 140;
 
 /// The same of a curve that fills the surface from its start. Coverage p99 of bunny, hand_closed and stuffedtoy is
@@ -242,12 +244,12 @@ inline constexpr double kMostFitted = 0.22;
 
 /// A curve has settled when its length changes by less than this share in so many iterations, and the mean distance of
 /// its nodes from what it was is less than so many r: .05 instead of .04 takes a tenth of the work, and 5 iterations
-/// instead of 10 another sixth (docs/quality.md, on momentum and on when a curve has settled).
+/// instead of 10 another sixth (docs/decisions.md, "Settled").
 inline constexpr size_t kSettledWindow = 5;
 inline constexpr double kSettledLength = 0.0025, kSettledDistance = 0.05;
 
-/// Iterations with short steps at the end. Four of them: within noise, for a hundredth of the work (docs/quality.md, on
-/// fewer segments).
+/// Iterations with short steps at the end. Four of them: within noise, for a hundredth of the work
+/// (docs/decisions.md, "Tried for the shape, and left out").
 inline constexpr uint32_t kCoolingIterations = 6;
 
 /// Nodes that move less than this, in r, do not move; when none of those that are to move does in as many iterations
