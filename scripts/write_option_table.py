@@ -71,37 +71,43 @@ def span(option: Option) -> str:
     return f"{number(option.least)} to {number(option.greatest)}"
 
 
-def line(option: Option) -> str:
+def flag_text(option: Option) -> str:
     flag = option.flag
-    flag_text = "" if flag is None else f"`{flag.name}{' ' + flag.metavar if flag.metavar else ''}`"
-    if flag is not None and flag.in_scene_units:
-        flag_text += ", in scene units"
+    if flag is None:
+        return ""
+    text = f"`{flag.name}{' ' + flag.metavar if flag.metavar else ''}`"
+    return text + ", in scene units" if flag.in_scene_units else text
+
+
+def default_text(option: Option) -> str:
+    """The default, or those of the presets where they differ."""
     of_presets = defaults(option)
-    same = len(set(of_presets)) == 1
-    default = (
-        of_presets[0]
-        if same
-        else ", ".join(
-            f"{value} ({preset})" for preset, value in zip(core.PRESETS, of_presets, strict=True)
-        )
-    )
-    cells = (
-        f"*{name_in_panel(option)}*",
-        option.panel,
-        f"`{option.setting}`",
-        flag_text,
-        UNITS[option.unit],
-        span(option),
-        default,
-        option.tip,
-    )
-    return "| " + " | ".join(cells) + " |"
+    if len(set(of_presets)) == 1:
+        return of_presets[0]
+    pairs = zip(core.PRESETS, of_presets, strict=True)
+    return ", ".join(f"{value} ({preset})" for preset, value in pairs)
 
 
-def table(options: tuple[Option, ...]) -> str:
-    head = ("option", "panel", "setting", "flag", "unit", "range", "default", "what it does")
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join(lines + [line(option) for option in options])
+# Head of a column -> its cell. Seven columns are as wide as a page of the site.
+CELLS = {
+    "option": lambda option: f"*{name_in_panel(option)}*",
+    "panel": lambda option: option.panel,
+    "setting": lambda option: f"`{option.setting}`",
+    "flag": flag_text,
+    "unit": lambda option: UNITS[option.unit],
+    "range": span,
+    "default": default_text,
+    "what it does": lambda option: option.tip,
+}
+# What the settings of the panel do stands in settings.md.
+OF_OPTIONS = ("option", "panel", "setting", "flag", "unit", "range", "default")
+OF_EXPORT = ("option", "setting", "flag", "range", "default", "what it does")
+
+
+def table(options: tuple[Option, ...], heads: tuple[str, ...]) -> str:
+    lines = [heads, ("---",) * len(heads)]
+    lines += [tuple(CELLS[head](option) for head in heads) for option in options]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
 def sentence(text: str) -> str:
@@ -133,8 +139,8 @@ def main() -> int:
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
     arguments = parser.parse_args()
     pages = {
-        "options": table(TABLE),
-        "export": table(export_options.ROWS),
+        "options": table(TABLE, OF_OPTIONS),
+        "export": table(export_options.ROWS, OF_EXPORT),
         "settings": artists_table(),
     }
     return max(
