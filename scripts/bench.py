@@ -36,7 +36,16 @@ FIGURES = (
     "floor_cpu_ratio",
     "memory_bytes",
 )
-QUALITY = ("nodes", "iterations", "packing", "near_target", "coverage_p99", "coverage_max")
+QUALITY = (
+    "faces",
+    "nodes",
+    "iterations",
+    "packing",
+    "near_target",
+    "spacing_p05",
+    "coverage_p99",
+    "coverage_max",
+)
 
 
 def geometric_mean(values: list[float]) -> float:

@@ -46,7 +46,9 @@ class CaseList {
 
   void add_models() {
     for (const Model& m : kModels) {
-      if (has(m.name)) add("models", m.name, m.radius, model(m.name));
+      if (!has(m.name)) continue;
+      add("models", m.name, m.radius, model(m.name));
+      cases_.push_back({"models", m.name, "finest", threads_, m.radius, 0, model(m.name), false});
     }
   }
 

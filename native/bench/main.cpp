@@ -22,7 +22,7 @@ constexpr const char* kUsage =
     "  --group G       models, generated, mesh, scaling, threads or cancel; may be given again\n"
     "                  (default: models and generated)\n"
     "  --case NAME     only this surface; may be given again\n"
-    "  --preset P      only even, only paper or, in the group cancel, only finest\n"
+    "  --preset P      only even, only paper or, in the groups models and cancel, only finest\n"
     "  --threads T     threads of the flow (default: the machine's); selects in the groups threads and cancel\n"
     "  --models DIR    folder of OBJ models; without it generated surfaces alone\n"
     "  --repeat N      runs of every case, each in a process of its own (default: 1)\n"

@@ -186,7 +186,9 @@ void measure(const std::string& path, const Case& which, uint32_t iteration_limi
   m.radius = which.radius > 0 ? which.radius : std::sqrt(kNodesPerArea * area(mesh) / which.nodes);
 
   meander_flow_options options;
-  const uint32_t preset = which.preset == "paper" ? MEANDER_PRESET_PAPER : MEANDER_PRESET_EVEN;
+  const uint32_t preset = which.preset == "paper"    ? MEANDER_PRESET_PAPER
+                          : which.preset == "finest" ? MEANDER_PRESET_FINEST
+                                                     : MEANDER_PRESET_EVEN;
   if (library.flow_options_init(&options, sizeof options, preset) != MEANDER_STATUS_OK)
     throw std::runtime_error("no such preset");
   options.radius = m.radius;
