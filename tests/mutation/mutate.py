@@ -390,12 +390,10 @@ def report(only: str) -> None:
         elif only in mutant.file:
             alive.append(f"{result['outcome']}: {in_words(mutant)}")
     print("\n".join(alive))
-    print("| file | mutants | killed | survived | not reached | not tried |")
-    print("| --- | --- | --- | --- | --- | --- |")
-    outcomes = ["killed", "survived", "not reached", "not tried"]
     for file, counts in rows.items():
-        cells = [file, sum(counts.values()), *(counts[o] for o in outcomes)]
-        print(f"| {' | '.join(map(str, cells))} |")
+        row = {"row": "mutants", "file": file, "mutants": sum(counts.values())}
+        row |= {"killed": counts["killed"], "not tried": counts["not tried"]}
+        print(json.dumps(row | {"alive": counts["survived"] + counts["not reached"]}))
     print("killed by:", ", ".join(f"{name} {count}" for name, count in by.most_common()))
 
 

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the tables of docs/reliability.md from the rows of a sweep: only what was run.
+"""Prints tables of a sweep from its rows, in Markdown: only what was run.
 
-    python3 tests/sweep/summary.py build/sweep/rows.jsonl [--page docs/reliability.md]
+    python3 tests/sweep/summary.py build/sweep/rows.jsonl [--rows]
 
-Without --page the tables are printed; with it they take the place of those that the page has.
+With --rows it prints a JSON object for each radius instead, which scripts/result_tables.py keeps
+for docs/reliability.md.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import re
 import statistics
 import sys
@@ -20,8 +22,6 @@ from typing import Any
 from rows import EXPECTED, failed, read_rows
 
 Row = dict[str, Any]
-
-BEGIN, END = "<!-- tables of the sweep -->", "<!-- end of the tables -->"
 
 # Of runs with fewer nodes the time is not that of their nodes.
 FEWEST_NODES = 200
@@ -78,32 +78,33 @@ def _table(head: list[str], lines: list[list[object]]) -> str:
     return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in rows)
 
 
-def _counts(rows: list[Row]) -> list[object]:
-    """The numbers under HEAD."""
+def counts(rows: list[Row]) -> dict[str, int]:
+    """What became of runs: what HEAD names, by its name."""
     outcomes = Counter(row["outcome"] for row in rows)
-    others = sum(count for name, count in outcomes.items() if name not in EXPECTED)
-    checked = sum(row.get("checked", 0) for row in rows)
-    crossings = sum(row.get("crossings", 0) for row in rows)
-    wrong = sum(1 for row in rows if row.get("faults"))
-    return [
-        len(rows),
-        *(outcomes[name] for name in EXPECTED),
-        others,
-        f"{checked:,}",
-        crossings,
-        wrong,
-    ]
+    return {
+        "runs": len(rows),
+        **{name: outcomes[name] for name in EXPECTED},
+        "broken": sum(count for name, count in outcomes.items() if name not in EXPECTED),
+        "checked": sum(row.get("checked", 0) for row in rows),
+        "crossings": sum(row.get("crossings", 0) for row in rows),
+        "faults": sum(1 for row in rows if row.get("faults")),
+    }
 
 
 HEAD = ["runs", *EXPECTED, "crash, hang, error", "curves checked", "crossings", "runs with a fault"]
 
 
-def by(rows: list[Row], name: str, key: Callable[[Row], Any]) -> str:
-    """A table with a line for each value of `key`."""
+def grouped(rows: list[Row], key: Callable[[Row], Any]) -> list[tuple[Any, dict[str, int]]]:
+    """The counts of the rows with each value of `key`."""
     groups: dict[Any, list[Row]] = defaultdict(list)
     for row in rows:
         groups[key(row)].append(row)
-    lines = [[value, *_counts(groups[value])] for value in sorted(groups)]
+    return [(value, counts(groups[value])) for value in sorted(groups)]
+
+
+def by(rows: list[Row], name: str, key: Callable[[Row], Any]) -> str:
+    """A table with a line for each value of `key`."""
+    lines = [[value, *(f"{n:,}" for n in c.values())] for value, c in grouped(rows, key)]
     return _table([name, *HEAD], lines)
 
 
@@ -186,29 +187,19 @@ def tables(rows: list[Row]) -> str:
     return "\n\n".join(parts)
 
 
-def put_into(page: str, text: str) -> str:
-    """A page with the text between its two marks."""
-    before, mark, rest = page.partition(BEGIN)
-    _, end, after = rest.partition(END)
-    if not mark or not end:
-        sys.exit(f"summary.py: the page has no {BEGIN} and {END}; put both where the tables go")
-    return f"{before}{BEGIN}\n\n{text}\n\n{END}{after}"
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
     parser.add_argument("rows", type=Path, nargs="+", help="files of rows")
-    parser.add_argument("--page", type=Path, help="the page that has the tables")
+    parser.add_argument("--rows", action="store_true", dest="as_rows", help="JSON, by radius")
     arguments = parser.parse_args()
     rows = [row for path in arguments.rows for row in read_rows(path)]
     if not rows:
         sys.exit("summary.py: there are no rows; run sweep.py first")
-    text = tables(rows)
-    if arguments.page is None:
-        print(text)
+    if arguments.as_rows:
+        for radius, found in grouped(rows, lambda row: row["factor"]):
+            print(json.dumps({"row": "sweep", "radius": radius, **found}))
     else:
-        page = arguments.page.read_text(encoding="utf-8")
-        arguments.page.write_text(put_into(page, text), encoding="utf-8")
+        print(tables(rows))
     return 0
 
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import json
+import sys
 from typing import Any
 
 import pytest
@@ -53,10 +55,12 @@ def test_runs_that_leave_half_of_the_surface_empty_are_said() -> None:
     assert "1 leave more than half of it empty (on a cube)." in summary.tables([row(), empty])
 
 
-def test_only_the_tables_of_a_page_change() -> None:
-    page = f"before\n{summary.BEGIN}\nold\n{summary.END}\nafter\n"
-    new = summary.put_into(page, "new")
-    assert new == f"before\n{summary.BEGIN}\n\nnew\n\n{summary.END}\nafter\n"
-    assert summary.put_into(new, "new") == new
-    with pytest.raises(SystemExit):
-        summary.put_into("no marks", "new")
+def test_rows_are_printed_by_radius(tmp_path, monkeypatch, capsys) -> None:
+    rows = tmp_path / "rows.jsonl"
+    rows.write_text("".join(json.dumps(one) + "\n" for one in (row(), row(factor=3.0), row())))
+    monkeypatch.setattr(sys, "argv", ["summary.py", str(rows), "--rows"])
+    assert summary.main() == 0
+    printed = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert [(one["radius"], one["runs"], one["checked"]) for one in printed] == [
+        (1.0, 2, 202), (3.0, 1, 101),
+    ]
