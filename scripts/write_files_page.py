@@ -15,26 +15,25 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "core"))
 
-from file_cases import CASES, Case  # noqa: E402
+from file_cases import CASES  # noqa: E402
 
 PAGE = ROOT / "docs" / "files.md"
 BEGIN, END = "<!-- written by scripts/write_files_page.py -->", "<!-- to here -->"
 KINDS = {"obj": "OBJ", "ply": "PLY", "stl": "STL"}
 
 
-def what_becomes(case: Case) -> str:
-    if not case.area:
-        return "refused"
-    return "repaired" if case.said else "read"
-
-
 def tables() -> str:
+    """What is read in silence as one sentence; a line for each case of which something is said."""
     lines = []
     for kind, name in KINDS.items():
-        lines += [f"### {name}", "", "| what is in the file | | what is said |", "|---|---|---|"]
-        for case in (case for case in CASES if case.kind == kind):
+        cases = [case for case in CASES if case.kind == kind]
+        silent = "; ".join(case.title for case in cases if case.area and not case.said)
+        lines += [f"### {name}", "", f"Read: {silent}.", ""]
+        lines += ["| what is in the file | | what is said |", "|---|---|---|"]
+        for case in (case for case in cases if case.said):
             said = case.said if not case.said.startswith((" ", ",")) else f"FILE{case.said}"
-            lines.append(f"| {case.title} | {what_becomes(case)} | {said.replace('|', '&#124;')} |")
+            becomes = "repaired" if case.area else "refused"
+            lines.append(f"| {case.title} | {becomes} | {said.replace('|', '&#124;')} |")
         lines.append("")
     return "\n".join(lines).strip()
 
