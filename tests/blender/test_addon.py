@@ -146,7 +146,7 @@ def test_density_panel_shows_what_its_source_needs():
 
 def test_alignment_panel_shows_what_its_source_needs():
     settings = cube().meander
-    assert draw(term_panels.MEANDER_PT_alignment) == ["Follow"]
+    assert draw(term_panels.MEANDER_PT_alignment) == ["Along"]
     for source, label in (
         ("AXIS", "Space"),
         ("CURVATURE", "Smoothing"),

@@ -163,7 +163,7 @@ def test_spacing_and_last_run_have_one_unit():
     fill(surface, 0.1, iteration_limit=100)
     activate(surface)
     found = texts_of(MEANDER_PT_figures)
-    spacing, length = (found[found.index(name) + 1] for name in ("Spacing", "Length"))
+    spacing, length = (found[found.index(name) + 1] for name in ("Median Spacing", "Length"))
     assert spacing.endswith(" m") and length.endswith(" m")
     assert float(spacing[:-2]) == pytest.approx(0.1, rel=0.2)
     assert float(length[:-2]) > 100.0

@@ -8,11 +8,13 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import bpy
+import panel_layout
 import pytest
 from mathutils import Vector
 from meander.ui import help as pages
 from meander.ui import presets
 from meander.ui.menu import MEANDER_MT_object
+from meander.ui.panels import MEANDER_PT_main
 from panel_layout import Layout
 from scenes import activate, cube, fill, poly_curve, sphere
 
@@ -124,6 +126,33 @@ def test_what_ships_is_not_removed(own_scripts):
     assert (presets.SHIPPED / "Few_Corners.py").is_file()
 
 
+def listed_presets() -> dict[str, bool]:
+    """The presets of the menu, and whether it offers to remove them."""
+    found = {}
+
+    def path_menu(paths, _operator, *, filter_ext, add_operator):
+        assert paths, "Blender writes 'Missing Paths' where it gets none"
+        for path in [path for folder in paths for path in Path(folder).iterdir()]:
+            if filter_ext(path.suffix):
+                assert path.stem not in found
+                found[path.stem] = add_operator is not None
+
+    menu = SimpleNamespace(
+        layout=Layout(), path_menu=path_menu, preset_operator="", preset_add_operator="add"
+    )
+    presets.MEANDER_PT_presets.draw(menu, bpy.context)
+    return found
+
+
+def test_only_what_users_add_offers_to_be_removed(own_scripts, monkeypatch):
+    cube()
+    assert listed_presets() == dict.fromkeys(SHIPPED, False)
+    bpy.ops.meander.add_preset(name="My_Rows")
+    assert listed_presets() == dict.fromkeys(SHIPPED, False) | {"My_Rows": True}
+    monkeypatch.setattr(bpy.utils, "preset_paths", lambda _subdir: [])
+    assert listed_presets() == dict.fromkeys(SHIPPED, False)
+
+
 def test_a_preset_is_one_undo_step():
     settings = cube().meander
     name = bpy.context.active_object.name
@@ -150,6 +179,8 @@ def test_the_preset_that_is_active_is_named(own_scripts):
         assert presets.active_name(surface.meander) == name.replace("_", " ")
     surface.meander.border_distance += 0.3
     assert presets.active_name(surface.meander) == ""
+    texts = panel_layout.drawn(MEANDER_PT_main, bpy.context).texts()
+    assert "Custom" in [text.text for text in texts]
     bpy.ops.meander.add_preset(name="My Own")
     assert presets.active_name(surface.meander) == "My Own"
     fill(surface, 0.6)

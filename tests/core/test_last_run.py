@@ -13,6 +13,13 @@ from meander.model import last_run
 from meander.model.remaining import Remaining, in_words, told
 
 
+def test_a_roughness_that_changes_nothing_is_not_told():
+    """Suzanne's, at an automatic spacing."""
+    assert last_run.roughness(0.0008, 1.000035) == ""
+    assert "shortens lengths by 5 %" in last_run.roughness(0.4, 1.0526)
+    assert last_run.roughness(0.0, 1.0) == ""
+
+
 def test_one_line_is_called_so():
     assert last_run.lines(1, 1) == "One closed line"
     assert last_run.lines(1, 0) == "One open line"

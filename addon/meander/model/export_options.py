@@ -165,7 +165,7 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "lift",
-        "Lift",
+        "Travel Height",
         "Height at which the tool travels, above the highest point of the curve, in millimetres",
         PANEL,
         default=Motion.lift,

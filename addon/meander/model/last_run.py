@@ -10,7 +10,7 @@ ENDED = {
     "cancelled": "Stopped by hand",
 }
 # Of a surface that was smoothed where its spacing is measured: as short as a panel is wide.
-ROUGH = "Rough surface: bumps smoothed"
+ROUGH = "Rough surface: bumps smoothed, see Roughness"
 # Gaps that matter are farther from the curve than this, in half spacings. Smaller ones are what is
 # left where strands turn: they are not seen, and no run is without them.
 GAP_THAT_MATTERS = 1.5
@@ -57,13 +57,20 @@ def evenness(share: float) -> str:
     return f"{min(percent, 99.0) if percent < 100.0 else percent:.0f} %"
 
 
+def is_rough(smoothing: float, stretch: float) -> bool:
+    """Whether smoothing a surface makes a difference that is worth a word: half a per cent of its
+    lengths."""
+    return smoothing > 0.0 and stretch > 1.005
+
+
 def roughness(smoothing: float, stretch: float) -> str:
-    """What a rough surface was smoothed by where its spacing is measured; empty: it is not rough.
+    """What a rough surface was smoothed by where its spacing is measured; empty: nothing worth a
+    word.
 
     smoothing  mean width of the Gaussian, in half spacings
     stretch    lengths on the surface in those on the smoothed one
     """
-    if smoothing <= 0.0:
+    if not is_rough(smoothing, stretch):
         return ""
     return (
         f"Rough surface: the spacing is measured with bumps smoothed by {smoothing / 2:.2g} "

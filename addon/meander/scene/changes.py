@@ -2,8 +2,8 @@
 """Whether the shape of an object has changed since somebody looked, without looking at its points.
 
 The dependency graph says which objects it has evaluated anew; those that somebody has asked for are
-counted here. Selecting, renaming and the settings of this add-on do not count. A count is a hint: what
-goes on from an earlier run compares the points as well.
+counted here. Selecting, renaming and the settings of this add-on do not count. A count is a hint:
+what goes on from an earlier run compares the points as well.
 """
 
 from __future__ import annotations

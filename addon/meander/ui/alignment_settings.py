@@ -15,7 +15,7 @@ class AlignmentSettings:
     """The part of MeanderSettings that says which direction the strands follow."""
 
     alignment_source: EnumProperty(
-        name="Follow",
+        name="Along",
         description="The directions that strands run along; their spacing stays the same",
         items=(
             ("NONE", "None", "No direction is preferred"),

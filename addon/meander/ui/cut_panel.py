@@ -144,8 +144,8 @@ class MEANDER_OT_two_tone(_Cut, bpy.types.Operator):
     bl_idname = "meander.two_tone"
     bl_label = "Two-Tone"
     bl_description = (
-        "Colour the two sides of the curve, or make an object of each. Where the curve is open, "
-        "and has only one side, the colours also meet halfway between its turns"
+        "Color the two sides of the curve, or make an object of each. Where the curve is open, "
+        "and has only one side, the colors also meet halfway between its turns"
     )
     suffix = "Two-Tone"
     sides = True
@@ -177,7 +177,7 @@ class MEANDER_OT_two_tone(_Cut, bpy.types.Operator):
     def remark(self, cut: CutResult) -> str:
         if cut.parted:
             return ""
-        return ", whose colours also meet halfway between turns, since the curve has one side only"
+        return ", whose colors also meet halfway between turns, since the curve has one side only"
 
 
 class MEANDER_OT_relief(_Cut, bpy.types.Operator):

@@ -21,9 +21,9 @@ _OF_THE_SOURCES = _HOME.parents[1] / "build" / "site"
 PAGES = (
     ("index", "Start", "The first curve"),
     ("settings", "Settings", "Every setting, from low to high"),
-    ("look", "Look", "Thickness, profile and colours"),
+    ("look", "Look", "Thickness, profile and colors"),
     ("live", "Live", "A curve that follows its settings"),
-    ("making", "Make", "Two colours, reliefs and ribbons"),
+    ("making", "Make", "Two colors, reliefs and ribbons"),
     ("density", "Density", "Where strands are closer"),
     ("strands", "Strands", "Seeds, strokes and guides"),
     ("terms", "Direction and Shape", "What strands run along, and how they bend"),

@@ -21,7 +21,7 @@ from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
 
 
 class MEANDER_OT_add_look(OnOwnResult, bpy.types.Operator):
-    """Give this curve a modifier for its thickness, profile, lift and colour along the line"""
+    """Give this curve a modifier for its thickness, profile, lift and color along the line"""
 
     bl_idname = "meander.add_look"
     bl_label = "Add Live Look"

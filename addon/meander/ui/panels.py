@@ -65,7 +65,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         # Which surface it is, and lies on, is a fact, not a choice; its name has all the room.
         layout.label(text=surface.name, icon="MESH_DATA")
         _labelled(layout, "Preset").popover(
-            panel=MEANDER_PT_presets.__name__, text=active_name(settings) or "None"
+            panel=MEANDER_PT_presets.__name__, text=active_name(settings) or "Custom"
         )
         live = layout.column()
         columns(live, live=True)
@@ -179,7 +179,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
         layout = self.layout
         if figures.stop_reason in last_run.ENDED:
             notice(layout, last_run.ENDED[figures.stop_reason])
-        if figures.smoothing > 0.0:
+        if last_run.is_rough(figures.smoothing, figures.stretch):
             notice(layout, last_run.ROUGH)
         if figures.lines:
             column = layout.column(align=True)
@@ -193,7 +193,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
             (
                 *_evenness(figures),
                 *((("Gaps", f"{gaps:,}"),) if gaps > 0 else ()),
-                ("Spacing", length_text(context.scene, figures.spacing_median, 4)),
+                ("Median Spacing", length_text(context.scene, figures.spacing_median, 4)),
                 ("Length", length_text(context.scene, figures.length, 4)),
                 ("Time", f"{figures.seconds:.1f} s"),
             ),
@@ -240,7 +240,7 @@ def _automatic(context: bpy.types.Context, objects: list[bpy.types.Object]) -> s
 def _figures(layout: bpy.types.UILayout, rows: tuple[tuple[str, str], ...]) -> None:
     column = layout.column(align=True)
     for name, value in rows:
-        split = column.split(factor=0.5)
+        split = column.split(factor=0.58)
         left = split.row()
         left.alignment = "RIGHT"
         left.active = False

@@ -161,12 +161,19 @@ class MEANDER_PT_presets(PresetPanel, bpy.types.Panel):
         layout = self.layout
         layout.emboss = "PULLDOWN_MENU"
         layout.operator_context = "EXEC_DEFAULT"
-        self.path_menu(
-            folders(),
-            self.preset_operator,
-            filter_ext=lambda ext: ext == ".py",
-            add_operator=self.preset_add_operator,
-        )
+        # Only those of the user can be removed. Blender names what is missing where it gets no
+        # folder, so without one it lists nothing of the add-on's.
+        own = folders()[1:]
+        for paths, listed, add in (
+            ([str(SHIPPED)], True, None),
+            (own or [str(SHIPPED)], bool(own), self.preset_add_operator),
+        ):
+            self.path_menu(
+                paths,
+                self.preset_operator,
+                filter_ext=lambda ext, listed=listed: listed and ext == ".py",
+                add_operator=add,
+            )
 
 
 _CLASSES = (MEANDER_OT_use_preset, MEANDER_OT_add_preset, MEANDER_PT_presets)
