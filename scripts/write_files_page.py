@@ -29,12 +29,12 @@ def tables() -> str:
         cases = [case for case in CASES if case.kind == kind]
         silent = "; ".join(case.title for case in cases if case.area and not case.said)
         lines += [f"### {name}", "", f"Read: {silent}.", ""]
-        lines += ["| what is in the file | | what is said |", "|---|---|---|"]
-        for case in (case for case in cases if case.said):
-            said = case.said if not case.said.startswith((" ", ",")) else f"FILE{case.said}"
-            becomes = "repaired" if case.area else "refused"
-            lines.append(f"| {case.title} | {becomes} | {said.replace('|', '&#124;')} |")
-        lines.append("")
+        for becomes in ("repaired", "refused"):
+            lines += [f"| {becomes} | what is said |", "|---|---|"]
+            for case in (c for c in cases if c.said and (c.area > 0) == (becomes == "repaired")):
+                said = case.said if not case.said.startswith((" ", ",")) else f"FILE{case.said}"
+                lines.append(f"| {case.title} | {said.replace('|', '&#124;')} |")
+            lines.append("")
     return "\n".join(lines).strip()
 
 

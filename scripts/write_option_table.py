@@ -88,10 +88,9 @@ def default_text(option: Option) -> str:
     return ", ".join(f"{value} ({preset})" for preset, value in pairs)
 
 
-# Head of a column -> its cell. Seven columns are as wide as a page of the site.
+# Head of a column -> its cell. More than seven columns are wider than a page of the site.
 CELLS = {
     "option": lambda option: f"*{name_in_panel(option)}*",
-    "panel": lambda option: option.panel,
     "setting": lambda option: f"`{option.setting}`",
     "flag": flag_text,
     "unit": lambda option: UNITS[option.unit],
@@ -99,8 +98,8 @@ CELLS = {
     "default": default_text,
     "what it does": lambda option: option.tip,
 }
-# What the settings of the panel do stands in settings.md.
-OF_OPTIONS = ("option", "panel", "setting", "flag", "unit", "range", "default")
+# settings.md says in which panel each is, and what it does.
+OF_OPTIONS = ("option", "setting", "flag", "unit", "range", "default")
 OF_EXPORT = ("option", "setting", "flag", "range", "default", "what it does")
 
 
