@@ -1,19 +1,27 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test.sh
+# test.sh [--all]
 #
-# Installs what is missing, builds, and runs every test: native, once more under sanitizers, Python
-# without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip
-# in both, jobs of many surfaces, hard surfaces, the library of a release for Windows, UI tests in a
-# window, the commands of the documents, what runs in threads under ThreadSanitizer, the linter, and the
-# rule which module may import which. Every suite runs, even if others fail. Logs stay in build/logs; the last line counts the tests,
-# and the exit code is 0 only when nothing failed.
+# Installs what is missing, builds, and runs the tests: native, fuzzing of the C API under sanitizers, Python
+# without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip in both, jobs
+# of many surfaces, hard surfaces, UI tests in a window, the commands of the documents, the linter, and the rule
+# which module may import which. Every suite runs, even if others fail. Logs stay in build/logs; the last line counts
+# the tests, and the exit code is 0 only when nothing failed.
+#
+# With --all, every night or by hand, also what is compiled anew for it, which takes as long again: the native tests
+# under sanitizers, what runs in threads under ThreadSanitizer, and the library of a release for Windows.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
 # than that has failed: continuous integration sets it, so that slower machines have time to spare.
 set -euo pipefail
+case "${1:-}" in
+  "") all=false ;;
+  --all) all=true ;;
+  *) echo "usage: $0 [--all]" >&2
+     exit 2 ;;
+esac
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 
@@ -26,7 +34,7 @@ bash scripts/install_dependencies.sh --build
 # The rest, Blender and much else, is fetched and unpacked while the first programs are built.
 {
   bash scripts/install_dependencies.sh --bpy 4.5 --site --sanitizers
-  bash scripts/install_dependencies.sh --package --emulators
+  bash scripts/install_dependencies.sh --package $($all && echo --emulators)
 } >"$logs/install.log" 2>&1 &
 installing=$!
 trap 'wait $installing' EXIT # a package manager is not left behind halfway
@@ -137,11 +145,13 @@ if ! wait $installing; then
 fi
 trap - EXIT
 
-# What compiles much, but often waits for the linker or for one test: Wine's, or the slowest sanitized
-# one. The library for Windows stands for all platforms that are not this one.
-suite platforms 1800 bash scripts/package.sh --test windows-x64 &
-suite sanitized 2400 bash scripts/test_sanitized.sh
-wait $!
+if $all; then
+  # What compiles much, but often waits for the linker or for one test: Wine's, or the slowest sanitized
+  # one. The library for Windows stands for all platforms that are not this one.
+  suite platforms 1800 bash scripts/package.sh --test windows-x64 &
+  suite sanitized 2400 bash scripts/test_sanitized.sh
+  wait $!
+fi
 
 # The rest runs in one process at a time, so two rows of suites share the processors.
 first_row() {
@@ -187,7 +197,7 @@ second_row
 wait $!
 
 # One process as well, so the other processor compiles.
-suite threads 1800 bash scripts/test_threads.sh &
+if $all; then suite threads 1800 bash scripts/test_threads.sh & else suite fuzz 1800 bash scripts/test_sanitized.sh --fuzz & fi
 profile documents
 suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
 wait $!
