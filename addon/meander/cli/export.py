@@ -23,7 +23,7 @@ from .values import BadInput
 # The units that a mesh file may be in, in metres.
 MESH_UNITS = UNITS | {"m": 1.0}
 
-# A report names so many places where a drawing crosses itself.
+# The most places where a drawing crosses itself that a report names.
 _MOST_PLACES = 20
 
 

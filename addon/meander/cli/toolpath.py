@@ -68,7 +68,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--approach",
         type=positive,
         metavar="D",
-        help="in --poses: begin and end each strand so much farther from the surface",
+        help="in --poses: begin and end each strand this much farther from the surface",
     )
     add(
         "--lines",

@@ -53,7 +53,7 @@ class Axis:
     problem: str = ""
 
     def directions(self, count: int) -> NDArray[np.float64]:
-        """The axis for every one of so many vertices."""
+        """The axis for each of `count` vertices."""
         return np.tile(self.vector, (count, 1))
 
 

@@ -18,9 +18,9 @@ from .nearest_places import Tree, closest_pair, spanning_tree
 GAP = 0.5
 # A cut takes at most this share of its strand, over the number of cuts in that.
 _LARGEST_CUT = 0.25
-# Cuts on one strand keep so many of their mean widths from the middle of one to that of the other.
+# The least distance between the middles of two cuts on a strand, in their mean width.
 _KEPT_APART = 1.5
-# Where a strand has few points, so many places to the cut are tried as well.
+# Places to a cut that are tried as well where a strand has few points.
 _PLACES = 16
 # How often another place is looked for where bridges would come too near to something else.
 _TRIES = 12

@@ -103,7 +103,7 @@ class Speeds:
 
 
 def _cost_of(options: core.FlowOptions, nodes: float) -> core.Cost:
-    """The cost of so many nodes, on a surface of few faces."""
+    """The cost of a curve of `nodes` nodes, on a surface of few faces."""
     of_one = core.estimate_cost(core.Extent(0, 1.0, 1.0, 0.0), options)
     area = nodes / of_one.nodes
     return core.estimate_cost(core.Extent(0, area, area, 0.0), options)

@@ -359,7 +359,7 @@ ROWS: tuple[Option, ...] = (
         zero_is_preset=True,
         flag=Flag(
             "--point-limit",
-            "at most so many points, where a tolerance of a quarter of the spacing allows it; "
+            "at most N points, where a tolerance of a quarter of the spacing allows it; "
             f"without --light the tolerance is {DEFAULT_SHARE:g} where that is enough",
             "light results",
             "N",

@@ -25,7 +25,7 @@ SIZES = (16, 16384)
 MOST_TILES = 100
 # How long the edges of a cut are to be between the lines, in spacings.
 DETAIL = 0.125
-# So many pixels are asked at a time which triangle they are in.
+# Pixels whose triangle is looked up at a time.
 _AT_ONCE = 1 << 21
 # A pixel on the edge between two triangles belongs to both, one that is farther inside both of two
 # only where the map lies on itself: as shares of a triangle's height.

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 # Half of the cells around a cell, and itself: each pair of cells is met once.
 _STEPS = [step for step in itertools.product((-1, 0, 1), repeat=3) if step >= (0, 0, 0)]
 
-# So many pairs are measured at a time, which bounds the memory.
+# Pairs that are measured at a time, which bounds the memory.
 _AT_ONCE = 1_000_000
 
 # Cells are numbered by 20 bits for each axis.

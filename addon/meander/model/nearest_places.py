@@ -17,7 +17,7 @@ _BLOCK = 64
 
 
 class Tree:
-    """Which of so many things are joined already."""
+    """Which of `count` things are joined already."""
 
     def __init__(self, count: int) -> None:
         self._above = list(range(count))

@@ -10,7 +10,7 @@ PHASE_TEXTS = {
     "unfolding": "Unfolding",
     "polish": "Evening out",
 }
-# Before so much of the time, in seconds, and of the work has gone, a guess would jump about.
+# Seconds and share of the work before which a guess would jump about.
 _LEAST_SECONDS = 0.5
 _LEAST_SHARE = 0.05
 

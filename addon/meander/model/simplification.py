@@ -23,7 +23,7 @@ from . import thinning
 from .near_chords import pairs_within
 from .option import Values
 
-# A strand is first divided into parts of so many points. That bounds the time of what could take
+# A strand is first divided into parts of this many points. That bounds the time of what could take
 # out one row of a zigzag after another, and leaves one point in a thousand too many.
 _PART = 1024
 

@@ -20,7 +20,7 @@ from .near_chords import pairs_within
 
 # Chords this near to each other are looked at, in spacings: neighbours on one sheet are one apart.
 _NEAR = 0.5
-# A report names so many places.
+# The most places that a report names.
 _MOST_PLACES = 20
 
 

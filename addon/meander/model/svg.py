@@ -35,7 +35,7 @@ def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> s
     """The file's text.
 
     drawing      flat
-    line_width   in millimetres; so much margin is left all around
+    line_width   in millimetres, and the margin on all sides
     title        what the picture is of
 
     One unit of the file's coordinates is one unit of the drawing, and its size on paper says so

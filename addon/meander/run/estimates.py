@@ -44,7 +44,7 @@ class _Measured:
     automatic: float  # the spacing that 0 stands for
 
 
-# By the number of the object whose settings count, at most so many, the newest last.
+# By the number of the object whose settings count: at most _MOST, the newest last.
 _measured: dict[int, _Measured] = {}
 _MOST = 256
 # What is to be measured.

@@ -30,7 +30,7 @@ from ..scene.transforms import mean_scale, to_local
 from .plan import Plan
 from .stepper import Snapshot, Stepper
 
-# So many gaps are kept with a result, the largest: a run that was stopped early has thousands.
+# Gaps that are kept with a result, the largest: a run that was stopped early has thousands.
 MOST_GAPS = 200
 
 

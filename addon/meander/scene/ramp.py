@@ -14,7 +14,7 @@ from ..model.density import Stops
 
 # The dot keeps it out of Blender's lists.
 _NAME = ".Meander Ramp"
-# Stops at so many places at least: the widget's curves are smooth.
+# The least number of stops: the widget's curves are smooth.
 _SAMPLES = 65
 
 

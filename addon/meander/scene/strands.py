@@ -17,7 +17,7 @@ from .linked_settings import settings_of
 from .surface_points import farthest
 from .transforms import world_matrix
 
-# So many points of a part tell whether it lies on its surface.
+# Points of a part that tell whether it lies on its surface.
 _CHECKED = 500
 
 

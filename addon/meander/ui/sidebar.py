@@ -35,7 +35,7 @@ ADVANCED = "MEANDER_PT_advanced"
 ADVANCED_ORDER = {"weights": 10, "repair": 20}
 
 
-# So many letters of a sentence fit beside an icon.
+# Letters of a sentence that fit beside an icon.
 _LINE = 24
 
 

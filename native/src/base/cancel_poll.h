@@ -19,7 +19,7 @@ class CancelPoll {
   CancelPoll(const std::function<bool()>& cancelled, uint32_t pieces)
       : cancelled_(cancelled ? &cancelled : nullptr), pieces_(pieces) {}
 
-  /// After so many pieces of work. Throws Failure(FailureKind::kCancelled) if the computation is to stop.
+  /// Counts pieces of work. Throws Failure(FailureKind::kCancelled) if the computation is to stop.
   void operator()(size_t pieces = 1) {
     count_ += pieces;
     if (count_ < pieces_) return;

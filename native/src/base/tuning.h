@@ -25,12 +25,12 @@ inline constexpr double kFirstLoop = 1.5;
 /// in: it would stay where it is for ever. "first_curve: Begin with a circle where the first face is a sliver".
 inline constexpr double kTightFace = 0.3, kSliverFace = 0.02;
 
-/// A circle is made no narrower than this, in r, to fit; beside guides it is at most so much of the distance to the
-/// nearest one. Not measured.
+/// A circle is made no narrower than the first, in r, to fit; the second is the largest share of the distance to
+/// the nearest guide that its radius may have. Not measured.
 inline constexpr double kNarrowestLoop = 0.01, kLoopShareOfRoom = 0.4;
 
-/// A drawn seed jumps where the path between two neighbouring points is longer than this many times the way between
-/// them plus so many r. Half way round a sphere the path is pi / 2 times the way. Not measured.
+/// A drawn seed jumps where the path between two neighbouring points is longer than the first times the way between
+/// them plus the second in r. Half way round a sphere the path is pi / 2 times the way. Not measured.
 inline constexpr double kJumpFactor = 2, kJumpRadii = 2;
 
 // ---- The metric at the nodes, and the boundary ----------------------------------------------------------------------
@@ -71,17 +71,17 @@ inline constexpr uint32_t kBallIterations = 6, kSearchedIterations = 4;
 /// place.
 inline constexpr uint32_t kUnmeasuredPolish = 16;
 
-/// What a ball falls short of at the boundary counts so many times, and with ease so many; below this share of the
-/// distance wanted, so many times again. "flow: Let the boundary push twice as hard ..." and "boundary_reach: Keep
-/// strands from corners ..."; docs/decisions.md, "Push of the boundary".
+/// Weight of the radius that a ball lacks at the boundary: 2, or 1 in gentle runs; below a share kVeryNear of the
+/// distance wanted kVeryNearPush is added to it. "flow: Let the boundary push twice as hard ..." and
+/// "boundary_reach: Keep strands from corners ..."; docs/decisions.md, "Push of the boundary".
 inline constexpr double kPush = 2, kEasedPush = 1;
 inline constexpr double kVeryNear = 0.8, kVeryNearPush = 6;
 
 /// The first of these where the flow follows the paper, whose curves stay what they were.
 inline constexpr double kVeryNearOfPaper = 0.7;
 
-/// The Hessian of the medial term counts so many times where the boundary pushes harder than an empty ball. As its push
-/// falls it would count eight times, with which voids at the boundary are filled too late. Measured:
+/// Factor of the Hessian of the medial term where the boundary pushes harder than an empty ball. The force itself
+/// falls eight times as fast, and with a factor of 8 voids at the boundary are filled too late. Measured:
 /// docs/decisions.md, "Necks".
 inline constexpr double kPushStiffness = 3;
 
@@ -115,19 +115,19 @@ inline constexpr double kLeastLengthStiffness = 0.05;
 /// the spacing falls by 11 to 16 % for q from 3 to 8.
 inline constexpr double kPowerLimit = 0.53, kPowerRate = 1.1;
 
-/// What is added to the length weights of a polish to the same end: this, and so much more for each unit of q. Measured
-/// likewise: growth with q above 2 leaves the curve 7 to 16 % too dense. With the bending of today's polish, 1.2, the
-/// spacing is .86 to .90 of the one asked for; .5 instead of .8 leaves .84 to .87.
+/// What is added to the length weights of a polish to the same end: the first, and the second for each unit of q.
+/// Measured likewise: growth with q above 2 leaves the curve 7 to 16 % too dense. With a bending of 1.2 in the
+/// polish the spacing is .86 to .90 of the one asked for; .5 instead of .8 leaves .84 to .87.
 inline constexpr double kPolishBalance = 0.8, kPolishBalanceSlope = 0.05;
 
 // ---- A field (eq. 11) -----------------------------------------------------------------------------------------------
 
-/// The length weight that pushes strands along the field: this many beta, and no more than so much, before a polish
-/// and in it. Measured in "flow: Lie along fields ..." and "flow: Lay strands along a field from any seed, and not
-/// overfull" (docs/decisions.md, "Fields"): a push that rises with beta beyond 2 fills overfull; a beta of 6 with a
-/// push of 2 leaves zigzags, since nothing can turn any more and tilted strands are all that still fills. With beta
-/// = 4 and a push of 2 the share of the length within 15 degrees of the field is the same wherever the seed lies,
-/// which with beta = 2 it is not.
+/// The length weight that pushes strands along the field, as a multiple of beta, and its largest value, before a
+/// polish and in it. Measured in "flow: Lie along fields ..." and "flow: Lay strands along a field from any seed,
+/// and not overfull" (docs/decisions.md, "Fields"): a push that rises with beta beyond 2 fills overfull; a beta of
+/// 6 with a push of 2 leaves zigzags, since nothing can turn any more and tilted strands are all that still fills.
+/// With beta = 4 and a push of 2 the share of the length within 15 degrees of the field is the same wherever the
+/// seed lies, which with beta = 2 it is not.
 inline constexpr double kAlignedGrowth = 1, kMostAlignedGrowth = 2;
 inline constexpr double kAlignedPolish = 0.25, kMostAlignedPolish = 1.1;
 
@@ -161,16 +161,16 @@ inline constexpr double kSpacingSmoothing = 2;
 /// Its length weights stay between these. Not measured; the offset and the gain are options.
 inline constexpr double kLeastPolishLength = -1, kMostPolishLength = 3;
 
-/// Hairpins are kept round: where the curvature, as a mean over this many r to both sides, exceeds the second of these
-/// over r, bending weighs more, at the third and beyond by so many times more. A hairpin between strands at their
-/// spacing has a curvature of 1 / r. Elsewhere less bending does, so strands yield into the voids before hairpins.
-/// Measured: docs/decisions.md, "Round hairpins".
+/// Hairpins are kept round: where the curvature, as a mean over the first in r to both sides, exceeds the second
+/// over r, bending weighs more, and from the third over r on 1 + kHairpinStiffening times as much. A hairpin
+/// between strands at their spacing has a curvature of 1 / r. Elsewhere there is less bending, so strands yield
+/// into the voids before hairpins. Measured: docs/decisions.md, "Round hairpins".
 inline constexpr double kCurvatureSmoothing = 1.2, kRoundHairpin = 0.9, kTightHairpin = 1.2;
 inline constexpr double kHairpinStiffening = 2.5;
 
-/// After a gentle removal of hairpins, bending weighs so many times as much beside the boundary, where a ball is left
-/// less than the first of these in r. After a rough one some tips would come too near to the boundary with less of it.
-/// Measured: docs/decisions.md, "Voids at the boundary".
+/// After a gentle removal of hairpins, bending weighs kBoundaryBending times as much beside the boundary, where a
+/// ball is left less than kBesideBoundary r. After a rough one some tips would come too near to the boundary with
+/// less of it. Measured: docs/decisions.md, "Voids at the boundary".
 inline constexpr double kBesideBoundary = 2, kBoundaryBending = 0.3;
 
 /// Length weight in a strip along the boundary that is to stay empty, and the highest power q of the polish where such
@@ -199,7 +199,8 @@ inline constexpr double kMostAtBoundary = 0.25;
 /// that strands of a narrow strip can move. Measured: docs/decisions.md, "Necks".
 inline constexpr double kKeptFromBoundary = 0.6, kLeastTowardsBoundary = 0.04;
 
-/// And no more than this many r while the flow cools. So much the last two curves differ by (docs/quality.md).
+/// A node moves no more than this many r while the flow cools, so the last two curves differ by no more
+/// (docs/quality.md).
 inline constexpr double kMostWhileCooling = 0.04;
 
 /// While hairpins are removed, and in the polish with long segments, a node where a strand doubles back by more than
@@ -214,10 +215,10 @@ inline constexpr double kMostTurn = 2 * std::numbers::pi / 3, kMostGentleTurn = 
 inline constexpr double kPaperLimit = 3e-4;
 inline constexpr size_t kPaperIterations = 10;
 
-/// Growth ends when the length changes by less than this share in so many iterations and fewer nodes than this still
-/// see nothing beside them, or when the length has all but stopped changing. Half as many iterations, the same shares:
-/// two hairpins more of fifty, and what is to lie along a field has not turned yet (docs/decisions.md,
-/// "Settled").
+/// Growth ends when the length changes by less than kGrownLength, as a share, in kGrowthWindow iterations and a
+/// share of less than kGrownClamped of the nodes still see nothing beside them, or when the length changes by less
+/// than kGrownForSure. A window of five iterations leaves two hairpins more of fifty, and what is to lie along a
+/// field has not turned yet (docs/decisions.md, "Settled").
 inline constexpr size_t kGrowthWindow = 10;
 inline constexpr double kGrownLength = 0.02, kGrownClamped = 0.01;
 inline constexpr double kGrownForSure = 0.005;
@@ -232,9 +233,9 @@ inline constexpr uint32_t kPolishIterations = 22, kLongPolishIterations = 140;
 /// 1.03, 1.02 and 1.03 after 22, .02 less after 57, and .04 less after 140 (these two with the preset `finest`).
 inline constexpr uint32_t kFullPolishIterations = 30, kLongFullPolishIterations = 60;
 
-/// So many of them fit a finished curve to another spacing, and more of them hardly make it more even: near_target of
-/// bunny after 10, 15, 20 and 30 is .932, .937, .939 and .943 for a spacing a tenth wider, .950, .953, .952 and .956 for
-/// one a tenth closer, and .951 and .955 from scratch (docs/live.md).
+/// Iterations that fit a finished curve to another spacing. More of them hardly make it more even: near_target of
+/// bunny after 10, 15, 20 and 30 is .932, .937, .939 and .943 for a spacing a tenth wider, .950, .953, .952 and
+/// .956 for one a tenth closer, and .951 and .955 from scratch (docs/live.md).
 inline constexpr uint32_t kFittingIterations = 18;
 
 /// Where the spacing has changed by more than this since the curve grew, as the logarithm of r, it grows again: fitted
@@ -242,9 +243,9 @@ inline constexpr uint32_t kFittingIterations = 18;
 /// and .908; fitted to half the spacing of .90, of .955 once it has grown again, and of .964 from scratch.
 inline constexpr double kMostFitted = 0.22;
 
-/// A curve has settled when its length changes by less than this share in so many iterations, and the mean distance of
-/// its nodes from what it was is less than so many r: .05 instead of .04 takes a tenth of the work, and 5 iterations
-/// instead of 10 another sixth (docs/decisions.md, "Settled").
+/// A curve has settled when its length changes by less than kSettledLength, as a share, in kSettledWindow
+/// iterations, and its nodes are in the mean within kSettledDistance r of what it was: .05 instead of .04 takes a
+/// tenth of the work, and 5 iterations instead of 10 another sixth (docs/decisions.md, "Settled").
 inline constexpr size_t kSettledWindow = 5;
 inline constexpr double kSettledLength = 0.0025, kSettledDistance = 0.05;
 
@@ -260,8 +261,8 @@ inline constexpr size_t kIdleIterations = 5;
 
 // ---- Progressive spacing (Fig. 25) ----------------------------------------------------------------------------------
 
-/// The wide curve is complete when its length changes by less than this share in so many iterations, or after as many
-/// iterations as the last says. Not measured.
+/// The wide curve is complete when its length changes by less than kWideGrown, as a share, in kWideWindow
+/// iterations, or after kWideIterations. Not measured.
 inline constexpr double kWideGrown = 0.02;
 inline constexpr size_t kWideWindow = 10;
 inline constexpr size_t kWideIterations = 150;

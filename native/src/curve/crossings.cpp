@@ -18,8 +18,8 @@ constexpr uint32_t kPathsAhead = 8;
 /// Faces that a thread takes at a time: few of a coarse mesh, which hold many pieces.
 constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
 
-/// All pieces are sorted again where more than one of so many is new, and where so many times as many as there are have
-/// been renewed.
+/// All pieces are sorted again where more than one in kMostNew is new, and where kMostRenewed times as many as there
+/// are have been renewed.
 constexpr size_t kMostNew = 3, kMostRenewed = 2;
 
 /// Faces that a thread takes at a time where few hold anything new.

@@ -22,7 +22,7 @@ namespace {
 constexpr double kInset = 0.02;  // keeps the outline of a face off its edges
 constexpr uint32_t kRays = 24;
 
-/// Where the first face has no room for a circle, so many other places are tried, at least half of its radius apart.
+/// Where the first face has no room for a circle, this many other places are tried, at least half of its radius apart.
 constexpr size_t kPlaces = 64;
 
 void add_node(Curve& curve, const SurfacePoint& p) {

@@ -22,7 +22,7 @@ constexpr size_t kFewBlock = 32;
 /// that costs less than to wait for them.
 constexpr uint32_t kAhead = 4;
 
-/// All of them, as a list of so many.
+/// All numbers below a count, as a list.
 struct All {
   size_t count;
   size_t size() const { return count; }

@@ -32,9 +32,10 @@ constexpr double kFewNodes = 3000, kIterationGrowth = 0.2;
 constexpr double kFullIterations = 55;
 /// Processor seconds of an iteration for each node, and for each point, whose faces have to be fetched.
 constexpr double kSecondsPerNode = 0.17e-6, kSecondsPerPoint = 0.2e-6;
-/// And for each node and radian of curvature, in absolute value, of a disc of radius r, up to this many: so many
-/// distances along the surface are measured there. What is rougher is smoothed, and takes no longer for it. Displaced
-/// grids of 7,200 and 80,000 faces at two spacings, reliefs, spot and two control meshes: .15 to 12 rad, .4 to 2.4 us.
+/// And for each node and radian of curvature, in absolute value, of a disc of radius r, up to kMostRadians: the
+/// more it is curved, the more distances along the surface are measured. What is rougher is smoothed, and takes no
+/// longer for it. Displaced grids of 7,200 and 80,000 faces at two spacings, reliefs, spot and two control meshes:
+/// .15 to 12 rad, .4 to 2.4 us.
 constexpr double kSecondsPerRadian = 1.2e-6, kMostRadians = 1.4;
 /// Processor seconds for each face, once.
 constexpr double kSecondsPerFace = 0.25e-6;

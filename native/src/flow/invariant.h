@@ -11,7 +11,7 @@
 
 namespace meander {
 
-/// Of every so many segments one has its path looked at in an iteration, and each its turn.
+/// An iteration looks at the path of one in this many segments, and each has its turn.
 inline constexpr size_t kPathTurns = 8;
 
 /// What is wrong with a curve that an iteration has made of `before`, in words; empty: nothing.

@@ -51,7 +51,7 @@ struct Plan {
 /// fills the surface from its start in between.
 uint32_t polish_iterations(const FlowSettings& settings);
 
-/// The plan of an iteration in this phase, before which there have been so many in it: a function of the three alone.
+/// The plan of the iteration after the first `iterations_in_phase` of this phase: a function of the three alone.
 Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase = 0);
 
 }  // namespace meander

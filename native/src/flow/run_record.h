@@ -35,7 +35,7 @@ struct RunRecord {
 
   size_t iterations() const { return history.size() - started_at; }
 
-  /// The surface's unit has become so many times smaller; what comes counts as a new run.
+  /// Begins a new run on a surface whose unit is `factor` times smaller.
   void restart(double factor) {
     for (IterationRecord& record : history) {
       for (double* value : {&record.length, &record.mean_step, &record.energy}) *value *= factor;

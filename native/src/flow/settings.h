@@ -45,7 +45,7 @@ struct FlowSettings {
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;
 
-  /// The same on a surface whose unit is so many times smaller.
+  /// The same on a surface whose unit is `factor` times smaller.
   FlowSettings rescaled(double factor) const;
   /// The same with another r, and lengths that are in proportion to it.
   FlowSettings with_radius(double r) const;

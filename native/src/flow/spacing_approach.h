@@ -22,7 +22,7 @@ class SpacingApproach {
   /// The factor of the next iteration, after one with these figures.
   double next(const IterationFigures& figures);
 
-  /// Lengths count so many times as much from now on.
+  /// Scales all lengths by `factor`.
   void rescale(double factor) noexcept {
     for (double& length : lengths_) length *= factor;
   }

@@ -21,7 +21,7 @@ constexpr size_t kFineLevels = 2;
 /// Among fields that are equally smooth the x-axis decides: it counts as much as so large a share of the mean bending.
 constexpr double kAxis = 0.05;
 
-/// A line at a corner is the mean of those of so many faces around it, to either side, at most.
+/// A line at a corner is the mean of those of at most this many faces around it, to either side.
 constexpr uint32_t kFan = 8;
 
 constexpr uint32_t kAlone = UINT32_MAX;

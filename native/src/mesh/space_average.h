@@ -63,7 +63,7 @@ class SpaceSums {
     Cube cube;
     std::array<double, 3> t;
     for (size_t k = 0; k < 3; ++k) {
-      // What is so many cubes away is in the last one, together.
+      // What is 2^62 cubes away and farther shares the last one.
       const double x = std::clamp(to_cubes_ * p[static_cast<Eigen::Index>(k)], -0x1p62, 0x1p62);
       const double low = std::floor(x);
       cube[k] = static_cast<int64_t>(low);

@@ -16,7 +16,7 @@ namespace meander {
 /// one. Guides and the boundary are walls; what has no room for a tree stays as it is.
 ///
 /// `first`              see first_curve; no two of its segments touch, nor do any of the result's
-/// `drawn`              so many of its first strands were drawn by the caller, the others are loops
+/// `drawn`              how many of its first strands were drawn by the caller; the others are loops
 /// `field`              where a component of the surface has none anywhere, a smooth one is taken
 /// `patches`            of this surface, about as large as r; null: they are found
 /// `boundary_distance`  of the last strand from the boundary, in local spacings

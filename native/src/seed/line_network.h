@@ -105,7 +105,7 @@ class LineNetwork {
     Piece piece;
     uint32_t start, end;  // the nodes at its ends, kNone where it ends at an edge of the mesh
     uint32_t edge;        // kNone: an obstacle
-    size_t index;         // so many pieces of the edge come before
+    size_t index;         // of the piece along the edge, from 0
   };
 
   double cell_size(size_t level) const { return least_cell_ * static_cast<double>(uint64_t{1} << level); }

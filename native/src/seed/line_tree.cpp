@@ -38,8 +38,8 @@ constexpr size_t kSearched = 64;
 /// A tip that is joined saves a hairpin, which is worth this length, in r.
 constexpr double kTipWorth = 1.5;
 
-/// A link far from tips parts long stretches: this share of its distance from the nearest tip, of no more than so many
-/// r, counts as length.
+/// A link far from tips parts long stretches: this share of its distance from the nearest tip, of kFarFromTip r at
+/// most, counts as length.
 constexpr double kFromTip = 0.15, kFarFromTip = 20;
 
 /// Two links on one side of a line keep this distance, in r.

@@ -20,7 +20,7 @@ constexpr double kMostTurn = 0.5, kLeastField = 1e-6;
 /// A line sees itself at what is farther along it than this, in units of `apart`.
 constexpr double kOwn = 1.6;
 
-/// Others begin beside every so many nodes of a line.
+/// Others begin beside every fourth node of a line.
 constexpr size_t kEvery = 4;
 
 /// A line that is shorter than this, in units of `apart`, is not drawn, nor is one between others that is shorter than

@@ -17,7 +17,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// A sector wider than this has three nodes, so that the curve goes round a tip; one narrower than that is a corner of
-/// two edges, in whose bisector the node may lie so many offsets away.
+/// two edges, in whose bisector the node lies kMostReach offsets away at most.
 constexpr double kTip = 1.4 * kPi, kCorner = 0.75 * kPi, kMostReach = 2;
 
 /// Beside such a corner nodes are left out as far as this along the edges, in offsets.
@@ -102,7 +102,7 @@ struct Stop {
   uint32_t node;      ///< of the network, that it is placed from,
   Vec2 direction;     ///< in this direction, unit,
   double reach;       ///< at this distance
-  size_t after;       ///< so many ways of the walk have come before it
+  size_t after;       ///< the number of ways of the walk before it
   SurfacePoint point; ///< where it is
   Path trace;         ///< from the node to there
   uint8_t fixed = 0;
