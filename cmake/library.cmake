@@ -5,10 +5,19 @@
 set(generated_dir "${PROJECT_BINARY_DIR}/generated")
 configure_file(cmake/version.h.in "${generated_dir}/version.h" @ONLY)
 
+# What of the library only repeats the header.
+add_custom_command(
+  OUTPUT "${generated_dir}/structs.inc"
+  COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/generate_abi.py"
+          --header "${PROJECT_SOURCE_DIR}/native/include/meander/meander.h"
+          --structs "${generated_dir}/structs.inc"
+  DEPENDS native/include/meander/meander.h scripts/generate_abi.py
+  COMMENT "Making structs.inc from meander.h" VERBATIM)
+
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/native/src/*.cpp" "${PROJECT_SOURCE_DIR}/native/src/*.h")
 
-add_library(meander_core STATIC ${sources} $<TARGET_OBJECTS:meander_openmesh>)
+add_library(meander_core STATIC ${sources} "${generated_dir}/structs.inc" $<TARGET_OBJECTS:meander_openmesh>)
 set_target_properties(meander_core PROPERTIES
   POSITION_INDEPENDENT_CODE ON
   CXX_VISIBILITY_PRESET hidden

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the Python module that declares the C API, addon/meander/binding/abi.py, from meander.h.
+"""Writes what only repeats meander.h: the Python module that declares the C API,
+addon/meander/binding/abi.py, and the tables of its structs that the library itself needs.
 
 The module contains ctypes structs, enumerations, constants and prototypes, and nothing that is not
-in the header. The build makes it together with the library, so the two cannot disagree. The parser
-knows the few forms of C that the header uses, and stops at anything else.
+in the header. The C++ header has the layout of every struct, its name, and the _init functions. The
+build makes both together with the library, so nothing can disagree. The parser knows the few forms
+of C that the header uses, and stops at anything else.
 
     generate_abi.py --header native/include/meander/meander.h --output addon/meander/binding/abi.py
+    generate_abi.py --header native/include/meander/meander.h --structs build/generated/structs.inc
 """
 
 from __future__ import annotations
@@ -318,23 +321,50 @@ class Writer:
         raise ParseError(f"no ctypes for {kind.base}{'*' * kind.pointers}")
 
 
+def structs_in_cpp(header: Header) -> str:
+    """A C++ header, for the namespace meander: the name and the layout of every struct, and a list
+    of those that an _init function prepares by their size alone.
+    """
+    lines = ["// Made from meander.h by scripts/generate_abi.py in every build.", ""]
+    for name in header.structs:
+        lines.append(f'constexpr const char* name_of(const {name}*) {{ return "{name}"; }}')
+    for name, fields in header.structs.items():
+        offsets = "".join(f",\n    offsetof({name}, {member})" for member, _ in fields)
+        lines += ["", f"inline constexpr size_t kLayoutOf{class_name(name)}[] = {{"]
+        lines += [f"    sizeof({name}){offsets}}};"]
+    lines += ["", "inline constexpr StructLayout kStructLayouts[] = {"]
+    lines += [f'    {{"{name}", kLayoutOf{class_name(name)}}},' for name in header.structs]
+    plain = [s for s in header.structs if len(header.functions.get(f"{s}_init", (0, ""))[1]) == 2]
+    lines += ["};", "", f"#define MEANDER_PLAIN_STRUCTS(OF) {' '.join(f'OF({s})' for s in plain)}"]
+    return "\n".join([*lines, ""])
+
+
+def _write(output: Path, text: str) -> None:
+    """Writes a file where that changes it."""
+    if output.is_file() and output.read_text(encoding="utf-8") == text:
+        return
+    # Written under a temporary name and renamed: a Blender that starts now finds the old module or
+    # the new one, whole.
+    unfinished = output.with_suffix(output.suffix + ".part")
+    unfinished.write_text(text, encoding="utf-8")
+    unfinished.replace(output)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--header", type=Path, required=True)
-    parser.add_argument("--output", type=Path, required=True, help="written only where it changes")
+    parser.add_argument("--output", type=Path, help="the Python module")
+    parser.add_argument("--structs", type=Path, help="the C++ header of the structs")
     arguments = parser.parse_args()
     try:
-        text = Writer(Parser(arguments.header.read_text(encoding="utf-8")).parse()).module()
+        header = Parser(arguments.header.read_text(encoding="utf-8")).parse()
+        if arguments.output:
+            _write(arguments.output, Writer(header).module())
+        if arguments.structs:
+            _write(arguments.structs, structs_in_cpp(header))
     except ParseError as problem:
         print(f"{arguments.header}: {problem}", file=sys.stderr)
         return 1
-    output: Path = arguments.output
-    if not output.is_file() or output.read_text(encoding="utf-8") != text:
-        # Written under a temporary name and renamed: a Blender that starts now finds the old module
-        # or the new one, whole.
-        unfinished = output.with_suffix(".py.part")
-        unfinished.write_text(text, encoding="utf-8")
-        unfinished.replace(output)
     return 0
 
 

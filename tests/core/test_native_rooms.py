@@ -15,8 +15,8 @@ ROOMS = ("base", "mesh", "geodesic", "curve", "seed", "medial", "model", "flow",
 # In quotes, or in angle brackets where what is named could be ours.
 OURS = "|".join((*ROOMS, "meander"))
 INCLUDE = re.compile(rf'^\s*#\s*include\s+(?:"([^"]+)"|<((?:{OURS})/[^>]+)>)', re.MULTILINE)
-# Not a room: the public header and the one that CMake makes belong to api alone.
-OF_API = {"meander/meander.h": "api", "version.h": "api"}
+# Not a room: the public header and those that the build makes belong to api alone.
+OF_API = {"meander/meander.h": "api", "version.h": "api", "structs.inc": "api"}
 
 
 def included_by(file: Path) -> list[str]:

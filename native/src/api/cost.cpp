@@ -26,12 +26,6 @@ Extent checked_extent(const meander_extent* given, double r) {
 
 }  // namespace
 
-meander_status meander_extent_init(meander_extent* extent, size_t struct_size) {
-  return init_struct(extent, struct_size);
-}
-
-meander_status meander_cost_init(meander_cost* cost, size_t struct_size) { return init_struct(cost, struct_size); }
-
 meander_status meander_surface_measure_extent(const meander_surface* surface, const double* density,
                                               size_t density_count, meander_extent* extent, meander_error* error) {
   return guard(error, [&] {

@@ -34,10 +34,6 @@ meander_status meander_flow_keep_growth(meander_flow* flow, double length_step, 
   });
 }
 
-meander_status meander_preview_init(meander_preview* preview, size_t struct_size) {
-  return init_struct(preview, struct_size);
-}
-
 meander_status meander_flow_get_preview(meander_flow* flow, meander_preview* preview, double* positions,
                                         double* normals, size_t point_capacity, size_t* point_count,
                                         uint64_t* offsets, uint8_t* closed, size_t strand_capacity,

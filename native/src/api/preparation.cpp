@@ -120,7 +120,3 @@ std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertic
 }
 
 }  // namespace meander
-
-meander_status meander_surface_options_init(meander_surface_options* options, size_t struct_size) {
-  return meander::init_struct(options, struct_size);
-}

@@ -62,7 +62,3 @@ VertexData<double> checked_density(const double* density, size_t count, const Su
 }
 
 }  // namespace meander
-
-meander_status meander_seed_init(meander_seed* seed, size_t struct_size) {
-  return meander::init_struct(seed, struct_size);
-}

@@ -106,10 +106,6 @@ meander_flow_statistics statistics_of(const meander_flow& handle) {
 
 }  // namespace
 
-meander_status meander_flow_statistics_init(meander_flow_statistics* statistics, size_t struct_size) {
-  return init_struct(statistics, struct_size);
-}
-
 meander_status meander_flow_compute_statistics(meander_flow* flow, meander_flow_statistics* statistics,
                                                meander_context* context, meander_error* error) {
   return guard(error, [&] {

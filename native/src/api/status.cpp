@@ -27,5 +27,3 @@ const char* meander_status_name(meander_status status) {
     default: return "unknown status";
   }
 }
-
-meander_status meander_error_init(meander_error* error, size_t struct_size) { return init_struct(error, struct_size); }

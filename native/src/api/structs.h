@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "api/guard.h"
 
@@ -16,16 +18,15 @@ namespace meander {
 /// More than any struct will ever need: beyond it a size is one that nobody has set.
 inline constexpr size_t kLargestStruct = 4096;
 
-// What a struct is called in a sentence.
-constexpr const char* name_of(const meander_error*) { return "meander_error"; }
-constexpr const char* name_of(const meander_surface_options*) { return "meander_surface_options"; }
-constexpr const char* name_of(const meander_surface_statistics*) { return "meander_surface_statistics"; }
-constexpr const char* name_of(const meander_seed*) { return "meander_seed"; }
-constexpr const char* name_of(const meander_extent*) { return "meander_extent"; }
-constexpr const char* name_of(const meander_cost*) { return "meander_cost"; }
-constexpr const char* name_of(const meander_flow_options*) { return "meander_flow_options"; }
-constexpr const char* name_of(const meander_flow_statistics*) { return "meander_flow_statistics"; }
-constexpr const char* name_of(const meander_preview*) { return "meander_preview"; }
+/// sizeof a struct of the header, then the offset of every field in the order of declaration.
+struct StructLayout {
+  std::string_view name;
+  std::span<const size_t> values;
+};
+
+// name_of(), what a struct is called in a sentence; kStructLayouts; MEANDER_PLAIN_STRUCTS, those whose fields all begin
+// as 0.
+#include "structs.inc"
 
 /// The size of a struct in the first header of this ABI: it ended with its reserve. New fields come from
 /// the beginning of the reserve, and when that is used up stand behind it.

@@ -29,10 +29,6 @@ meander_status meander_surface_create(const double* vertices, size_t vertex_coun
 
 void meander_surface_destroy(meander_surface* surface) { delete surface; }
 
-meander_status meander_surface_statistics_init(meander_surface_statistics* statistics, size_t struct_size) {
-  return init_struct(statistics, struct_size);
-}
-
 meander_status meander_surface_get_statistics(const meander_surface* surface, meander_surface_statistics* statistics,
                                               meander_error* error) {
   return guard(error, [&] {
