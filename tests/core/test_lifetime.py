@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+import weakref
 from pathlib import Path
 
 import geometry
@@ -15,6 +16,8 @@ import numpy as np
 import pytest
 from conftest import PACKAGE
 from meander import core
+from meander.binding import flow as flow_module
+from meander.binding import native_library
 from sentences import assert_sentence
 
 # A machine under load may let a thread wait this long before a test calls it stuck.
@@ -345,6 +348,42 @@ def test_a_running_flow_can_be_closed_and_forgotten() -> None:
     del flow
     gc.collect()
     assert not finalizer.alive
+
+
+def test_a_flow_is_not_closed_under_a_thread_that_asks_whether_it_runs(monkeypatch) -> None:
+    library = native_library.native()
+    asking, calls = threading.Event(), []
+
+    class Slow:
+        """The library, where the question takes longer than closing the flow."""
+
+        def __getattr__(self, name: str) -> object:
+            return getattr(library, name)
+
+        def meander_flow_is_running(self, pointer: int) -> int:
+            asking.set()
+            time.sleep(0.3)
+            calls.append("asked")
+            return library.meander_flow_is_running(pointer) if len(calls) == 1 else 0
+
+    flow = new_flow(16, 0.01)
+    pointer = flow._pointer
+    flow._finalizer.detach()
+    flow._finalizer = weakref.finalize(
+        flow, lambda: (calls.append("destroyed"), library.meander_flow_destroy(pointer))
+    )
+    flow.start()
+    monkeypatch.setattr(flow_module, "native", Slow)
+    answers: list[bool] = []
+    looker = threading.Thread(target=lambda: answers.append(flow.running))
+    looker.start()
+    assert asking.wait(PATIENCE)
+    flow.close()
+    looker.join()
+    assert calls == ["asked", "destroyed"]
+    assert answers == [True]
+    with pytest.raises(core.MeanderError, match="closed"):
+        assert flow.running
 
 
 def test_two_runs_at_once() -> None:

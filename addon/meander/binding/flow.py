@@ -133,7 +133,7 @@ _GAP_ROOM = 1 << 16
 
 
 class Flow(Handle):
-    """A curve that grows on a surface. It belongs to one thread at a time.
+    """A curve that grows on a surface. It belongs to one thread at a time, but for `running`.
 
     surface   stays usable and may be closed; the flow keeps what it needs of it
     options   see `default_options`; read once
@@ -183,6 +183,7 @@ class Flow(Handle):
         del seed_arrays
         super().__init__(pointer.value, library.meander_flow_destroy)
         self._busy = threading.Lock()
+        self._looked_at = threading.Lock()  # held while any thread asks whether it is running
         self._seen = 0  # serial of the last preview handed out
 
     @contextmanager
@@ -207,6 +208,9 @@ class Flow(Handle):
         """
         if self._pointer is not None:
             with self._use():
+                # Nobody asks about the native flow from here on, and its end may take a while.
+                with self._looked_at:
+                    self._pointer = None
                 super().close()
 
     def set_directions(self, directions: ArrayLike | None, kind: str = "along") -> None:
@@ -281,8 +285,11 @@ class Flow(Handle):
 
     @property
     def running(self) -> bool:
-        """Whether a started run is still going. Any thread; costs nothing."""
-        return bool(native().meander_flow_is_running(self._alive()))
+        """Whether a started run is still going. Any thread, also while another closes the flow;
+        costs nothing. Raises MeanderError once it has been closed.
+        """
+        with self._looked_at:
+            return bool(native().meander_flow_is_running(self._alive()))
 
     def wait(self) -> str:
         """Waits for the end of a started run; returns or raises what `run` would have.
