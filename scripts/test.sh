@@ -191,6 +191,7 @@ second_row() {
   window ui-seeds seeds.py 200
   window ui-first-try first_try.py 200
   window ui-export export.py 200
+  window ui-camera camera.py 200
 }
 first_row &
 second_row

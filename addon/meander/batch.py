@@ -53,7 +53,7 @@ from .headless.command import (  # noqa: E402  (the package has to be known firs
 
 __all__ = ["main"]
 
-def _end(code: int) -> NoReturn:
+def end(code: int) -> NoReturn:
     """Ends the process.
 
     Where Blender is a module of Python its own clean-up at exit crashes once classes have been
@@ -69,4 +69,4 @@ def _end(code: int) -> NoReturn:
 
 if __name__ == "__main__":
     hear_interruptions()
-    _end(main())
+    end(main())

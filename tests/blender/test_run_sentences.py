@@ -28,6 +28,16 @@ from sentences import assert_sentence  # noqa: E402
 
 MODULES = [path for path in OF_SCENES if path.parent.name != "scene"]
 
+# A part of the sentence, and what test_camera_drawing.py quotes of it.
+OF_DRAWINGS = {
+    "camera sees no surface": "camera sees no surface; turn",
+    "Nothing is drawn: ": "Nothing is drawn: ",
+    "is no paper; choose from": "is no paper; choose from",
+    "leave nothing of the page": "the margins leave nothing of",
+    "is no .svg file": "is no .svg file",
+    "the scene has no object": "the scene has no object",
+}
+
 
 class Said:
     def __init__(self, folder: Path, capsys: pytest.CaptureFixture) -> None:
@@ -166,5 +176,7 @@ def test_every_sentence_of_runs_comes_up(said, monkeypatch, windowed):
         part(said)
     for line in said.lines:
         assert_sentence(line)
-    assert missing(MODULES, said.lines, {}) == []
+    assert missing(MODULES, said.lines, OF_DRAWINGS) == []
+    quoting = (HERE / "test_camera_drawing.py").read_text(encoding="utf-8")
+    assert [quoted for quoted in OF_DRAWINGS.values() if quoted not in quoting] == []
     assert len(sentences(MODULES)) > 20

@@ -52,6 +52,9 @@ ELSEWHERE = {
     "is hidden, so that Blender": ("test_hidden_data.py", "that Blender does not"),
     "shows instances only": ("test_first_try.py", "Make Instances Real"),
     "so that its bridges cannot": ("test_strands.py", "its bridges cannot be taken out"),
+    "has no camera; add": ("test_camera_drawing.py", "has no camera; add one"),
+    "is no camera; make": ("test_camera_drawing.py", "is no camera; make a camera"),
+    "takes panoramas": ("test_camera_drawing.py", "takes panoramas, which no page"),
     "cannot be turned into a mesh": ("", "no object with faces refuses it; Blender's own words"),
     "cannot be written by scripts before": ("", "Blender 3.4 alone says it, and 4.2 never"),
 }

@@ -14,7 +14,7 @@ FORBIDDEN = {"urllib", "http", "socket", "ssl", "requests", "subprocess", "pip",
              "runpy", "pickle", "marshal"}  # fmt: skip
 CALLS = {"eval", "exec", "compile", "__import__"}
 # Commands start by themselves, outside of any package, and find the add-on that they lie in.
-COMMANDS = {"meander/batch.py", "meander/farm.py"}
+COMMANDS = {"meander/batch.py", "meander/camera.py", "meander/farm.py"}
 # What fills many files is a program that starts Blender; Blender never loads it.
 PROGRAM = "meander/jobs/"
 

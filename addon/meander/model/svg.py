@@ -4,18 +4,21 @@
 from __future__ import annotations
 
 import re
-from xml.sax.saxutils import escape
+from collections.abc import Sequence
+from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
 from .arcs import Moves
 from .drawing import Drawing, number
+from .toolpath import Strand
 
 # A thousandth of a millimetre is finer than any plotter.
 _DECIMALS = {"mm": 3, "cm": 4, "in": 5}
 # What XML 1.0 cannot hold, even as a number: control characters, and bytes that are no letters.
 _NO_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _UNKNOWN = "\ufffd"
+_INKSCAPE = ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
 
 
 def _path_of(moves: Moves, shift: np.ndarray, decimals: int) -> str:
@@ -29,6 +32,70 @@ def _path_of(moves: Moves, shift: np.ndarray, decimals: int) -> str:
             r = number(radius, decimals)
             words.append(f"A{r} {r} 0 0 {int(turn < 0.0)} {place}")
     return "".join(words)
+
+
+def _path(
+    place: int, strand: Strand, moves: Moves | None, shift: np.ndarray, decimals: int
+) -> str:
+    """The element of a strand, through its points or along moves."""
+    x = strand.points[:, 0] + shift[0]
+    y = shift[1] - strand.points[:, 1]
+    places = [f"{number(a, decimals)} {number(b, decimals)}" for a, b in zip(x, y)]
+    end = "Z" if strand.closed else ""
+    drawn = f'L{" ".join(places[1:])}'
+    if moves is not None:
+        drawn = _path_of(moves, shift, decimals)
+    return f'<path id="strand{place}" d="M{places[0]}{drawn}{end}"/>'
+
+
+def _layer(name: str) -> str:
+    """The beginning of a layer, as Inkscape and what reads its files have them."""
+    label = quoteattr(_NO_XML.sub(_UNKNOWN, name))
+    return f'<g inkscape:groupmode="layer" inkscape:label={label}>'
+
+
+def _head(
+    sides: Sequence[str], unit: str, inkscape: str, width: float, title: str, version: str
+) -> list[str]:
+    """What comes before the paths; sides and width are in the unit."""
+    return [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f'<svg xmlns="http://www.w3.org/2000/svg"{inkscape} version="1.1" '
+        f'width="{sides[0]}{unit}" '
+        f'height="{sides[1]}{unit}" viewBox="0 0 {sides[0]} {sides[1]}">',
+        f"<title>{escape(_NO_XML.sub(_UNKNOWN, title))}</title>",
+        f"<desc>Meander {escape(version)}; unit {unit}</desc>",
+        f'<g fill="none" stroke="#000000" stroke-width="{number(width, _DECIMALS[unit])}" '
+        'stroke-linecap="round" stroke-linejoin="round">',
+    ]
+
+
+def page_text(
+    layers: Sequence[tuple[str, Sequence[Strand]]],
+    sides: Sequence[float],
+    line_width: float,
+    title: str,
+    version: str,
+) -> str:
+    """The text of a file that is a whole page, with a layer for each name.
+
+    layers       names, and strands in millimetres from the lower left corner, y upwards
+    sides        width and height of the page, in millimetres
+    line_width   in millimetres
+
+    Numbers of paths go on from layer to layer.
+    """
+    decimals, shift, place = _DECIMALS["mm"], np.array([0.0, sides[1]]), 0
+    lines = _head(
+        [number(side, decimals) for side in sides], "mm", _INKSCAPE, line_width, title, version
+    )
+    for name, strands in layers:
+        lines.append(_layer(name))
+        for strand in strands:
+            place += 1
+            lines.append(_path(place, strand, None, shift, decimals))
+        lines.append("</g>")
+    return "\n".join([*lines, "</g>", "</svg>", ""])
 
 
 def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> str:
@@ -47,30 +114,15 @@ def svg_text(drawing: Drawing, line_width: float, title: str, version: str) -> s
     sides = [number(side + 2.0 * width, decimals) for side in (high - low)[:2]]
     inkscape = ""
     if any(strand.part for strand in drawing.strands):
-        inkscape = ' xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
-    lines = [
-        '<?xml version="1.0" encoding="UTF-8"?>',
-        f'<svg xmlns="http://www.w3.org/2000/svg"{inkscape} version="1.1" '
-        f'width="{sides[0]}{drawing.unit}" '
-        f'height="{sides[1]}{drawing.unit}" viewBox="0 0 {sides[0]} {sides[1]}">',
-        f"<title>{escape(_NO_XML.sub(_UNKNOWN, title))}</title>",
-        f"<desc>Meander {escape(version)}; unit {drawing.unit}</desc>",
-        f'<g fill="none" stroke="#000000" stroke-width="{number(width, decimals)}" '
-        'stroke-linecap="round" stroke-linejoin="round">',
-    ]
+        inkscape = _INKSCAPE
+    lines = _head(sides, drawing.unit, inkscape, width, title, version)
     shift = np.array([width - low[0], high[1] + width])
     for place, strand in enumerate(drawing.strands, start=1):
         if strand.part:  # a layer, as Inkscape and what reads its files have them
             name = f"part {strand.part}"
-            lines.append(f'<g inkscape:groupmode="layer" inkscape:label="{name}">')
-        x = strand.points[:, 0] + shift[0]
-        y = shift[1] - strand.points[:, 1]
-        places = [f"{number(a, decimals)} {number(b, decimals)}" for a, b in zip(x, y)]
-        end = "Z" if strand.closed else ""
-        drawn = f'L{" ".join(places[1:])}'
-        if drawing.moves is not None:
-            drawn = _path_of(drawing.moves[place - 1], shift, decimals)
-        lines.append(f'<path id="strand{place}" d="M{places[0]}{drawn}{end}"/>')
+            lines.append(_layer(name))
+        moves = None if drawing.moves is None else drawing.moves[place - 1]
+        lines.append(_path(place, strand, moves, shift, decimals))
         if strand.part:
             lines.append("</g>")
     return "\n".join([*lines, "</g>", "</svg>", ""])

@@ -28,7 +28,9 @@ class Window:
     Blender would draw every picture eight times.
     """
 
-    def __init__(self, context: bpy.types.Context) -> None:
+    def __init__(self, context: bpy.types.Context, keys: str = KEYS) -> None:
+        """keys   what the status bar says of keys"""
+        self._keys = keys
         manager = context.window_manager
         self._timer = manager.event_timer_add(1.0 / TICKS_PER_SECOND, window=context.window)
         self._workspaces: dict[int, Key] = {}
@@ -83,7 +85,7 @@ class Window:
         self._shown = shown
         self._text_shown = time.perf_counter()
         context.window_manager.progress_update(100.0 * progress)
-        workspace.status_text_set(f"{text}    |    {KEYS}")
+        workspace.status_text_set(f"{text}    |    {self._keys}")
         redraw("UI")
         if not self._paces["WINDOW"].waiting:
             self._paces["UI"].asked(self._text_shown)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts of strands that can be seen from a direction: what the surface hides is left out."""
+"""The parts of strands that can be seen: what a surface hides is left out."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from mathutils import Vector
@@ -15,10 +15,7 @@ from ..model.toolpath import Strand, strand_of
 # Shares of the diagonal of the surface's box. So far a point is moved towards the eye before it is
 # asked what hides it, or rounding would let it hide itself.
 _LIFT = 1e-4
-# No piece is longer than this, so that something narrow does not hide the middle of one unseen.
-_LONGEST = 0.005
-# Shorter parts are where the surface turns away from the eye, and flicker.
-_SHORTEST = 0.002
+_LONGEST, _SHORTEST = 0.005, 0.002
 # How often the place where a strand goes out of sight is halved.
 _HALVINGS = 10
 
@@ -41,9 +38,28 @@ def visible_strands(
     eye = np.cross(np.asarray(right, float), np.asarray(up, float))
     size = float(np.linalg.norm(np.ptp(vertices, axis=0)))
     seen = _Sight(BVHTree.FromPolygons(vertices.tolist(), faces.tolist()), eye, _LIFT * size)
+    return seen_parts(strands, seen, lambda points: points, _LONGEST * size, _SHORTEST * size)
+
+
+def seen_parts(
+    strands: Sequence[Strand],
+    seen: Callable[[np.ndarray], np.ndarray],
+    placed: Callable[[np.ndarray], np.ndarray],
+    longest: float,
+    shortest: float,
+) -> list[Strand]:
+    """What can be seen of strands, in their order; see visible_strands().
+
+    seen      which of points (n, 3) can be, (n,) bool
+    placed    where these lie in the picture, (n, any)
+    longest   in the picture: no piece is longer, so that something narrow does not hide the middle
+              of one unseen
+    shortest  in the picture: shorter parts are where the surface turns away from the eye, and
+              flicker
+    """
     found = []
     for strand in strands:
-        points, normals = _divided(strand, _LONGEST * size)
+        points, normals = _divided(strand, placed, longest)
         visible = seen(points)
         if visible.all():
             found.append(strand)
@@ -56,7 +72,7 @@ def visible_strands(
         found += [
             strand_of(*part, False)
             for part in _parts(points, normals, visible, seen)
-            if np.linalg.norm(np.diff(part[0], axis=0), axis=1).sum() > _SHORTEST * size
+            if np.linalg.norm(np.diff(placed(part[0]), axis=0), axis=1).sum() > shortest
         ]
     return found
 
@@ -74,11 +90,13 @@ class _Sight:
         )
 
 
-def _divided(strand: Strand, longest: float) -> tuple[np.ndarray, np.ndarray]:
+def _divided(
+    strand: Strand, placed: Callable[[np.ndarray], np.ndarray], longest: float
+) -> tuple[np.ndarray, np.ndarray]:
     """Points and normals of a strand, closed ones with the first at the end, no piece longer."""
     points = ring(strand)
     normals = np.vstack([strand.normals, strand.normals[:1]])[: len(points)]
-    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    steps = np.linalg.norm(np.diff(placed(points), axis=0), axis=1)
     counts = np.maximum(np.ceil(steps / longest).astype(np.int64), 1)
     piece = np.repeat(np.arange(len(steps)), counts)
     number = np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts)
@@ -90,7 +108,10 @@ def _divided(strand: Strand, longest: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _parts(
-    points: np.ndarray, normals: np.ndarray, visible: np.ndarray, seen: _Sight
+    points: np.ndarray,
+    normals: np.ndarray,
+    visible: np.ndarray,
+    seen: Callable[[np.ndarray], np.ndarray],
 ) -> list[tuple[np.ndarray, np.ndarray]]:
     """The visible runs of points, each up to the places where it goes out of sight."""
     edges = np.flatnonzero(visible[1:] != visible[:-1])

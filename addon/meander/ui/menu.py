@@ -46,6 +46,7 @@ _ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
         ("points_to_curves", "", {}),
         ("export_toolpath", "", {}),
         ("maps", "Write Images", {}),
+        ("draw_camera", "", {}),
     ),
     (("open_help", "", {}),),
 )

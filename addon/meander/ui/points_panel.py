@@ -12,6 +12,7 @@ from ..scene.fillable import is_result
 from ..scene.linked_settings import settings_of
 from ..scene.surface_points import strands_of_result
 from ..scene.transforms import mean_scale
+from .camera_operator import MEANDER_OT_draw_camera
 from .declared import rows
 from .export_operator import MEANDER_OT_export_toolpath
 from .light_operator import MEANDER_OT_make_light
@@ -96,6 +97,7 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         column = layout.column(align=True)
         column.operator(MEANDER_OT_export_toolpath.bl_idname, icon="EXPORT")
         column.operator(MEANDER_OT_maps.bl_idname, icon="IMAGE_DATA")
+        column.operator(MEANDER_OT_draw_camera.bl_idname, icon="CAMERA_DATA")
 
 
 def draw_light_and_points(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:

@@ -15,6 +15,7 @@ from ..run import (
 )
 from ..scene import after_undo, changes, identity, linked_settings, look_material, solid_view
 from . import (
+    camera_operator,
     cut_panel,
     export_operator,
     gaps_operator,
@@ -69,6 +70,7 @@ _MODULES = (
     motion_panel,
     cut_panel,
     export_operator,
+    camera_operator,
     light_operator,
     maps_operator,
     points_panel,

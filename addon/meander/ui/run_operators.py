@@ -80,7 +80,7 @@ def _fits(plan: Plan) -> bool:
         return True
 
 
-def _over_view(context: bpy.types.Context, event: bpy.types.Event) -> bool:
+def over_view(context: bpy.types.Context, event: bpy.types.Event) -> bool:
     """Whether the mouse is over a 3D view; the context of a modal operator is where it began."""
     return any(
         area.type == "VIEW_3D"
@@ -125,7 +125,7 @@ class Watched:
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         if self._session.ended:  # by unregister or a new file
             return {"CANCELLED"}
-        if event.value == "PRESS" and _over_view(context, event):
+        if event.value == "PRESS" and over_view(context, event):
             if event.type == "ESC":
                 return self._finish(context, keep=False)
             if event.type in {"RET", "NUMPAD_ENTER"}:

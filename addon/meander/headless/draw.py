@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command that draws what a camera sees on a page, without a window; see camera.py."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+import time
+import traceback
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import bpy
+
+from .. import core
+from ..cli.any_letters import print_any_letters
+from ..cli.values import BadInput, Parser, index, reader
+from ..model.camera_page import PAPERS, Page
+from ..model.whole_files import FileError
+from ..run.camera_drawing import CameraDrawing
+from ..run.stepper import Stepper
+from ..scene.camera_view import camera_page
+from ..scene.errors import DataError
+from .saved_settings import saved_settings
+
+# The time between two looks at a run, in seconds; an interruption waits for the next one.
+_PAUSE = 0.05
+_SIZE = re.compile(r"(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)")
+
+
+def _paper(text: str) -> tuple[float, float]:
+    """Width and height in millimetres."""
+    named, size = PAPERS.get(text.lower()), _SIZE.fullmatch(text.lower())
+    if named is not None:
+        return named
+    if size is None or not all(1.0 <= float(side) <= 1e5 for side in size.groups()):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no paper; choose from {', '.join(PAPERS)}, or give its sides in "
+            "millimetres, such as 200x300"
+        )
+    return float(size[1]), float(size[2])
+
+
+def parser() -> Parser:
+    """What the command understands."""
+    made = Parser(
+        prog="camera.py",
+        description="Fills everything that a camera sees at one spacing on paper, and writes the "
+        "page as an SVG file with a layer for each object, without what is hidden.",
+    )
+    add = made.add_argument
+    add("--input", type=Path, metavar="SCENE.blend", help="default: the file that is open")
+    add("--output", type=Path, required=True, metavar="OUT.svg", help="the page")
+    add("--report", type=Path, metavar="OUT.json", help="what has become of each object")
+    add(
+        "--spacing",
+        type=reader(float, least=0.05, greatest=1000.0),
+        required=True,
+        metavar="MM",
+        help="between neighbouring strands on paper, in millimetres",
+    )
+    add(
+        "--paper",
+        type=_paper,
+        default=PAPERS["a4"],
+        metavar="NAME|WxH",
+        help=f"{', '.join(PAPERS)}, or its sides in millimetres; default: a4",
+    )
+    add(
+        "--margin",
+        type=reader(float, least=0.0),
+        default=15.0,
+        metavar="MM",
+        help="on all sides of the page; default: 15",
+    )
+    add(
+        "--line-width",
+        type=reader(float, above=0.0),
+        default=0.3,
+        metavar="MM",
+        help="of the pen; default: 0.3",
+    )
+    add("--camera", metavar="NAME", help="default: the one of the scene")
+    add("--frame", type=index, metavar="N", help="of the animation; default: as saved")
+    add("--quiet", action="store_true", help="print errors and warnings only")
+    return made
+
+
+def main(argv: Sequence[str]) -> int:
+    """Runs the command and returns its exit code; see camera.py."""
+    print_any_letters()
+    try:
+        _draw(parser().parse_args(argv))
+    except (BadInput, DataError, core.MeanderError, FileError) as problem:
+        print(f"meander: {' '.join(str(problem).split())}", file=sys.stderr, flush=True)
+        return 2
+    except KeyboardInterrupt:
+        print("meander: interrupted", file=sys.stderr, flush=True)
+        return 130
+    except Exception:
+        traceback.print_exc()
+        return 1
+    return 0
+
+
+def _draw(arguments: argparse.Namespace) -> None:
+    page = Page(*arguments.paper, arguments.margin)
+    if not page.has_room:
+        raise BadInput("the margins leave nothing of the page; choose a smaller --margin")
+    if arguments.output.suffix.lower() != ".svg":
+        raise BadInput(f"--output {arguments.output} is no .svg file")
+    if arguments.input is not None:
+        _open(arguments.input)
+    scene = bpy.context.scene
+    if arguments.frame is not None:
+        scene.frame_set(arguments.frame)
+    camera = scene.camera
+    if arguments.camera is not None:
+        camera = scene.objects.get(arguments.camera)
+        if camera is None:
+            raise BadInput(
+                f"the scene has no object {arguments.camera!r}; give the name of a camera to "
+                "--camera"
+            )
+
+    def say(line: str) -> None:
+        if not arguments.quiet:
+            print(f"meander: {line}", flush=True)
+
+    with saved_settings():
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        frame = camera_page(scene, depsgraph, camera, page)
+        drawing = CameraDrawing(frame, arguments.spacing, depsgraph)
+    _fill(drawing, say)
+    told = drawing.write(arguments.output, arguments.line_width, camera.name, arguments.report)
+    for remark in drawing.remarks():
+        print(f"meander: warning: {remark}", file=sys.stderr, flush=True)
+    say(told)
+    for written in filter(None, (arguments.output, arguments.report)):
+        say(f"wrote {written}")
+
+
+def _open(path: Path) -> None:
+    try:
+        bpy.ops.wm.open_mainfile(filepath=str(path.absolute()), load_ui=False)
+    except RuntimeError as problem:
+        raise BadInput(
+            f"{path} is no .blend file that Blender {bpy.app.version_string} can open; save it "
+            "again with this version or an older one"
+        ) from problem
+
+
+def _fill(drawing: CameraDrawing, say: Callable[[str], None]) -> None:
+    while (stepper := drawing.next()) is not None:
+        _run(stepper)
+        drawing.take(stepper)
+        figures = drawing.layers[-1].figures
+        if "paths" in figures:
+            say(
+                f"{drawing.place}, {drawing.name}: {figures['paths']:,} paths, "
+                f"{figures['length'] / 1000.0:.3g} m"
+            )
+
+
+def _run(stepper: Stepper) -> None:
+    """To its end, with an ear for interruptions."""
+    stepper.start()
+    try:
+        while not stepper.finished:
+            time.sleep(_PAUSE)
+    except BaseException:
+        stepper.cancel()
+        stepper.join()
+        raise

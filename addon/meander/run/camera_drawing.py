@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws what a camera sees on a page: every surface is filled, and what is hidden is left out.
+
+Nothing in the scene is changed, and nothing is left in it: what is drawn is one picture from one
+place.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import bpy
+import numpy as np
+
+from .. import core
+from ..model.camera_page import CameraPage
+from ..model.drawing import Drawing
+from ..model.problem import Problem
+from ..model.report import write_report
+from ..model.svg import page_text
+from ..model.toolpath import Strand, resampled, strand_of, strands_of
+from ..model.whole_files import naming, whole_files
+from ..scene.camera_view import Sight, seen_by
+from ..scene.errors import DataError
+from ..scene.visible import seen_parts
+from .paper_spacing import BEYOND, PaperSpacing
+from .stepper import Stepper
+
+# In spacings on paper. No piece is looked at whole that is longer, and no part is drawn that is
+# shorter.
+_LONGEST, _SHORTEST = 0.25, 0.5
+# So far a point is moved towards the eye before it is asked what hides it.
+_LIFT = 0.01
+# Points are left out that change the line by less.
+_TOLERANCE = 0.01
+
+
+@dataclass
+class Layer:
+    """What has become of a surface.
+
+    strands   on paper, in millimetres
+    figures   its entry in the report
+    """
+
+    name: str
+    strands: list[Strand]
+    figures: dict[str, Any]
+
+
+class CameraDrawing:
+    """A drawing that is made surface by surface: next(), the run, take(), and write() at the end.
+
+    All that it needs of the scene is read at once, so that this may be changed meanwhile.
+    """
+
+    def __init__(
+        self,
+        page: CameraPage,
+        spacing: float,
+        depsgraph: bpy.types.Depsgraph,
+        fallback: bpy.types.PropertyGroup | None = None,
+    ) -> None:
+        """spacing    on paper, in millimetres
+        fallback   the settings of what nobody has set up; None: those that it has
+
+        Raises DataError where the camera sees nothing.
+        """
+        self.page, self.spacing = page, spacing
+        self.layers: list[Layer] = []
+        self._began = time.perf_counter()
+        seen = seen_by(page, BEYOND * spacing, depsgraph.view_layer, depsgraph)
+        drawn = [each for each in seen if each.is_drawn]
+        if not drawn:
+            raise DataError(
+                "The camera sees no surface; turn it to what is to be drawn, which has to be shown "
+                "in the view and in renders"
+            )
+        self._sight = Sight(page, [each.mesh for each in seen], _LIFT * spacing)
+        paper = PaperSpacing(page, spacing, depsgraph, fallback)
+        self._waiting = [(each.name, paper.problem_of(each)) for each in drawn]
+        self._count = len(drawn)
+        self.name = ""  # of the surface that next() has given
+
+    @property
+    def place(self) -> str:
+        """Which one it is that next() has given, such as "2 of 5"."""
+        return f"{self._count - len(self._waiting)} of {self._count}"
+
+    def next(self) -> Stepper | None:
+        """The run of the next surface; None after the last."""
+        while self._waiting:
+            self.name, problem = self._waiting.pop(0)
+            if isinstance(problem, Problem):
+                return Stepper(problem)
+            self._leave_out(problem)
+        return None
+
+    def take(self, stepper: Stepper) -> None:
+        """Takes what has grown in a run that has ended as the layer of its surface."""
+        try:
+            snapshot, statistics, reason = stepper.result()
+        except core.MeanderError as error:
+            self._leave_out(str(error))
+            return
+        options = stepper.problem.options
+        strands = seen_parts(
+            strands_of(snapshot.polylines),
+            self._sight,
+            self.page.on_paper,
+            _LONGEST * self.spacing,
+            _SHORTEST * self.spacing,
+        )
+        drawn = resampled(
+            [_on(self.page, strand) for strand in strands],
+            tolerance=_TOLERANCE * self.spacing,
+        )
+        density = stepper.density if stepper.density is not None else np.ones(1)
+        figures = {
+            "faces": len(stepper.problem.faces),
+            "spacing": {
+                "least": float(2.0 * options.radius / np.sqrt(density.max())),
+                "greatest": float(2.0 * options.radius / np.sqrt(density.min())),
+            },
+            "nodes": int(statistics["nodes"]),
+            "stop_reason": reason,
+            "evenness": float(statistics["evenness"]),
+            "crossings": int(statistics["crossings"]),
+            "paths": len(drawn),
+            "length": Drawing(drawn, "mm", True).length,
+            "seconds": float(statistics["seconds_total"]),
+        }
+        self.layers.append(Layer(self.name, drawn, {"name": self.name} | figures))
+
+    def write(self, path: Path, line_width: float, title: str, report: Path | None) -> str:
+        """Writes the page as an SVG with a layer for each surface, and the report of it; both or
+        none. Returns what it has come to, in words.
+
+        Raises DataError where nothing can be drawn, and FileError.
+        """
+        drawn = [layer for layer in self.layers if layer.strands]
+        if not drawn:
+            raise DataError(
+                f"Nothing is drawn: {self._why_nothing()}; choose a smaller spacing, or go nearer "
+                "with the camera"
+            )
+        version, page = core.library_version(), self.page.page
+        text = page_text(
+            [(layer.name, layer.strands) for layer in drawn],
+            (page.width, page.height),
+            line_width,
+            title,
+            version,
+        )
+        record = self._record(version, line_width)
+        with whole_files([each for each in (path, report) if each is not None]) as temporary:
+            with naming(path):
+                temporary[0].write_bytes(text.encode("utf-8", "replace"))
+            if report is not None:
+                with naming(report):
+                    write_report(temporary[1], record)
+        layers = "1 layer" if len(drawn) == 1 else f"{len(drawn)} layers"
+        return (
+            f"{page.width:g} x {page.height:g} mm, {layers}, {record['paths']:,} paths, "
+            f"{record['length'] / 1000.0:.3g} m"
+        )
+
+    def remarks(self) -> list[str]:
+        """What is left out, and why, a sentence each."""
+        return [
+            f"'{layer.name}' is left out: {layer.figures['left_out']}"
+            for layer in self.layers
+            if "left_out" in layer.figures
+        ]
+
+    def _record(self, version: str, line_width: float) -> dict[str, Any]:
+        page = self.page
+        strands = [strand for layer in self.layers for strand in layer.strands]
+        whole = Drawing(strands, "mm", True, self.spacing)
+        return {
+            "version": version,
+            "page": {
+                "width": page.page.width,
+                "height": page.page.height,
+                "margin": page.page.margin,
+            },
+            "frame": [*page.corner.tolist(), *page.sides.tolist()],
+            "spacing": self.spacing,
+            "line_width": line_width,
+            "objects": [layer.figures for layer in self.layers],
+            "paths": len(strands),
+            "length": whole.length,
+            "crossings": len(whole.crossings()),
+            "seconds": time.perf_counter() - self._began,
+        }
+
+    def _why_nothing(self) -> str:
+        left = self.remarks()
+        return left[0] if left else "all that has grown is hidden, or shorter than half a spacing"
+
+    def _leave_out(self, sentence: str) -> None:
+        figures = {"name": self.name, "left_out": sentence}
+        self.layers.append(Layer(self.name, [], figures))
+
+
+def _on(page: CameraPage, strand: Strand) -> Strand:
+    """A strand on paper, at z = 0."""
+    flat = np.column_stack([page.on_paper(strand.points), np.zeros(len(strand.points))])
+    return strand_of(flat, np.tile([0.0, 0.0, 1.0], (len(flat), 1)), strand.closed)

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws what the scene's camera sees on a page: the dialog, and the runs that follow it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
+
+from .. import core
+from ..model.camera_page import PAPERS, Page
+from ..model.whole_files import FileError
+from ..run import session
+from ..run.camera_drawing import CameraDrawing
+from ..run.stepper import Stepper
+from ..run.window import Window
+from ..scene.camera_view import camera_page
+from ..scene.errors import DataError
+from ..scene.linked_settings import settings_of
+from ..scene.settings import surface_of
+from .refusing import refuse, refusing
+from .run_operators import over_view, sentence_of
+
+KEYS = "Esc: Cancel"
+
+
+def _papers() -> tuple[tuple[str, str, str], ...]:
+    sizes = (
+        (name.upper(), name.capitalize(), f"{width:g} x {height:g} mm")
+        for name, (width, height) in PAPERS.items()
+    )
+    return (*sizes, ("CUSTOM", "Custom", "Width and Height"))
+
+
+@dataclass
+class _Going:
+    """A drawing that is being made in a window, and the run that it is at."""
+
+    drawing: CameraDrawing
+    stepper: Stepper | None
+    window: Window
+
+    def end(self) -> None:
+        """Gives back what it has borrowed; a run that is going on ends."""
+        global _going
+        _going = None
+        if self.stepper is not None:
+            self.stepper.cancel()
+            self.stepper.join()
+        self.window.give_back()
+
+
+_going: _Going | None = None  # one at most
+
+
+class MEANDER_OT_draw_camera(bpy.types.Operator):
+    """Fill everything that the camera sees at one spacing on paper, and write the page as an SVG
+    file with a layer for each object, without what is hidden. Nothing in the scene is changed"""
+
+    bl_idname = "meander.draw_camera"
+    bl_label = "Draw from Camera"
+
+    filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
+    filter_glob: StringProperty(default="*.svg", options={"HIDDEN", "SKIP_SAVE"})
+    spacing: FloatProperty(
+        name="Spacing",
+        description="Between neighbouring strands on paper, in millimetres, where a surface faces "
+        "the camera; closer where it turns away",
+        default=2.0,
+        min=0.05,
+        soft_min=0.3,
+        soft_max=20.0,
+    )
+    paper: EnumProperty(
+        name="Paper",
+        description="The page, which lies or stands as the camera's picture does",
+        items=_papers(),
+        default="A4",
+    )
+    width: FloatProperty(
+        name="Width", description="Of the page, in millimetres", default=200.0, min=1.0, max=1e5
+    )
+    height: FloatProperty(
+        name="Height", description="Of the page, in millimetres", default=200.0, min=1.0, max=1e5
+    )
+    margin: FloatProperty(
+        name="Margin",
+        description="On all sides of the page, in millimetres; the camera's picture is as large as "
+        "that allows",
+        default=15.0,
+        min=0.0,
+        soft_max=50.0,
+    )
+    line_width: FloatProperty(
+        name="Line Width",
+        description="Of the pen, in millimetres",
+        default=0.3,
+        min=0.001,
+        soft_max=2.0,
+    )
+    report_too: BoolProperty(
+        name="Report",
+        description="Write what has become of each object beside it, as a JSON file",
+        default=False,
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if session.current() is not None or _going is not None:
+            cls.poll_message_set("A curve is growing")
+        elif context.scene.camera is None:
+            cls.poll_message_set("The scene has no camera")
+        elif context.mode != "OBJECT":
+            cls.poll_message_set("Works in Object Mode")
+        else:
+            return True
+        return False
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        for name in ("spacing", "paper"):
+            layout.prop(self, name)
+        if self.paper == "CUSTOM":
+            column = layout.column(align=True)
+            column.prop(self, "width")
+            column.prop(self, "height")
+        for name in ("margin", "line_width", "report_too"):
+            layout.prop(self, name)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if not self.filepath:
+            self.filepath = bpy.path.clean_name(context.scene.camera.name) + ".svg"
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    @refusing
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        if not self.filepath:
+            raise DataError("No file is named; give a name that ends in .svg")
+        drawing = self._drawing(context)
+        if self.options.is_invoke and not bpy.app.background:
+            return self._watch(context, drawing)
+        while (stepper := drawing.next()) is not None:
+            stepper.run()
+            drawing.take(stepper)
+        self._write(context, drawing)
+        return {"FINISHED"}
+
+    def _drawing(self, context: bpy.types.Context) -> CameraDrawing:
+        sides = PAPERS.get(self.paper.lower(), (self.width, self.height))
+        page = Page(*sides, self.margin)
+        if not page.has_room:
+            raise DataError("The margins leave nothing of the page; choose a smaller Margin")
+        scene, depsgraph = context.scene, context.evaluated_depsgraph_get()
+        frame = camera_page(scene, depsgraph, scene.camera, page)
+        active = context.active_object
+        fallback = settings_of(active) if active and surface_of(active) == active else None
+        return CameraDrawing(frame, self.spacing, depsgraph, fallback)
+
+    def _write(self, context: bpy.types.Context, drawing: CameraDrawing) -> None:
+        path = Path(bpy.path.abspath(self.filepath)).with_suffix(".svg")
+        report = path.with_suffix(".json") if self.report_too else None
+        told = drawing.write(path, self.line_width, context.scene.camera.name, report)
+        self.report({"INFO"}, f"{path.name}: {told}")
+        for remark in drawing.remarks():
+            self.report({"WARNING"}, remark)
+
+    def _watch(self, context: bpy.types.Context, drawing: CameraDrawing) -> set[str]:
+        global _going
+        _going = _Going(drawing, None, Window(context, KEYS))
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        if _going is None:  # ended by unregister
+            return {"CANCELLED"}
+        if event.type == "ESC" and event.value == "PRESS" and over_view(context, event):
+            _going.end()
+            return {"CANCELLED"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        try:
+            if self._goes_on(context):
+                return {"PASS_THROUGH"}
+            drawing = _going.drawing
+            _going.end()
+            self._write(context, drawing)
+            return {"FINISHED"}
+        except (DataError, core.MeanderError, FileError) as error:
+            refuse(self, context.active_object, sentence_of(error))
+            return {"CANCELLED"}
+        except BaseException:
+            # A defect of ours must not leave a timer and a run behind.
+            self.cancel(context)
+            raise
+
+    def _goes_on(self, context: bpy.types.Context) -> bool:
+        """One tick: whether anything is left to be filled."""
+        drawing = _going.drawing
+        if _going.stepper is None or _going.stepper.finished:
+            if _going.stepper is not None:
+                drawing.take(_going.stepper)
+            _going.stepper = drawing.next()
+            if _going.stepper is None:
+                return False
+            _going.stepper.start()
+        snapshot = _going.stepper.poll()
+        if snapshot is not None and _going.window.text_due(False):
+            text = f"{drawing.place}: {drawing.name}, {snapshot.progress:.0%}"
+            _going.window.show(context, text, snapshot.progress)
+        return True
+
+    def cancel(self, _context: bpy.types.Context) -> None:
+        """Called by Blender when it closes the window or the file under a run."""
+        if _going is not None:
+            _going.end()
+
+
+def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
+    self.layout.operator(
+        MEANDER_OT_draw_camera.bl_idname, text="Meander Drawing from Camera (.svg)"
+    )
+
+
+def register() -> None:
+    bpy.utils.register_class(MEANDER_OT_draw_camera)
+    bpy.types.TOPBAR_MT_file_export.append(_menu)
+
+
+def unregister() -> None:
+    if _going is not None:
+        _going.end()
+    bpy.types.TOPBAR_MT_file_export.remove(_menu)
+    bpy.utils.unregister_class(MEANDER_OT_draw_camera)
