@@ -12,6 +12,7 @@ import bpy
 import meander
 import pytest
 from meander.run import estimates, session
+from meander.run.lasting import lasting
 from meander.run.plan import plan_run
 from meander.ui import look_panel, panels, run_operators, strand_panel, term_panels
 from scenes import activate, cube, fill, poly_curve, sphere
@@ -199,7 +200,7 @@ def test_figures_in_all_units(system):
 def test_panel_while_running(monkeypatch):
     cube()
     plan = plan_run(bpy.context)
-    monkeypatch.setattr(session, "_current", session.Session(plan))
+    monkeypatch.setattr(lasting, "session", session.Session(plan))
     shown = draw(panels.MEANDER_PT_main)
     assert "Stop" in shown and "Fill with Curve" not in shown
     assert not bpy.ops.meander.run.poll()

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from meander.run import gap_marks
 from meander.run import result as result_of_run
+from meander.run.lasting import lasting
 from meander.ui import gaps_operator, panels
 from scenes import activate, cube, fill, grid, matrix_of, poly_curve, sphere, world_splines
 from test_addon import draw
@@ -172,7 +173,7 @@ def test_gaps_are_saved_with_the_file(tmp_path):
     assert bpy.ops.meander.show_gaps() == {"FINISHED"}
     assert gap_marks.shown_of(result)
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    assert gap_marks._marks is None, "another file has no marks"
+    assert lasting.gap_marks is None, "another file has no marks"
 
 
 def test_going_on_replaces_the_gaps():

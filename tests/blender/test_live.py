@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from meander.run import live, session, suspended
+from meander.run.lasting import lasting
 from scenes import activate, counts, fill, grid, sphere
 from watched_runs import begin, tick_until
 
@@ -107,7 +108,7 @@ def test_points_edited_by_hand_and_other_shapes_are_gone_on_from_as_they_are():
     surface = grid()
     result = fill(surface, spacing=SPACING, live=True)
     activate(result)
-    kept = live._kept.run.stepper
+    kept = lasting.finished.run.stepper
     result.data.splines[0].points[0].co.x += 0.01
     depsgraph = bpy.context.evaluated_depsgraph_get()
     assert live.taken(result, depsgraph) is None
@@ -122,7 +123,7 @@ def test_points_edited_by_hand_and_other_shapes_are_gone_on_from_as_they_are():
         assert bpy.context.view_layer.objects.active == active
         assert result.meander.figures.spacing_median == pytest.approx(spacing, rel=0.1)
     result = fill(surface, spacing=SPACING, live=True)
-    assert live._kept.run.stepper is not kept
+    assert lasting.finished.run.stepper is not kept
     surface.data.vertices[0].co.x += 0.01
     surface.data.update_tag()
     assert live.taken(surface, bpy.context.evaluated_depsgraph_get()) is None

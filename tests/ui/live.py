@@ -15,7 +15,8 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.run import live, session, suspended  # noqa: E402
+from meander.run import session, suspended  # noqa: E402
+from meander.run.lasting import lasting  # noqa: E402
 from stage import (  # noqa: E402
     IN_VIEW,
     RESULT,
@@ -218,7 +219,7 @@ def story() -> Iterator[float]:
     step("Live off gives the flow back")
     choose(bpy.data.objects[SURFACE], "live", False)
     yield 0.5
-    assert live._kept is None
+    assert lasting.finished is None
     assert session.current() is None
     assert_nothing_left_over()
 

@@ -96,6 +96,12 @@ def window_opens() -> Iterator[float]:
     yield from show_panel()
 
 
+def strokes_are_orange() -> bool:
+    """Whether a line as wide as the preview's is on all of both strokes."""
+    picture("seeds_2_drawn")
+    return coloured("seeds_2_drawn", (1.0, 0.5, 0.05)) > 2 * 120 * seed_preview.WIDTH / 2
+
+
 def drawing() -> Iterator[float]:
     step("a seed is drawn on the surface")
     paint = bpy.context.scene.tool_settings.curve_paint_settings
@@ -111,11 +117,7 @@ def drawing() -> Iterator[float]:
     yield from drag((x - 70, y + 40), (x + 70, y + 40))
     yield from until(lambda: len(curve.data.splines) == 2, "two strokes")
     yield from until(lambda: seed_preview.is_shown(surface()), "the strokes on the surface")
-    yield 0.3
-    picture("seeds_2_drawn")
-    # A line as wide as the preview's, on all of both strokes.
-    orange = coloured("seeds_2_drawn", (1.0, 0.5, 0.05))
-    assert orange > 2 * 120 * seed_preview.WIDTH / 2, orange
+    yield from until(strokes_are_orange, "both strokes in the picture")
     yield from drag((x, y - 90), (x, y + 90))
     yield from until(lambda: "cross" in drawing_panel_says(), "the refusal")
     yield 0.3
@@ -136,8 +138,8 @@ def drawing() -> Iterator[float]:
 
 def previewing() -> Iterator[float]:
     step("what a run would start from is shown, and hidden when it changes")
+    assert seed_preview.is_shown(surface()), "the strokes are still shown"
     press("preview_seed")
-    press("preview_seed")  # hidden again
     assert not seed_preview.is_shown(surface())
     yield 0.3
     picture("seeds_3_before")

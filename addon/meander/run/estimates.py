@@ -12,7 +12,6 @@ import time
 from dataclasses import dataclass
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .. import core
 from ..model.estimate import Estimate, Speeds, estimated, extent_of, together
@@ -121,12 +120,12 @@ def of_plan(plan: Plan) -> Estimate:
 def _order(active: bpy.types.Object) -> None:
     if not any(key.find() == active for key in _ordered):
         _ordered.append(Key(active))
-    if not bpy.app.background and not bpy.app.timers.is_registered(_measure_ordered):
+    if not bpy.app.background and not bpy.app.timers.is_registered(measure_ordered):
         wait = max(0.0, _next - time.perf_counter())
-        bpy.app.timers.register(_measure_ordered, first_interval=wait)
+        bpy.app.timers.register(measure_ordered, first_interval=wait)
 
 
-def _measure_ordered() -> float | None:
+def measure_ordered() -> float | None:
     """Measures one of what is ordered, if it is still selected; the rest at its next call."""
     global _next
     begin = time.perf_counter()
@@ -177,18 +176,7 @@ def _extent(vertices, faces, density, prepared, options) -> core.Extent:
     return extent_of(vertices, faces, density, share)
 
 
-@persistent
-def _on_load(*_arguments: object) -> None:
+def forget() -> None:
+    """Forgets all that was measured and ordered, as in another file."""
     _measured.clear()
     _ordered.clear()
-
-
-def register() -> None:
-    bpy.app.handlers.load_post.append(_on_load)
-
-
-def unregister() -> None:
-    bpy.app.handlers.load_post.remove(_on_load)
-    if bpy.app.timers.is_registered(_measure_ordered):
-        bpy.app.timers.unregister(_measure_ordered)
-    _on_load()

@@ -6,7 +6,6 @@ from __future__ import annotations
 from typing import Any
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .. import core
 from ..scene import baked_frames
@@ -54,8 +53,7 @@ def _may_change(scene: bpy.types.Scene) -> bool:
     return not _rendering or bpy.app.background or scene.render.use_lock_interface
 
 
-@persistent
-def _on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+def on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
     results = [thing for thing in scene.objects if thing.type == "CURVE" and thing.meander.follow]
     if not results or session.current() is not None or not _may_change(scene):
         return
@@ -78,13 +76,7 @@ def _on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
             _problems[key] = str(error)
 
 
-@persistent
-def _on_change(*_arguments: object) -> None:
-    forget()
-
-
-@persistent
-def _on_load(*_arguments: object) -> None:
+def on_load() -> None:
     """A file is opened in the frame in which its curves fit; the next one may be far away."""
     context = bpy.context
     for result in context.scene.objects:
@@ -92,36 +84,11 @@ def _on_load(*_arguments: object) -> None:
             begin(result, context)
 
 
-@persistent
-def _on_render(*_arguments: object) -> None:
+def on_render() -> None:
     global _rendering
     _rendering = True
 
 
-@persistent
-def _on_render_end(*_arguments: object) -> None:
+def on_render_end() -> None:
     global _rendering
     _rendering = False
-
-
-_HANDLERS = (
-    ("frame_change_post", _on_frame),
-    ("undo_post", _on_change),
-    ("redo_post", _on_change),
-    ("load_pre", _on_change),
-    ("load_post", _on_load),
-    ("render_init", _on_render),
-    ("render_complete", _on_render_end),
-    ("render_cancel", _on_render_end),
-)
-
-
-def register() -> None:
-    for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).append(handler)
-
-
-def unregister() -> None:
-    for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(handler)
-    forget()

@@ -11,7 +11,6 @@ import math
 import bpy
 import gpu
 import numpy as np
-from bpy.app.handlers import persistent
 from mathutils import Vector
 
 from ..model.last_run import GAP_THAT_MATTERS
@@ -21,6 +20,7 @@ from ..scene.results import made_spacing
 from ..scene.settings import surface_of
 from ..scene.transforms import to_world, world_matrix
 from . import session
+from .lasting import lasting
 from .window import redraw
 
 _COLOR = (1.0, 0.2, 0.05)
@@ -62,7 +62,7 @@ def rings(
     return np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 3)
 
 
-class _Marks:
+class Marks:
     def __init__(self, result: bpy.types.Object) -> None:
         self._result = Key(result)
         self._handler = bpy.types.SpaceView3D.draw_handler_add(
@@ -107,41 +107,21 @@ class _Marks:
         gpu.state.blend_set(blend)
 
 
-# The marks in the views: of one result at a time.
-_marks: _Marks | None = None
-
-
 def show(result: bpy.types.Object) -> None:
     """Draws the rings of a result from now on, instead of another's."""
-    global _marks
     hide()
-    _marks = _Marks(result)
+    lasting.gap_marks = Marks(result)
     redraw("WINDOW", "UI")
 
 
 def hide() -> None:
     """Draws no more. May be called at any time."""
-    global _marks
-    if _marks is not None:
-        _marks.remove()
-        _marks = None
+    if lasting.gap_marks is not None:
+        lasting.gap_marks.remove()
+        lasting.gap_marks = None
         redraw("WINDOW", "UI")
 
 
 def shown_of(result: bpy.types.Object) -> bool:
     """Whether the rings of this result are drawn."""
-    return _marks is not None and _marks.are_of(result)
-
-
-@persistent
-def _before_load(*_arguments: object) -> None:
-    hide()
-
-
-def register() -> None:
-    bpy.app.handlers.load_pre.append(_before_load)
-
-
-def unregister() -> None:
-    hide()
-    bpy.app.handlers.load_pre.remove(_before_load)
+    return lasting.gap_marks is not None and lasting.gap_marks.are_of(result)

@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
 from .. import core
 from ..model.options import OF_THE_FLOW
@@ -26,6 +25,7 @@ from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
 from ..scene.results import is_present
 from ..scene.settings import surface_of
+from .lasting import lasting
 from .meaning import Meaning
 from .plan import Plan
 from .suspended import SuspendedRun, same_mesh
@@ -127,32 +127,29 @@ def wish_of(
 
 
 @dataclass(frozen=True)
-class _Kept:
+class Kept:
+    """A finished run, and what its result was like when it was written."""
+
     run: SuspendedRun
-    splines: str  # what the result was like when it was written
-
-
-_kept: _Kept | None = None
+    splines: str
 
 
 def keep(run: SuspendedRun) -> None:
     """Keeps the flow of a run that has written its result, instead of the one before it."""
-    global _kept
     result = run.plan.result.find()
-    _kept = _Kept(run, _digest(result)) if result is not None else None
+    lasting.finished = Kept(run, _digest(result)) if result is not None else None
 
 
 def drop() -> None:
     """Forgets the flow that is kept and frees its memory. Does nothing when there is none."""
-    global _kept
-    _kept = None
+    lasting.finished = None
 
 
 def taken(active: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SuspendedRun | None:
     """Hands out the run that is kept, if it is of this surface or result and goes on from what is
     there; it is kept no longer. Raises DataError for a surface that cannot be read.
     """
-    kept = _kept
+    kept = lasting.finished
     drop()
     if kept is None:
         return None
@@ -173,22 +170,3 @@ def _digest(result: bpy.types.Object) -> str:
         spline.points.foreach_get("co", buffer)
         digest.update(buffer.tobytes() + bytes([spline.use_cyclic_u]))
     return digest.hexdigest()
-
-
-@persistent
-def _on_change(*_arguments: object) -> None:
-    drop()
-
-
-_HANDLERS = ("load_pre", "undo_post", "redo_post")
-
-
-def register() -> None:
-    for name in _HANDLERS:
-        getattr(bpy.app.handlers, name).append(_on_change)
-
-
-def unregister() -> None:
-    for name in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(_on_change)
-    drop()

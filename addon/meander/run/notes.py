@@ -6,7 +6,6 @@ what a run on it would mean does.
 from __future__ import annotations
 
 import bpy
-from bpy.app.handlers import persistent
 
 from ..scene.identity import number_of
 from .meaning import Meaning, meaning_of
@@ -43,15 +42,6 @@ def of(thing: bpy.types.Object) -> str:
     return sentence if same else ""
 
 
-@persistent
-def _before_load(*_arguments: object) -> None:
-    _notes.clear()
-
-
-def register() -> None:
-    bpy.app.handlers.load_pre.append(_before_load)
-
-
-def unregister() -> None:
-    bpy.app.handlers.load_pre.remove(_before_load)
+def forget() -> None:
+    """Takes all notes away."""
     _notes.clear()

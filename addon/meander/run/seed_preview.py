@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
 from .. import core
 from ..model import strands
@@ -20,6 +19,7 @@ from ..scene.identity import Key
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
 from .growing_curve import GrowingCurve
+from .lasting import lasting
 from .meaning import Meaning, meaning_of
 from .plan import Plan, plan_of
 from .window import redraw
@@ -32,13 +32,10 @@ _MARK = 0.5
 
 
 @dataclass
-class _Shown:
+class Shown:
     active: Key  # whose settings they are
     meaning: Meaning
     curves: list[GrowingCurve]
-
-
-_shown: _Shown | None = None
 
 
 @dataclass(frozen=True)
@@ -60,9 +57,10 @@ def is_shown(active: bpy.types.Object | None) -> bool:
 
     One that would be another by now is taken away. Cheap, for panels.
     """
-    if _shown is None or active is None or _shown.active.find() != active:
+    shown = lasting.seed_preview
+    if shown is None or active is None or shown.active.find() != active:
         return False
-    return _is_current(_shown)
+    return _is_current(shown)
 
 
 def show(active: bpy.types.Object, context: bpy.types.Context) -> Found:
@@ -96,12 +94,11 @@ def show(active: bpy.types.Object, context: bpy.types.Context) -> Found:
 
 def hide() -> None:
     """Takes the preview away. Does nothing when there is none."""
-    global _shown
-    if _shown is not None:
-        for curve in _shown.curves:
+    if lasting.seed_preview is not None:
+        for curve in lasting.seed_preview.curves:
             curve.remove()
         redraw("WINDOW", "UI")
-    _shown = None
+    lasting.seed_preview = None
 
 
 def _draw(
@@ -110,8 +107,7 @@ def _draw(
     plan: Plan,
     lines: list[tuple[core.Polylines, tuple[float, float, float]]],
 ) -> None:
-    global _shown
-    scene, shown = Key(context.scene), _Shown(Key(active), meaning_of(active), [])
+    scene, shown = Key(context.scene), Shown(Key(active), meaning_of(active), [])
 
     def find() -> bpy.types.Object | None:
         return plan.surface.find() if _is_current(shown) else None
@@ -121,11 +117,11 @@ def _draw(
             curve = GrowingCurve(find, scene.find, plan.matrix, color, WIDTH)
             curve.show(polylines, _LIFT * plan.spacing)
             shown.curves.append(curve)
-    _shown = shown
+    lasting.seed_preview = shown
     redraw("WINDOW", "UI")
 
 
-def _is_current(shown: _Shown) -> bool:
+def _is_current(shown: Shown) -> bool:
     active = shown.active.find()
     return active is not None and shown.meaning.same_as(meaning_of(active))
 
@@ -145,22 +141,3 @@ def _marks(places: np.ndarray, size: float) -> core.Polylines:
     count = 3 * len(places)
     offsets = 2 * np.arange(count + 1, dtype=np.uint32)
     return core.Polylines(points, np.zeros_like(points), offsets, np.zeros(count, np.uint8))
-
-
-@persistent
-def _on_change(*_arguments: object) -> None:
-    hide()
-
-
-_HANDLERS = ("undo_post", "redo_post", "load_pre")
-
-
-def register() -> None:
-    for name in _HANDLERS:
-        getattr(bpy.app.handlers, name).append(_on_change)
-
-
-def unregister() -> None:
-    hide()
-    for name in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(_on_change)

@@ -16,7 +16,6 @@ from dataclasses import replace
 from typing import Any
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .. import core
 from ..model import bridges, strands
@@ -28,6 +27,7 @@ from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons
 from ..scene.results import is_present
 from . import edit_mode, estimates, live, refused_mesh, seed_preview, suspended
+from .lasting import lasting
 from .meaning import meaning_of
 from .plan import Plan, with_looks
 from .preview import Preview
@@ -57,7 +57,7 @@ class Session:
     """A run from its plan to its end.
 
     In a window: start(), then tick() at every timer event while it returns True, then keep() or
-    not. Without: stepper.run(), then keep(). In any case, and last: end().
+    not. Without: run(), then keep(). In any case, and last: end().
     """
 
     def __init__(self, plan: Plan, suspended_run: SuspendedRun | None = None) -> None:
@@ -72,9 +72,6 @@ class Session:
             self.plan, self.stepper = suspended_run.plan, suspended_run.stepper
             self.latest = suspended_run.latest
             self._meaning = suspended_run.meaning
-        seed_preview.hide()
-        live.drop()
-        suspended.drop()  # a run that begins takes the place of the one before it
         began = suspended_run is None
         self._remaining = Remaining(estimates.expected(plan.settings.find()) if began else None)
         self._shown = True  # whether the view has what is in `latest`
@@ -104,13 +101,19 @@ class Session:
 
     def start(self, context: bpy.types.Context) -> None:
         """Begins the run, which goes on by itself, with a timer for tick()."""
-        global _current
-        _current = self
+        self._take_the_place()
+        lasting.session = self
         self._preview = Preview(self.plan, context.scene)
         self._window = Window(context)
         _leave_one(self.plan.problem.options)
         self.stepper.start()
         self._polled = time.perf_counter()
+
+    def _take_the_place(self) -> None:
+        """A run that begins takes the place of the one before it, and of what is drawn."""
+        seed_preview.hide()
+        live.drop()
+        suspended.drop()
 
     def tick(self, context: bpy.types.Context) -> bool:
         """Shows how far the run is. False when it has come to its end.
@@ -225,6 +228,7 @@ class Session:
 
     def run(self) -> None:
         """The whole run, without a window; takes what find_wish() has found."""
+        self._take_the_place()
         wish, self._wish = self._wish, None
         if wish is not None:
             self._apply(wish)
@@ -380,12 +384,11 @@ class Session:
 
     def end(self) -> None:
         """Ends the run and gives back what it borrowed. May be called at any time, and again."""
-        global _current
         if self.ended:
             return
         self.ended = True
-        if _current is self:
-            _current = None
+        if lasting.session is self:
+            lasting.session = None
         self.stepper.cancel()
         self.stepper.join()
         if self._window is not None:
@@ -401,30 +404,12 @@ class Session:
             raise DataError("The curve was deleted while it was growing; start again")
 
 
-# The running session. There is one at most: it owns the status bar and the Esc key.
-_current: Session | None = None
-
-
 def current() -> Session | None:
     """The running session, or None."""
-    return _current
+    return lasting.session
 
 
 def end_current() -> None:
     """Ends the running session, if there is one."""
-    if _current is not None:
-        _current.end()
-
-
-@persistent
-def _before_load(*_arguments: object) -> None:
-    end_current()
-
-
-def register() -> None:
-    bpy.app.handlers.load_pre.append(_before_load)
-
-
-def unregister() -> None:
-    end_current()
-    bpy.app.handlers.load_pre.remove(_before_load)
+    if lasting.session is not None:
+        lasting.session.end()

@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
 from ..scene.evaluated import matrix_of
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
+from .lasting import lasting
 from .meaning import Meaning, meaning_of
 from .plan import Plan, with_looks
 from .stepper import Snapshot, Stepper
@@ -35,19 +35,14 @@ class SuspendedRun:
         return self.latest.progress if self.latest is not None else 0.0
 
 
-_suspended: SuspendedRun | None = None
-
-
 def keep(run: SuspendedRun) -> None:
     """Keeps a run that has been cancelled, instead of the one before it."""
-    global _suspended
-    _suspended = run
+    lasting.suspended = run
 
 
 def drop() -> None:
     """Forgets the run that is kept and frees its memory. Does nothing when there is none."""
-    global _suspended
-    _suspended = None
+    lasting.suspended = None
 
 
 def run_of(active: bpy.types.Object | None) -> SuspendedRun | None:
@@ -55,7 +50,7 @@ def run_of(active: bpy.types.Object | None) -> SuspendedRun | None:
 
     Cheap, for panels and polls.
     """
-    kept = _suspended
+    kept = lasting.suspended
     if kept is None or active is None or kept.plan.settings.find() != active:
         return None
     if kept.plan.surface.find() is None or not kept.meaning.same_as(meaning_of(active)):
@@ -69,7 +64,7 @@ def taken(now: Plan) -> SuspendedRun | None:
 
     now   a new plan for the same object, whose choices of looks the run takes over
     """
-    kept = _suspended
+    kept = lasting.suspended
     drop()
     if kept is None or not _same_problem(kept.plan, now):
         return None
@@ -112,17 +107,3 @@ def same_mesh(plan: Plan, surface: bpy.types.Object, depsgraph: bpy.types.Depsgr
     return np.array_equal(problem.faces, faces) and _same_points(
         to_local(problem.vertices, plan.matrix), to_local(vertices, matrix)
     )
-
-
-@persistent
-def _before_load(*_arguments: object) -> None:
-    drop()
-
-
-def register() -> None:
-    bpy.app.handlers.load_pre.append(_before_load)
-
-
-def unregister() -> None:
-    bpy.app.handlers.load_pre.remove(_before_load)
-    drop()

@@ -13,7 +13,6 @@ they keep their data; 4.5 has them.
 from __future__ import annotations
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .changes import uncounted
 
@@ -26,14 +25,19 @@ def _is_subdivided(object: bpy.types.Object) -> bool:
     return any(modifier.type == "SUBSURF" for modifier in object.modifiers)
 
 
-@persistent
-def _on_begin(*_arguments: object) -> None:
+def _needed() -> bool:
+    """Whether modifiers have no lasting numbers, and something is drawn."""
+    lasting = "persistent_uid" in bpy.types.Modifier.bl_rna.properties
+    return not lasting and not bpy.app.background
+
+
+def begin() -> None:
+    """An undo or redo begins."""
     global _restored
-    _restored = set()
+    _restored = set() if _needed() else None
 
 
-@persistent
-def _on_update(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph | None = None) -> None:
+def on_update(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph | None = None) -> None:
     if _restored is None or depsgraph is None:
         return
     for update in depsgraph.updates:
@@ -41,14 +45,15 @@ def _on_update(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph | None = 
             _restored.add(update.id.original.name)
 
 
-@persistent
-def _on_end(*_arguments: object) -> None:
+def end() -> None:
     """Evaluates what the undo has changed, and then the meshes that it has damaged."""
     global _restored
+    if _restored is None:
+        return
     layers = [window.view_layer for window in bpy.context.window_manager.windows]
     for layer in layers:
         layer.update()
-    names, _restored = _restored or set(), None
+    names, _restored = _restored, None
     # Linked ones, which have a library, are not read back.
     restored = [bpy.data.objects.get((name, None)) for name in names]
     damaged = [thing for thing in restored if thing is not None and _is_subdivided(thing)]
@@ -59,32 +64,3 @@ def _on_end(*_arguments: object) -> None:
     with uncounted():
         for layer in layers:
             layer.update()
-
-
-_HANDLERS = (
-    ("undo_pre", _on_begin),
-    ("redo_pre", _on_begin),
-    ("depsgraph_update_post", _on_update),
-    ("undo_post", _on_end),
-    ("redo_post", _on_end),
-)
-
-
-def _needed() -> bool:
-    """Whether modifiers have no lasting numbers, and something is drawn."""
-    lasting = "persistent_uid" in bpy.types.Modifier.bl_rna.properties
-    return not lasting and not bpy.app.background
-
-
-def register() -> None:
-    if _needed():
-        for name, handler in _HANDLERS:
-            getattr(bpy.app.handlers, name).append(handler)
-
-
-def unregister() -> None:
-    global _restored
-    _restored = None
-    if _needed():
-        for name, handler in _HANDLERS:
-            getattr(bpy.app.handlers, name).remove(handler)

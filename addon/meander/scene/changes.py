@@ -13,7 +13,6 @@ from contextlib import contextmanager
 from typing import Any
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .identity import number_of
 
@@ -22,6 +21,8 @@ _counts: dict[int, int] = {}
 # Where counting begins; never goes back, so that no count is met twice.
 _first = 0
 _counting = True
+# Whether something is being undone, or was since the last evaluation.
+_undoing = _undone = False
 
 
 def shape_count(object: bpy.types.Object) -> int:
@@ -52,38 +53,30 @@ def _count(depsgraph: Any, whole: bool) -> None:
             _counts[number] += 1
 
 
-@persistent
-def _on_update(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
-    # Blender evaluates all of an object when a panel changes any setting of an add-on on it.
-    _count(depsgraph, whole=False)
+def on_update(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+    # Blender evaluates all of an object when a panel changes any setting of an add-on on it; and of
+    # what it has read back for an undo, whose shape may be another.
+    global _undone
+    _count(depsgraph, whole=_undoing or _undone)
+    _undone = False
 
 
-@persistent
-def _on_frame(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+def on_undo_begin() -> None:
+    global _undoing
+    _undoing = True
+
+
+def on_undo_end() -> None:
+    global _undoing, _undone
+    _undoing, _undone = False, True
+
+
+def on_frame(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
     _count(depsgraph, whole=True)
 
 
-@persistent
-def _on_load(*_arguments: object) -> None:
+def on_load() -> None:
     """In another file the same address may be another object's."""
     global _first
     _first = max(_counts.values(), default=_first) + 1
-    _counts.clear()
-
-
-_HANDLERS = (
-    ("depsgraph_update_post", _on_update),
-    ("frame_change_post", _on_frame),
-    ("load_post", _on_load),
-)
-
-
-def register() -> None:
-    for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).append(handler)
-
-
-def unregister() -> None:
-    for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(handler)
     _counts.clear()

@@ -10,7 +10,6 @@ comes back elsewhere. After an undo or a redo such a block is found by its last 
 from __future__ import annotations
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .blender_versions import session_number
 
@@ -70,17 +69,7 @@ class Key:
         return block
 
 
-@persistent
-def _on_undo(*_arguments: object) -> None:
+def on_undo() -> None:
+    """Undo and redo may give every object another address."""
     global _undos
     _undos += 1
-
-
-def register() -> None:
-    bpy.app.handlers.undo_post.append(_on_undo)
-    bpy.app.handlers.redo_post.append(_on_undo)
-
-
-def unregister() -> None:
-    bpy.app.handlers.undo_post.remove(_on_undo)
-    bpy.app.handlers.redo_post.remove(_on_undo)

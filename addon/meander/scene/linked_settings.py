@@ -15,7 +15,6 @@ from contextlib import contextmanager
 from typing import Any
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .settings import copied
 
@@ -88,8 +87,7 @@ def lent(thing: bpy.types.Object, names: Iterable[str]) -> Iterator[None]:
             setattr(own, name, value)
 
 
-@persistent
-def _before_save(*_arguments: object) -> None:
+def before_save() -> None:
     """Lets go of objects that are in no scene any more, which would stay in the file."""
     for scene in bpy.data.scenes:
         if scene.library is not None:
@@ -98,11 +96,3 @@ def _before_save(*_arguments: object) -> None:
             surface = scene.meander_linked[index].surface
             if surface is None or not surface.users_scene:
                 scene.meander_linked.remove(index)
-
-
-def register() -> None:
-    bpy.app.handlers.save_pre.append(_before_save)
-
-
-def unregister() -> None:
-    bpy.app.handlers.save_pre.remove(_before_save)

@@ -9,7 +9,6 @@ that somebody has chosen in the modifier itself stays.
 from __future__ import annotations
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .look_modifier import modifier_of, set_value, value_of
 
@@ -61,8 +60,7 @@ def _follow_slot(thing: bpy.types.Object) -> None:
         write(thing, modifier)
 
 
-@persistent
-def _on_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph | None = None) -> None:
+def on_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph | None = None) -> None:
     if depsgraph is None:
         return
     blocks = [update.id.original for update in depsgraph.updates]
@@ -74,25 +72,7 @@ def _on_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph | None = N
         _follow_slot(thing)
 
 
-@persistent
-def _on_output(*_arguments: object) -> None:
+def on_output() -> None:
     """What a script has changed since the last evaluation, which may be none of this scene's."""
     for thing in bpy.data.objects:
         _follow_slot(thing)
-
-
-_HANDLERS = (
-    ("depsgraph_update_post", _on_update),
-    ("render_init", _on_output),
-    ("save_pre", _on_output),
-)
-
-
-def register() -> None:
-    for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).append(handler)
-
-
-def unregister() -> None:
-    for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(handler)

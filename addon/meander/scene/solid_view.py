@@ -11,7 +11,6 @@ from collections.abc import Iterator
 
 import bpy
 import numpy as np
-from bpy.app.handlers import persistent
 
 # What Solid view shows of a material nobody has given a colour, and of an object without one.
 _GRAY = 0.8
@@ -69,8 +68,8 @@ def _is_coloured(thing: bpy.types.Object) -> bool:
     )
 
 
-@persistent
-def _give_back(*_arguments: object) -> None:
+def give_back(*_evaluated: object) -> None:
+    """Gives the views their color type back as soon as nothing is seen that needs another."""
     context = bpy.context
     if not _lent or any(_has_lights(thing) for thing in _seen(context)):
         return
@@ -80,33 +79,13 @@ def _give_back(*_arguments: object) -> None:
     _lent.clear()
 
 
-@persistent
-def _after_redo(*_arguments: object) -> None:
+def after_redo() -> None:
     things = [thing for thing in _seen(bpy.context) if _has_lights(thing)]
     if things:
         show_colours(bpy.context, things)
-    _give_back()
+    give_back()
 
 
-@persistent
-def _on_load(*_arguments: object) -> None:
-    _lent.clear()
-
-
-_HANDLERS = (
-    ("undo_post", _give_back),
-    ("redo_post", _after_redo),
-    ("depsgraph_update_post", _give_back),
-    ("load_post", _on_load),
-)
-
-
-def register() -> None:
-    for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).append(handler)
-
-
-def unregister() -> None:
-    for name, handler in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(handler)
+def forget() -> None:
+    """Gives nothing back any more: the views are those of another file."""
     _lent.clear()

@@ -12,11 +12,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .. import core
 from ..run import live, session
-from ..run.meaning import Meaning, meaning_of
+from ..run.lasting import lasting
+from ..run.meaning import meaning_of
 from ..run.plan import Plan, plan_of
 from ..scene.errors import DataError
 from ..scene.identity import number_of
@@ -26,7 +26,7 @@ from ..scene.settings import surface_of
 from .run_operators import MEANDER_OT_run, Watched, poll_run
 
 # Of the timer, in seconds, while a curve grows and while none does.
-_GROWING, _WAITING = 0.07, 0.15
+_GROWING, WAITING = 0.07, 0.15
 # A run whose operator has not been heard of for so long, in seconds, is advanced by the timer.
 _SILENCE = 0.15
 
@@ -83,18 +83,14 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
         return False
 
 
-# For every window, by its address: the object that was active when the timer looked last, and what
-# a run on it would have meant.
-_seen: dict[int, tuple[int, Meaning]] = {}
-
-
-def _tick() -> float:
+def tick() -> float:
+    """Called by a timer, as often as it asks for."""
     running = session.current()
     windows = bpy.context.window_manager.windows
     if running is None:
         _look_at(windows)
-        return _WAITING
-    _seen.clear()
+        return WAITING
+    lasting.looked_at.clear()
     if running.live and time.perf_counter() - running.ticked > _SILENCE and len(windows):
         with bpy.context.temp_override(window=_window_of(running, windows)):
             try:
@@ -123,11 +119,11 @@ def _look_at(windows: Iterable[bpy.types.Window]) -> None:
         with bpy.context.temp_override(window=window):
             active = bpy.context.view_layer.objects.active
             if surface_of(active) is None or bpy.context.mode == "EDIT_MESH":
-                _seen.pop(window.as_pointer(), None)
+                lasting.looked_at.pop(window.as_pointer(), None)
                 continue
             found.add(settings_of(active).live)
             if not settings_of(active).live:
-                _seen.pop(window.as_pointer(), None)
+                lasting.looked_at.pop(window.as_pointer(), None)
             elif _has_changed(window, active) and MEANDER_OT_run.poll(bpy.context):
                 _press()
                 return
@@ -138,8 +134,8 @@ def _look_at(windows: Iterable[bpy.types.Window]) -> None:
 def _has_changed(window: bpy.types.Window, active: bpy.types.Object) -> bool:
     """Whether what a run on the object would mean is another than at the last look."""
     now = meaning_of(active)
-    before = _seen.get(window.as_pointer())
-    _seen[window.as_pointer()] = (number_of(active), now)
+    before = lasting.looked_at.get(window.as_pointer())
+    lasting.looked_at[window.as_pointer()] = (number_of(active), now)
     if before is None or before[0] != number_of(active) or not live.differs(before[1], now):
         return False
     # Where nothing has been filled yet, there is no curve to go on.
@@ -156,27 +152,14 @@ def _press() -> None:
         bpy.ops.meander.live("INVOKE_DEFAULT")
 
 
-@persistent
-def _on_change(*_arguments: object) -> None:
+def forget() -> None:
     """What was undone is not to be done again."""
-    _seen.clear()
-
-
-_HANDLERS = ("load_post", "undo_post", "redo_post")
+    lasting.looked_at.clear()
 
 
 def register() -> None:
     bpy.utils.register_class(MEANDER_OT_live)
-    for name in _HANDLERS:
-        getattr(bpy.app.handlers, name).append(_on_change)
-    if not bpy.app.background:
-        bpy.app.timers.register(_tick, first_interval=_WAITING, persistent=True)
 
 
 def unregister() -> None:
-    _on_change()
-    if bpy.app.timers.is_registered(_tick):
-        bpy.app.timers.unregister(_tick)
-    for name in _HANDLERS:
-        getattr(bpy.app.handlers, name).remove(_on_change)
     bpy.utils.unregister_class(MEANDER_OT_live)

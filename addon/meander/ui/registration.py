@@ -3,20 +3,10 @@
 
 from __future__ import annotations
 
-from ..run import (
-    estimates,
-    following,
-    gap_marks,
-    live,
-    notes,
-    seed_preview,
-    session,
-    suspended,
-)
-from ..scene import after_undo, changes, identity, linked_settings, look_material, solid_view
 from . import (
     camera_operator,
     cut_panel,
+    events,
     export_operator,
     gaps_operator,
     help,
@@ -42,22 +32,8 @@ from . import (
 
 # Panels name their parent, so the main one comes before its sub-panels.
 _MODULES = (
-    identity,
-    changes,
-    linked_settings,
-    after_undo,
-    look_material,
-    solid_view,
     preferences,
     settings,
-    session,
-    suspended,
-    live,
-    notes,
-    seed_preview,
-    estimates,
-    following,
-    gap_marks,
     run_operators,
     live_operator,
     operators,
@@ -79,6 +55,7 @@ _MODULES = (
     seed_operators,
     strand_panel,
     menu,
+    events,  # last, so that whatever they call is there
 )
 
 

@@ -244,7 +244,7 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
             if filled:
                 push_undo()
             self._session = self._new_session(plan)
-            self._session.stepper.run()
+            self._session.run()
             filled = self._finish(context, keep=True) == {"FINISHED"} or filled
         return {"FINISHED"} if filled else {"CANCELLED"}
 

@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .. import core
 from ..run import seed_preview, session
@@ -101,11 +100,11 @@ def _borrow(context: bpy.types.Context, curve: bpy.types.Object, surface: bpy.ty
         bpy.ops.wm.tool_set_by_id(name=_DRAW_TOOL)
         _drawing.workspaces.append(Key(context.workspace))
         context.workspace.status_text_set(_STATUS)
-    if not bpy.app.background and not bpy.app.timers.is_registered(_watch):
-        bpy.app.timers.register(_watch, first_interval=_INTERVAL)
+    if not bpy.app.background and not bpy.app.timers.is_registered(watch):
+        bpy.app.timers.register(watch, first_interval=_INTERVAL)
 
 
-def _give_back() -> None:
+def give_back() -> None:
     """Returns what was borrowed. Does nothing when nothing was."""
     global _drawing
     drawing, _drawing = _drawing, None
@@ -146,7 +145,7 @@ def _choose_tool(name: str, curve: bpy.types.Object | None) -> None:
             return
 
 
-def _watch() -> float | None:
+def watch() -> float | None:
     """Whether the curve is still being drawn; a timer asks."""
     if _drawing is None:
         return None
@@ -155,7 +154,7 @@ def _watch() -> float | None:
         if _drawing.shows and _drawing.shown != shape_count(curve):
             _show_strokes(_drawing, curve)
         return _INTERVAL
-    _give_back()
+    give_back()
     return None
 
 
@@ -181,12 +180,12 @@ def _points(spline: bpy.types.Spline) -> int:
     return len(spline.points) + len(spline.bezier_points)
 
 
-@persistent
-def _before_load(*_arguments: object) -> None:
+def before_load() -> None:
+    """Lets go of the seed that is being drawn, whose settings and tool go with the file."""
     global _drawing
     if _drawing is not None:
         _clear_status(_drawing)
-    _drawing = None  # the settings and the tool go with the file
+    _drawing = None
 
 
 # ------------------------------------------------------------------------------------------------
@@ -218,7 +217,7 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
         return False
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        _give_back()
+        give_back()
         surface = context.active_object
         if context.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
@@ -247,7 +246,7 @@ class MEANDER_OT_end_seed(bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         drawing, curve = _drawing, context.active_object
         surface = surface_drawn_on(curve)
-        _give_back()
+        give_back()
         bpy.ops.object.mode_set(mode="OBJECT")
         _activate(context, surface)
         strokes = len(curve.data.splines)
@@ -338,13 +337,8 @@ _CLASSES = (MEANDER_OT_draw_seed, MEANDER_OT_end_seed, MEANDER_OT_preview_seed, 
 def register() -> None:
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
-    bpy.app.handlers.load_pre.append(_before_load)
 
 
 def unregister() -> None:
-    if bpy.app.timers.is_registered(_watch):
-        bpy.app.timers.unregister(_watch)
-    _give_back()
-    bpy.app.handlers.load_pre.remove(_before_load)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What Blender calls between the deeds of a user: all handlers and timers of the add-on.
+
+Each function of a row is a handler of its own, so that a defect in one keeps no other from running.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..run import (
+    estimates,
+    following,
+    gap_marks,
+    live,
+    notes,
+    seed_preview,
+    session,
+    suspended,
+)
+from ..scene import after_undo, changes, identity, linked_settings, look_material, solid_view
+from . import live_operator, seed_drawing
+
+# What is called at which event, in this order: first what other functions of the row look at.
+_READ_BACK = (identity.on_undo, changes.on_undo_end, after_undo.end)
+_UNDONE = (live.drop, seed_preview.hide, following.forget, live_operator.forget)
+_CALLED: dict[str, tuple[Callable[..., None], ...]] = {
+    "load_pre": (
+        session.end_current,
+        suspended.drop,
+        live.drop,
+        notes.forget,
+        seed_preview.hide,
+        following.forget,
+        gap_marks.hide,
+        seed_drawing.before_load,
+    ),
+    "load_post": (
+        changes.on_load,
+        solid_view.forget,
+        estimates.forget,
+        following.on_load,
+        live_operator.forget,
+    ),
+    "save_pre": (linked_settings.before_save, look_material.on_output),
+    "undo_pre": (changes.on_undo_begin, after_undo.begin),
+    "undo_post": (*_READ_BACK, solid_view.give_back, *_UNDONE),
+    "redo_pre": (changes.on_undo_begin, after_undo.begin),
+    "redo_post": (*_READ_BACK, solid_view.after_redo, *_UNDONE),
+    "depsgraph_update_post": (
+        changes.on_update,
+        after_undo.on_update,
+        look_material.on_update,
+        solid_view.give_back,
+    ),
+    "frame_change_post": (changes.on_frame, following.on_frame),
+    "render_init": (look_material.on_output, following.on_render),
+    "render_complete": (following.on_render_end,),
+    "render_cancel": (following.on_render_end,),
+}
+# Events of which a function is told the scene and what was evaluated.
+_EVALUATED = frozenset({"depsgraph_update_post", "frame_change_post"})
+
+# Timers that are begun where something is to be waited for; none outlasts the add-on.
+_TIMERS = (live_operator.tick, estimates.measure_ordered, seed_drawing.watch)
+
+# What ends with the add-on, the running curve first.
+_ENDED = (
+    session.end_current,
+    suspended.drop,
+    live.drop,
+    seed_drawing.give_back,
+    seed_preview.hide,
+    gap_marks.hide,
+    live_operator.forget,
+    notes.forget,
+    following.forget,
+    estimates.forget,
+    solid_view.forget,
+    changes.on_load,
+)
+
+# The handlers that Blender has, each with the name of its event.
+_handlers: list[tuple[str, Callable[..., None]]] = []
+
+
+def _handler(function: Callable[..., None], event: str) -> Callable[..., None]:
+    """A handler that stays when another file is opened."""
+    evaluated = event in _EVALUATED
+
+    @persistent
+    def handler(*arguments: Any) -> None:
+        function(*arguments if evaluated else ())
+
+    return handler
+
+
+def register() -> None:
+    for event, functions in _CALLED.items():
+        for function in functions:
+            _handlers.append((event, _handler(function, event)))
+            getattr(bpy.app.handlers, event).append(_handlers[-1][1])
+    if not bpy.app.background:
+        bpy.app.timers.register(
+            live_operator.tick, first_interval=live_operator.WAITING, persistent=True
+        )
+
+
+def unregister() -> None:
+    for timer in _TIMERS:
+        if bpy.app.timers.is_registered(timer):
+            bpy.app.timers.unregister(timer)
+    for end in _ENDED:
+        end()
+    while _handlers:
+        event, handler = _handlers.pop()
+        getattr(bpy.app.handlers, event).remove(handler)

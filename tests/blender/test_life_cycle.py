@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What lives between events ends with the file and with the add-on, in whatever state they are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import bpy
+import meander
+import pytest
+from meander.run import estimates, gap_marks, notes
+from meander.run.lasting import Lasting, lasting
+from meander.ui import events, seed_drawing
+from scenes import activate, circle_points, fill, grid, poly_curve, sphere
+from watched_runs import begin, tick_until
+
+
+def handlers() -> dict[str, int]:
+    """How many handlers each event of Blender's has."""
+    lists = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
+    return {name: len(value) for name, value in lists.items() if isinstance(value, list)}
+
+
+def test_a_hundred_times_registered_leaves_no_handler_behind():
+    registered = handlers()
+    meander.unregister()
+    try:
+        bare = handlers()
+        ours = {name: registered[name] - bare[name] for name in bare}
+        assert {name: count for name, count in ours.items() if count} == {
+            event: len(functions) for event, functions in events._CALLED.items()
+        }
+        for _ in range(100):
+            meander.register()
+            meander.unregister()
+        assert handlers() == bare
+    finally:
+        meander.register()
+    assert handlers() == registered
+
+
+def growing() -> None:
+    running = begin(sphere(), 0.05)
+    tick_until(running, lambda: running.shown_points > 0)
+    assert lasting.session is running
+
+
+def suspended() -> None:
+    growing()
+    lasting.session.suspend()
+    assert lasting.suspended is not None
+
+
+def live() -> None:
+    fill(sphere(), 0.5, iteration_limit=20, live=True)
+    assert lasting.finished is not None
+
+
+def previewed() -> None:
+    surface = grid(8)
+    surface.meander.seed = poly_curve("Seed", [circle_points(0.4, 0.0)], True)
+    activate(surface)
+    assert bpy.ops.meander.preview_seed() == {"FINISHED"}
+    assert lasting.seed_preview is not None
+
+
+def marked() -> None:
+    gap_marks.show(fill(sphere(), 0.3, iteration_limit=3))
+    assert lasting.gap_marks is not None
+
+
+def drawing() -> None:
+    activate(grid(8))
+    assert bpy.ops.meander.draw_seed() == {"FINISHED"}
+    assert seed_drawing._drawing is not None
+
+
+def following() -> None:
+    result = fill(sphere(), 0.5, iteration_limit=20)
+    result.meander.follow = True
+    bpy.context.scene.frame_set(2)
+    assert result.name_full in meander.run.following._followers
+
+
+def noted() -> None:
+    surface = grid(8)
+    notes.keep(surface, "No")
+    estimates.measure(surface)
+    assert notes.of(surface) and estimates._measured
+
+
+STATES = (growing, suspended, live, previewed, marked, drawing, following, noted)
+
+
+def nothing_lasts() -> None:
+    left = {name: value for name, value in vars(lasting).items() if value}
+    assert left == {} and vars(lasting).keys() == vars(Lasting()).keys()
+    assert seed_drawing._drawing is None
+    assert not meander.run.following._followers and not notes._notes and not estimates._measured
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_a_file_can_be_opened_in_every_state(state: Callable[[], None], windowed, tmp_path):
+    path = str(tmp_path / "kept.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    before = handlers()
+    state()
+    bpy.ops.wm.open_mainfile(filepath=path)
+    nothing_lasts()
+    assert handlers() == before
+    fill(sphere(), 0.5, iteration_limit=5)
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_the_add_on_can_go_in_every_state(state: Callable[[], None], windowed):
+    state()
+    meander.unregister()
+    try:
+        nothing_lasts()
+        assert not any(map(bpy.app.timers.is_registered, events._TIMERS))
+    finally:
+        meander.register()
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    fill(sphere(), 0.5, iteration_limit=5)
