@@ -66,17 +66,17 @@ target_link_libraries(c99_step PRIVATE meander m)
 add_test(NAME c99_step COMMAND c99_step "${PROJECT_VERSION}")
 
 # A program compiled against the first header of this ABI runs with the present library.
-add_executable(abi2_client tests/native/abi2/client.c)
-target_compile_options(abi2_client PRIVATE -pedantic -Wall -Wextra -Werror)
-target_link_libraries(abi2_client PRIVATE meander)
+add_executable(abi3_client tests/native/abi3/client.c)
+target_compile_options(abi3_client PRIVATE -pedantic -Wall -Wextra -Werror)
+target_link_libraries(abi3_client PRIVATE meander)
 # What sanitizers check of C++ is in a run-time library that only C++ programs are linked with.
 if(MEANDER_SANITIZE)
-  foreach(client c99_step abi2_client)
+  foreach(client c99_step abi3_client)
     target_link_libraries(${client} PRIVATE meander_compile_options)
     set_target_properties(${client} PROPERTIES LINKER_LANGUAGE CXX)
   endforeach()
 endif()
-add_test(NAME abi2_client COMMAND abi2_client)
+add_test(NAME abi3_client COMMAND abi3_client)
 
 # Shared libraries export exactly what the header declares, and need only what every system has.
 set(shared_libraries meander)
@@ -97,4 +97,4 @@ add_test(NAME addon_versions
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/make_addon_zip.py"
           --addon "${PROJECT_SOURCE_DIR}/addon/meander" --version "${PROJECT_VERSION}" --check-only)
 
-set_tests_properties(c99_step abi2_client addon_versions PROPERTIES TIMEOUT 60)
+set_tests_properties(c99_step abi3_client addon_versions PROPERTIES TIMEOUT 60)

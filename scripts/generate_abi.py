@@ -274,6 +274,13 @@ class Writer:
             lines += ["    _fields_ = ["]
             lines += [f'        ("{member}", {self._field(kind)}),' for member, kind in fields]
             lines += ["    ]"]
+            arrays = [
+                (m, kind.base) for m, kind in fields if kind.pointers and kind.base in NUMBERS
+            ]
+            if arrays:
+                lines += ["    _arrays_ = {"]
+                lines += [f'        "{member}": {NUMBERS[base]},' for member, base in arrays]
+                lines += ["    }"]
         lines += ["", "", "STRUCTS: dict[str, type[Structure]] = {"]
         lines += [f'    "{name}": {record_name(name)},' for name in h.structs]
         lines += [

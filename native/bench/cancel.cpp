@@ -167,30 +167,36 @@ class CancelledCase {
       return library_.flow_compute_statistics(flow_, &statistics, context, &error_);
     });
     cancel("flow_find_gaps", [&](meander_context* context) {
-      size_t count = 0;
-      return library_.flow_find_gaps(flow_, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, context, &error_);
+      meander_gaps gaps{};
+      library_.gaps_init(&gaps, sizeof gaps);
+      return freed(library_.flow_find_gaps(flow_, 0, &gaps, context, &error_), gaps);
     });
-    const size_t points = closed_.empty() ? 0 : offsets_.back();
-    std::vector<double> arc_lengths(points), radii(2 * points), vectors(3 * points);
     cancel("flow_compute_point_data", [&](meander_context* context) {
-      size_t count = 0;
-      return library_.flow_compute_point_data(flow_, arc_lengths.data(), vectors.data(), vectors.data(), radii.data(),
-                                              nullptr, nullptr, points, &count, context, &error_);
+      meander_point_data data{};
+      library_.point_data_init(&data, sizeof data);
+      return freed(library_.flow_compute_point_data(flow_, MEANDER_POINT_PARTS_ALL, &data, context, &error_),
+                   data);
     });
     cancel("flow_set_vertices", [&](meander_context* context) {
       return library_.flow_set_vertices(flow_, moved.data(), mesh_.vertices.size(), context, &error_);
     });
     cancel("flow_cut_surface", [&](meander_context* context) {
-      meander_cut* cut = nullptr;
-      const meander_status status = library_.flow_cut_surface(flow_, 0, 1, &cut, context, &error_);
-      library_.cut_destroy(cut);
-      return status;
+      meander_cut cut{};
+      library_.cut_init(&cut, sizeof cut);
+      return freed(library_.flow_cut_surface(flow_, 0, 1, &cut, context, &error_), cut);
     });
   }
 
  private:
   void check(meander_status status) const {
     if (status != MEANDER_STATUS_OK) throw std::runtime_error(error_.text);
+  }
+
+  /// What a call returned that may have filled a struct with arrays.
+  template <class Struct>
+  meander_status freed(meander_status status, const Struct& filled) const {
+    library_.result_destroy(filled.result);
+    return status;
   }
 
   meander_status create_surface(meander_surface*& surface, meander_context* context) {
@@ -226,13 +232,13 @@ class CancelledCase {
   }
 
   void keep_curve() {
-    size_t points = 0, strands = 0;
-    check(library_.flow_get_polylines(flow_, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands, &error_));
-    positions_.resize(3 * points);
-    offsets_.resize(strands + 1);
-    closed_.resize(strands);
-    check(library_.flow_get_polylines(flow_, positions_.data(), nullptr, points, &points, offsets_.data(),
-                                      closed_.data(), strands, &strands, &error_));
+    meander_polylines curve{};
+    check(library_.polylines_init(&curve, sizeof curve));
+    check(library_.flow_get_polylines(flow_, &curve, &error_));
+    positions_.assign(curve.positions, curve.positions + 3 * curve.point_count);
+    offsets_.assign(curve.offsets, curve.offsets + curve.strand_count + 1);
+    closed_.assign(curve.closed, curve.closed + curve.strand_count);
+    library_.result_destroy(curve.result);
   }
 
   /// A call that takes about as long each time.

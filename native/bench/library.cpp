@@ -48,7 +48,12 @@ Library::Library(const std::string& path) : handle_(dlopen(path.c_str(), RTLD_NO
   find(flow_compute_point_data, "meander_flow_compute_point_data");
   find(flow_find_gaps, "meander_flow_find_gaps");
   find(flow_cut_surface, "meander_flow_cut_surface");
-  find(cut_destroy, "meander_cut_destroy");
+  find(polylines_init, "meander_polylines_init");
+  find(nodes_init, "meander_nodes_init");
+  find(point_data_init, "meander_point_data_init");
+  find(gaps_init, "meander_gaps_init");
+  find(cut_init, "meander_cut_init");
+  find(result_destroy, "meander_result_destroy");
 }
 
 std::string library_of_this_build() {

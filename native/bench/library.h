@@ -42,7 +42,12 @@ class Library {
   MEANDER_BENCH_CALL(flow_compute_point_data);
   MEANDER_BENCH_CALL(flow_find_gaps);
   MEANDER_BENCH_CALL(flow_cut_surface);
-  MEANDER_BENCH_CALL(cut_destroy);
+  MEANDER_BENCH_CALL(polylines_init);
+  MEANDER_BENCH_CALL(nodes_init);
+  MEANDER_BENCH_CALL(point_data_init);
+  MEANDER_BENCH_CALL(gaps_init);
+  MEANDER_BENCH_CALL(cut_init);
+  MEANDER_BENCH_CALL(result_destroy);
 #undef MEANDER_BENCH_CALL
 
  private:

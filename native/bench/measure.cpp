@@ -96,27 +96,28 @@ class Session {
     return records;
   }
   Polylines polylines() {
-    size_t points = 0, strands = 0;
-    check(library_.flow_get_polylines(flow_, nullptr, nullptr, 0, &points, nullptr, nullptr, 0,
-                                      &strands, &error_));
+    meander_polylines found{};
+    check(library_.polylines_init(&found, sizeof found));
+    check(library_.flow_get_polylines(flow_, &found, &error_));
     Polylines curve;
-    curve.points.resize(points);
-    curve.offsets.resize(strands + 1);
-    curve.closed.resize(strands);
-    check(library_.flow_get_polylines(flow_, curve.points[0].data(), nullptr, points, &points,
-                                      curve.offsets.data(), curve.closed.data(), strands, &strands,
-                                      &error_));
+    curve.points.resize(found.point_count);
+    std::copy_n(found.positions, 3 * found.point_count, curve.points[0].data());
+    curve.offsets.assign(found.offsets, found.offsets + found.strand_count + 1);
+    curve.closed.assign(found.closed, found.closed + found.strand_count);
+    library_.result_destroy(found.result);
     return curve;
   }
   Nodes nodes() {
-    size_t count = 0;
-    check(library_.flow_get_nodes(flow_, nullptr, nullptr, nullptr, nullptr, 0, &count, &error_));
+    meander_nodes found{};
+    check(library_.nodes_init(&found, sizeof found));
+    check(library_.flow_get_nodes(flow_, &found, &error_));
     Nodes nodes;
-    nodes.faces.resize(count);
-    nodes.barycentrics.resize(count);
-    nodes.radii.resize(count);
-    check(library_.flow_get_nodes(flow_, nodes.faces.data(), nodes.barycentrics[0].data(),
-                                  nodes.radii[0].data(), nullptr, count, &count, &error_));
+    nodes.faces.assign(found.faces, found.faces + found.count);
+    nodes.barycentrics.resize(found.count);
+    nodes.radii.resize(found.count);
+    std::copy_n(found.barycentrics, 3 * found.count, nodes.barycentrics[0].data());
+    std::copy_n(found.radii, 2 * found.count, nodes.radii[0].data());
+    library_.result_destroy(found.result);
     return nodes;
   }
 

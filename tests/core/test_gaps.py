@@ -71,18 +71,6 @@ def test_a_filled_surface_has_small_gaps() -> None:
     np.testing.assert_allclose(gaps.radii, gaps.sizes * radius, rtol=1e-9)
 
 
-def test_more_gaps_than_there_is_room_for_at_first(monkeypatch: pytest.MonkeyPatch) -> None:
-    _mesh, _radius, flow = flow_on("grid")
-    with flow:
-        flow.step()
-        whole = flow.gaps()
-        monkeypatch.setattr("meander.binding.flow._GAP_ROOM", 1)
-        again = flow.gaps()
-    assert len(whole) > 1
-    assert np.array_equal(again.positions, whole.positions)
-    assert np.array_equal(again.faces, whole.faces)
-
-
 @pytest.mark.parametrize("size", [0.5, -1.0, float("nan"), float("inf")])
 def test_sizes_out_of_range_are_refused(size: float) -> None:
     _mesh, _radius, flow = flow_on("cube")

@@ -19,7 +19,7 @@ from meander.binding import abi, choices, flow_options, native_library
 
 HEADER = REPOSITORY / "native/include/meander/meander.h"
 TEXT = HEADER.read_text(encoding="utf-8")
-FROZEN = REPOSITORY / "tests/native/abi2/meander.h"
+FROZEN = REPOSITORY / "tests/native/abi3/meander.h"
 
 
 def _generator() -> ModuleType:

@@ -42,7 +42,7 @@ ELSEWHERE = {
 }
 
 
-def pools(surface: int, flow: int, running: int, cut: int) -> dict[str, list[Any]]:
+def pools(surface: int, flow: int, running: int) -> dict[str, list[Any]]:
     """What each argument may be, by its name: right first, then wrong."""
     corners = FACES.astype(np.uint32)
     strokes = np.array([(0.1, 0.1, 0.0), (0.9, 0.2, 0.0), (0.5, 0.7, 0.0)])
@@ -58,7 +58,6 @@ def pools(surface: int, flow: int, running: int, cut: int) -> dict[str, list[Any
     return {
         "surface": [surface, None],
         "flow": [flow, None, running],
-        "cut": [cut, None],
         "context": [None],
         "vertices": [VERTICES, None],
         "vertex_count": [count, count - 1, 2**31],
@@ -83,7 +82,7 @@ def pools(surface: int, flow: int, running: int, cut: int) -> dict[str, list[Any
         "distance": [0.1, -1.0], "spacing": [0.2, -1.0, np.nan], "detail": [0.0, -1.0],
         "radius": [0.1, -1.0, 99.0], "least_size": [0.0], "middle_lines": [0], "index": [0],
         "text": [b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", None],
-        "size": [32], "length_step": [0.1, -1.0, np.nan], "point_limit": [100],
+        "size": [32], "parts": [1, 99], "length_step": [0.1, -1.0, np.nan], "point_limit": [100],
         "record_size": [ctypes.sizeof(abi.IterationRecord), 1],
         "seed": [None, prepared(abi.SeedRecord)],
     }  # fmt: skip
@@ -138,16 +137,6 @@ def names_of_header() -> dict[str, list[str]]:
 
 NAMES = names_of_header()
 IS_OUTPUT = {
-    "meander_text_read_polygons": ("corners", "ends"),
-    "meander_surface_find_outlines": ("offsets",),
-    "meander_flow_get_preview": ("offsets",),
-    "meander_flow_get_polylines": ("offsets",),
-    "meander_flow_get_nodes": ("faces",),
-    "meander_flow_compute_point_data": ("faces",),
-    "meander_flow_find_gaps": ("faces",),
-    "meander_cut_get_vertices": ("faces",),
-    "meander_cut_get_faces": ("vertices",),
-    "meander_cut_get_line": ("vertices", "offsets"),
     "meander_surface_compute_directions": ("directions",),
     "meander_surface_compute_stroke_directions": ("directions",),
 }
@@ -196,9 +185,6 @@ def swept(stack: contextlib.ExitStack) -> list[str]:
     fresh = stack.enter_context(core.Flow(surface, options))
     done = stack.enter_context(core.Flow(surface, options))
     done.run()
-    cut, error = c_void_p(), prepared(abi.ErrorRecord)
-    native().meander_flow_cut_surface(done._alive(), 0.0, 0, byref(cut), None, byref(error))
-    stack.callback(native().meander_cut_destroy, cut)
     running = stack.enter_context(core.Flow(surface, options))
     running.start()
     stack.callback(running.wait)
@@ -207,7 +193,7 @@ def swept(stack: contextlib.ExitStack) -> list[str]:
         flow = fresh if function.endswith("set_directions") else done
         if function in ("meander_flow_wait", "meander_flow_start", "meander_flow_run"):
             flow = fresh if function == "meander_flow_wait" else done
-        pool = pools(surface._alive(), flow._alive(), running._alive(), cut.value)
+        pool = pools(surface._alive(), flow._alive(), running._alive())
         choices = choices_of(function, pool)
         right = [values[0] for _name, values in choices]
         kept: list[Any] = []
@@ -244,7 +230,6 @@ def structs(surface: int) -> list[str]:
     )
     corners = FACES.astype(np.uint32)
     mesh = [VERTICES, len(VERTICES), corners, len(corners)]
-    text = b"v 0 0 0\n"
     falling = np.array([0, 3, 2], dtype=np.uint64)
     strokes = np.zeros((2, 3))
     found = [
@@ -260,9 +245,6 @@ def structs(surface: int) -> list[str]:
     found.append(called("meander_extent_estimate_cost",
                         [changed(extent, node_area=-1.0), options, cost], kept))  # fmt: skip
     found.append(called("meander_surface_create", [*mesh, masked, "out", None], kept))
-    found.append(called("meander_text_read_polygons",
-                        [text, len(text), 0, "room", 2**63, "out", "room", 9, "out", "room",
-                         "room", 9, "out", "out"], kept))  # fmt: skip
     found.append(called("meander_surface_compute_stroke_directions",
                         [surface, strokes, 2, falling, 2, "room", len(VERTICES), None],
                         kept))  # fmt: skip

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arrays that one call writes: exactly as long as the call is told, and full of a pattern before it.
+// The arrays that one call writes: exactly as long as the call is told, and full of a pattern before it. And those
+// that it hands out itself.
 #pragma once
 
 #include <cmath>
@@ -13,6 +14,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include <meander/meander.h>
 
 #include "transcript.h"
 
@@ -81,6 +84,76 @@ class Outputs {
   const Transcript& transcript_;
   std::vector<std::shared_ptr<void>> memory_;
   std::vector<std::function<void(bool)>> checks_;
+};
+
+/// A struct of counts and arrays that one call fills, and what is promised of it.
+template <class Struct>
+class Filled {
+ public:
+  /// `missing`: NULL is passed; `unprepared`: no _init function has seen it.
+  Filled(const Transcript& transcript, const char* type, const char* name, bool missing, bool unprepared)
+      : transcript_(transcript), name_(name), missing_(missing) {
+    arrays_.struct_size = unprepared ? 3 : sizeof arrays_;
+    if (transcript_.open()) {
+      transcript_.line(std::string(type) + " " + name + "{" + std::to_string(arrays_.struct_size) + "};");
+    }
+  }
+  Filled(const Filled&) = delete;
+  Filled& operator=(const Filled&) = delete;
+  ~Filled() {
+    transcript_.line("meander_result_destroy(" + name_ + ".result);");
+    meander_result_destroy(arrays_.result);
+  }
+
+  Shown<Struct*> shown() {
+    if (missing_) return {nullptr, "nullptr"};
+    return {&arrays_, "&" + name_};
+  }
+  const Struct* operator->() const { return &arrays_; }
+
+  /// Whether it was filled. Fails if a call that did not succeed has written into it.
+  bool check(meander_status status) const {
+    const bool filled = arrays_.result != nullptr;
+    if (status != MEANDER_STATUS_OK) {
+      Struct before{};
+      before.struct_size = arrays_.struct_size;
+      if (std::memcmp(&before, &arrays_, sizeof before) != 0) {
+        fail(transcript_, name_ + " was written by a call that gives nothing");
+      }
+    }
+    return filled;
+  }
+
+  /// Fails where a number is none. All of them are read, so that what is not there is found.
+  void numbers(const double* values, size_t count, bool may_be_infinite = false) const {
+    if (!values && count > 0) fail(transcript_, "an array of " + name_ + " is NULL");
+    for (size_t i = 0; i < count; ++i) {
+      if (std::isnan(values[i])) fail(transcript_, "NaN in " + name_);
+      if (std::isinf(values[i]) && !may_be_infinite) fail(transcript_, "infinite value in " + name_);
+    }
+  }
+
+  /// Fails where one of the indices is not below `end`.
+  void indices(const uint32_t* values, size_t count, size_t end) const {
+    if (!values && count > 0) fail(transcript_, "an array of " + name_ + " is NULL");
+    for (size_t i = 0; i < count; ++i) {
+      if (values[i] >= end) fail(transcript_, name_ + " names what is not there");
+    }
+  }
+
+  /// Fails unless offsets go from 0 to `end` and never fall.
+  void offsets(const uint64_t* values, size_t count, size_t end) const {
+    if (!values || values[0] != 0 || values[count] != end) fail(transcript_, "wrong offsets in " + name_);
+    for (size_t s = 0; s < count; ++s) {
+      if (values[s] > values[s + 1]) fail(transcript_, "offsets that fall in " + name_);
+    }
+  }
+
+ private:
+  const Transcript& transcript_;
+  std::string name_;
+  Struct arrays_{};
+  bool missing_;
 };
 
 }  // namespace meander::fuzz

@@ -9,7 +9,6 @@ namespace meander::fuzz {
 
 World::~World() {
   for (FlowSlot& slot : flows_) destroy_flow(slot);
-  meander_cut_destroy(cut_);
   for (SurfaceSlot& slot : surfaces_) meander_surface_destroy(slot.handle);
   meander_context_destroy(context_);
 }
@@ -72,7 +71,6 @@ void World::call_getter() {
     case kFlowStatistics: flow_statistics(); break;
     case kHistory: history(); break;
     case kPolylines: polylines(); break;
-    case kGuides: guides(); break;
     case kNodes: nodes(); break;
     case kPointData: point_data(); break;
     case kGaps: gaps(); break;
@@ -85,15 +83,6 @@ void World::call_getter() {
 void World::call_cut() {
   switch (record_.op % kOpCount) {
     case kCut: cut_surface(); break;
-    case kCutVertices: cut_vertices(); break;
-    case kCutFaces: cut_faces(); break;
-    case kCutLine: cut_line(); break;
-    case kCutDestroy:
-      transcript_.line("meander_cut_destroy(cut);");
-      transcript_.line("cut = nullptr;");
-      meander_cut_destroy(cut_);
-      cut_ = nullptr;
-      break;
     default: break;
   }
 }

@@ -108,14 +108,10 @@ class World {
   void flow_statistics();
   void history();
   void polylines();
-  void guides();
   void nodes();
   void point_data();
   void gaps();
   void cut_surface();
-  void cut_vertices();
-  void cut_faces();
-  void cut_line();
   void free_functions();
   void cost();
   void several_threads();
@@ -137,7 +133,6 @@ class World {
   Record record_{};
   SurfaceSlot surfaces_[2];
   FlowSlot flows_[2];
-  meander_cut* cut_ = nullptr;
   meander_context* context_ = nullptr;
   bool cancelled_ = false;
   Sized<meander_error> error_;

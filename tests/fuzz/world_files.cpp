@@ -94,31 +94,18 @@ void World::read_polygons() {
   size_t size = 0;
   const auto given_text = text(memory, size);
   const uint32_t kind = record_.d < 240 ? record_.a % 3u : record_.d;
-  const size_t room = room_for(size), points_room = missing(1) ? 0 : room, corners_room = missing(2) ? 0 : room;
-  Outputs outputs(transcript_);
-  const auto positions = outputs.array<double>("positions", 3 * points_room, missing(1), true);
-  const auto corners = outputs.array<uint32_t>("corners", corners_room, missing(2));
-  const auto ends = outputs.array<uint64_t>("ends", room, missing(3));
-  const auto lines = outputs.array<uint32_t>("lines", room, missing(4));
-  size_t points = 0, used = 0, polygons = 0, left_out = 0;
-  transcript_.line("size_t points = 0, used = 0, polygons = 0, left_out = 0;");
-  const meander_status status =
-      call("meander_text_read_polygons", meander_text_read_polygons, given_text, shown(size), shown(kind), positions,
-           shown(points_room), out(points, "points"), corners, shown(corners_room), out(used, "used"), ends, lines,
-           shown(room), out(polygons, "polygons"), out(left_out, "left_out"));
-  if (status != MEANDER_STATUS_OK || points > points_room || used > corners_room || polygons > room) return;
+  Filled<meander_polygons> polygons(transcript_, "meander_polygons", "polygons", missing(1), missing(2));
+  const meander_status status = call("meander_text_read_polygons", meander_text_read_polygons, given_text, shown(size),
+                                     shown(kind), polygons.shown());
+  if (!polygons.check(status)) return;
   uint64_t before = 0;
-  for (size_t p = 0; p < polygons; ++p) {
-    if (ends.value[p] < before || ends.value[p] > used) fail(transcript_, "ends of polygons that fall");
-    before = ends.value[p];
-    if (lines.value && (lines.value[p] == 0 || lines.value[p] > size + 1)) {
-      fail(transcript_, "a line that is not there");
-    }
+  for (size_t p = 0; p < polygons->polygon_count; ++p) {
+    if (polygons->ends[p] < before) fail(transcript_, "ends of polygons that fall");
+    before = polygons->ends[p];
+    if (polygons->lines[p] == 0 || polygons->lines[p] > size + 1) fail(transcript_, "a line that is not there");
   }
-  if (before != used) fail(transcript_, "corners of no polygon");
-  for (size_t c = 0; c < used; ++c) {
-    if (corners.value[c] >= points) fail(transcript_, "a corner that is no point");
-  }
+  if (before != polygons->corner_count) fail(transcript_, "corners of no polygon");
+  polygons.indices(polygons->corners, polygons->corner_count, polygons->point_count);
 }
 
 void World::read_numbers() {
@@ -151,33 +138,22 @@ void World::triangulate() {
     transcript_.line("std::vector<uint32_t> corners = " + written(corners) + ";");
     transcript_.line("std::vector<uint64_t> ends = " + written(ends) + ";");
   }
-  const size_t room = room_for(corners.size());
-  Outputs outputs(transcript_);
-  const auto triangles = outputs.array<uint32_t>("triangles", missing(3) ? 0 : 3 * room, missing(3));
-  const auto polygons = outputs.array<uint32_t>("polygons", room, missing(4));
-  size_t count = 0;
-  transcript_.line("size_t count = 0;");
+  Filled<meander_triangles> triangles(transcript_, "meander_triangles", "triangles", missing(3), missing(4));
   auto vertices = given(in_.vertices, "vertices");
   auto given_corners = given(corners, "corners");
   auto given_ends = given(ends, "ends");
   if (missing(0)) vertices = {nullptr, "nullptr"};
   if (missing(1)) given_corners = {nullptr, "nullptr"};
   if (missing(2)) given_ends = {nullptr, "nullptr"};
-  const size_t capacity = missing(3) ? 0 : room;
   const meander_status status =
       call("meander_polygons_triangulate", meander_polygons_triangulate, vertices, shown(in_.vertex_count()),
-           given_corners, shown(corners.size()), given_ends, shown(ends.size()), triangles, polygons, shown(capacity),
-           out(count, "count"));
-  if (status != MEANDER_STATUS_OK || count > capacity) {
-    outputs.check(false);
-    return;
-  }
-  if (count > corners.size()) fail(transcript_, "more triangles than corners");
-  for (size_t t = 0; t < count; ++t) {
-    if (polygons.value && polygons.value[t] >= ends.size()) fail(transcript_, "a triangle of no polygon");
-    for (size_t k = 0; k < 3; ++k) {
-      const uint32_t v = triangles.value[3 * t + k];
-      if (std::find(corners.begin(), corners.end(), v) == corners.end()) fail(transcript_, "a corner of no polygon");
+           given_corners, shown(corners.size()), given_ends, shown(ends.size()), triangles.shown());
+  if (!triangles.check(status)) return;
+  if (triangles->count > corners.size()) fail(transcript_, "more triangles than corners");
+  triangles.indices(triangles->polygons, triangles->count, ends.size());
+  for (size_t k = 0; k < 3 * triangles->count; ++k) {
+    if (std::find(corners.begin(), corners.end(), triangles->corners[k]) == corners.end()) {
+      fail(transcript_, "a corner of no polygon");
     }
   }
 }

@@ -214,28 +214,12 @@ void World::wait_for_flow() {
 void World::preview() {
   if (!spend(1)) return;
   const auto handle = flow_handle();
-  auto given = made(kPreviewStruct, meander_preview{});
-  auto figures = sized(given, "preview", "meander_preview{}");
-  if (missing(4)) figures = {nullptr, "nullptr"};
-  size_t points = 0, strands = 0;
-  const auto get = [&](Shown<double*> positions, Shown<double*> normals, size_t point_room, Shown<uint64_t*> offsets,
-                       Shown<uint8_t*> closed, size_t strand_room) {
-    return call("meander_flow_get_preview", meander_flow_get_preview, handle, figures, positions, normals,
-                shown(point_room), out(points, "point_count"), offsets, closed, shown(strand_room),
-                out(strands, "strand_count"));
-  };
-  const Shown<double*> none{nullptr, "nullptr"};
-  if (get(none, none, 0, {nullptr, "nullptr"}, {nullptr, "nullptr"}, 0) != MEANDER_STATUS_OK) return;
-  const size_t point_room = room_for(points), strand_room = has(kShort) ? strands : room_for(strands);
-  Outputs outputs(transcript_);
-  const auto positions = outputs.array<double>("positions", 3 * point_room, missing(0));
-  const auto normals = outputs.array<double>("normals", 3 * point_room, missing(1));
-  const auto offsets = outputs.array<uint64_t>("offsets_out", strand_room + 1, missing(2));
-  const auto closed = outputs.array<uint8_t>("closed_out", strand_room, missing(3));
-  const meander_status status = get(positions, normals, point_room, offsets, closed, strand_room);
-  // Counts may be those of a newer copy, so only what must not be written is compared.
-  if (status == MEANDER_STATUS_OK && points == point_room && strands == strand_room) outputs.check(true);
-  if (status != MEANDER_STATUS_OK || points > point_room || strands > strand_room) outputs.check(false);
+  Filled<meander_preview> preview(transcript_, "meander_preview", "preview", missing(4), missing(0));
+  const meander_status status =
+      call("meander_flow_take_preview", meander_flow_take_preview, handle, preview.shown());
+  if (!preview.check(status)) return;
+  preview.numbers(preview->positions, 3 * preview->point_count);
+  preview.offsets(preview->offsets, preview->strand_count, preview->point_count);
 }
 
 void World::revise_flow() {

@@ -54,123 +54,68 @@ void World::history() {
 
 void World::polylines() {
   if (!spend(1)) return;
-  const auto handle = constant(flow_handle());
-  size_t points = 0, strands = 0;
-  const auto get = [&](Shown<double*> positions, Shown<double*> normals, size_t point_room, Shown<uint64_t*> offsets,
-                       Shown<uint8_t*> closed, size_t strand_room) {
-    return call("meander_flow_get_polylines", meander_flow_get_polylines, handle, positions, normals,
-                shown(point_room), out(points, "point_count"), offsets, closed, shown(strand_room),
-                out(strands, "strand_count"));
-  };
-  const Shown<double*> none{nullptr, "nullptr"};
-  if (get(none, none, 0, {nullptr, "nullptr"}, {nullptr, "nullptr"}, 0) != MEANDER_STATUS_OK) return;
-  const size_t point_room = room_for(points), strand_room = record_.a % 2 ? room_for(strands) : strands;
-  Outputs outputs(transcript_);
-  const auto positions = outputs.array<double>("positions", 3 * point_room, missing(0));
-  const auto normals = outputs.array<double>("normals", 3 * point_room, missing(1));
-  const auto offsets = outputs.array<uint64_t>("offsets_out", strand_room + 1, missing(2));
-  const auto closed = outputs.array<uint8_t>("closed_out", strand_room, missing(3));
-  const meander_status status = get(positions, normals, point_room, offsets, closed, strand_room);
-  outputs.check(status == MEANDER_STATUS_OK && points <= point_room && strands <= strand_room);
-  if (status != MEANDER_STATUS_OK || !normals.value || points > point_room || strands > strand_room) return;
-  for (size_t i = 0; i < points; ++i) {
-    const double* n = normals.value + 3 * i;
-    const double length = std::hypot(n[0], n[1], n[2]);
-    if (!(std::abs(length - 1) < 1e-6)) fail(transcript_, "a normal that is not of length 1");
+  Filled<meander_polylines> curve(transcript_, "meander_polylines", "curve", missing(0), missing(1));
+  const meander_status status =
+      call("meander_flow_get_polylines", meander_flow_get_polylines, constant(flow_handle()), curve.shown());
+  if (!curve.check(status)) return;
+  curve.numbers(curve->positions, 3 * curve->point_count);
+  curve.offsets(curve->offsets, curve->strand_count, curve->point_count);
+  for (size_t s = 0; s < curve->strand_count; ++s) {
+    if (curve->closed[s] > 1 || curve->guides[s] > 1) fail(transcript_, "a flag that is neither 0 nor 1");
   }
-}
-
-void World::guides() {
-  const auto handle = constant(flow_handle());
-  size_t count = 0;
-  const auto get = [&](Shown<uint8_t*> array, size_t room) {
-    return call("meander_flow_get_guides", meander_flow_get_guides, handle, array, shown(room), out(count, "count"));
-  };
-  if (get({nullptr, "nullptr"}, 0) != MEANDER_STATUS_OK) return;
-  const size_t room = room_for(count);
-  Outputs outputs(transcript_);
-  const meander_status status = get(outputs.array<uint8_t>("guides_out", room, missing(0)), room);
-  outputs.check(status == MEANDER_STATUS_OK && count <= room);
 }
 
 void World::nodes() {
   if (!spend(1)) return;
-  const auto handle = constant(flow_handle());
-  size_t count = 0;
-  const auto get = [&](Shown<uint32_t*> faces, Shown<double*> weights, Shown<double*> radii, Shown<uint8_t*> fixed,
-                       size_t room) {
-    return call("meander_flow_get_nodes", meander_flow_get_nodes, handle, faces, weights, radii, fixed, shown(room),
-                out(count, "count"));
-  };
-  const Shown<double*> none{nullptr, "nullptr"};
-  if (get({nullptr, "nullptr"}, none, none, {nullptr, "nullptr"}, 0) != MEANDER_STATUS_OK) return;
-  const size_t room = room_for(count);
-  Outputs outputs(transcript_);
-  const auto faces = outputs.array<uint32_t>("faces_out", room, missing(0));
-  const auto weights = outputs.array<double>("weights", 3 * room, missing(1));
-  const auto radii = outputs.array<double>("radii", 2 * room, missing(2));
-  const auto fixed = outputs.array<uint8_t>("fixed_out", room, missing(3));
-  const meander_status status = get(faces, weights, radii, fixed, room);
-  const bool written = status == MEANDER_STATUS_OK && count <= room;
-  outputs.check(written);
-  const size_t face_count = flow().shape.faces.size() / 3;
-  for (size_t i = 0; written && faces.value && i < count; ++i) {
-    if (faces.value[i] >= face_count) fail(transcript_, "a node on a face that is not there");
-  }
+  Filled<meander_nodes> nodes(transcript_, "meander_nodes", "nodes", missing(0), missing(1));
+  const meander_status status =
+      call("meander_flow_get_nodes", meander_flow_get_nodes, constant(flow_handle()), nodes.shown());
+  if (!nodes.check(status)) return;
+  nodes.indices(nodes->faces, nodes->count, flow().shape.faces.size() / 3);
+  nodes.numbers(nodes->barycentrics, 3 * nodes->count);
+  nodes.numbers(nodes->radii, 2 * nodes->count);
 }
 
 void World::point_data() {
   if (!spend(4)) return;
   FlowSlot& slot = flow();
-  const auto handle = flow_handle();
-  size_t count = 0;
-  const auto get = [&](Shown<double*> lengths, Shown<double*> normals, Shown<double*> tangents, Shown<double*> radii,
-                       Shown<uint32_t*> faces, Shown<double*> weights, size_t room) {
-    return call("meander_flow_compute_point_data", meander_flow_compute_point_data, handle, lengths, normals, tangents,
-                radii, faces, weights, shown(room), out(count, "count"), context());
-  };
-  const Shown<double*> none{nullptr, "nullptr"};
-  if (get(none, none, none, none, {nullptr, "nullptr"}, none, 0) != MEANDER_STATUS_OK) return;
-  const size_t room = room_for(count);
-  Outputs outputs(transcript_);
-  const auto lengths = outputs.array<double>("lengths", room, missing(0));
-  const auto normals = outputs.array<double>("normals", 3 * room, missing(1));
-  const auto tangents = outputs.array<double>("tangents", 3 * room, missing(2));
-  const auto radii = outputs.array<double>("radii", 2 * room, missing(3));
-  const auto faces = outputs.array<uint32_t>("faces_out", room, missing(4));
-  const auto weights = outputs.array<double>("weights", 3 * room, missing(5));
-  const meander_status status = get(lengths, normals, tangents, radii, faces, weights, room);
-  if (count <= room) check_refusal_of_cancelled(status);  // else there is no work, and no context is asked
-  outputs.check(status == MEANDER_STATUS_OK && count <= room);
+  const uint32_t parts = record_.a % 40;
+  Filled<meander_point_data> data(transcript_, "meander_point_data", "data", missing(0), missing(1));
+  const meander_status status = call("meander_flow_compute_point_data", meander_flow_compute_point_data, flow_handle(),
+                                     shown(parts), data.shown(), context());
+  check_refusal_of_cancelled(status);
+  if (data.check(status)) {
+    const auto wanted = [&](uint32_t part, size_t columns) { return parts & part ? columns * data->count : 0; };
+    data.numbers(data->arc_lengths, wanted(MEANDER_POINT_PARTS_ARC_LENGTHS, 1));
+    data.numbers(data->normals, wanted(MEANDER_POINT_PARTS_NORMALS, 3));
+    data.numbers(data->tangents, wanted(MEANDER_POINT_PARTS_TANGENTS, 3));
+    data.numbers(data->radii, wanted(MEANDER_POINT_PARTS_RADII, 2));
+    data.numbers(data->barycentrics, wanted(MEANDER_POINT_PARTS_PLACES, 3));
+    data.indices(data->faces, wanted(MEANDER_POINT_PARTS_PLACES, 1), slot.shape.faces.size() / 3);
+    for (size_t i = 0; i < wanted(MEANDER_POINT_PARTS_NORMALS, 1); ++i) {
+      const double* n = data->normals + 3 * i;
+      if (!(std::abs(std::hypot(n[0], n[1], n[2]) - 1) < 1e-6)) fail(transcript_, "a normal that is not of length 1");
+    }
+  }
   after_change(slot, status, !slot.moved_on);
 }
 
 void World::gaps() {
   if (!spend(10)) return;
   FlowSlot& slot = flow();
-  const auto handle = flow_handle();
   const double least = record_.b ? hostile(record_.b) : record_.a / 64.0;
-  size_t count = 0;
-  const auto find = [&](Shown<double*> positions, Shown<double*> radii, Shown<double*> sizes, Shown<uint32_t*> faces,
-                        size_t room) {
-    return call("meander_flow_find_gaps", meander_flow_find_gaps, handle, shown(least), positions, radii, sizes, faces,
-                shown(room), out(count, "count"), context());
-  };
-  const Shown<double*> none{nullptr, "nullptr"};
-  if (find(none, none, none, {nullptr, "nullptr"}, 0) != MEANDER_STATUS_OK) return;
-  const size_t needed = count, room = room_for(count);
-  Outputs outputs(transcript_);
-  const auto positions = outputs.array<double>("positions", 3 * room, missing(0));
-  const auto radii = outputs.array<double>("radii", room, missing(1));
-  const auto sizes = outputs.array<double>("sizes", room, missing(2));
-  const auto faces = outputs.array<uint32_t>("faces_out", room, missing(3));
-  const meander_status status = find(positions, radii, sizes, faces, room);
+  Filled<meander_gaps> gaps(transcript_, "meander_gaps", "gaps", missing(0), missing(1));
+  const meander_status status = call("meander_flow_find_gaps", meander_flow_find_gaps, flow_handle(), shown(least),
+                                     gaps.shown(), context());
   check_refusal_of_cancelled(status);
-  const bool written = status == MEANDER_STATUS_OK && count <= room;
-  outputs.check(written);
-  if (status == MEANDER_STATUS_OK && count != needed) fail(transcript_, "another number of gaps in the second call");
-  for (size_t i = 1; written && sizes.value && i < count; ++i) {
-    if (sizes.value[i] > sizes.value[i - 1]) fail(transcript_, "gaps that become larger");
+  if (gaps.check(status)) {
+    gaps.numbers(gaps->positions, 3 * gaps->count);
+    gaps.numbers(gaps->radii, gaps->count);
+    gaps.numbers(gaps->sizes, gaps->count);
+    gaps.indices(gaps->faces, gaps->count, slot.shape.faces.size() / 3);
+    for (size_t i = 1; i < gaps->count; ++i) {
+      if (gaps->sizes[i] > gaps->sizes[i - 1]) fail(transcript_, "gaps that become larger");
+    }
   }
   after_change(slot, status, !slot.moved_on);
 }
@@ -182,95 +127,26 @@ void World::cut_surface() {
   const double relative = detail / slot.shape.diagonal;
   if (relative > 0 && slot.shape.relative_area / relative / relative > 3000 && relative > 1e-8) return;  // takes long
   if (!spend(10)) return;
-  const auto handle = constant(flow_handle());
-  if (cut_) transcript_.line("meander_cut_destroy(cut);");
-  meander_cut_destroy(cut_);
-  cut_ = nullptr;
+  Filled<meander_cut> cut(transcript_, "meander_cut", "cut", has(kNoCount), missing(1));
   const meander_status status =
-      call("meander_flow_cut_surface", meander_flow_cut_surface, handle, shown(detail), shown(uint32_t{record_.c % 3u}),
-           has(kNoCount) ? Shown<meander_cut**>{nullptr, "nullptr"} : Shown<meander_cut**>{&cut_, "&cut"}, context());
+      call("meander_flow_cut_surface", meander_flow_cut_surface, constant(flow_handle()), shown(detail),
+           shown(uint32_t{record_.c % 3u}), cut.shown(), context());
   check_refusal_of_cancelled(status);
-  if ((status == MEANDER_STATUS_OK) != (cut_ != nullptr)) fail(transcript_, "a cut without success");
-}
-
-void World::cut_vertices() {
-  const Shown<const meander_cut*> handle{has(kNoHandle) ? nullptr : cut_, has(kNoHandle) ? "nullptr" : "cut"};
-  size_t count = 0;
-  const auto get = [&](Shown<double*> positions, Shown<double*> distances, Shown<uint32_t*> faces,
-                       Shown<double*> weights, size_t room) {
-    return call("meander_cut_get_vertices", meander_cut_get_vertices, handle, positions, distances, faces, weights,
-                shown(room), out(count, "count"));
-  };
-  const Shown<double*> none{nullptr, "nullptr"};
-  if (get(none, none, {nullptr, "nullptr"}, none, 0) != MEANDER_STATUS_OK) return;
-  const size_t room = room_for(count);
-  Outputs outputs(transcript_);
-  const auto positions = outputs.array<double>("positions", 3 * room, missing(0));
-  const auto distances = outputs.array<double>("distances", room, missing(1), true);
-  const auto faces = outputs.array<uint32_t>("faces_out", room, missing(2));
-  const auto weights = outputs.array<double>("weights", 3 * room, missing(3));
-  const meander_status status = get(positions, distances, faces, weights, room);
-  outputs.check(status == MEANDER_STATUS_OK && count <= room);
-}
-
-void World::cut_faces() {
-  const Shown<const meander_cut*> handle{has(kNoHandle) ? nullptr : cut_, has(kNoHandle) ? "nullptr" : "cut"};
-  size_t count = 0, vertex_count = 0;
-  const auto get = [&](Shown<uint32_t*> vertices, Shown<uint32_t*> origins, Shown<uint32_t*> strands,
-                       Shown<uint32_t*> regions, Shown<int32_t*> sides, Shown<int32_t*> nearest, Shown<double*> along,
-                       Shown<double*> distances, Shown<double*> weights, size_t room) {
-    return call("meander_cut_get_faces", meander_cut_get_faces, handle, vertices, origins, strands, regions, sides,
-                nearest, along, distances, weights, shown(room), out(count, "count"));
-  };
-  const Shown<double*> none{nullptr, "nullptr"};
-  const Shown<uint32_t*> no_words{nullptr, "nullptr"};
-  const Shown<int32_t*> no_signs{nullptr, "nullptr"};
-  if (get(no_words, no_words, no_words, no_words, no_signs, no_signs, none, none, none, 0) != MEANDER_STATUS_OK) return;
-  meander_cut_get_vertices(handle.value, nullptr, nullptr, nullptr, nullptr, 0, &vertex_count, nullptr);
-  const size_t room = room_for(count);
-  Outputs outputs(transcript_);
-  const auto vertices = outputs.array<uint32_t>("cut_faces", 3 * room, missing(0));
-  const auto origins = outputs.array<uint32_t>("origins", room, missing(1));
-  const auto strands = outputs.array<uint32_t>("strands", room, missing(2));
-  const auto regions = outputs.array<uint32_t>("regions", room, missing(3));
-  const auto sides = outputs.array<int32_t>("sides", room, missing(4));
-  const auto nearest = outputs.array<int32_t>("nearest_sides", room, missing(5));
-  const auto along = outputs.array<double>("along", 3 * room, missing(6));
-  const auto distances = outputs.array<double>("distances", 3 * room, missing(7), true);
-  const auto weights = outputs.array<double>("weights", 9 * room, false);
-  const meander_status status =
-      get(vertices, origins, strands, regions, sides, nearest, along, distances, weights, room);
-  const bool written = status == MEANDER_STATUS_OK && count <= room;
-  outputs.check(written);
-  for (size_t i = 0; written && vertices.value && i < 3 * count; ++i) {
-    if (vertices.value[i] >= vertex_count) fail(transcript_, "a corner of a cut that is not there");
-  }
-}
-
-void World::cut_line() {
-  const Shown<const meander_cut*> handle{has(kNoHandle) ? nullptr : cut_, has(kNoHandle) ? "nullptr" : "cut"};
-  size_t points = 0, strands = 0;
-  const auto get = [&](Shown<uint32_t*> vertices, Shown<double*> arcs, size_t point_room, Shown<uint64_t*> offsets,
-                       Shown<uint32_t*> names, Shown<uint8_t*> closed, Shown<double*> lengths, size_t strand_room) {
-    return call("meander_cut_get_line", meander_cut_get_line, handle, vertices, arcs, shown(point_room),
-                out(points, "point_count"), offsets, names, closed, lengths, shown(strand_room),
-                out(strands, "strand_count"));
-  };
-  const Shown<double*> none{nullptr, "nullptr"};
-  const Shown<uint32_t*> no_words{nullptr, "nullptr"};
-  const meander_status asked =
-      get(no_words, none, 0, {nullptr, "nullptr"}, no_words, {nullptr, "nullptr"}, none, 0);
-  if (asked != MEANDER_STATUS_OK) return;
-  const size_t point_room = room_for(points), strand_room = record_.a % 2 ? room_for(strands) : strands;
-  Outputs outputs(transcript_);
-  const auto vertices = outputs.array<uint32_t>("vertices_out", point_room, missing(0));
-  const auto arcs = outputs.array<double>("arc_lengths", point_room, missing(1));
-  const auto offsets = outputs.array<uint64_t>("offsets_out", strand_room + 1, missing(2));
-  const auto names = outputs.array<uint32_t>("strands", strand_room, missing(3));
-  const auto closed = outputs.array<uint8_t>("closed_out", strand_room, missing(4));
-  const auto lengths = outputs.array<double>("lengths", strand_room, missing(5));
-  const meander_status status = get(vertices, arcs, point_room, offsets, names, closed, lengths, strand_room);
-  outputs.check(status == MEANDER_STATUS_OK && points <= point_room && strands <= strand_room);
+  if (!cut.check(status)) return;
+  const size_t vertices = cut->vertex_count, faces = cut->face_count, given = slot.shape.faces.size() / 3;
+  cut.numbers(cut->positions, 3 * vertices);
+  cut.numbers(cut->distances, vertices, true);
+  cut.numbers(cut->vertex_weights, 3 * vertices);
+  cut.numbers(cut->along, 3 * faces);
+  cut.numbers(cut->face_distances, 3 * faces, true);
+  cut.numbers(cut->corner_weights, 9 * faces);
+  cut.numbers(cut->arc_lengths, cut->point_count);
+  cut.numbers(cut->lengths, cut->strand_count);
+  cut.indices(cut->vertex_faces, vertices, given);
+  cut.indices(cut->origins, faces, given);
+  cut.indices(cut->faces, 3 * faces, vertices);
+  cut.indices(cut->line_vertices, cut->point_count, vertices);
+  cut.offsets(cut->offsets, cut->strand_count, cut->point_count);
 }
 
 }  // namespace meander::fuzz

@@ -71,36 +71,20 @@ void World::surface_statistics() {
 void World::find_faults() {
   if (!spend(1)) return;
   const double weld = record_.b ? hostile(record_.b) : record_.a / 64.0;
-  size_t count = 0;
   auto vertices = given(in_.vertices, "vertices");
   auto faces = given(in_.faces, "faces");
   if (missing(2)) vertices = {nullptr, "nullptr"};
   if (missing(3)) faces = {nullptr, "nullptr"};
-  const auto find = [&](Shown<uint32_t*> kinds, Shown<uint32_t*> elements, size_t capacity) {
-    return call("meander_mesh_find_faults", meander_mesh_find_faults, vertices, shown(in_.vertex_count()), faces,
-                shown(in_.face_count()), shown(weld), kinds, elements, shown(capacity), out(count, "count"), context());
-  };
-  const Shown<uint32_t*> none{nullptr, "nullptr"};
-  if (find(none, none, 0) != MEANDER_STATUS_OK) return;
-  const size_t needed = count, room = room_for(needed);
-  Outputs outputs(transcript_);
-  const auto kinds = outputs.array<uint32_t>("kinds", room, missing(0));
-  const auto elements = outputs.array<uint32_t>("elements", 2 * room, missing(1));
-  const meander_status status = find(kinds, elements, room);
+  Filled<meander_faults> faults(transcript_, "meander_faults", "faults", missing(0), missing(1));
+  const meander_status status =
+      call("meander_mesh_find_faults", meander_mesh_find_faults, vertices, shown(in_.vertex_count()), faces,
+           shown(in_.face_count()), shown(weld), faults.shown(), context());
   check_refusal_of_cancelled(status);
-  outputs.check(status == MEANDER_STATUS_OK && count <= room);
-  if (status != MEANDER_STATUS_OK || count > room) return;
-  if (count != needed) fail(transcript_, "another number of faults in the second call");
-  for (size_t i = 0; i < room; ++i) {
-    if (kinds.value && kinds.value[i] > MEANDER_FAULT_SEAM) fail(transcript_, "a fault of no kind");
-    const bool of_face = kinds.value && (kinds.value[i] == MEANDER_FAULT_NO_AREA ||
-                                         kinds.value[i] == MEANDER_FAULT_DOUBLED_FACE);
-    if (!kinds.value || !elements.value) continue;
-    for (size_t k = 0; k < 2; ++k) {
-      if (elements.value[2 * i + k] >= (of_face ? in_.face_count() : in_.vertex_count())) {
-        fail(transcript_, "a fault of an element that is not there");
-      }
-    }
+  if (!faults.check(status)) return;
+  faults.indices(faults->kinds, faults->count, MEANDER_FAULT_SEAM + 1);
+  for (size_t i = 0; i < faults->count; ++i) {
+    const bool of_face = faults->kinds[i] == MEANDER_FAULT_NO_AREA || faults->kinds[i] == MEANDER_FAULT_DOUBLED_FACE;
+    faults.indices(faults->elements + 2 * i, 2, of_face ? in_.face_count() : in_.vertex_count());
   }
 }
 
@@ -190,25 +174,15 @@ void World::outlines() {
   if (spacing > 0 && spacing < 0.02 * shape.diagonal) return;
   if (distance >= 0.1 * spacing && distance < 0.05 * shape.diagonal) return;
   const auto handle = surface_handle();
-  size_t points = 0, strands = 0, skipped = 0;
-  const auto find = [&](Shown<double*> positions, size_t point_room, Shown<uint64_t*> offsets,
-                        Shown<uint8_t*> closed, size_t strand_room) {
-    return call("meander_surface_find_outlines", meander_surface_find_outlines,
-                Shown<const meander_surface*>{handle.value, handle.text}, shown(distance), shown(spacing), positions,
-                shown(point_room), out(points, "point_count"), offsets, closed, shown(strand_room),
-                out(strands, "strand_count"),
-                missing(3) ? Shown<size_t*>{nullptr, "nullptr"} : Shown<size_t*>{&skipped, "&count"}, context());
-  };
-  const meander_status asked = find({nullptr, "nullptr"}, 0, {nullptr, "nullptr"}, {nullptr, "nullptr"}, 0);
-  if (asked != MEANDER_STATUS_OK) return;
-  const size_t point_room = room_for(points), strand_room = has(kShort) ? strands : room_for(strands);
-  Outputs outputs(transcript_);
-  const auto positions = outputs.array<double>("positions", 3 * point_room, missing(0));
-  const auto offsets = outputs.array<uint64_t>("offsets", strand_room + 1, missing(1));
-  const auto closed = outputs.array<uint8_t>("closed", strand_room, missing(2));
-  const meander_status status = find(positions, point_room, offsets, closed, strand_room);
+  Filled<meander_outlines> outlines(transcript_, "meander_outlines", "outlines", missing(0), missing(1));
+  const meander_status status =
+      call("meander_surface_find_outlines", meander_surface_find_outlines,
+           Shown<const meander_surface*>{handle.value, handle.text}, shown(distance), shown(spacing),
+           outlines.shown(), context());
   check_refusal_of_cancelled(status);
-  outputs.check(status == MEANDER_STATUS_OK && points <= point_room && strands <= strand_room);
+  if (!outlines.check(status)) return;
+  outlines.numbers(outlines->positions, 3 * outlines->point_count);
+  outlines.offsets(outlines->offsets, outlines->strand_count, outlines->point_count);
 }
 
 void World::cost() {

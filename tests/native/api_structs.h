@@ -17,6 +17,15 @@ inline meander_status init(meander_surface_statistics* s) { return meander_surfa
 inline meander_status init(meander_flow_statistics* s) { return meander_flow_statistics_init(s, sizeof *s); }
 inline meander_status init(meander_extent* s) { return meander_extent_init(s, sizeof *s); }
 inline meander_status init(meander_cost* s) { return meander_cost_init(s, sizeof *s); }
+inline meander_status init(meander_polygons* s) { return meander_polygons_init(s, sizeof *s); }
+inline meander_status init(meander_triangles* s) { return meander_triangles_init(s, sizeof *s); }
+inline meander_status init(meander_faults* s) { return meander_faults_init(s, sizeof *s); }
+inline meander_status init(meander_outlines* s) { return meander_outlines_init(s, sizeof *s); }
+inline meander_status init(meander_polylines* s) { return meander_polylines_init(s, sizeof *s); }
+inline meander_status init(meander_nodes* s) { return meander_nodes_init(s, sizeof *s); }
+inline meander_status init(meander_point_data* s) { return meander_point_data_init(s, sizeof *s); }
+inline meander_status init(meander_gaps* s) { return meander_gaps_init(s, sizeof *s); }
+inline meander_status init(meander_cut* s) { return meander_cut_init(s, sizeof *s); }
 inline meander_status init(meander_flow_options* s) {
   return meander_flow_options_init(s, sizeof *s, MEANDER_PRESET_EVEN);
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "api_structs.h"
+#include "api_results.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -30,10 +30,14 @@ void note(const char* function) { called[called_count++ % called.size()] = funct
 using Bytes = std::string;
 
 template <class Value>
+void add(Bytes& bytes, const Value* values, size_t count) {
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+  if (values) bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
+}
+
+template <class Value>
 void add(Bytes& bytes, const std::vector<Value>& values) {
-  const size_t size = values.size() * sizeof(Value);
-  bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
-  bytes.append(reinterpret_cast<const char*>(values.data()), size);
+  add(bytes, values.data(), values.size());
 }
 
 /// A surface, and a flow on it, that a call is made on; with what the call hands out.
@@ -45,7 +49,7 @@ struct World {
   meander_surface* surface = nullptr;
   meander_flow* flow = nullptr;
   meander_flow* started = nullptr;  // another one, whose run has ended but was not waited for: nobody may look at it
-  meander_cut* cut = nullptr;
+  meander_cut cut = prepared<meander_cut>();
   meander_context* context = nullptr;
   std::vector<double> numbers = std::vector<double>(4096, 7), more = numbers;
   std::vector<uint32_t> indices = std::vector<uint32_t>(4096, 7);
@@ -58,7 +62,7 @@ struct World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
   ~World() {
-    meander_cut_destroy(cut);
+    meander_result_destroy(cut.result);
     meander_flow_destroy(flow);
     meander_flow_destroy(started);
     meander_surface_destroy(surface);
@@ -86,31 +90,20 @@ void add_surface(const meander_surface* surface, Bytes& bytes) {
 void add_flow(const meander_flow* flow, Bytes& bytes) {
   bytes += flow ? "flow" : "none";
   if (!flow) return;
-  size_t points = 0, strands = 0, nodes = 0, iterations = 0;
-  check(meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands, nullptr));
-  std::vector<double> positions(3 * points), normals(3 * points);
-  std::vector<uint64_t> offsets(strands + 1);
-  std::vector<uint8_t> closed(strands), guides(strands);
-  check(meander_flow_get_polylines(flow, positions.data(), normals.data(), points, &points, offsets.data(),
-                                   closed.data(), strands, &strands, nullptr));
-  check(meander_flow_get_guides(flow, guides.data(), strands, &strands, nullptr));
-  check(meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, nullptr));
-  std::vector<uint32_t> faces(nodes);
-  std::vector<double> weights(3 * nodes);
-  std::vector<uint8_t> fixed(nodes);
-  check(meander_flow_get_nodes(flow, faces.data(), weights.data(), nullptr, fixed.data(), nodes, &nodes, nullptr));
+  const auto curve = polylines_of(flow);
+  const auto nodes = nodes_of(flow);
+  size_t iterations = 0;
   check(meander_flow_get_history(flow, nullptr, sizeof(meander_iteration), 0, &iterations, nullptr));
   std::vector<meander_iteration> history(iterations);
   check(meander_flow_get_history(flow, history.data(), sizeof(meander_iteration), iterations, &iterations, nullptr));
   for (meander_iteration& record : history) record.seconds = 0;
-  add(bytes, positions);
-  add(bytes, normals);
-  add(bytes, offsets);
-  add(bytes, closed);
-  add(bytes, guides);
-  add(bytes, faces);
-  add(bytes, weights);
-  add(bytes, fixed);
+  add(bytes, curve->positions, 3 * curve->point_count);
+  add(bytes, curve->offsets, curve->strand_count + 1);
+  add(bytes, curve->closed, curve->strand_count);
+  add(bytes, curve->guides, curve->strand_count);
+  add(bytes, nodes->faces, nodes->count);
+  add(bytes, nodes->barycentrics, 3 * nodes->count);
+  add(bytes, nodes->fixed, nodes->count);
   add(bytes, history);
   bytes += std::to_string(meander_flow_stop_reason(flow));
 }
@@ -119,23 +112,15 @@ Bytes look(const World& world) {
   Bytes bytes;
   add_surface(world.surface, bytes);
   add_flow(world.flow, bytes);
-  bytes += world.cut ? "cut" : "none";
-  if (world.cut) {
-    size_t vertices = 0, faces = 0;
-    check(meander_cut_get_vertices(world.cut, nullptr, nullptr, nullptr, nullptr, 0, &vertices, nullptr));
-    check(meander_cut_get_faces(world.cut, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
-                                nullptr, 0, &faces, nullptr));
-    std::vector<double> positions(3 * vertices), distances(vertices), along(3 * faces);
-    std::vector<uint32_t> corners(3 * faces), regions(faces);
-    check(meander_cut_get_vertices(world.cut, positions.data(), distances.data(), nullptr, nullptr, vertices,
-                                   &vertices, nullptr));
-    check(meander_cut_get_faces(world.cut, corners.data(), nullptr, nullptr, regions.data(), nullptr, nullptr,
-                                along.data(), nullptr, nullptr, faces, &faces, nullptr));
-    add(bytes, positions);
-    add(bytes, distances);
-    add(bytes, along);
-    add(bytes, corners);
-    add(bytes, regions);
+  const meander_cut& cut = world.cut;
+  bytes += cut.result ? "cut" : "none";
+  if (cut.result) {
+    add(bytes, cut.positions, 3 * cut.vertex_count);
+    add(bytes, cut.distances, cut.vertex_count);
+    add(bytes, cut.along, 3 * cut.face_count);
+    add(bytes, cut.faces, 3 * cut.face_count);
+    add(bytes, cut.regions, cut.face_count);
+    add(bytes, cut.line_vertices, cut.point_count);
   }
   add(bytes, world.numbers);
   add(bytes, world.more);

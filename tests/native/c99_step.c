@@ -119,34 +119,23 @@ static void check_step_and_run(meander_flow* flow) {
   meander_context_destroy(context);
 }
 
-/* Two-call sizing. */
+/* A result, whose arrays are the library's until it is destroyed. */
 static void check_polylines(meander_flow* flow) {
   meander_error error;
   meander_error_init(&error, sizeof error);
-  size_t point_count = 0;
-  size_t strand_count = 0;
-  expect_ok(meander_flow_get_polylines(flow, NULL, NULL, 0, &point_count, NULL, NULL, 0,
-                                       &strand_count, &error),
-            &error, "meander_flow_get_polylines");
-  expect(point_count > 4 && strand_count == 1, "the first call tells the sizes");
-  double* positions = malloc(3 * point_count * sizeof *positions);
-  uint64_t* offsets = malloc((strand_count + 1) * sizeof *offsets);
-  uint8_t* closed = malloc(strand_count);
-  if (positions == NULL || offsets == NULL || closed == NULL) {
-    exit(EXIT_FAILURE);
-  }
-  expect_ok(meander_flow_get_polylines(flow, positions, NULL, point_count, &point_count, offsets,
-                                       closed, strand_count, &strand_count, &error),
-            &error, "meander_flow_get_polylines");
-  expect(offsets[0] == 0 && offsets[strand_count] == point_count && closed[0] == 1,
+  meander_polylines curve;
+  expect_ok(meander_polylines_init(&curve, sizeof curve), &error, "meander_polylines_init");
+  expect(curve.result == NULL && curve.positions == NULL, "a struct points nowhere before the call");
+  expect_ok(meander_flow_get_polylines(flow, &curve, &error), &error, "meander_flow_get_polylines");
+  expect(curve.point_count > 4 && curve.strand_count == 1, "the struct tells the sizes");
+  expect(curve.offsets[0] == 0 && curve.offsets[1] == curve.point_count && curve.closed[0] == 1,
          "offsets cover all points of the closed strand");
-  for (size_t i = 0; i < point_count; ++i) {
+  expect(curve.guides[0] == 0, "the strand is no guide");
+  for (size_t i = 0; i < curve.point_count; ++i) {
     /* The square lies in z = 0 and its vertices are exact there. */
-    expect(fabs(positions[3 * i + 2]) < 1e-12, "points lie on the surface");
+    expect(fabs(curve.positions[3 * i + 2]) < 1e-12, "points lie on the surface");
   }
-  free(closed);
-  free(offsets);
-  free(positions);
+  meander_result_destroy(curve.result);
 }
 
 /* An error has a status, an element and a sentence. */

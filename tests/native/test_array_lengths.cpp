@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "api_structs.h"
+#include "api_results.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -168,11 +168,11 @@ TEST_F(ArrayLengths, AreUntouchedByACancelledCall) {
   meander_context_cancel(context.get());
   const size_t count = mesh_.vertex_count();
   std::vector<double> values(3 * count, -5);
-  std::vector<uint32_t> faces(count, 7);
-  std::vector<uint64_t> offsets(9, 7);
-  std::vector<uint8_t> closed(8, 7);
+  Result<meander_outlines> outlines;
+  Result<meander_point_data> data;
+  Result<meander_gaps> gaps;
+  Result<meander_cut> cut;
   const uint64_t stroke[] = {0, 2};
-  size_t points = 99, strands = 99, skipped = 99;
   auto statistics = prepared<meander_flow_statistics>();
   meander_context* const c = context.get();
   meander_surface* no_surface = nullptr;
@@ -187,21 +187,18 @@ TEST_F(ArrayLengths, AreUntouchedByACancelledCall) {
            meander_surface_compute_stroke_directions(surface_, mesh_.vertices.data(), 2, stroke, 1, values.data(),
                                                      count, c, &error_),
            meander_surface_turn_directions(surface_, values.data(), values.data(), count, c, &error_),
-           meander_surface_find_outlines(surface_, 0.1, 0.2, values.data(), count, &points, offsets.data(),
-                                         closed.data(), 8, &strands, &skipped, c, &error_),
+           meander_surface_find_outlines(surface_, 0.1, 0.2, &outlines, c, &error_),
            meander_flow_compute_statistics(flow, &statistics, c, &error_),
-           meander_flow_compute_point_data(flow, values.data(), nullptr, nullptr, nullptr, faces.data(), nullptr,
-                                           count, &points, c, &error_),
-           meander_flow_find_gaps(flow, 0, values.data(), nullptr, nullptr, faces.data(), count, &points, c, &error_),
+           meander_flow_compute_point_data(flow, MEANDER_POINT_PARTS_ALL, &data, c, &error_),
+           meander_flow_find_gaps(flow, 0, &gaps, c, &error_),
+           meander_flow_cut_surface(flow, 0, 0, &cut, c, &error_),
        }) {
     EXPECT_EQ(status, MEANDER_STATUS_CANCELLED);
     EXPECT_EQ(error_.status, MEANDER_STATUS_CANCELLED);
   }
   EXPECT_TRUE(no_surface == nullptr && no_flow == nullptr);
   EXPECT_EQ(values, std::vector<double>(3 * count, -5));
-  EXPECT_EQ(faces, std::vector<uint32_t>(count, 7));
-  EXPECT_EQ(offsets, std::vector<uint64_t>(9, 7));
-  EXPECT_TRUE(points == 99 && strands == 99 && skipped == 99 && statistics.nodes == 0);
+  EXPECT_TRUE(!outlines->result && !data->result && !gaps->result && !cut->result && statistics.nodes == 0);
   meander_flow_destroy(flow);
 }
 

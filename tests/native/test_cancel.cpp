@@ -20,6 +20,7 @@
 #include "mesh/closest_point.h"
 #include "mesh/fields.h"
 #include "mesh/normal_field.h"
+#include "api_results.h"
 #include "test_seeds.h"
 #include "under_sanitizer.h"
 
@@ -444,11 +445,10 @@ TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
        }},
       {"cut",
        [&](meander_context* context, std::vector<double>& output) {
-         meander_cut* cut = nullptr;
+         Result<meander_cut> cut;
          const meander_status status = meander_flow_cut_surface(flow, 0.02, 1, &cut, context, nullptr);
-         EXPECT_EQ(cut != nullptr, status == MEANDER_STATUS_OK);
-         if (cut) output[0] = 0;
-         meander_cut_destroy(cut);
+         EXPECT_EQ(cut->result != nullptr, status == MEANDER_STATUS_OK);
+         if (cut->result) output[0] = 0;
          return status;
        }},
   };

@@ -115,6 +115,27 @@ TEST_P(FailingCall, LeavesEverythingAsItWas) {
   RecordProperty("failures", std::to_string(failures));
 }
 
+/// What it takes to begin a run that is cancelled, on a ball of so many subdivisions.
+long allocations_of_a_start(int subdivisions) {
+  World world;
+  world.mesh = sphere(subdivisions);
+  world.make_surface();
+  check(open_ball_flow(world, 0.5, MEANDER_PRESET_EVEN, nullptr));
+  world.context = new_context();
+  meander_context_cancel(world.context);
+  return allocations_of([&] {
+    check(meander_flow_start(world.flow, world.context, nullptr));
+    EXPECT_EQ(meander_flow_wait(world.flow, nullptr), MEANDER_STATUS_CANCELLED);
+  });
+}
+
+/// The caller's thread copies the curve, and does no work that grows with the mesh. Normals of the surface would take
+/// an array, and another one for every pass of their smoothing.
+TEST(StartedRuns, TakeNoMoreOnAFinerMesh) {
+  allocations_of_a_start(2);  // the first one also takes what the process keeps
+  EXPECT_LE(allocations_of_a_start(5), allocations_of_a_start(2));
+}
+
 // ------------------------------------------------------------------------------------------------
 // Calls
 
@@ -179,20 +200,24 @@ std::vector<Call> surface_calls() {
   calls.push_back({"shared_surface", [](World& world) { world.mesh = sphere(4); }, create_surface});
   calls.push_back({"repaired_surface", make_faulty, repair});
   calls.push_back({"faults", make_faulty, [](World& world, meander_error* error) {
-                     return CALLED(mesh_find_faults)(world.mesh.vertices.data(), world.mesh.vertex_count(),
-                                                     world.mesh.faces.data(), world.mesh.face_count(), 1e-4,
-                                                     world.indices.data(), world.indices.data() + 1000, 1000,
-                                                     world.counts, nullptr, error);
+                     Result<meander_faults> faults;
+                     const meander_status status = CALLED(mesh_find_faults)(
+                         world.mesh.vertices.data(), world.mesh.vertex_count(), world.mesh.faces.data(),
+                         world.mesh.face_count(), 1e-4, &faults, nullptr, error);
+                     std::copy_n(faults->kinds, faults->count, world.indices.data());
+                     std::copy_n(faults->elements, 2 * faults->count, world.indices.data() + 1000);
+                     return status;
                    }});
   calls.push_back({"text", [](World&) {}, [](World& world, meander_error* error) {
-                     size_t left_out = 0;
                      constexpr std::string_view text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-                     return CALLED(text_read_polygons)(text.data(), text.size(), MEANDER_TEXT_OBJ_FACES,
-                                                       world.numbers.data(), 100, &world.counts[0],
-                                                       world.indices.data(), 100, &world.counts[1],
-                                                       world.offsets.data(), nullptr, 10, &world.counts[2],
-                                                       &left_out, error);
-                   }, [] { return std::vector<Bytes>(); }, kAll, Memory::kOfGuard});
+                     Result<meander_polygons> polygons;
+                     const meander_status status = CALLED(text_read_polygons)(
+                         text.data(), text.size(), MEANDER_TEXT_OBJ_FACES, &polygons, error);
+                     std::copy_n(polygons->positions, 3 * polygons->point_count, world.numbers.data());
+                     std::copy_n(polygons->corners, polygons->corner_count, world.indices.data());
+                     std::copy_n(polygons->ends, polygons->polygon_count, world.offsets.data());
+                     return status;
+                   }});
   calls.push_back({"numbers_of_text", [](World&) {}, [](World& world, meander_error* error) {
                      constexpr std::string_view text = "1 2.5\n-3e4 x";
                      return CALLED(text_read_numbers)(text.data(), text.size(), world.numbers.data(), 100,
@@ -202,8 +227,11 @@ std::vector<Call> surface_calls() {
                      const double ell[] = {0, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0, 1, 2, 0, 0, 2, 0};
                      const uint32_t corners[] = {0, 1, 2, 3, 4, 5};
                      const uint64_t ends[] = {6};
-                     return CALLED(polygons_triangulate)(ell, 6, corners, 6, ends, 1, world.indices.data(),
-                                                         world.indices.data() + 100, 10, &world.counts[0], error);
+                     Result<meander_triangles> triangles;
+                     const meander_status status =
+                         CALLED(polygons_triangulate)(ell, 6, corners, 6, ends, 1, &triangles, error);
+                     std::copy_n(triangles->corners, 3 * triangles->count, world.indices.data());
+                     return status;
                    }});
   for (const meander_curvature kind : {MEANDER_CURVATURE_GAUSSIAN, MEANDER_CURVATURE_CURVEDNESS}) {
     calls.push_back({"curvature_" + std::to_string(kind), make_ball, [=](World& world, meander_error* error) {
@@ -236,9 +264,12 @@ std::vector<Call> surface_calls() {
                      return status;
                    }});
   calls.push_back({"outlines", make_square, [](World& world, meander_error* error) {
-                     return CALLED(surface_find_outlines)(world.surface, 0.1, 0.3, world.numbers.data(), 1000,
-                                                          &world.counts[0], world.offsets.data(), world.flags.data(),
-                                                          60, &world.counts[1], &world.counts[2], nullptr, error);
+                     Result<meander_outlines> outlines;
+                     const meander_status status =
+                         CALLED(surface_find_outlines)(world.surface, 0.1, 0.3, &outlines, nullptr, error);
+                     std::copy_n(outlines->positions, 3 * outlines->point_count, world.numbers.data());
+                     if (outlines->result) world.counts[0] = outlines->strand_count;
+                     return status;
                    }});
   return calls;
 }
@@ -278,14 +309,9 @@ std::vector<Call> flow_calls() {
   calls.push_back({"watched_run", ball, [](World& world, meander_error* error) {
                      meander_status status = CALLED(flow_start)(world.flow, nullptr, error);
                      if (status != MEANDER_STATUS_OK) return status;
-                     auto preview = prepared<meander_preview>();
-                     size_t points = 0, strands = 0;
-                     status = CALLED(flow_get_preview)(world.flow, &preview, world.unseen.data(), nullptr, 1000,
-                                                       &points, world.offsets.data(), world.flags.data(), 60, &strands,
-                                                       error);
+                     Result<meander_preview> preview;
+                     status = CALLED(flow_take_preview)(world.flow, &preview, error);
                      const meander_status end = meander_flow_wait(world.flow, error);
-                     std::ranges::fill(world.offsets, 7);
-                     std::ranges::fill(world.flags, 7);
                      return status == MEANDER_STATUS_OK ? end : status;
                    }, states_of(ball, kLimit)});
   calls.push_back({"abandoned_run", ball, [](World& world, meander_error* error) {
@@ -319,9 +345,12 @@ std::vector<Call> flow_calls() {
 std::vector<Call> result_calls() {
   std::vector<Call> calls;
   calls.push_back({"gaps", seeded_flow(1), [](World& world, meander_error* error) {
-                     return CALLED(flow_find_gaps)(world.flow, 0, world.numbers.data(), world.more.data(),
-                                                   world.more.data() + 1000, world.indices.data(), 1000, world.counts,
-                                                   nullptr, error);
+                     Result<meander_gaps> gaps;
+                     const meander_status status = CALLED(flow_find_gaps)(world.flow, 0, &gaps, nullptr, error);
+                     std::copy_n(gaps->positions, 3 * gaps->count, world.numbers.data());
+                     std::copy_n(gaps->faces, gaps->count, world.indices.data());
+                     if (gaps->result) world.counts[0] = gaps->count;
+                     return status;
                    }});
   calls.push_back({"statistics", seeded_flow(2), [](World& world, meander_error* error) {
                      auto statistics = prepared<meander_flow_statistics>();
@@ -334,24 +363,33 @@ std::vector<Call> result_calls() {
                      return status;
                    }});
   calls.push_back({"point_data", seeded_flow(2), [](World& world, meander_error* error) {
-                     double* const numbers = world.numbers.data();
-                     return CALLED(flow_compute_point_data)(world.flow, numbers, numbers + 400, numbers + 1600,
-                                                            world.more.data(), world.indices.data(),
-                                                            world.more.data() + 1000, 400, world.counts, nullptr,
-                                                            error);
+                     Result<meander_point_data> data;
+                     const meander_status status = CALLED(flow_compute_point_data)(
+                         world.flow, MEANDER_POINT_PARTS_ALL, &data, nullptr, error);
+                     std::copy_n(data->normals, 3 * data->count, world.numbers.data());
+                     std::copy_n(data->radii, 2 * data->count, world.more.data());
+                     std::copy_n(data->faces, data->count, world.indices.data());
+                     return status;
                    }});
   calls.push_back({"polylines", seeded_flow(2), [](World& world, meander_error* error) {
-                     return CALLED(flow_get_polylines)(world.flow, world.numbers.data(), world.more.data(), 1000,
-                                                       &world.counts[0], world.offsets.data(), world.flags.data(), 60,
-                                                       &world.counts[1], error);
+                     Result<meander_polylines> curve;
+                     const meander_status status = CALLED(flow_get_polylines)(world.flow, &curve, error);
+                     std::copy_n(curve->positions, 3 * curve->point_count, world.numbers.data());
+                     std::copy_n(curve->guides, curve->strand_count, world.flags.data());
+                     return status;
+                   }});
+  calls.push_back({"nodes", seeded_flow(2), [](World& world, meander_error* error) {
+                     Result<meander_nodes> nodes;
+                     const meander_status status = CALLED(flow_get_nodes)(world.flow, &nodes, error);
+                     std::copy_n(nodes->radii, 2 * nodes->count, world.numbers.data());
+                     return status;
                    }});
   calls.push_back({"preview", make_started, [](World& world, meander_error* error) {
-                     auto preview = prepared<meander_preview>();
-                     const meander_status status = CALLED(flow_get_preview)(
-                         world.started, &preview, world.numbers.data(), world.more.data(), 1000, &world.counts[0],
-                         world.offsets.data(), world.flags.data(), 60, &world.counts[1], error);
-                     if (status == MEANDER_STATUS_OK) world.counts[2] = preview.serial;
-                     return with_room(status, world.counts[0], 1000);
+                     Result<meander_preview> preview;
+                     const meander_status status = CALLED(flow_take_preview)(world.started, &preview, error);
+                     std::copy_n(preview->positions, 3 * preview->point_count, world.numbers.data());
+                     if (preview->result) world.counts[2] = preview->serial;
+                     return status;
                    }});
   calls.push_back({"cut", seeded_flow(2), [](World& world, meander_error* error) {
                      return CALLED(flow_cut_surface)(world.flow, 0.1, 1, &world.cut, nullptr, error);
@@ -411,6 +449,15 @@ std::vector<Call> calls_that_cannot_fail() {
     init_struct(CALLED(cost_init));
     init_struct(CALLED(preview_init));
     init_struct(CALLED(flow_statistics_init));
+    init_struct(CALLED(polygons_init));
+    init_struct(CALLED(triangles_init));
+    init_struct(CALLED(faults_init));
+    init_struct(CALLED(outlines_init));
+    init_struct(CALLED(polylines_init));
+    init_struct(CALLED(nodes_init));
+    init_struct(CALLED(point_data_init));
+    init_struct(CALLED(gaps_init));
+    init_struct(CALLED(cut_init));
     meander_flow_options options;
     check(CALLED(flow_options_init)(&options, sizeof options, MEANDER_PRESET_FINEST));
     world.numbers[0] = options.length_weight;
@@ -430,8 +477,9 @@ std::vector<Call> calls_that_cannot_fail() {
                          [](World& world) { CALLED(flow_destroy)(std::exchange(world.flow, nullptr)); }));
   calls.push_back(silent("end_of_a_surface", make_square,
                          [](World& world) { CALLED(surface_destroy)(std::exchange(world.surface, nullptr)); }));
-  calls.push_back(silent("end_of_a_cut", make_cut,
-                         [](World& world) { CALLED(cut_destroy)(std::exchange(world.cut, nullptr)); }));
+  calls.push_back(silent("end_of_a_cut", make_cut, [](World& world) {
+    CALLED(result_destroy)(std::exchange(world.cut, prepared<meander_cut>()).result);
+  }));
   return calls;
 }
 
@@ -460,43 +508,12 @@ std::vector<Call> getters() {
   calls.push_back(quiet("wait", make_started, [](World& world, meander_error* error) {
     return CALLED(flow_wait)(world.started, error);
   }));
-  calls.push_back(quiet("guides", seeded_flow(2), [](World& world, meander_error* error) {
-    return with_room(CALLED(flow_get_guides)(world.flow, world.flags.data(), 60, world.counts, error),
-                     world.counts[0], 60);
-  }));
-  calls.push_back(quiet("nodes", seeded_flow(2), [](World& world, meander_error* error) {
-    auto* const fixed = reinterpret_cast<uint8_t*>(world.indices.data() + 1000);
-    return with_room(CALLED(flow_get_nodes)(world.flow, world.indices.data(), world.numbers.data(), world.more.data(),
-                                            fixed, 1000, world.counts, error),
-                     world.counts[0], 1000);
-  }));
   calls.push_back(quiet("history", seeded_flow(2), [](World& world, meander_error* error) {
     std::array<meander_iteration, 4> records{};
     const meander_status status = CALLED(flow_get_history)(world.flow, records.data(), sizeof(meander_iteration),
                                                            records.size(), world.counts, error);
     world.numbers[0] = records[1].length;
     return with_room(status, world.counts[0], records.size());
-  }));
-  calls.push_back(quiet("vertices_of_a_cut", make_cut, [](World& world, meander_error* error) {
-    double* const numbers = world.numbers.data();
-    return with_room(CALLED(cut_get_vertices)(world.cut, numbers, numbers + 1200, world.indices.data(),
-                                              world.more.data(), 400, world.counts, error),
-                     world.counts[0], 400);
-  }));
-  calls.push_back(quiet("faces_of_a_cut", make_cut, [](World& world, meander_error* error) {
-    uint32_t* const indices = world.indices.data();
-    auto* const sides = reinterpret_cast<int32_t*>(indices + 2400);
-    double* const numbers = world.numbers.data();
-    return with_room(CALLED(cut_get_faces)(world.cut, indices, indices + 1200, indices + 1600, indices + 2000, sides,
-                                           sides + 400, numbers, numbers + 1200, world.more.data(), 400, world.counts,
-                                           error),
-                     world.counts[0], 400);
-  }));
-  calls.push_back(quiet("line_of_a_cut", make_cut, [](World& world, meander_error* error) {
-    const meander_status status = CALLED(cut_get_line)(
-        world.cut, world.indices.data(), world.numbers.data(), 1000, &world.counts[0], world.offsets.data(),
-        world.indices.data() + 1000, world.flags.data(), world.more.data(), 60, &world.counts[1], error);
-    return with_room(with_room(status, world.counts[0], 1000), world.counts[1], 60);
   }));
   return calls;
 }
@@ -586,8 +603,8 @@ std::vector<Refusal> refusals() {
                        world.context = new_context();
                        meander_context_cancel(world.context);
                      }, [](World& world, meander_error* error) {
-                       return meander_flow_find_gaps(world.flow, 0, world.numbers.data(), nullptr, nullptr, nullptr,
-                                                     1000, world.counts, world.context, error);
+                       Result<meander_gaps> gaps;
+                       return meander_flow_find_gaps(world.flow, 0, &gaps, world.context, error);
                      }, MEANDER_STATUS_CANCELLED});
   refused.push_back({"wait_for_nothing", seeded_flow(2), [](World& world, meander_error* error) {
                        return meander_flow_wait(world.flow, error);

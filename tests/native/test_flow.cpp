@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "flow/flow.h"
-#include "api_structs.h"
+#include "api_results.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -250,22 +250,12 @@ Output run(const Mesh& mesh, double spacing, uint32_t preset, uint32_t threads, 
   for (int k = 0; k < steps; ++k) {
     EXPECT_EQ(meander_flow_step(flow, nullptr, &error), MEANDER_STATUS_OK) << error.text;
   }
-  size_t nodes = 0, points = 0, strands = 0;
-  meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, nullptr);
-  meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands,
-                             nullptr);
-  out.faces.resize(nodes);
-  out.barycentrics.resize(3 * nodes);
-  out.positions.resize(3 * points);
-  out.offsets.resize(strands + 1);
-  std::vector<uint8_t> closed(strands);
-  EXPECT_EQ(meander_flow_get_nodes(flow, out.faces.data(), out.barycentrics.data(), nullptr,
-                                   nullptr, nodes, &nodes, &error),
-            MEANDER_STATUS_OK);
-  EXPECT_EQ(
-      meander_flow_get_polylines(flow, out.positions.data(), nullptr, points, &points,
-                                 out.offsets.data(), closed.data(), strands, &strands, &error),
-      MEANDER_STATUS_OK);
+  const auto nodes = nodes_of(flow);
+  const auto curve = polylines_of(flow);
+  out.faces = copied(nodes->faces, nodes->count);
+  out.barycentrics = copied(nodes->barycentrics, 3 * nodes->count);
+  out.positions = copied(curve->positions, 3 * curve->point_count);
+  out.offsets = copied(curve->offsets, curve->strand_count + 1);
   meander_flow_destroy(flow);
   return out;
 }

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "api_structs.h"
+#include "api_results.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -91,41 +91,25 @@ class FlowRun {
   }
 
   Gaps gaps(double least_size = 0) {
-    size_t count = 0;
-    EXPECT_EQ(meander_flow_find_gaps(flow_, least_size, nullptr, nullptr, nullptr, nullptr, 0,
-                                    &count, nullptr, nullptr),
-              MEANDER_STATUS_OK);
+    Result<meander_gaps> found;
+    EXPECT_EQ(meander_flow_find_gaps(flow_, least_size, &found, nullptr, nullptr), MEANDER_STATUS_OK);
     Gaps g;
-    g.positions.resize(3 * count);
-    g.radii.resize(count);
-    g.sizes.resize(count);
-    g.faces.resize(count);
-    size_t again = 0;
-    EXPECT_EQ(meander_flow_find_gaps(flow_, least_size, g.positions.data(), g.radii.data(),
-                                    g.sizes.data(), g.faces.data(), count, &again, nullptr, nullptr),
-              MEANDER_STATUS_OK);
-    EXPECT_EQ(again, count);
+    g.positions = copied(found->positions, 3 * found->count);
+    g.radii = copied(found->radii, found->count);
+    g.sizes = copied(found->sizes, found->count);
+    g.faces = copied(found->faces, found->count);
     return g;
   }
 
   /// The straight pieces of the curve, both ends of each.
   std::vector<Vec3> pieces() const {
-    size_t points = 0, strands = 0;
-    EXPECT_EQ(meander_flow_get_polylines(flow_, nullptr, nullptr, 0, &points, nullptr, nullptr, 0,
-                                         &strands, nullptr),
-              MEANDER_STATUS_OK);
-    std::vector<double> positions(3 * points);
-    std::vector<uint64_t> offsets(strands + 1);
-    std::vector<uint8_t> closed(strands);
-    EXPECT_EQ(meander_flow_get_polylines(flow_, positions.data(), nullptr, points, &points,
-                                         offsets.data(), closed.data(), strands, &strands, nullptr),
-              MEANDER_STATUS_OK);
+    const auto curve = polylines_of(flow_);
     std::vector<Vec3> ends;
-    for (size_t s = 0; s < strands; ++s) {
-      const uint64_t first = offsets[s], count = offsets[s + 1] - first;
-      for (uint64_t k = 0; k + 1 < count + closed[s]; ++k) {
-        ends.push_back(Vec3(positions.data() + 3 * (first + k)));
-        ends.push_back(Vec3(positions.data() + 3 * (first + (k + 1) % count)));
+    for (size_t s = 0; s < curve->strand_count; ++s) {
+      const uint64_t first = curve->offsets[s], count = curve->offsets[s + 1] - first;
+      for (uint64_t k = 0; k + 1 < count + curve->closed[s]; ++k) {
+        ends.push_back(Vec3(curve->positions + 3 * (first + k)));
+        ends.push_back(Vec3(curve->positions + 3 * (first + (k + 1) % count)));
       }
     }
     return ends;
@@ -379,33 +363,16 @@ TEST(Gaps, LookingForThemChangesNothing) {
 
 TEST(Gaps, BadArgumentsAreRefused) {
   FlowRun run(sphere(2), 0.3);
-  size_t count = 99;
-  EXPECT_EQ(
-      meander_flow_find_gaps(nullptr, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr),
-      MEANDER_STATUS_INVALID_ARGUMENT);
-  EXPECT_EQ(
-      meander_flow_find_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 0, nullptr, nullptr, nullptr),
-      MEANDER_STATUS_INVALID_ARGUMENT);
+  Result<meander_gaps> found;
+  EXPECT_EQ(meander_flow_find_gaps(nullptr, 0, &found, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_find_gaps(run.flow(), 0, nullptr, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
   for (const double size : {0.5, -1.0, std::nan(""), HUGE_VAL}) {
-    EXPECT_EQ(meander_flow_find_gaps(run.flow(), size, nullptr, nullptr, nullptr, nullptr, 0, &count,
-                                    nullptr, nullptr),
-              MEANDER_STATUS_INVALID_ARGUMENT);
+    EXPECT_EQ(meander_flow_find_gaps(run.flow(), size, &found, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
   }
-  EXPECT_EQ(meander_flow_find_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 1000, &count,
-                                  nullptr, nullptr),
-            MEANDER_STATUS_INVALID_ARGUMENT);
-  EXPECT_EQ(count, 99u) << "outputs are untouched on failure";
-  // All but the positions may be left out.
-  std::vector<double> positions(3000);
-  EXPECT_EQ(meander_flow_find_gaps(run.flow(), 0, positions.data(), nullptr, nullptr, nullptr, 1000,
-                                  &count, nullptr, nullptr),
-            MEANDER_STATUS_OK);
-  EXPECT_GE(count, 1u);
+  EXPECT_TRUE(found->count == 0 && found->result == nullptr) << "outputs are untouched on failure";
   // A started flow belongs to its run.
   ASSERT_EQ(meander_flow_start(run.flow(), nullptr, nullptr), MEANDER_STATUS_OK);
-  EXPECT_EQ(
-      meander_flow_find_gaps(run.flow(), 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr),
-      MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_find_gaps(run.flow(), 0, &found, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_EQ(meander_flow_wait(run.flow(), nullptr), MEANDER_STATUS_OK);
 }
 

@@ -4,6 +4,7 @@
 // the caller's thread, previews between iterations, and every way to end it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -12,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "api_structs.h"
+#include "api_results.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -25,7 +26,7 @@ constexpr double kSpacing = 0.05;
 constexpr auto kPatience = std::chrono::seconds(60);
 
 struct Curve3 {
-  std::vector<double> positions, normals;
+  std::vector<double> positions;
   std::vector<uint64_t> offsets;
   std::vector<uint8_t> closed;
   bool operator==(const Curve3&) const = default;
@@ -57,43 +58,18 @@ class Host {
 
   void start() { ASSERT_EQ(meander_flow_start(flow, context, &error), MEANDER_STATUS_OK) << error.text; }
 
-  /// The newest copy in two calls; its curve is empty when the copy has been seen before.
+  /// The next copy; its curve is empty when there is none.
   std::pair<meander_preview, Curve3> preview() {
-    auto figures = prepared<meander_preview>();
-    size_t points = 0, strands = 0;
-    Curve3 curve;
-    EXPECT_EQ(meander_flow_get_preview(flow, &figures, nullptr, nullptr, 0, &points, nullptr, nullptr, 0,
-                                       &strands, &error),
-              MEANDER_STATUS_OK)
-        << error.text;
-    if (figures.serial == seen) return {figures, curve};
-    const uint32_t serial = figures.serial;
-    seen = serial;
-    resize(curve, points, strands);
-    EXPECT_EQ(meander_flow_get_preview(flow, &figures, curve.positions.data(), curve.normals.data(), points,
-                                       &points, curve.offsets.data(), curve.closed.data(), strands, &strands,
-                                       &error),
-              MEANDER_STATUS_OK)
-        << error.text;
-    EXPECT_EQ(figures.serial, serial) << "a copy that was not taken must stay";
-    EXPECT_EQ(points, curve.normals.size() / 3);
-    return {figures, curve};
+    Result<meander_preview> taken;
+    EXPECT_EQ(meander_flow_take_preview(flow, &taken, &error), MEANDER_STATUS_OK) << error.text;
+    EXPECT_EQ(taken->result != nullptr, taken->serial != 0);
+    meander_preview figures = *&taken;
+    figures.result = nullptr;
+    if (figures.serial == 0) return {figures, {}};
+    return {figures, curve_of(taken)};
   }
 
-  Curve3 curve() {
-    size_t points = 0, strands = 0;
-    Curve3 curve;
-    EXPECT_EQ(meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands,
-                                         &error),
-              MEANDER_STATUS_OK)
-        << error.text;
-    resize(curve, points, strands);
-    EXPECT_EQ(meander_flow_get_polylines(flow, curve.positions.data(), curve.normals.data(), points, &points,
-                                         curve.offsets.data(), curve.closed.data(), strands, &strands, &error),
-              MEANDER_STATUS_OK)
-        << error.text;
-    return curve;
-  }
+  Curve3 curve() { return curve_of(polylines_of(flow)); }
 
   size_t iterations() {
     size_t count = 0;
@@ -104,7 +80,7 @@ class Host {
   /// Waits until the run has made this many iterations more than the first curve had.
   void let_run(uint32_t iterations) {
     const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (preview().first.iterations < iterations) {
+    for (uint32_t made = 0; made < iterations; made = std::max(made, preview().first.iterations)) {
       ASSERT_TRUE(meander_flow_is_running(flow));
       ASSERT_LT(std::chrono::steady_clock::now(), end);
       std::this_thread::yield();
@@ -114,14 +90,12 @@ class Host {
   meander_flow* flow = nullptr;
   meander_context* context = new_context();
   meander_error error = prepared<meander_error>();
-  uint32_t seen = 0;
 
  private:
-  static void resize(Curve3& curve, size_t points, size_t strands) {
-    curve.positions.resize(3 * points);
-    curve.normals.resize(3 * points);
-    curve.offsets.resize(strands + 1);
-    curve.closed.resize(strands);
+  template <class Struct>
+  static Curve3 curve_of(const Result<Struct>& found) {
+    return {copied(found->positions, 3 * found->point_count), copied(found->offsets, found->strand_count + 1),
+            copied(found->closed, found->strand_count)};
   }
 };
 
@@ -165,7 +139,7 @@ TEST(Job, ShowsWholeCurvesThatGrow) {
       double squares = 0, size = 0;
       for (size_t k = 0; k < 3; ++k) {
         const double x = curve.positions[3 * i + k];
-        ASSERT_TRUE(std::isfinite(x) && std::isfinite(curve.normals[3 * i + k]));
+        ASSERT_TRUE(std::isfinite(x));
         size += x * x;
         const double d = curve.positions[3 * ((i + 1) % points) + k] - x;
         squares += d * d;
@@ -224,7 +198,6 @@ TEST(Job, KeepsNoMorePointsThanAllowed) {
   EXPECT_LE(points, limit + seen.front().second.positions.size() / 3);
   // Kept for the runs that follow, each from none; and no more.
   ASSERT_EQ(meander_flow_keep_growth(host.flow, 0, 0, &host.error), MEANDER_STATUS_OK);
-  host.seen = 0;
   EXPECT_EQ(looked_at_afterwards(host).size(), 1u);
   for (const double step : {-1.0, std::nan(""), HUGE_VAL})
     EXPECT_EQ(meander_flow_keep_growth(host.flow, step, 10, &host.error), MEANDER_STATUS_INVALID_ARGUMENT);
@@ -256,34 +229,26 @@ TEST(Job, CopiesNothingForAHostThatDoesNotLook) {
   host.preview();  // the seed, and one copy is asked for
   while (meander_flow_is_running(host.flow)) std::this_thread::yield();
   // On a busy machine the run may have ended before it was asked.
-  const uint32_t last = host.preview().first.serial;
-  EXPECT_LE(last, 2u);
-  EXPECT_EQ(host.preview().first.serial, last) << "nobody makes another after the end";
+  EXPECT_LE(host.preview().first.serial, 2u);
+  EXPECT_EQ(host.preview().first.serial, 0u) << "nobody makes another after the end";
   EXPECT_EQ(meander_flow_wait(host.flow, nullptr), MEANDER_STATUS_OK);
 }
 
-TEST(Job, TooLittleRoomTakesNothing) {
-  Host host;
+TEST(Job, GivesEachCopyOnce) {
+  Host host(2);
   host.start();
-  auto figures = prepared<meander_preview>();
-  size_t points = 0, strands = 0;
-  for (int look = 0; look < 3; ++look) {
-    double position[3] = {7, 7, 7};
-    uint64_t offsets[2] = {7, 7};
-    uint8_t closed[1] = {7};
-    EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, position, nullptr, 1, &points, offsets, closed, 1,
-                                       &strands, nullptr),
-              MEANDER_STATUS_OK);
-    EXPECT_EQ(figures.serial, 1u);
-    EXPECT_GT(points, 2u);
-    EXPECT_EQ(strands, 1u);
-    EXPECT_TRUE(position[0] == 7 && offsets[0] == 7 && closed[0] == 7);
-    while (meander_context_progress(host.context) == 0) std::this_thread::yield();
-  }
-  EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, points, &points, nullptr, nullptr,
-                                     strands, &strands, &host.error),
-            MEANDER_STATUS_INVALID_ARGUMENT);
-  EXPECT_NE(std::strlen(host.error.text), 0u);
+  while (meander_flow_is_running(host.flow)) std::this_thread::yield();
+  Result<meander_preview> first, none;
+  ASSERT_EQ(meander_flow_take_preview(host.flow, &first, nullptr), MEANDER_STATUS_OK);
+  EXPECT_EQ(first->serial, 1u);
+  EXPECT_EQ(first->strand_count, 1u);
+  ASSERT_EQ(meander_flow_take_preview(host.flow, &none, nullptr), MEANDER_STATUS_OK);
+  EXPECT_TRUE(none->serial == 0 && none->point_count == 0 && none->positions == nullptr && none->result == nullptr);
+  // What has been taken outlives the run and the flow.
+  const Curve3 before{copied(first->positions, 3 * first->point_count), copied(first->offsets, 2),
+                      copied(first->closed, 1)};
+  meander_flow_destroy(std::exchange(host.flow, nullptr));
+  EXPECT_EQ(copied(first->positions, 3 * first->point_count), before.positions);
 }
 
 TEST(Job, IsCancelledWithinAnIterationAndGoesOn) {
@@ -303,7 +268,6 @@ TEST(Job, IsCancelledWithinAnIterationAndGoesOn) {
   EXPECT_EQ(host.iterations(), iterations);
   EXPECT_TRUE(host.curve() == before);
   meander_context_reset(host.context);
-  host.seen = 0;
   host.start();
   EXPECT_EQ(host.preview().first.serial, 1u) << "every start counts anew";
   host.let_run(static_cast<uint32_t>(iterations) + 2);
@@ -314,7 +278,10 @@ TEST(Job, IsCancelledWithinAnIterationAndGoesOn) {
 
 TEST(Job, RefusesEverythingElseUntilTheWait) {
   Host host(4);
-  size_t count = 0, strands = 0;
+  size_t count = 0;
+  Result<meander_polylines> curve;
+  Result<meander_nodes> nodes;
+  Result<meander_gaps> gaps;
   auto statistics = prepared<meander_flow_statistics>();
   auto figures = prepared<meander_preview>();
   host.start();
@@ -326,10 +293,9 @@ TEST(Job, RefusesEverythingElseUntilTheWait) {
              meander_flow_run(host.flow, nullptr, &host.error),
              meander_flow_compute_statistics(host.flow, &statistics, nullptr, &host.error),
              meander_flow_get_history(host.flow, nullptr, sizeof(meander_iteration), 0, &count, &host.error),
-             meander_flow_get_polylines(host.flow, nullptr, nullptr, 0, &count, nullptr, nullptr, 0, &strands,
-                                        &host.error),
-             meander_flow_get_nodes(host.flow, nullptr, nullptr, nullptr, nullptr, 0, &count, &host.error),
-             meander_flow_find_gaps(host.flow, 0, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr, &host.error),
+             meander_flow_get_polylines(host.flow, &curve, &host.error),
+             meander_flow_get_nodes(host.flow, &nodes, &host.error),
+             meander_flow_find_gaps(host.flow, 0, &gaps, nullptr, &host.error),
          }) {
       EXPECT_EQ(status, MEANDER_STATUS_INVALID_ARGUMENT);
       EXPECT_STREQ(host.error.text,
@@ -341,28 +307,21 @@ TEST(Job, RefusesEverythingElseUntilTheWait) {
   EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_STATUS_OK);
   EXPECT_EQ(meander_flow_wait(host.flow, &host.error), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_STREQ(host.error.text, "No run of the flow has been started; call meander_flow_start first.");
-  EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
-                                     &strands, &host.error),
-            MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_take_preview(host.flow, &figures, &host.error), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_EQ(meander_flow_compute_statistics(host.flow, &statistics, nullptr, &host.error), MEANDER_STATUS_OK);
   EXPECT_EQ(statistics.iterations, 4u);
 }
 
 TEST(Job, NullsAreRefusedOrIgnored) {
   meander_preview figures{};
-  size_t count = 0;
   EXPECT_EQ(meander_flow_start(nullptr, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_EQ(meander_flow_wait(nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
   EXPECT_EQ(meander_flow_is_running(nullptr), 0u);
   Host host;
   EXPECT_EQ(meander_flow_is_running(host.flow), 0u);
   host.start();
-  EXPECT_EQ(meander_flow_get_preview(host.flow, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
-                                     &count, nullptr),
-            MEANDER_STATUS_INVALID_ARGUMENT);
-  EXPECT_EQ(meander_flow_get_preview(host.flow, &figures, nullptr, nullptr, 0, &count, nullptr, nullptr, 0,
-                                     &count, nullptr),
-            MEANDER_STATUS_INVALID_ARGUMENT)
+  EXPECT_EQ(meander_flow_take_preview(host.flow, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_take_preview(host.flow, &figures, nullptr), MEANDER_STATUS_INVALID_ARGUMENT)
       << "struct_size is 0";
 }
 

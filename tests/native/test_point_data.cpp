@@ -6,17 +6,17 @@
 #include <algorithm>
 #include <vector>
 
-#include "api_structs.h"
+#include "api_results.h"
 #include "test_meshes.h"
 
 namespace meander::test {
 namespace {
 
-struct Result {
-  std::vector<double> positions, normals;
+struct Grown {
+  std::vector<double> positions;
   std::vector<uint64_t> offsets;
   std::vector<uint8_t> closed;
-  std::vector<double> arc, data_normals, tangents, radii, weights;
+  std::vector<double> arc, normals, tangents, radii, weights;
   std::vector<uint32_t> faces;
   std::vector<uint32_t> node_faces;
   std::vector<double> node_weights, node_radii;
@@ -24,7 +24,7 @@ struct Result {
   Vec3 at(const std::vector<double>& v, size_t i) const { return {v[3 * i], v[3 * i + 1], v[3 * i + 2]}; }
 };
 
-Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* seed = nullptr) {
+Grown grow(const Mesh& mesh, double spacing, int steps, const meander_seed* seed = nullptr) {
   meander_flow_options options;
   meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN);
   options.radius = 0.5 * spacing;
@@ -36,48 +36,36 @@ Result grow(const Mesh& mesh, double spacing, int steps, const meander_seed* see
             MEANDER_STATUS_OK);
   EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, nullptr, nullptr), MEANDER_STATUS_OK);
   for (int k = 0; k < steps; ++k) meander_flow_step(flow, nullptr, nullptr);
-  Result r;
-  size_t points = 0, strands = 0, count = 0, nodes = 0;
-  meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands, nullptr);
-  r.positions.resize(3 * points);
-  r.normals.resize(3 * points);
-  r.offsets.resize(strands + 1);
-  r.closed.resize(strands);
-  meander_flow_get_polylines(flow, r.positions.data(), r.normals.data(), points, &points, r.offsets.data(),
-                             r.closed.data(), strands, &strands, nullptr);
-  EXPECT_EQ(meander_flow_compute_point_data(flow, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, &count, nullptr, nullptr),
-            MEANDER_STATUS_OK);
-  EXPECT_EQ(count, points);
-  r.arc.resize(count);
-  r.data_normals.resize(3 * count);
-  r.tangents.resize(3 * count);
-  r.radii.resize(2 * count);
-  r.faces.resize(count);
-  r.weights.resize(3 * count);
-  EXPECT_EQ(meander_flow_compute_point_data(flow, r.arc.data(), r.data_normals.data(), r.tangents.data(), r.radii.data(),
-                                        r.faces.data(), r.weights.data(), count, &count, nullptr, nullptr),
-            MEANDER_STATUS_OK);
-  // Any array may be left out.
-  std::vector<double> again(count);
-  EXPECT_EQ(meander_flow_compute_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, count, &count,
-                                        nullptr, nullptr),
-            MEANDER_STATUS_OK);
-  EXPECT_EQ(again, r.arc);
-  // Too little room: only the count.
-  again.assign(1, -1);
-  EXPECT_EQ(meander_flow_compute_point_data(flow, again.data(), nullptr, nullptr, nullptr, nullptr, nullptr, 1, &count,
-                                        nullptr, nullptr),
-            MEANDER_STATUS_OK);
-  EXPECT_EQ(again[0], -1);
-  EXPECT_EQ(meander_flow_compute_point_data(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0, &count,
-                                        nullptr, nullptr),
-            MEANDER_STATUS_INVALID_ARGUMENT);
-  meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, nullptr);
-  r.node_faces.resize(nodes);
-  r.node_weights.resize(3 * nodes);
-  r.node_radii.resize(2 * nodes);
-  meander_flow_get_nodes(flow, r.node_faces.data(), r.node_weights.data(), r.node_radii.data(), nullptr, nodes, &nodes,
-                         nullptr);
+  Grown r;
+  const auto curve = polylines_of(flow);
+  const size_t points = curve->point_count;
+  r.positions = copied(curve->positions, 3 * points);
+  r.offsets = copied(curve->offsets, curve->strand_count + 1);
+  r.closed = copied(curve->closed, curve->strand_count);
+  {
+    const auto data = point_data_of(flow, MEANDER_POINT_PARTS_ALL);
+    EXPECT_EQ(data->count, points);
+    r.arc = copied(data->arc_lengths, points);
+    r.normals = copied(data->normals, 3 * points);
+    r.tangents = copied(data->tangents, 3 * points);
+    r.radii = copied(data->radii, 2 * points);
+    r.faces = copied(data->faces, points);
+    r.weights = copied(data->barycentrics, 3 * points);
+  }
+  // Any part may be left out.
+  const auto again = point_data_of(flow, MEANDER_POINT_PARTS_ARC_LENGTHS);
+  EXPECT_EQ(copied(again->arc_lengths, points), r.arc);
+  EXPECT_TRUE(!again->normals && !again->tangents && !again->radii && !again->faces && !again->barycentrics);
+  const auto nothing = point_data_of(flow, 0);
+  EXPECT_EQ(nothing->count, points);
+  Result<meander_point_data> none;
+  EXPECT_EQ(meander_flow_compute_point_data(nullptr, 1, &none, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_compute_point_data(flow, 32, &none, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meander_flow_compute_point_data(flow, 1, nullptr, nullptr, nullptr), MEANDER_STATUS_INVALID_ARGUMENT);
+  const auto nodes = nodes_of(flow);
+  r.node_faces = copied(nodes->faces, nodes->count);
+  r.node_weights = copied(nodes->barycentrics, 3 * nodes->count);
+  r.node_radii = copied(nodes->radii, 2 * nodes->count);
   meander_flow_destroy(flow);
   meander_surface_destroy(surface);
   return r;
@@ -89,9 +77,8 @@ Mesh half_turned(Mesh m) {
   return m;
 }
 
-void check(const Mesh& mesh, const Result& r) {
+void check(const Mesh& mesh, const Grown& r) {
   const size_t n = r.arc.size();
-  EXPECT_EQ(r.normals, r.data_normals);
   for (size_t p = 0; p < n; ++p) {
     Vec3 x = Vec3::Zero();
     double sum = 0;
@@ -104,6 +91,7 @@ void check(const Mesh& mesh, const Result& r) {
     EXPECT_NEAR(sum, 1, 1e-12);
     EXPECT_LT((x - r.at(r.positions, p)).norm(), 1e-12);
     EXPECT_NEAR(r.at(r.tangents, p).norm(), 1, 1e-12);
+    EXPECT_NEAR(r.at(r.normals, p).norm(), 1, 1e-12);
   }
   for (size_t s = 0; s < r.closed.size(); ++s) {
     const size_t begin = r.offsets[s], end = r.offsets[s + 1];
@@ -170,7 +158,7 @@ TEST(PointData, OpenStrandsEndWhereTheyEnd) {
   seed.points = points;
   seed.offsets = offsets;
   seed.closed = closed;
-  const Result r = grow(mesh, 1, 0, &seed);
+  const Grown r = grow(mesh, 1, 0, &seed);
   check(mesh, r);
   // Straight along x, and arc lengths start again from 0.
   for (size_t p = 0; p < r.arc.size(); ++p) EXPECT_NEAR(r.tangents[3 * p], 1, 1e-6);

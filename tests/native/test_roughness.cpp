@@ -77,9 +77,9 @@ FlowSettings even_settings(double r) {
   return s;
 }
 
-std::vector<double> points_of(const Flow& flow) {
+std::vector<Vec3> points_of(const Flow& flow) {
   Polylines lines;
-  lines.copy_from(flow.surface(), flow.curve(), flow.normals());
+  lines.copy_from(flow.surface(), flow.curve());
   return lines.positions;
 }
 
@@ -252,13 +252,12 @@ TEST(RoughFlow, SettlesWithoutCrossingsOnTheSurfaceAsItWasGiven) {
   EXPECT_EQ(&flow.surface(), s.get());
   // Length is that of what is written.
   Polylines lines;
-  lines.copy_from(flow.surface(), flow.curve(), flow.normals());
+  lines.copy_from(flow.surface(), flow.curve());
   double length = 0;
   const size_t n = lines.point_count();
   for (size_t p = 0; p < n; ++p) {
     const size_t q = (p + 1) % n;
-    const Vec3 a(&lines.positions[3 * p]), b(&lines.positions[3 * q]);
-    length += (b - a).norm();
+    length += (lines.positions[q] - lines.positions[p]).norm();
   }
   EXPECT_NEAR(flow.length() * s->scale(), length, 1e-9 * length);
   EXPECT_EQ(flow.history().back().length, flow.length());

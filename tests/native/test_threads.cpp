@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "api_structs.h"
+#include "api_results.h"
 #include "test_meshes.h"
 
 namespace meander::test {
@@ -44,16 +44,12 @@ void step(meander_flow* flow, int iterations) {
   for (int k = 0; k < iterations; ++k) check(meander_flow_step(flow, nullptr, nullptr));
 }
 
-std::vector<double> curve_of(const meander_flow* flow) {
-  size_t points = 0, strands = 0;
-  check(meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands, nullptr));
-  std::vector<double> positions(3 * points), normals(3 * points);
-  std::vector<uint64_t> offsets(strands + 1);
-  std::vector<uint8_t> closed(strands);
-  check(meander_flow_get_polylines(flow, positions.data(), normals.data(), points, &points, offsets.data(),
-                                   closed.data(), strands, &strands, nullptr));
-  positions.insert(positions.end(), normals.begin(), normals.end());
-  return positions;
+std::vector<double> curve_of(meander_flow* flow) {
+  const auto curve = polylines_of(flow);
+  const auto data = point_data_of(flow, MEANDER_POINT_PARTS_NORMALS);
+  std::vector<double> seen = copied(curve->positions, 3 * curve->point_count);
+  seen.insert(seen.end(), data->normals, data->normals + 3 * data->count);
+  return seen;
 }
 
 void in_threads(const std::function<void(uint32_t)>& work) {
@@ -92,10 +88,10 @@ std::vector<double> long_story(uint32_t threads) {
   auto statistics = prepared<meander_flow_statistics>();
   check(meander_flow_compute_statistics(flow, &statistics, nullptr, nullptr));
   EXPECT_GT(statistics.nodes, 2048u) << "no loop over the nodes has more than one block";
-  size_t gaps = 0;
-  check(meander_flow_find_gaps(flow, 0, nullptr, nullptr, nullptr, nullptr, 0, &gaps, nullptr, nullptr));
+  Result<meander_gaps> gaps;
+  check(meander_flow_find_gaps(flow, 0, &gaps, nullptr, nullptr));
   std::vector<double> seen = curve_of(flow);
-  seen.insert(seen.end(), {statistics.energy, statistics.spacing_median, static_cast<double>(gaps)});
+  seen.insert(seen.end(), {statistics.energy, statistics.spacing_median, static_cast<double>(gaps->count)});
   meander_flow_destroy(flow);
   return seen;
 }
@@ -133,9 +129,8 @@ TEST(Threads, MayShareASurface) {
     curvature[k].resize(mesh.vertex_count());
     check(meander_surface_compute_curvature(surface, MEANDER_CURVATURE_MEAN, 0.1, curvature[k].data(),
                                             curvature[k].size(), nullptr, nullptr));
-    size_t points = 0, strands = 0;
-    check(meander_surface_find_outlines(surface, 0.1, 0.2, nullptr, 0, &points, nullptr, nullptr, 0, &strands, nullptr,
-                                        nullptr, nullptr));
+    Result<meander_outlines> outlines;
+    check(meander_surface_find_outlines(surface, 0.1, 0.2, &outlines, nullptr, nullptr));
     meander_flow* const flow = flow_on(surface, 0.15, 2);
     if (--still_using == 0) meander_surface_destroy(surface);  // the flows keep what they need
     step(flow, 8);
@@ -194,16 +189,10 @@ TEST(Threads, MayLookAtARunUntilItsFlowGoes) {
     std::thread looker([&] {
       while (!enough && meander_flow_is_running(flow)) std::this_thread::yield();
     });
-    std::vector<double> positions(60000);
-    std::vector<uint64_t> offsets(2);
-    std::vector<uint8_t> closed(1);
     for (uint32_t copies = 0; copies < static_cast<uint32_t>(round);) {
-      auto preview = prepared<meander_preview>();
-      size_t points = 0, strands = 0;
-      check(meander_flow_get_preview(flow, &preview, positions.data(), nullptr, positions.size() / 3, &points,
-                                     offsets.data(), closed.data(), 1, &strands, nullptr));
-      EXPECT_LE(points, positions.size() / 3);
-      copies = preview.serial;
+      Result<meander_preview> preview;
+      check(meander_flow_take_preview(flow, &preview, nullptr));
+      if (preview->serial) copies = preview->serial;
     }
     enough = true;
     looker.join();

@@ -107,7 +107,8 @@ static uint64_t digest(uint64_t hash, const void* data, size_t bytes) {
 static void run(const Case* c) {
   static double vertices[3 * AROUND * ACROSS], density[AROUND * ACROSS];
   static uint32_t faces[6 * AROUND * ACROSS];
-  size_t vertex_count = 0, face_count = 0, point_count = 0, strand_count = 0;
+  size_t vertex_count = 0, face_count = 0;
+  meander_polylines curve;
   meander_surface* surface = NULL;
   meander_flow* flow = NULL;
   meander_error error;
@@ -131,24 +132,16 @@ static void run(const Case* c) {
                             &flow, NULL, &error), &error, "flow");
   check(meander_flow_run(flow, NULL, &error), &error, "run");
   check(meander_flow_compute_statistics(flow, &statistics, NULL, &error), &error, "statistics");
-  check(meander_flow_get_polylines(flow, NULL, NULL, 0, &point_count, NULL, NULL, 0, &strand_count, &error), &error,
-        "sizes");
-  double* positions = malloc(3 * point_count * sizeof *positions);
-  uint64_t* offsets = malloc((strand_count + 1) * sizeof *offsets);
-  uint8_t* closed = malloc(strand_count);
-  if (positions == NULL || offsets == NULL || closed == NULL) exit(EXIT_FAILURE);
-  check(meander_flow_get_polylines(flow, positions, NULL, point_count, &point_count, offsets, closed, strand_count,
-                                   &strand_count, &error), &error, "polylines");
+  check(meander_polylines_init(&curve, sizeof curve), &error, "struct");
+  check(meander_flow_get_polylines(flow, &curve, &error), &error, "polylines");
   uint64_t hash = 14695981039346656037u;
-  hash = digest(hash, positions, 3 * point_count * sizeof *positions);
-  hash = digest(hash, offsets, (strand_count + 1) * sizeof *offsets);
-  hash = digest(hash, closed, strand_count);
-  printf("%s %u %u %08x%08x\n", c->name, (unsigned)point_count, (unsigned)statistics.iterations,
+  hash = digest(hash, curve.positions, 3 * curve.point_count * sizeof *curve.positions);
+  hash = digest(hash, curve.offsets, (curve.strand_count + 1) * sizeof *curve.offsets);
+  hash = digest(hash, curve.closed, curve.strand_count);
+  printf("%s %u %u %08x%08x\n", c->name, (unsigned)curve.point_count, (unsigned)statistics.iterations,
          (unsigned)(hash >> 32), (unsigned)hash);
   fflush(stdout);
-  free(closed);
-  free(offsets);
-  free(positions);
+  meander_result_destroy(curve.result);
   meander_flow_destroy(flow);
   meander_surface_destroy(surface);
 }

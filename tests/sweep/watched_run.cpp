@@ -26,7 +26,21 @@ void mix(uint64_t& digest, const std::vector<T>& values) {
   for (size_t i = 0; i < values.size() * sizeof(T); ++i) digest = (digest ^ bytes[i]) * 0x100000001b3u;
 }
 
-double* data(std::vector<Values3>& values) { return values.empty() ? nullptr : values[0].data(); }
+/// A struct that a call fills with arrays.
+template <class Struct>
+struct Result {
+  explicit Result(meander_status (*init)(Struct*, size_t)) { init(&arrays, sizeof arrays); }
+  Result(const Result&) = delete;
+  Result& operator=(const Result&) = delete;
+  ~Result() { meander_result_destroy(arrays.result); }
+  Struct arrays;
+};
+
+std::vector<Values3> triples(const double* values, size_t count) {
+  std::vector<Values3> found(count);
+  if (count > 0) std::memcpy(found.data(), values, count * sizeof(Values3));
+  return found;
+}
 
 }  // namespace
 
@@ -63,25 +77,24 @@ void step(meander_flow* flow) {
 CurveState state_of(meander_flow* flow) {
   Call call;
   CurveState state;
-  size_t points = 0, strands = 0, nodes = 0, count = 0;
-  call(meander_flow_get_polylines(flow, nullptr, nullptr, 0, &points, nullptr, nullptr, 0, &strands, &call));
-  state.positions.resize(points);
-  state.offsets.resize(strands + 1);
-  state.closed.resize(strands);
-  call(meander_flow_get_polylines(flow, data(state.positions), nullptr, points, &points, state.offsets.data(),
-                                  state.closed.data(), strands, &strands, &call));
-  state.points.faces.resize(points);
-  state.points.weights.resize(points);
-  call(meander_flow_compute_point_data(flow, nullptr, nullptr, nullptr, nullptr, state.points.faces.data(),
-                                       data(state.points.weights), points, &count, nullptr, &call));
-  state.guides.resize(strands);
-  call(meander_flow_get_guides(flow, state.guides.data(), strands, &count, &call));
-  call(meander_flow_get_nodes(flow, nullptr, nullptr, nullptr, nullptr, 0, &nodes, &call));
-  state.nodes.faces.resize(nodes);
-  state.nodes.weights.resize(nodes);
-  state.fixed.resize(nodes);
-  call(meander_flow_get_nodes(flow, state.nodes.faces.data(), data(state.nodes.weights), nullptr, state.fixed.data(),
-                              nodes, &nodes, &call));
+  Result<meander_polylines> curve(meander_polylines_init);
+  call(meander_flow_get_polylines(flow, &curve.arrays, &call));
+  const size_t points = curve.arrays.point_count, strands = curve.arrays.strand_count;
+  state.positions = triples(curve.arrays.positions, points);
+  state.offsets.assign(curve.arrays.offsets, curve.arrays.offsets + strands + 1);
+  state.closed.assign(curve.arrays.closed, curve.arrays.closed + strands);
+  state.guides.assign(curve.arrays.guides, curve.arrays.guides + strands);
+  Result<meander_point_data> data(meander_point_data_init);
+  call(meander_flow_compute_point_data(flow, MEANDER_POINT_PARTS_PLACES, &data.arrays, nullptr, &call));
+  state.points.faces.assign(data.arrays.faces, data.arrays.faces + points);
+  state.points.weights = triples(data.arrays.barycentrics, points);
+  Result<meander_nodes> nodes(meander_nodes_init);
+  call(meander_flow_get_nodes(flow, &nodes.arrays, &call));
+  const size_t node_count = nodes.arrays.count;
+  state.nodes.faces.assign(nodes.arrays.faces, nodes.arrays.faces + node_count);
+  state.nodes.weights = triples(nodes.arrays.barycentrics, node_count);
+  state.fixed.assign(nodes.arrays.fixed, nodes.arrays.fixed + node_count);
+  size_t count = 0;
   call(meander_flow_get_history(flow, nullptr, sizeof(meander_iteration), 0, &count, &call));
   std::vector<meander_iteration> history(count);
   call(meander_flow_get_history(flow, history.data(), sizeof(meander_iteration), count, &count, &call));

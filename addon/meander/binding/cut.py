@@ -3,15 +3,15 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_size_t, c_void_p
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .abi import CutRecord
 from .context import Context, pointer_of
 from .flow import Flow
-from .native_library import address_of, call, narrow_offsets, native
+from .native_library import Found, narrow_offsets, native
 
 NO_STRAND = 2**32 - 1
 
@@ -87,66 +87,34 @@ def cut_surface(
     Raises MeanderError for a detail out of range, while the flow is running, and soon after
     `context` has been cancelled.
     """
-    library = native()
-    cut = c_void_p()
+    found = Found(CutRecord)
     with flow._use() as pointer, pointer_of(context) as cancelling:
-        call(
-            library.meander_flow_cut_surface,
+        cut = found.fill(
+            native().meander_flow_cut_surface,
             pointer,
             float(detail),
             int(middle_lines),
-            byref(cut),
-            cancelling,
+            context=(cancelling,),
         )
-    try:
-        return CutSurface(*_vertices(cut), *_faces(cut), *_line(cut))
-    finally:
-        library.meander_cut_destroy(cut)
-
-
-def _vertices(cut: c_void_p) -> list[NDArray]:
-    function = native().meander_cut_get_vertices
-    count = c_size_t()
-    call(function, cut, *(None,) * 4, 0, byref(count))
-    n = count.value
-    arrays = [np.empty((n, 3)), np.empty(n), np.empty(n, dtype=np.uint32), np.empty((n, 3))]
-    call(function, cut, *map(address_of, arrays), n, byref(count))
-    return arrays
-
-
-def _faces(cut: c_void_p) -> list[NDArray]:
-    function = native().meander_cut_get_faces
-    count = c_size_t()
-    call(function, cut, *(None,) * 9, 0, byref(count))
-    m = count.value
-    arrays = [
-        np.empty((m, 3), dtype=np.uint32),
-        *(np.empty(m, dtype=np.uint32) for _ in range(3)),
-        *(np.empty(m, dtype=np.int32) for _ in range(2)),
-        *(np.empty((m, 3)) for _ in range(2)),
-        np.empty((m, 3, 3)),
-    ]
-    call(function, cut, *map(address_of, arrays), m, byref(count))
-    return arrays
-
-
-def _line(cut: c_void_p) -> list[NDArray]:
-    function = native().meander_cut_get_line
-    points, strands = c_size_t(), c_size_t()
-    call(function, cut, None, None, 0, byref(points), *(None,) * 4, 0, byref(strands))
-    p, s = points.value, strands.value
-    vertices, arc_lengths = np.empty(p, dtype=np.uint32), np.empty(p)
-    offsets = np.zeros(s + 1, dtype=np.uint64)
-    names, closed, lengths = np.empty(s, np.uint32), np.empty(s, np.uint8), np.empty(s)
-    call(
-        function,
-        cut,
-        address_of(vertices),
-        address_of(arc_lengths),
-        p,
-        byref(points),
-        *map(address_of, (offsets, names, closed, lengths)),
-        s,
-        byref(strands),
+    n, m, p, s = cut.vertex_count, cut.face_count, cut.point_count, cut.strand_count
+    return CutSurface(
+        positions=found.array("positions", n, 3),
+        distances=found.array("distances", n),
+        vertex_faces=found.array("vertex_faces", n),
+        vertex_weights=found.array("vertex_weights", n, 3),
+        faces=found.array("faces", m, 3),
+        origins=found.array("origins", m),
+        strands=found.array("strands", m),
+        regions=found.array("regions", m),
+        sides=found.array("sides", m),
+        nearest_sides=found.array("nearest_sides", m),
+        along=found.array("along", m, 3),
+        face_distances=found.array("face_distances", m, 3),
+        corner_weights=found.array("corner_weights", m, 3, 3),
+        line_vertices=found.array("line_vertices", p),
+        arc_lengths=found.array("arc_lengths", p),
+        offsets=narrow_offsets(found.array("offsets", s + 1)),
+        line_strands=found.array("line_strands", s),
+        closed=found.array("closed", s),
+        lengths=found.array("lengths", s),
     )
-    return [vertices, arc_lengths, narrow_offsets(offsets), names, closed, lengths]

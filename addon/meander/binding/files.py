@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .abi import Text
-from .native_library import address_of, call, checked_array, native
+from .abi import PolygonsRecord, Text, TrianglesRecord
+from .native_library import Found, address_of, call, checked_array, native
 
 
 class TextPolygons(NamedTuple):
@@ -36,49 +36,15 @@ def read_polygons(text: bytes, kind: Text) -> TextPolygons:
 
     Raises MeanderError of the status INVALID_MESH, whose sentence begins with the line.
     """
-    blanks = text.count(b" ") + text.count(b"\t") + text.count(b"\n") + text.count(b"\r")
-    if kind == Text.STL:
-        # Others are so few that they are read twice.
-        point_room = text.count(b"vertex") + text.count(b"VERTEX")
-        corner_room, polygon_room = point_room, point_room // 3 + 1
-    else:
-        point_room = text.count(b"v ") + text.count(b"v\t")
-        letter = b"l" if kind == Text.OBJ_LINES else b"f"
-        polygon_room = text.count(letter + b" ") + text.count(letter + b"\t")
-        corner_room = blanks + 1
-    while True:
-        # What is not written into takes no memory.
-        positions = np.empty((point_room, 3))
-        corners = np.empty(corner_room, np.uint32)
-        ends, lines = np.empty(polygon_room, np.uint64), np.empty(polygon_room, np.uint32)
-        counts = [c_size_t() for _ in range(4)]
-        call(
-            native().meander_text_read_polygons,
-            text,
-            len(text),
-            int(kind),
-            address_of(positions),
-            point_room,
-            byref(counts[0]),
-            address_of(corners),
-            corner_room,
-            byref(counts[1]),
-            address_of(ends),
-            address_of(lines),
-            polygon_room,
-            byref(counts[2]),
-            byref(counts[3]),
-        )
-        points, corner_count, polygons, left_out = (count.value for count in counts)
-        if points <= point_room and corner_count <= corner_room and polygons <= polygon_room:
-            return TextPolygons(
-                positions[:points],
-                corners[:corner_count],
-                ends[:polygons],
-                lines[:polygons],
-                left_out,
-            )
-        point_room, corner_room, polygon_room = points, corner_count, polygons
+    found = Found(PolygonsRecord)
+    record = found.fill(native().meander_text_read_polygons, text, len(text), int(kind))
+    return TextPolygons(
+        found.array("positions", record.point_count, 3),
+        found.array("corners", record.corner_count),
+        found.array("ends", record.polygon_count),
+        found.array("lines", record.polygon_count),
+        record.left_out,
+    )
 
 
 def read_numbers(text: bytes, begin: int = 0) -> tuple[NDArray[np.float64], int]:
@@ -117,10 +83,8 @@ def triangulated(
     vertex_array = checked_array("vertices", vertices, np.float64, 3)
     corner_array = checked_array("corners", corners, np.uint32, None)
     end_array = checked_array("ends", ends, np.uint64, None)
-    room = max(len(corner_array), 1)
-    triangles, polygons = np.empty((room, 3), np.uint32), np.empty(room, np.uint32)
-    count = c_size_t()
-    call(
+    found = Found(TrianglesRecord)
+    record = found.fill(
         native().meander_polygons_triangulate,
         address_of(vertex_array),
         len(vertex_array),
@@ -128,9 +92,5 @@ def triangulated(
         len(corner_array),
         address_of(end_array),
         len(end_array),
-        address_of(triangles),
-        address_of(polygons),
-        room,
-        byref(count),
     )
-    return triangles[: count.value].copy(), polygons[: count.value].copy()
+    return found.array("corners", record.count, 3), found.array("polygons", record.count)

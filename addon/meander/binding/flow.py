@@ -7,17 +7,29 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from ctypes import byref, c_size_t, c_void_p, sizeof
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .abi import ErrorRecord, FlowStatisticsRecord, IterationRecord, PreviewRecord, Status
+from .abi import (
+    ErrorRecord,
+    FlowStatisticsRecord,
+    GapsRecord,
+    IterationRecord,
+    NodesRecord,
+    PointDataRecord,
+    PointParts,
+    PolylinesRecord,
+    PreviewRecord,
+    Status,
+)
 from .choices import ALIGNMENTS, STOP_REASONS
 from .context import Context, pointer_of
 from .flow_options import FlowOptions, options_record
 from .native_library import (
+    Found,
     Handle,
     MeanderError,
     address_of,
@@ -56,6 +68,7 @@ class Polylines(NamedTuple):
 class Preview(NamedTuple):
     """The curve of a started run between two iterations.
 
+    polylines   without normals, which nobody sees who watches: (0, 3)
     iterations  over the life of the flow
     nodes       of the curve
     length      of the curve
@@ -127,10 +140,6 @@ class Gaps:
 # ------------------------------------------------------------------------------------------------
 # Flow
 
-# Room for gaps that is offered at once, since every call searches anew: more than most surfaces
-# have even halfway through a run. Memory that is not filled costs nothing.
-_GAP_ROOM = 1 << 16
-
 
 class Flow(Handle):
     """A curve that grows on a surface. It belongs to one thread at a time, but for `running`.
@@ -184,7 +193,6 @@ class Flow(Handle):
         super().__init__(pointer.value, library.meander_flow_destroy)
         self._busy = threading.Lock()
         self._looked_at = threading.Lock()  # held while any thread asks whether it is running
-        self._seen = 0  # serial of the last preview handed out
 
     @contextmanager
     def _use(self) -> Iterator[int]:
@@ -278,7 +286,6 @@ class Flow(Handle):
         with self._use() as pointer:
             with pointer_of(context) as context_pointer:
                 call(function, pointer, context_pointer)
-            self._seen = 0
             # The interpreter must not go while the library computes; no other thread of Python's
             # can be inside the flow but in `wait`, which takes this back.
             self._finalizer.atexit = True
@@ -319,20 +326,18 @@ class Flow(Handle):
         iteration, when this one has been taken. Raises MeanderError before `start` and after
         `wait`.
         """
-        function = native().meander_flow_get_preview
-        figures = prepared(PreviewRecord)
-        points, strands = c_size_t(), c_size_t()
+        found = Found(PreviewRecord)
         with self._use() as pointer:
-            call(function, pointer, byref(figures), *_into(None, points, strands))
-            if figures.serial == self._seen:
-                return None
-            arrays = _polyline_arrays(points.value, strands.value)
-            # The copy has not been taken yet, so that it is still the newest, of the same sizes.
-            call(function, pointer, byref(figures), *_into(arrays, points, strands))
-            self._seen = figures.serial
-        curve = _polylines_of(arrays)
+            copy = found.fill(native().meander_flow_take_preview, pointer)
+        if copy.serial == 0:
+            return None
         return Preview(
-            curve, figures.iterations, figures.nodes, figures.length, figures.seconds, figures.kept
+            _polylines_of(found, np.empty((0, 3))),
+            copy.iterations,
+            copy.nodes,
+            copy.length,
+            copy.seconds,
+            copy.kept,
         )
 
     def set_vertices(self, vertices: ArrayLike) -> None:
@@ -424,68 +429,54 @@ class Flow(Handle):
 
     def polylines(self) -> Polylines:
         """The present curve, nodes and edge crossings; strands come in the order of the seed's."""
-        function = native().meander_flow_get_polylines
-        points, strands = c_size_t(), c_size_t()
         with self._use() as pointer:
-            call(function, pointer, *_into(None, points, strands))
-            arrays = _polyline_arrays(points.value, strands.value)
-            call(function, pointer, *_into(arrays, points, strands))
-        return _polylines_of(arrays)
+            found, data = Found(PolylinesRecord), Found(PointDataRecord)
+            found.fill(native().meander_flow_get_polylines, pointer)
+            points = data.fill(
+                native().meander_flow_compute_point_data,
+                pointer,
+                PointParts.NORMALS,
+                context=(None,),
+            )
+        return _polylines_of(found, data.array("normals", points.count, 3))
 
     def guides(self) -> NDArray[np.bool_]:
         """(s,) bool: which strands are guides, in the order of the polylines."""
-        function = native().meander_flow_get_guides
-        count = c_size_t()
+        found = Found(PolylinesRecord)
         with self._use() as pointer:
-            call(function, pointer, None, 0, byref(count))
-            flags = np.empty(count.value, dtype=np.uint8)
-            call(function, pointer, address_of(flags), len(flags), byref(count))
-        return flags.astype(bool)
+            record = found.fill(native().meander_flow_get_polylines, pointer)
+        return found.array("guides", record.strand_count).astype(bool)
 
     def nodes(self) -> Nodes:
         """The present nodes, strand after strand."""
-        function = native().meander_flow_get_nodes
-        count = c_size_t()
+        found = Found(NodesRecord)
         with self._use() as pointer:
-            call(function, pointer, None, None, None, None, 0, byref(count))
-            nodes = Nodes(
-                np.empty(count.value, dtype=np.uint32),
-                np.empty((count.value, 3)),
-                np.empty((count.value, 2)),
-                np.empty(count.value, dtype=np.uint8),
-            )
-            call(
-                function,
-                pointer,
-                *(address_of(array) for array in nodes),
-                count.value,
-                byref(count),
-            )
-        return nodes
+            count = found.fill(native().meander_flow_get_nodes, pointer).count
+        return Nodes(
+            found.array("faces", count),
+            found.array("barycentrics", count, 3),
+            found.array("radii", count, 2),
+            found.array("fixed", count),
+        )
 
     def point_data(self) -> PointData:
         """What is known of every point of `polylines()`, in their order. Costs a medial axis."""
-        function = native().meander_flow_compute_point_data
-        count = c_size_t()
+        found = Found(PointDataRecord)
         with self._use() as pointer:
-            call(function, pointer, *(None,) * 6, 0, byref(count), None)
-            data = PointData(
-                np.empty(count.value),
-                np.empty((count.value, 3)),
-                np.empty((count.value, 3)),
-                np.empty((count.value, 2)),
-                np.empty(count.value, dtype=np.uint32),
-                np.empty((count.value, 3)),
-            )
-            call(
-                function,
+            count = found.fill(
+                native().meander_flow_compute_point_data,
                 pointer,
-                *(address_of(array) for array in data),
-                count.value,
-                byref(count),
-                None,
-            )
-        return data
+                PointParts.ALL,
+                context=(None,),
+            ).count
+        return PointData(
+            found.array("arc_lengths", count),
+            found.array("normals", count, 3),
+            found.array("tangents", count, 3),
+            found.array("radii", count, 2),
+            found.array("faces", count),
+            found.array("barycentrics", count, 3),
+        )
 
     def gaps(self, least_size: float = 0.0) -> Gaps:
         """The places that the present curve leaves empty; see meander_flow_find_gaps.
@@ -496,67 +487,25 @@ class Flow(Handle):
         Costs one medial axis and a search; the curve stays as it is. Raises MeanderError for a
         size out of range.
         """
-        function = native().meander_flow_find_gaps
-        count = c_size_t()
-        room = _GAP_ROOM
+        found = Found(GapsRecord)
         with self._use() as pointer:
-            while True:
-                gaps = Gaps(
-                    np.empty((room, 3)),
-                    np.empty(room),
-                    np.empty(room),
-                    np.empty(room, dtype=np.uint32),
-                )
-                call(
-                    function,
-                    pointer,
-                    float(least_size),
-                    *(address_of(getattr(gaps, field.name)) for field in fields(Gaps)),
-                    room,
-                    byref(count),
-                    None,
-                )
-                if count.value <= room:
-                    break
-                room = count.value
-        return Gaps(*(getattr(gaps, field.name)[: count.value].copy() for field in fields(Gaps)))
+            count = found.fill(
+                native().meander_flow_find_gaps, pointer, float(least_size), context=(None,)
+            ).count
+        return Gaps(
+            found.array("positions", count, 3),
+            found.array("radii", count),
+            found.array("sizes", count),
+            found.array("faces", count),
+        )
 
 
-# Positions, normals, offsets and closed flags, as the library writes them.
-_PolylineArrays = tuple[
-    NDArray[np.float64], NDArray[np.float64], NDArray[np.uint64], NDArray[np.uint8]
-]
-
-
-def _polyline_arrays(points: int, strands: int) -> _PolylineArrays:
-    return (
-        np.empty((points, 3)),
-        np.empty((points, 3)),
-        np.zeros(strands + 1, dtype=np.uint64),
-        np.empty(strands, dtype=np.uint8),
-    )
-
-
-def _polylines_of(arrays: _PolylineArrays) -> Polylines:
-    positions, normals, offsets, closed = arrays
-    return Polylines(positions, normals, narrow_offsets(offsets), closed)
-
-
-def _into(arrays: _PolylineArrays | None, points: c_size_t, strands: c_size_t) -> tuple[Any, ...]:
-    """The arguments for a curve to be written to: its arrays, their room, and where the sizes go.
-
-    Without arrays only the sizes are asked for.
-    """
-    if arrays is None:
-        return None, None, 0, byref(points), None, None, 0, byref(strands)
-    positions, normals, offsets, closed = arrays
-    return (
-        address_of(positions),
-        address_of(normals),
-        len(positions),
-        byref(points),
-        address_of(offsets),
-        address_of(closed),
-        len(closed),
-        byref(strands),
+def _polylines_of(found: Found, normals: NDArray[np.float64]) -> Polylines:
+    """A curve as the library has handed it out, meander_polylines or meander_preview."""
+    record = found.record
+    return Polylines(
+        found.array("positions", record.point_count, 3),
+        normals,
+        narrow_offsets(found.array("offsets", record.strand_count + 1)),
+        found.array("closed", record.strand_count),
     )

@@ -7,6 +7,7 @@ What the library does is for `core` to know; hosts have no use for this module.
 from __future__ import annotations
 
 import ctypes
+import math
 import os
 import sys
 import threading
@@ -273,9 +274,41 @@ def prepared(struct: type[_Record], *arguments: int) -> _Record:
 
 def figures_of(record: Structure) -> dict[str, Any]:
     """The fields of a struct that mean something to a reader, by their C names."""
-    hidden = ("struct_size", "reserved", "reserved32")
+    hidden = ("struct_size", "reserved", "reserved32", "result")
     names = [field[0] for field in record._fields_ if field[0] not in hidden]
     return {name: getattr(record, name) for name in names}
+
+
+# ------------------------------------------------------------------------------------------------
+# Results
+
+
+class Found:
+    """A struct of the library's that a call fills with counts and arrays, such as meander_gaps.
+
+    record    the struct, for the call and for its counts
+    array()   one of its arrays, in the memory of the library; this is freed when the last of the
+              arrays has gone
+    """
+
+    def __init__(self, struct: type[Structure]) -> None:
+        self.record = prepared(struct)
+
+    def fill(self, function: Callable[..., int], *arguments: Any, context: Any = ()) -> Any:
+        """Calls a function with these, the struct and, where it takes one, a context."""
+        call(function, *arguments, byref(self.record), *context)
+        end = weakref.finalize(self, native().meander_result_destroy, self.record.result)
+        end.atexit = False  # as of a Handle
+        return self.record
+
+    def array(self, name: str, *shape: int) -> NDArray[Any]:
+        kind = self.record._arrays_[name]
+        address = getattr(self.record, name)
+        if address is None:
+            return np.empty(shape, dtype=kind)
+        memory = (kind * math.prod(shape)).from_address(address)
+        memory.owner = self  # which the array holds, and every array made of a part of it
+        return np.ctypeslib.as_array(memory).reshape(shape)
 
 
 # ------------------------------------------------------------------------------------------------

@@ -3,18 +3,25 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_size_t, c_void_p
+from ctypes import byref, c_void_p
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .abi import ExtentRecord, SurfaceOptionsRecord, SurfaceStatisticsRecord
+from .abi import (
+    ExtentRecord,
+    FaultsRecord,
+    OutlinesRecord,
+    SurfaceOptionsRecord,
+    SurfaceStatisticsRecord,
+)
 from .choices import CURVATURES, DIRECTIONS
 from .context import Context, pointer_of
 from .cost import Extent
 from .native_library import (
+    Found,
     Handle,
     MeanderError,
     address_of,
@@ -113,32 +120,21 @@ def find_faults(vertices: ArrayLike, faces: ArrayLike, weld_distance: float = 0.
     """
     vertex_array = checked_array("vertices", vertices, np.float64, 3)
     face_array = checked_array("faces", faces, np.uint32, 3)
-    room, count = 1024, c_size_t()
-    while True:
-        kinds, elements = np.empty(room, np.uint32), np.empty((room, 2), np.uint32)
-        call(
-            native().meander_mesh_find_faults,
-            address_of(vertex_array),
-            len(vertex_array),
-            address_of(face_array),
-            len(face_array),
-            float(weld_distance),
-            address_of(kinds),
-            address_of(elements),
-            room,
-            byref(count),
-            None,
-        )
-        if count.value <= room:
-            return Faults(kinds[: count.value].copy(), elements[: count.value].copy())
-        room = count.value
+    found = Found(FaultsRecord)
+    record = found.fill(
+        native().meander_mesh_find_faults,
+        address_of(vertex_array),
+        len(vertex_array),
+        address_of(face_array),
+        len(face_array),
+        float(weld_distance),
+        context=(None,),
+    )
+    return Faults(found.array("kinds", record.count), found.array("elements", record.count, 2))
 
 
 # Figures that reports know by another name than the C header.
 _FIGURES = {"flipped_faces": "turned_faces"}
-
-# Room for outlines that is offered at once, in points and strands: asking would compute twice.
-_OUTLINE_ROOM = (1 << 14, 1 << 8)
 
 
 class Surface(Handle):
@@ -238,41 +234,24 @@ class Surface(Handle):
         nothing fits there; see meander_surface_find_outlines. Raises MeanderError for lengths out
         of range, and a few milliseconds after `context` has been cancelled.
         """
-        function = native().meander_surface_find_outlines
-        points, strands, skipped = c_size_t(), c_size_t(), c_size_t()
-        point_room, strand_room = _OUTLINE_ROOM
-        while True:
-            positions = np.empty((point_room, 3))
-            offsets = np.zeros(strand_room + 1, dtype=np.uint64)
-            closed = np.empty(strand_room, dtype=np.uint8)
-            with pointer_of(context) as cancelling:
-                call(
-                    function,
-                    self._alive(),
-                    float(distance),
-                    float(spacing),
-                    address_of(positions),
-                    point_room,
-                    byref(points),
-                    address_of(offsets),
-                    address_of(closed),
-                    strand_room,
-                    byref(strands),
-                    byref(skipped),
-                    cancelling,
-                )
-            if points.value <= point_room and strands.value <= strand_room:
-                break
-            point_room, strand_room = points.value, strands.value
-        count = strands.value
+        found = Found(OutlinesRecord)
+        with pointer_of(context) as cancelling:
+            record = found.fill(
+                native().meander_surface_find_outlines,
+                self._alive(),
+                float(distance),
+                float(spacing),
+                context=(cancelling,),
+            )
+        strands = record.strand_count
         seed = Seed(
-            positions[: points.value].copy(),
-            narrow_offsets(offsets[: count + 1]),
-            closed[:count].copy(),
-            guides=np.ones(count, dtype=np.uint8),
+            found.array("positions", record.point_count, 3),
+            narrow_offsets(found.array("offsets", strands + 1)),
+            found.array("closed", strands),
+            guides=np.ones(strands, dtype=np.uint8),
             loops=True,
         )
-        return seed, skipped.value
+        return seed, record.skipped_count
 
     def curvature(
         self, kind: str, smoothing: float = 0.0, context: Context | None = None

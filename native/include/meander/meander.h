@@ -28,9 +28,9 @@
  *           that grows with the mesh or the curve, and does it again in every call; it takes a
  *           context, so that it can be cancelled.
  * Units.    Lengths are in the units of the vertices that the caller passed. Indices start at zero.
- * Memory.   The library keeps no pointer of the caller's after a call returns, and never hands out
- *           memory that the caller must free: outputs go into the caller's arrays, whose sizes a
- *           first call asks for (two-call sizing, see meander_flow_get_polylines).
+ * Memory.   The library keeps no pointer of the caller's after a call returns. What is as long as it
+ *           turns out to be is handed out in structs of pointers, whose arrays are freed by one call;
+ *           see "Results" below. Everything else goes into the caller's own memory.
  * Structs.  Every struct of the caller's begins with struct_size and is prepared by its _init
  *           function, so that it can grow without breaking programs compiled earlier; see "Structs"
  *           below.
@@ -43,7 +43,7 @@
  *           meander_flow_start to meander_flow_wait a thread of the library runs the flow: it calls
  *           nothing of the host's, is never detached, and ends before meander_flow_wait or
  *           meander_flow_destroy returns. Functions on structs alone may be called from any thread.
- * Results.  The same input and options give the same bytes for any number of threads.
+ * Bytes.    The same input and options give the same bytes for any number of threads.
  *
  * docs/c-api.md says what stays the same from one version to the next.
  */
@@ -73,7 +73,7 @@
 
 /* Grows only when a program compiled against an older header would no longer work. What is merely
  * added leaves it as it is. meander_abi_version() tells the library's. */
-#define MEANDER_ABI_VERSION 2
+#define MEANDER_ABI_VERSION 3
 
 #ifdef __cplusplus
 extern "C" {
@@ -113,6 +113,20 @@ MEANDER_API uint32_t meander_abi_version(void);
  *           the order of declaration; may be NULL when capacity is 0
  * returns   1 + the number of fields; 0 if the name is unknown or NULL. Any thread. */
 MEANDER_API size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Results
+ *
+ * A call whose outputs are as long as they turn out to be fills a struct of counts and pointers, which
+ * its _init function has prepared as any other struct. The arrays belong to the field `result`: they
+ * never change, may be read from any thread, and last until it is destroyed, whatever happens to the
+ * object that they are of. A pointer is NULL where its array would be empty. A struct that is filled
+ * again forgets what it pointed to, so destroy its result first. */
+
+typedef struct meander_result meander_result;
+
+/* Frees all arrays of a struct. NULL, as _init leaves it, is allowed. Any thread. */
+MEANDER_API void meander_result_destroy(meander_result* result);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Status and errors                                                                            */
@@ -218,37 +232,42 @@ enum {
   MEANDER_TEXT_STL = 2        /* loops of an STL file; every corner has a point of its own */
 };
 
-/* Reads the points and polygons in the text of a mesh file; all else in it is passed over. 40 MB take a
- * fifth of a second.
+/* The points and polygons of a text. */
+typedef struct meander_polygons {
+  uint32_t struct_size; /* set by meander_polygons_init */
+  uint32_t reserved32;
+  size_t point_count;
+  size_t corner_count;
+  size_t polygon_count;     /* faces, or lines of the kind l */
+  size_t left_out;          /* faces with fewer than three corners, which are not among the polygons */
+  const double* positions;  /* double[3 * point_count]; NaN and infinite where the text says so */
+  const uint32_t* corners;  /* uint32_t[corner_count]: points, from 0, of one polygon after another */
+  const uint64_t* ends;     /* uint64_t[polygon_count]: where the corners of each polygon end */
+  const uint32_t* lines;    /* uint32_t[polygon_count]: the line of the text in which it begins, from 1 */
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_polygons;
+
+/* Prepares polygons; see "Structs". */
+MEANDER_API meander_status meander_polygons_init(meander_polygons* polygons, size_t struct_size);
+
+/* Reads the points and polygons in the text of a mesh file; all else in it is passed over.
  *
- * text              of any encoding that has ASCII in it, such as UTF-8; lines end with \n, \r or both
- * size              in bytes
- * kind              MEANDER_TEXT_...
- * positions         double[3 * position_capacity]; NaN and infinite where the text says so
- * position_capacity room, in points
- * position_count    receives the number of points
- * corners           uint32_t[corner_capacity]: points, from 0, of one polygon after another
- * corner_capacity   room in `corners`
- * corner_count      receives the number of corners
- * ends              uint64_t[polygon_capacity]: where the corners of each polygon end
- * lines             uint32_t[polygon_capacity]: in which line of the text it begins, from 1; or NULL
- * polygon_capacity  room in `ends` and `lines`
- * polygon_count     receives the number of polygons: faces, or lines of the kind l
- * left_out          receives how many faces have fewer than three corners, and are left out
+ * text      of any encoding that has ASCII in it, such as UTF-8; lines end with \n, \r or both
+ * size      in bytes
+ * kind      MEANDER_TEXT_...
+ * polygons  prepared by meander_polygons_init; receives them
  *
- * Where a capacity is too small, counts are written, and what is in the arrays is undefined; so it is after
- * a failure. Refused with MEANDER_STATUS_INVALID_MESH, naming the line: a v line without three numbers; an
- * f or l line with what is no reference to a vertex, or to one that is not there; an l line of one vertex;
- * a text that ends within a triangle. Any thread. */
-MEANDER_API meander_status meander_text_read_polygons(
-    const char* text, size_t size, meander_text kind, double* positions, size_t position_capacity,
-    size_t* position_count, uint32_t* corners, size_t corner_capacity, size_t* corner_count, uint64_t* ends,
-    uint32_t* lines, size_t polygon_capacity, size_t* polygon_count, size_t* left_out, meander_error* error);
+ * Refused with MEANDER_STATUS_INVALID_MESH, naming the line: a v line without three numbers; an f or l
+ * line with what is no reference to a vertex, or to one that is not there; an l line of one vertex; a
+ * text that ends within a triangle. Any thread. */
+MEANDER_API meander_status meander_text_read_polygons(const char* text, size_t size, meander_text kind,
+                                                      meander_polygons* polygons, meander_error* error);
 
 /* Reads numbers that stand in a text between blanks and ends of lines, until something else stands there,
  * or there is no more room.
  *
- * text      as above
+ * text      as in meander_text_read_polygons
  * size      in bytes
  * numbers   receives double[count]
  * capacity  room in `numbers`
@@ -258,6 +277,20 @@ MEANDER_API meander_status meander_text_read_polygons(
 MEANDER_API meander_status meander_text_read_numbers(const char* text, size_t size, double* numbers,
                                                      size_t capacity, size_t* count, size_t* end,
                                                      meander_error* error);
+
+/* Triangles that polygons were divided into. */
+typedef struct meander_triangles {
+  uint32_t struct_size; /* set by meander_triangles_init */
+  uint32_t reserved32;
+  size_t count;
+  const uint32_t* corners;  /* uint32_t[3 * count]: three vertices each, wound as their polygon */
+  const uint32_t* polygons; /* uint32_t[count]: the polygon of each triangle, rising */
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_triangles;
+
+/* Prepares triangles; see "Structs". */
+MEANDER_API meander_status meander_triangles_init(meander_triangles* triangles, size_t struct_size);
 
 /* Divides polygons into triangles, as Blender does: concave ones, ones that are not quite flat, and ones
  * with holes that bridges join to their rim. A polygon of n corners gives n - 2 triangles, or fewer where
@@ -271,16 +304,11 @@ MEANDER_API meander_status meander_text_read_numbers(const char* text, size_t si
  * ends           uint64_t[polygon_count], never falling, the last one corner_count: where the corners of
  *                each polygon end. Polygons of fewer than three corners give no triangles
  * polygon_count  at most 2^30
- * triangles      receives uint32_t[3 * count]: three vertices each, wound as their polygon
- * polygons       receives uint32_t[count]: the polygon of each triangle, rising; or NULL
- * capacity       room, in triangles; corner_count is always enough
- * count          receives the number of triangles; where it exceeds the capacity nothing else is written.
- *                Any thread. */
+ * triangles      prepared by meander_triangles_init; receives them. Any thread. */
 MEANDER_API meander_status meander_polygons_triangulate(const double* vertices, size_t vertex_count,
                                                         const uint32_t* corners, size_t corner_count,
                                                         const uint64_t* ends, size_t polygon_count,
-                                                        uint32_t* triangles, uint32_t* polygons,
-                                                        size_t capacity, size_t* count,
+                                                        meander_triangles* triangles,
                                                         meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
@@ -426,23 +454,33 @@ enum {
   MEANDER_FAULT_SEAM = 6           /* edge: a boundary edge that lies on another one */
 };
 
-/* Finds all faults of a mesh, where meander_surface_create names the first. Two-call sizing. What is found
- * with the faces of the kinds 1 and 2 and those at a vertex of kind 0 left out is in order of the kinds,
- * and within one in rising order.
+/* All faults of a mesh. */
+typedef struct meander_faults {
+  uint32_t struct_size; /* set by meander_faults_init */
+  uint32_t reserved32;
+  size_t count;
+  const uint32_t* kinds;    /* uint32_t[count]: each a meander_fault, rising */
+  const uint32_t* elements; /* uint32_t[2 * count] */
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_faults;
+
+/* Prepares faults; see "Structs". */
+MEANDER_API meander_status meander_faults_init(meander_faults* faults, size_t struct_size);
+
+/* Finds all faults of a mesh, where meander_surface_create names the first. What is found with the faces
+ * of the kinds 1 and 2 and those at a vertex of kind 0 left out is in order of the kinds, and within one
+ * in rising order.
  *
  * vertices, vertex_count, faces, face_count   as for meander_surface_create; coordinates may be anything
  * weld_distance   how close boundary edges count as seams, as in meander_surface_options; 0: none do
- * kinds           receives uint32_t[count], each a meander_fault, or NULL
- * elements        receives uint32_t[2 * count], or NULL
- * capacity        of both, in faults; where it is too small, only the count is written
- * count           receives how many there are
+ * faults          prepared by meander_faults_init; receives them
  * context         or NULL; asked before the work begins and after it
  *
  * Refused with MEANDER_STATUS_INVALID_MESH: no faces, an index out of range. Any thread. */
 MEANDER_API meander_status meander_mesh_find_faults(const double* vertices, size_t vertex_count,
                                                     const uint32_t* faces, size_t face_count,
-                                                    double weld_distance, uint32_t* kinds,
-                                                    uint32_t* elements, size_t capacity, size_t* count,
+                                                    double weld_distance, meander_faults* faults,
                                                     meander_context* context, meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
@@ -558,6 +596,23 @@ MEANDER_API meander_status meander_surface_turn_directions(const meander_surface
                                                            const double* angles, size_t vertex_count,
                                                            meander_context* context, meander_error* error);
 
+/* Lines along the boundary. */
+typedef struct meander_outlines {
+  uint32_t struct_size; /* set by meander_outlines_init */
+  uint32_t reserved32;
+  size_t point_count;
+  size_t strand_count;      /* 0 for a closed surface */
+  size_t skipped_count;     /* stretches and strands that were left out */
+  const double* positions;  /* double[3 * point_count] */
+  const uint64_t* offsets;  /* uint64_t[strand_count + 1], as in meander_polylines */
+  const uint8_t* closed;    /* uint8_t[strand_count] */
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_outlines;
+
+/* Prepares outlines; see "Structs". */
+MEANDER_API meander_status meander_outlines_init(meander_outlines* outlines, size_t struct_size);
+
 /* Finds lines along the boundary at a distance from it, to be guides of a seed: the other strands
  * then fill the rest, and the boundary is outlined evenly.
  *
@@ -565,25 +620,14 @@ MEANDER_API meander_status meander_surface_turn_directions(const meander_surface
  * them, and so are strands shorter than three spacings; a line that is interrupted in this manner
  * gives open strands. Lines do not cross. The distance is measured along the surface.
  *
- * distance         in mesh units; from a tenth of the spacing to twice the spacing
- * spacing          of the curve to come, in mesh units; points are about a quarter of it apart
- * positions        double[3 * point_capacity]
- * point_capacity   room, in points
- * point_count      receives the number of points
- * offsets          uint64_t[strand_capacity + 1], as in meander_flow_get_polylines
- * closed           uint8_t[strand_capacity]
- * strand_capacity  room in `closed`, in strands; `offsets` has room for one value more
- * strand_count     receives the number of strands; 0 for a closed surface
- * skipped_count    receives how many stretches and strands were left out; may be NULL
- * context          or NULL; asked before the work begins and every few milliseconds
- *
- * Two-call sizing as in meander_flow_get_polylines, but every call computes the lines again. Any
- * thread. */
-MEANDER_API meander_status meander_surface_find_outlines(
-    const meander_surface* surface, double distance, double spacing, double* positions,
-    size_t point_capacity, size_t* point_count, uint64_t* offsets, uint8_t* closed,
-    size_t strand_capacity, size_t* strand_count, size_t* skipped_count, meander_context* context,
-    meander_error* error);
+ * distance   in mesh units; from a tenth of the spacing to twice the spacing
+ * spacing    of the curve to come, in mesh units; points are about a quarter of it apart
+ * outlines   prepared by meander_outlines_init; receives them
+ * context    or NULL; asked before the work begins and every few milliseconds. Any thread. */
+MEANDER_API meander_status meander_surface_find_outlines(const meander_surface* surface, double distance,
+                                                         double spacing, meander_outlines* outlines,
+                                                         meander_context* context,
+                                                         meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: seed                                                                                   */
@@ -951,7 +995,7 @@ MEANDER_API meander_stop_reason meander_flow_stop_reason(const meander_flow* flo
  * lend a thread of their own, and stay responsive meanwhile; the curve is the same to the last byte.
  *
  * Until meander_flow_wait returns, also when the run has ended by itself, the flow belongs to the
- * run: only meander_flow_is_running, meander_flow_get_preview, meander_flow_stop_reason,
+ * run: only meander_flow_is_running, meander_flow_take_preview, meander_flow_stop_reason,
  * meander_flow_wait and meander_flow_destroy may be called; everything else is refused with
  * MEANDER_STATUS_INVALID_ARGUMENT. Afterwards it can be started again.
  *
@@ -971,22 +1015,26 @@ MEANDER_API uint32_t meander_flow_is_running(const meander_flow* flow);
  *           when no run has been started since the last wait */
 MEANDER_API meander_status meander_flow_wait(meander_flow* flow, meander_error* error);
 
-/* The figures of a copy of the curve; see meander_flow_get_preview. */
+/* A copy of the curve of a started run; see meander_flow_take_preview. */
 typedef struct meander_preview {
   uint32_t struct_size; /* set by meander_preview_init */
-  uint32_t serial;      /* 1 for the curve at the start; every later copy has a greater one */
+  uint32_t serial;      /* 1 for the curve at the start; every later copy has a greater one. 0: there was
+                           none to take, and all other fields are 0 too */
   uint32_t iterations;  /* over the life of the flow */
   uint32_t nodes;
-  double length;  /* of the curve */
-  double seconds; /* of all iterations */
-  uint64_t kept;  /* copies of growth that come after this one; see meander_flow_keep_growth */
-  uint64_t reserved[3];
+  double length;            /* of the curve */
+  double seconds;           /* of all iterations */
+  uint64_t kept;            /* copies of growth that come after this one; see meander_flow_keep_growth */
+  size_t point_count;
+  size_t strand_count;
+  const double* positions;  /* this and the following as in meander_polylines */
+  const uint64_t* offsets;
+  const uint8_t* closed;
+  meander_result* result;
+  uint64_t reserved[4];
 } meander_preview;
 
-/* Prepares the struct; see "Structs".
- *
- * preview      receives struct_size and zeros
- * struct_size  sizeof(meander_preview) */
+/* Prepares a preview; see "Structs". */
 MEANDER_API meander_status meander_preview_init(meander_preview* preview, size_t struct_size);
 
 /* Has started runs keep copies of the curve while it grows, for hosts that show how it grew. Growth
@@ -995,29 +1043,20 @@ MEANDER_API meander_status meander_preview_init(meander_preview* preview, size_t
  * length_step  a copy is kept whenever the curve has become longer by this, in the caller's units,
  *              than it was at the copy that was kept last; 0, as in a new flow: none is
  * point_limit  none is kept that would make more points than this of those that have not been taken
- *              out: a point takes 48 bytes
+ *              out: a point takes 24 bytes
  *
- * meander_flow_get_preview gives them in the order in which they were made. For all starts from
+ * meander_flow_take_preview gives them in the order in which they were made. For all starts from
  * now on; each begins with none. Between two runs only. */
 MEANDER_API meander_status meander_flow_keep_growth(meander_flow* flow, double length_step,
                                                     size_t point_limit, meander_error* error);
 
-/* The newest copy of the curve of a started run, until meander_flow_wait. The run makes one at the
- * start, and then one after its present iteration whenever the last one has been taken out, so a run
- * that nobody watches copies nothing. Never waits for an iteration, only for a copy.
+/* Takes out the newest copy of the curve of a started run, until meander_flow_wait: each copy once. The
+ * run makes one at the start, and then one after its present iteration whenever the last one has been
+ * taken, so a run that nobody watches copies nothing. Never waits for an iteration, only for a copy.
  *
- * preview   prepared by meander_preview_init; receives the figures of the copy
- * others    as in meander_flow_get_polylines, with the same two-call sizing
- *
- * A call with too little room, which includes the one that asks for sizes, leaves the copy in place:
- * one that has not been taken out yet stays the newest, and its sizes hold for the next call. A copy
- * may be taken out again, but by then a newer one may be there, with other sizes. */
-MEANDER_API meander_status meander_flow_get_preview(meander_flow* flow, meander_preview* preview,
-                                                    double* positions, double* normals,
-                                                    size_t point_capacity, size_t* point_count,
-                                                    uint64_t* offsets, uint8_t* closed,
-                                                    size_t strand_capacity, size_t* strand_count,
-                                                    meander_error* error);
+ * preview   prepared by meander_preview_init; receives the copy, or zeros while there is none */
+MEANDER_API meander_status meander_flow_take_preview(meander_flow* flow, meander_preview* preview,
+                                                     meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: other wishes                                                                           */
@@ -1186,84 +1225,131 @@ MEANDER_API meander_status meander_flow_get_history(const meander_flow* flow,
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: curve out                                                                              */
 
-/* Copies the curve as full geodesic polylines: nodes and, between them, every point where a segment
- * crosses an edge of the mesh, so that every straight piece lies in one face.
- *
- * positions        double[3 * point_capacity]
- * normals          double[3 * point_capacity], unit surface normals, or NULL
- * point_capacity   room in the two arrays, in points
- * point_count      receives the number of points
- * offsets          uint64_t[strand_capacity + 1]: strand s has the points offsets[s] ..
- *                  offsets[s + 1] - 1
- * closed           uint8_t[strand_capacity]: 1 if the last point joins the first (not repeated)
- * strand_capacity  room in `closed`, in strands; `offsets` has room for one value more
- * strand_count     receives the number of strands
- *
- * Two-call sizing: where a capacity is too small (0 with NULL arrays to ask), counts are written,
- * arrays are untouched, and MEANDER_STATUS_OK is returned. Strands come in the order of the seed's. */
-MEANDER_API meander_status meander_flow_get_polylines(const meander_flow* flow, double* positions,
-                                                      double* normals, size_t point_capacity,
-                                                      size_t* point_count, uint64_t* offsets,
-                                                      uint8_t* closed, size_t strand_capacity,
-                                                      size_t* strand_count, meander_error* error);
+/* The curve as full geodesic polylines: nodes and, between them, every point where a segment crosses an
+ * edge of the mesh, so that every straight piece lies in one face. */
+typedef struct meander_polylines {
+  uint32_t struct_size; /* set by meander_polylines_init */
+  uint32_t reserved32;
+  size_t point_count;
+  size_t strand_count;
+  const double* positions; /* double[3 * point_count] */
+  const uint64_t* offsets; /* uint64_t[strand_count + 1]: strand s has the points offsets[s] ..
+                              offsets[s + 1] - 1 */
+  const uint8_t* closed;   /* uint8_t[strand_count]: 1 if the last point joins the first, which is not
+                              repeated */
+  const uint8_t* guides;   /* uint8_t[strand_count]: 1 for a guide, 0 for a strand that grows; see
+                              meander_seed */
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_polylines;
 
-/* Says which strands are guides, in the order of the polylines; see meander_seed. Strands keep their
- * places for the life of the flow.
- *
- * guides    uint8_t[capacity]: 1 for a guide, 0 for a strand that grows; may be NULL only when
- *           capacity is 0
- * capacity  room in the array, in strands
- * count     receives the number of strands; when it exceeds capacity nothing is copied */
-MEANDER_API meander_status meander_flow_get_guides(const meander_flow* flow, uint8_t* guides,
-                                                   size_t capacity, size_t* count,
-                                                   meander_error* error);
+/* Prepares polylines; see "Structs". */
+MEANDER_API meander_status meander_polylines_init(meander_polylines* polylines, size_t struct_size);
 
-/* Copies the nodes as points of the mesh, strand after strand.
+/* Copies the curve. Strands come in the order of the seed's, and keep their places for the life of the
+ * flow.
  *
- * faces         uint32_t[capacity]: index of the face, as passed to meander_surface_create
- * barycentrics  double[3 * capacity]: weights of the face's vertices in the caller's order; sum 1
- * radii         double[2 * capacity]: r+ and r- of the node (eq. 6), clamped at r_max, of the last
- *               medial axis, be it a step's or the statistics' (0 before the first), or NULL. Towards a
- *               boundary it is no more than the distance of the node from there, along the surface,
- *               plus r (1 - 2 boundary_distance)
- * fixed         uint8_t[capacity]: 1 for a node that never moves, or NULL
- * capacity      room in the arrays, in nodes
- * count         receives the number of nodes; when it exceeds capacity nothing is copied */
-MEANDER_API meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces,
-                                                  double* barycentrics, double* radii,
-                                                  uint8_t* fixed, size_t capacity, size_t* count,
+ * polylines   prepared by meander_polylines_init; receives them */
+MEANDER_API meander_status meander_flow_get_polylines(const meander_flow* flow,
+                                                      meander_polylines* polylines,
+                                                      meander_error* error);
+
+/* The nodes as points of the mesh, strand after strand. */
+typedef struct meander_nodes {
+  uint32_t struct_size; /* set by meander_nodes_init */
+  uint32_t reserved32;
+  size_t count;
+  const uint32_t* faces;      /* uint32_t[count]: index of the face, as passed to meander_surface_create */
+  const double* barycentrics; /* double[3 * count]: weights of the face's vertices in the caller's order;
+                                 sum 1 */
+  const double* radii;        /* double[2 * count]: r+ and r- of the node (eq. 6), clamped at r_max, of
+                                 the last medial axis, be it a step's or the statistics' (0 before the
+                                 first). Towards a boundary it is no more than the distance of the node
+                                 from there, along the surface, plus r (1 - 2 boundary_distance) */
+  const uint8_t* fixed;       /* uint8_t[count]: 1 for a node that never moves */
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_nodes;
+
+/* Prepares nodes; see "Structs". */
+MEANDER_API meander_status meander_nodes_init(meander_nodes* nodes, size_t struct_size);
+
+/* Copies the nodes.
+ *
+ * nodes   prepared by meander_nodes_init; receives them */
+MEANDER_API meander_status meander_flow_get_nodes(const meander_flow* flow, meander_nodes* nodes,
                                                   meander_error* error);
 
-/* Computes what is known of every point of the polylines, in the order of meander_flow_get_polylines,
- * for ribbons, tool paths and shaders. Every array may be NULL.
+/* What meander_flow_compute_point_data computes; the sum of those that are wanted. */
+typedef uint32_t meander_point_parts;
+enum {
+  MEANDER_POINT_PARTS_ARC_LENGTHS = 1,
+  MEANDER_POINT_PARTS_NORMALS = 2,
+  MEANDER_POINT_PARTS_TANGENTS = 4,
+  MEANDER_POINT_PARTS_RADII = 8, /* costs a medial axis */
+  MEANDER_POINT_PARTS_PLACES = 16, /* faces and barycentrics */
+  MEANDER_POINT_PARTS_ALL = 31
+};
+
+/* What is known of every point of the polylines, in their order, for ribbons, tool paths and shaders. What
+ * was not asked for is NULL. */
+typedef struct meander_point_data {
+  uint32_t struct_size; /* set by meander_point_data_init */
+  uint32_t reserved32;
+  size_t count;
+  const double* arc_lengths;  /* double[count]: arc length of the strand from its first point */
+  const double* normals;      /* double[3 * count]: unit surface normals */
+  const double* tangents;     /* double[3 * count]: unit, along the strand, bisecting the angle of the
+                                 pieces before and after the point */
+  const double* radii;        /* double[2 * count]: r+ and r- of the present curve (eq. 6), clamped at
+                                 r_max: half the room to the strand on the right and on the left, in the
+                                 direction of the strand and seen from outside; between two nodes in
+                                 proportion to arc length */
+  const uint32_t* faces;      /* uint32_t[count]: a face that holds the point, as passed to
+                                 meander_surface_create */
+  const double* barycentrics; /* double[3 * count]: weights of the face's vertices in the caller's order;
+                                 sum 1 */
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_point_data;
+
+/* Prepares data of points; see "Structs". */
+MEANDER_API meander_status meander_point_data_init(meander_point_data* point_data, size_t struct_size);
+
+/* Computes data of the points of the present curve.
  *
- * arc_lengths   double[capacity]: arc length of the strand from its first point
- * normals       double[3 * capacity]: unit surface normals, as in meander_flow_get_polylines
- * tangents      double[3 * capacity]: unit, along the strand, bisecting the angle of the pieces before
- *               and after the point
- * radii         double[2 * capacity]: r+ and r- of the present curve (eq. 6), clamped at r_max: half
- *               the room to the strand on the right and on the left, in the direction of the strand and
- *               seen from outside; between two nodes in proportion to arc length. Costs a medial axis
- * faces         uint32_t[capacity]: a face that holds the point, as passed to meander_surface_create
- * barycentrics  double[3 * capacity]: weights of the face's vertices in the caller's order; sum 1
- * capacity      room in the arrays, in points
- * count         receives the number of points; when it exceeds capacity nothing is computed
- * context       or NULL; asked before the work begins and all the while */
-MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, double* arc_lengths,
-                                                           double* normals, double* tangents,
-                                                           double* radii, uint32_t* faces,
-                                                           double* barycentrics, size_t capacity,
-                                                           size_t* count, meander_context* context,
+ * parts        MEANDER_POINT_PARTS_..., added up
+ * point_data   prepared by meander_point_data_init; receives them
+ * context      or NULL; asked before the work begins and all the while */
+MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, meander_point_parts parts,
+                                                           meander_point_data* point_data,
+                                                           meander_context* context,
                                                            meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: gaps                                                                                   */
 
-/* Finds the places that the present curve leaves empty, the largest first. The size of a place is its
- * straight distance from the curve in units of the local r: 1 between strands at the spacing asked for.
- * Every gap is a local maximum of it, and where it lies on the boundary also a maximum along the
- * boundary; no gap's position lies within the radius of a larger one. A long furrow that is too wide
- * gives a row of gaps.
+/* Places that a curve leaves empty, the largest first. */
+typedef struct meander_gaps {
+  uint32_t struct_size; /* set by meander_gaps_init */
+  uint32_t reserved32;
+  size_t count;
+  const double* positions; /* double[3 * count], on the surface */
+  const double* radii;     /* double[count]: distance from the position to the curve, in the caller's units */
+  const double* sizes;     /* double[count]: the same in units of the local r, never rising */
+  const uint32_t* faces;   /* uint32_t[count]: the face of each position, as passed to
+                              meander_surface_create */
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_gaps;
+
+/* Prepares gaps; see "Structs". */
+MEANDER_API meander_status meander_gaps_init(meander_gaps* gaps, size_t struct_size);
+
+/* Finds the places that the present curve leaves empty. The size of a place is its straight distance from
+ * the curve in units of the local r: 1 between strands at the spacing asked for. Every gap is a local
+ * maximum of it, and where it lies on the boundary also a maximum along the boundary; no gap's position
+ * lies within the radius of a larger one. A long furrow that is too wide gives a row of gaps.
  *
  * The search starts from the nodes' medial balls and from the middles of faces, so it also sees parts
  * of the surface that no strand has reached. Where a place is larger than r_max its size is a lower
@@ -1274,26 +1360,73 @@ MEANDER_API meander_status meander_flow_compute_point_data(meander_flow* flow, d
  * that calls for is a gap.
  *
  * least_size  how large a place must be to count, in local r, from 1 to 1e6; 0: 1.2
- * positions   double[3 * capacity], on the surface; may be NULL only when capacity is 0
- * radii       double[capacity]: distance from the position to the curve, in the caller's units, or NULL
- * sizes       double[capacity]: the same in units of the local r, never rising, or NULL
- * faces       uint32_t[capacity]: the face of each position, as passed to meander_surface_create, or
- *             NULL
- * capacity    room in the arrays, in gaps
- * count       receives the number of gaps; when it exceeds capacity nothing is copied
+ * gaps        prepared by meander_gaps_init; receives them
  * context     or NULL; asked before the work begins and all the while
  *
- * Two-call sizing as in meander_flow_get_polylines, but every call searches again: it costs one
- * medial axis and a few nearest-point queries a node and face. The curve stays as it is. */
+ * Costs one medial axis and a few nearest-point queries a node and face. The curve stays as it is. */
 MEANDER_API meander_status meander_flow_find_gaps(meander_flow* flow, double least_size,
-                                                  double* positions, double* radii, double* sizes,
-                                                  uint32_t* faces, size_t capacity, size_t* count,
-                                                  meander_context* context, meander_error* error);
+                                                  meander_gaps* gaps, meander_context* context,
+                                                  meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: the surface cut along the curve                                                        */
 
-typedef struct meander_cut meander_cut;
+/* A triangle mesh that has the curve among its edges. */
+typedef struct meander_cut {
+  uint32_t struct_size; /* set by meander_cut_init */
+  uint32_t reserved32;
+  size_t vertex_count;
+  size_t face_count;
+  size_t point_count;  /* of the curve */
+  size_t strand_count; /* of the curve, without guides */
+
+  const double* positions;       /* double[3 * vertex_count], in the caller's units */
+  const double* distances;       /* double[vertex_count]: from the curve, along the surface; 0 on the curve,
+                                    infinite on components that no strand runs on. Where the surface bends
+                                    by less than 20 degrees on the way it is the straight distance */
+  const uint32_t* vertex_faces;  /* uint32_t[vertex_count]: a face that holds the vertex, as passed to
+                                    meander_surface_create */
+  const double* vertex_weights;  /* double[3 * vertex_count]: weights of that face's vertices in the
+                                    caller's order; sum 1 */
+
+  const uint32_t* faces;         /* uint32_t[3 * face_count], oriented as the component's first face */
+  const uint32_t* origins;       /* uint32_t[face_count]: the face that it is a part of, as passed to
+                                    meander_surface_create */
+  const uint32_t* strands;       /* uint32_t[face_count]: the nearest strand, as in meander_polylines;
+                                    UINT32_MAX on components that no strand runs on */
+  const uint32_t* regions;       /* uint32_t[face_count]: faces have the same number if one can go from one
+                                    to the other without crossing the curve; from 0 on */
+  const int32_t* sides;          /* int32_t[face_count], 1 or -1: other on the two sides of every edge of
+                                    the curve, if that can be on this component of the surface, as it can
+                                    where closed strands part a sphere; if not, as nearest_sides. 0 on
+                                    components without a strand */
+  const int32_t* nearest_sides;  /* int32_t[face_count]: 1 on the left of the nearest strand, in its
+                                    direction and seen from outside, -1 on its right, 0 on components
+                                    without a strand */
+  const double* along;           /* double[3 * face_count]: per corner, the arc length of the nearest place
+                                    of the curve from the first point of its strand. It does not jump
+                                    within a face, so it may lie a little beyond either end of a closed
+                                    strand */
+  const double* face_distances;  /* double[3 * face_count]: per corner, from that place */
+  const double* corner_weights;  /* double[9 * face_count]: per corner, the weights of the vertices of the
+                                    face in `origins` */
+
+  const uint32_t* line_vertices; /* uint32_t[point_count]: the curve as vertices of the cut; each point is
+                                    joined to the next one by an edge */
+  const double* arc_lengths;     /* double[point_count]: from the first point of the strand */
+  const uint64_t* offsets;       /* uint64_t[strand_count + 1]: strand s has the points offsets[s] ..
+                                    offsets[s + 1] - 1 */
+  const uint32_t* line_strands;  /* uint32_t[strand_count]: which strand of meander_polylines it is */
+  const uint8_t* closed;         /* uint8_t[strand_count]: 1 if the last point joins the first (not
+                                    repeated) */
+  const double* lengths;         /* double[strand_count]: of the whole strand */
+
+  meander_result* result;
+  uint64_t reserved[4];
+} meander_cut;
+
+/* Prepares a cut; see "Structs". */
+MEANDER_API meander_status meander_cut_init(meander_cut* cut, size_t struct_size);
 
 /* Makes a triangle mesh of the same shape as the flow's surface in which every straight piece of the
  * curve is an edge, and finds for all of it the nearest place of the curve: what two-tone colours,
@@ -1306,80 +1439,15 @@ typedef struct meander_cut meander_cut;
  *               distance. Caller's units; half of r gives a smooth relief
  * middle_lines  1: also the lines halfway between neighbouring turns become edges, so that every face
  *               belongs to one turn and one side of it, and the distance has its ridges on edges; or 0
- * cut           receives the mesh; destroy it with meander_cut_destroy. It keeps nothing of the flow
+ * cut           prepared by meander_cut_init; receives the mesh
  * context       or NULL; asked before the work begins and all the while
  *
  * Where the curve comes close to vertices and edges of the surface, faces are thin; none is turned over.
  * Refused with MEANDER_STATUS_INVALID_ARGUMENT: a detail that is negative, not finite, or so small that
  * there would be more than 200 million vertices. */
 MEANDER_API meander_status meander_flow_cut_surface(const meander_flow* flow, double detail,
-                                                    uint32_t middle_lines, meander_cut** cut,
+                                                    uint32_t middle_lines, meander_cut* cut,
                                                     meander_context* context, meander_error* error);
-
-/* Frees a cut; NULL is allowed. */
-MEANDER_API void meander_cut_destroy(meander_cut* cut);
-
-/* Copies the vertices of a cut. Every array may be NULL.
- *
- * positions     double[3 * capacity], in the caller's units
- * distances     double[capacity]: from the curve, along the surface; 0 on the curve, infinite on
- *               components that no strand runs on. Where the surface bends by less than 20 degrees on the
- *               way it is the straight distance
- * faces         uint32_t[capacity]: a face that holds the vertex, as passed to meander_surface_create
- * barycentrics  double[3 * capacity]: weights of that face's vertices in the caller's order; sum 1
- * capacity      room in the arrays, in vertices
- * count         receives the number of vertices; when it exceeds capacity nothing is copied */
-MEANDER_API meander_status meander_cut_get_vertices(const meander_cut* cut, double* positions,
-                                                    double* distances, uint32_t* faces,
-                                                    double* barycentrics, size_t capacity, size_t* count,
-                                                    meander_error* error);
-
-/* Copies the faces of a cut. Every array may be NULL.
- *
- * vertices       uint32_t[3 * capacity], oriented as the component's first face
- * origins        uint32_t[capacity]: the face that it is a part of, as passed to meander_surface_create
- * strands        uint32_t[capacity]: the nearest strand, as in meander_flow_get_polylines; UINT32_MAX on
- *                components that no strand runs on
- * regions        uint32_t[capacity]: faces have the same number if one can go from one to the other
- *                without crossing the curve; from 0 on
- * sides          int32_t[capacity], 1 or -1: other on the two sides of every edge of the curve, if that
- *                can be on this component of the surface, as it can where closed strands part a
- *                sphere; if not, as nearest_sides. 0 on components without a strand
- * nearest_sides  int32_t[capacity]: 1 on the left of the nearest strand, in its direction and seen from
- *                outside, -1 on its right, 0 on components without a strand
- * along          double[3 * capacity]: per corner, the arc length of the nearest place of the curve from the
- *                first point of its strand. It does not jump within a face, so it may lie a little beyond
- *                either end of a closed strand
- * distances      double[3 * capacity]: per corner, from that place
- * barycentrics   double[9 * capacity]: per corner, the weights of the vertices of the face in `origins`
- * capacity       room in the arrays, in faces
- * count          receives the number of faces; when it exceeds capacity nothing is copied */
-MEANDER_API meander_status meander_cut_get_faces(const meander_cut* cut, uint32_t* vertices,
-                                                 uint32_t* origins, uint32_t* strands, uint32_t* regions,
-                                                 int32_t* sides, int32_t* nearest_sides, double* along,
-                                                 double* distances, double* barycentrics,
-                                                 size_t capacity, size_t* count, meander_error* error);
-
-/* Copies the curve as edges of a cut: each strand's point is joined to the next one by an edge. Every array
- * may be NULL.
- *
- * vertices         uint32_t[point_capacity]: vertices of the cut
- * arc_lengths      double[point_capacity]: from the first point of the strand
- * point_capacity   room in the two arrays, in points
- * point_count      receives the number of points
- * offsets          uint64_t[strand_capacity + 1]: strand s has the points offsets[s] .. offsets[s + 1] - 1
- * strands          uint32_t[strand_capacity]: which strand of meander_flow_get_polylines it is
- * closed           uint8_t[strand_capacity]: 1 if the last point joins the first (not repeated)
- * lengths          double[strand_capacity]: of the whole strand
- * strand_capacity  room in the arrays, in strands; `offsets` has room for one value more
- * strand_count     receives the number of strands that are not guides
- *
- * Where a capacity is too small counts are written, and nothing is copied. */
-MEANDER_API meander_status meander_cut_get_line(const meander_cut* cut, uint32_t* vertices,
-                                                double* arc_lengths, size_t point_capacity,
-                                                size_t* point_count, uint64_t* offsets, uint32_t* strands,
-                                                uint8_t* closed, double* lengths, size_t strand_capacity,
-                                                size_t* strand_count, meander_error* error);
 
 #ifdef __cplusplus
 }

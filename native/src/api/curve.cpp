@@ -1,66 +1,72 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The curve out: polylines, guides, nodes.
+// The curve out: polylines and nodes.
+#include <array>
+
 #include "api/caller_mesh.h"
-#include "api/guard.h"
+#include "api/results.h"
 #include "curve/polylines.h"
 
 using namespace meander;
 
-meander_status meander_flow_get_polylines(const meander_flow* flow, double* positions, double* normals,
-                                          size_t point_capacity, size_t* point_count, uint64_t* offsets,
-                                          uint8_t* closed, size_t strand_capacity, size_t* strand_count,
+namespace {
+
+struct NodeArrays {
+  std::vector<uint32_t> faces;
+  std::vector<std::array<double, 3>> weights;
+  std::vector<std::array<double, 2>> radii;
+  std::vector<uint8_t> fixed;
+};
+
+NodeArrays nodes_of(const Flow& flow, const MeshMap* map) {
+  const Curve& curve = flow.curve();
+  const Surface& surface = flow.surface();
+  NodeArrays nodes;
+  nodes.faces.reserve(curve.size());
+  nodes.weights.reserve(curve.size());
+  nodes.radii.reserve(curve.size());
+  nodes.fixed.reserve(curve.size());
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    const SurfacePoint& node = curve.nodes[i];
+    const Radii r = flow.radii_of(i);
+    nodes.faces.push_back(caller_face(map, node.face));
+    nodes.weights.push_back(caller_weights(surface, map, node.face, {node.weight(0), node.b.x, node.b.y}));
+    nodes.radii.push_back({r[0] * surface.scale(), r[1] * surface.scale()});
+    nodes.fixed.push_back(curve.fixed[i]);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+meander_status meander_flow_get_polylines(const meander_flow* flow, meander_polylines* polylines,
                                           meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
-    require(point_count != nullptr && strand_count != nullptr, "A pointer for a count is NULL.");
-    const Flow& f = *flow->flow;
-    const size_t points = polyline_point_count(f.curve()), strands = f.curve().strands.size();
-    const bool fits = points <= point_capacity && strands <= strand_capacity;
-    if (fits) require(positions && offsets && closed, "An array for the polylines is NULL.");
-    if (fits && normals) f.normals().prepare();
-    *point_count = points;
-    *strand_count = strands;
-    if (fits) write_polylines(f.surface(), f.curve(), f.normals(), positions, normals, offsets, closed);
+    require_struct(polylines);
+    Polylines copy;
+    copy.copy_from(flow->flow->surface(), flow->flow->curve());
+    hand_out(polylines, std::move(copy), [](const Polylines& lines, meander_polylines& p) {
+      p.point_count = lines.point_count();
+      p.strand_count = lines.closed.size();
+      point_to(p.positions, lines.positions);
+      point_to(p.offsets, lines.offsets);
+      point_to(p.closed, lines.closed);
+      point_to(p.guides, lines.guides);
+    });
   });
 }
 
-meander_status meander_flow_get_guides(const meander_flow* flow, uint8_t* guides, size_t capacity, size_t* count,
-                                       meander_error* error) {
+meander_status meander_flow_get_nodes(const meander_flow* flow, meander_nodes* nodes, meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
-    require(count != nullptr, "The pointer for the count is NULL.");
-    const std::vector<Strand>& strands = flow->flow->curve().strands;
-    const bool fits = strands.size() <= capacity;
-    if (fits) require(guides != nullptr, "The array for the guides is NULL.");
-    *count = strands.size();
-    for (size_t s = 0; fits && s < strands.size(); ++s) guides[s] = strands[s].guide;
-  });
-}
-
-meander_status meander_flow_get_nodes(const meander_flow* flow, uint32_t* faces, double* barycentrics, double* radii,
-                                      uint8_t* fixed, size_t capacity, size_t* count, meander_error* error) {
-  return guard(error, [&] {
-    require_idle(flow);
-    require(count != nullptr, "The pointer for the count is NULL.");
-    const Flow& f = *flow->flow;
-    const Curve& curve = f.curve();
-    const bool fits = curve.size() <= capacity;
-    if (fits) require(faces && barycentrics, "An array for the nodes is NULL.");
-    *count = curve.size();
-    if (!fits) return;
-    const double scale = f.surface().scale();
-    for (uint32_t i = 0; i < curve.size(); ++i) {
-      const SurfacePoint& node = curve.nodes[i];
-      const auto w = caller_weights(f.surface(), flow->map.get(), node.face, {node.weight(0), node.b.x, node.b.y});
-      faces[i] = caller_face(flow->map.get(), node.face);
-      std::copy(w.begin(), w.end(), barycentrics + 3 * size_t{i});
-      if (radii) {
-        const Radii r = f.radii_of(i);
-        radii[2 * size_t{i}] = r[0] * scale;
-        radii[2 * size_t{i} + 1] = r[1] * scale;
-      }
-      if (fixed) fixed[i] = curve.fixed[i];
-    }
+    require_struct(nodes);
+    hand_out(nodes, nodes_of(*flow->flow, flow->map.get()), [](const NodeArrays& found, meander_nodes& n) {
+      n.count = found.faces.size();
+      point_to(n.faces, found.faces);
+      point_to(n.barycentrics, found.weights);
+      point_to(n.radii, found.radii);
+      point_to(n.fixed, found.fixed);
+    });
   });
 }

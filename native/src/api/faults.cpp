@@ -3,34 +3,45 @@
 // All faults of a mesh.
 #include "mesh/mesh_faults.h"
 
+#include <array>
 #include <cmath>
 
-#include "api/guard.h"
+#include "api/results.h"
 
 using namespace meander;
 
 static_assert(static_cast<meander_fault>(FaultKind::kNotFinite) == MEANDER_FAULT_NOT_FINITE &&
               static_cast<meander_fault>(FaultKind::kSeam) == MEANDER_FAULT_SEAM);
 
+namespace {
+
+struct FaultArrays {
+  std::vector<uint32_t> kinds;
+  std::vector<std::array<uint32_t, 2>> elements;
+};
+
+}  // namespace
+
 meander_status meander_mesh_find_faults(const double* vertices, size_t vertex_count, const uint32_t* faces,
-                                        size_t face_count, double weld_distance, uint32_t* kinds,
-                                        uint32_t* elements, size_t capacity, size_t* count, meander_context* context,
-                                        meander_error* error) {
+                                        size_t face_count, double weld_distance, meander_faults* faults,
+                                        meander_context* context, meander_error* error) {
   return guard(error, [&] {
-    require(count != nullptr, "The pointer for the count is NULL.");
+    require_struct(faults);
     require_mesh(vertices, vertex_count, faces, face_count);
     require(std::isfinite(weld_distance) && weld_distance >= 0,
             "The weld distance must be 0 or a positive number.");
     check_cancelled(context);
-    const std::vector<MeshFault> faults =
-        find_faults(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), weld_distance);
-    check_cancelled(context);
-    *count = faults.size();
-    for (size_t k = 0; faults.size() <= capacity && k < faults.size(); ++k) {
-      if (kinds) kinds[k] = static_cast<uint32_t>(faults[k].kind);
-      if (!elements) continue;
-      elements[2 * k] = faults[k].element;
-      elements[2 * k + 1] = faults[k].element2;
+    FaultArrays arrays;
+    for (const MeshFault& fault :
+         find_faults(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), weld_distance)) {
+      arrays.kinds.push_back(static_cast<uint32_t>(fault.kind));
+      arrays.elements.push_back({fault.element, fault.element2});
     }
+    check_cancelled(context);
+    hand_out(faults, std::move(arrays), [](const FaultArrays& found, meander_faults& f) {
+      f.count = found.kinds.size();
+      point_to(f.kinds, found.kinds);
+      point_to(f.elements, found.elements);
+    });
   });
 }

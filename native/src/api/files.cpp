@@ -3,7 +3,7 @@
 // What mesh files of text hold, and the triangles of polygons.
 #include <algorithm>
 
-#include "api/guard.h"
+#include "api/results.h"
 #include "mesh/mesh_text.h"
 #include "mesh/polygon_triangles.h"
 
@@ -23,26 +23,23 @@ std::span<Value> room(Value* array, size_t capacity) {
 
 }  // namespace
 
-meander_status meander_text_read_polygons(const char* text, size_t size, meander_text kind, double* positions,
-                                          size_t position_capacity, size_t* position_count, uint32_t* corners,
-                                          size_t corner_capacity, size_t* corner_count, uint64_t* ends, uint32_t* lines,
-                                          size_t polygon_capacity, size_t* polygon_count, size_t* left_out,
+meander_status meander_text_read_polygons(const char* text, size_t size, meander_text kind, meander_polygons* polygons,
                                           meander_error* error) {
   return guard(error, [&] {
     require(text != nullptr || size == 0, "The text is NULL.");
     require(kind <= MEANDER_TEXT_STL, "There is no such kind of text.");
-    require(position_count && corner_count && polygon_count && left_out, "A pointer for a count is NULL.");
-    require(position_capacity <= SIZE_MAX / 3, "There is no room for so many points.");
-    TextPolygons found;
-    found.positions = room(positions, 3 * position_capacity);
-    found.corners = room(corners, corner_capacity);
-    found.ends = room(ends, polygon_capacity);
-    if (lines) found.lines = {lines, polygon_capacity};
-    read_text({text, size}, static_cast<TextKind>(kind), found);
-    *position_count = found.position_count;
-    *corner_count = found.corner_count;
-    *polygon_count = found.polygon_count;
-    *left_out = found.left_out;
+    require_struct(polygons);
+    hand_out(polygons, read_text({text, size}, static_cast<TextKind>(kind)),
+             [](const TextPolygons& found, meander_polygons& p) {
+               p.point_count = found.point_count();
+               p.corner_count = found.corners.size();
+               p.polygon_count = found.ends.size();
+               p.left_out = found.left_out;
+               point_to(p.positions, found.positions);
+               point_to(p.corners, found.corners);
+               point_to(p.ends, found.ends);
+               point_to(p.lines, found.lines);
+             });
   });
 }
 
@@ -57,11 +54,10 @@ meander_status meander_text_read_numbers(const char* text, size_t size, double* 
 
 meander_status meander_polygons_triangulate(const double* vertices, size_t vertex_count, const uint32_t* corners,
                                             size_t corner_count, const uint64_t* ends, size_t polygon_count,
-                                            uint32_t* triangles, uint32_t* polygons, size_t capacity, size_t* count,
-                                            meander_error* error) {
+                                            meander_triangles* triangles, meander_error* error) {
   return guard(error, [&] {
     constexpr size_t kMost = size_t{1} << 30;
-    require(count != nullptr, "The pointer for the count is NULL.");
+    require_struct(triangles);
     require(vertex_count <= kMost && polygon_count <= kMost && corner_count < UINT32_MAX,
             "There are more vertices or polygons than the library takes.");
     require((vertices || !vertex_count) && (corners || !corner_count) && (ends || !polygon_count),
@@ -69,13 +65,11 @@ meander_status meander_polygons_triangulate(const double* vertices, size_t verte
     const std::span<const uint64_t> limits(ends, polygon_count);
     require(std::ranges::is_sorted(limits) && (limits.empty() ? corner_count == 0 : limits.back() == corner_count),
             "The ends of the polygons must never fall, and the last one is the number of corners.");
-    const PolygonTriangles found =
-        triangulate_polygons({vertices, 3 * vertex_count}, {corners, corner_count}, limits);
-    const size_t made = found.polygons.size();
-    if (made <= capacity) require(triangles != nullptr || made == 0, "The array for the triangles is NULL.");
-    *count = made;
-    if (made > capacity) return;
-    std::ranges::copy(found.corners, triangles);
-    if (polygons) std::ranges::copy(found.polygons, polygons);
+    hand_out(triangles, triangulate_polygons({vertices, 3 * vertex_count}, {corners, corner_count}, limits),
+             [](const PolygonTriangles& found, meander_triangles& t) {
+               t.count = found.polygons.size();
+               point_to(t.corners, found.corners);
+               point_to(t.polygons, found.polygons);
+             });
   });
 }

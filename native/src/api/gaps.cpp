@@ -4,34 +4,52 @@
 #include "medial/gaps.h"
 
 #include "api/caller_mesh.h"
-#include "api/guard.h"
+#include "api/results.h"
 #include "curve/polylines.h"
 
 using namespace meander;
 
-meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, double* positions, double* radii,
-                                      double* sizes, uint32_t* faces, size_t capacity, size_t* count,
+namespace {
+
+struct GapArrays {
+  std::vector<Vec3> positions;
+  std::vector<double> radii, sizes;
+  std::vector<uint32_t> faces;
+};
+
+GapArrays in_terms_of_the_caller(const std::vector<Gap>& gaps, const Surface& surface, const MeshMap* map) {
+  GapArrays found;
+  for (const Gap& gap : gaps) {
+    const SurfacePoint& p = gap.centre;
+    found.positions.push_back(caller_point(surface, p.face, {p.weight(0), p.b.x, p.b.y}));
+    found.radii.push_back(gap.radius * surface.scale());
+    found.sizes.push_back(gap.size);
+    found.faces.push_back(caller_face(map, p.face));
+  }
+  return found;
+}
+
+}  // namespace
+
+meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, meander_gaps* gaps,
                                       meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
-    require(count != nullptr, "The pointer for the count is NULL.");
+    require_struct(gaps);
     if (least_size != 0) require_range(least_size, 1, 1e6, "least_size (in units of the local r)");
     check_cancelled(context);
     Flow& f = *flow->flow;
     const std::function<bool()> asked = question(context);
     const auto watch = f.watch(asked);
-    const std::vector<Gap> gaps = f.gaps(least_size != 0 ? least_size : kGapSize);
+    GapArrays found = in_terms_of_the_caller(f.gaps(least_size != 0 ? least_size : kGapSize), f.surface(),
+                                             flow->map.get());
     check_cancelled(context);
-    const bool fits = gaps.size() <= capacity;
-    if (fits) require(gaps.empty() || positions, "The array for the positions is NULL.");
-    *count = gaps.size();
-    for (size_t k = 0; fits && k < gaps.size(); ++k) {
-      const SurfacePoint& p = gaps[k].centre;
-      const Vec3 x = caller_point(f.surface(), p.face, {p.weight(0), p.b.x, p.b.y});
-      std::copy(x.data(), x.data() + 3, positions + 3 * k);
-      if (radii) radii[k] = gaps[k].radius * f.surface().scale();
-      if (sizes) sizes[k] = gaps[k].size;
-      if (faces) faces[k] = caller_face(flow->map.get(), p.face);
-    }
+    hand_out(gaps, std::move(found), [](const GapArrays& arrays, meander_gaps& g) {
+      g.count = arrays.sizes.size();
+      point_to(g.positions, arrays.positions);
+      point_to(g.radii, arrays.radii);
+      point_to(g.sizes, arrays.sizes);
+      point_to(g.faces, arrays.faces);
+    });
   });
 }

@@ -5,7 +5,6 @@
 
 #include <memory>
 
-#include "curve/cut_surface.h"
 #include "flow/flow.h"
 #include "flow/job.h"
 #include "meander/meander.h"
@@ -25,8 +24,4 @@ struct meander_flow {
   std::unique_ptr<meander::Flow> flow;
   std::shared_ptr<const meander::MeshMap> map;  // of its surface
   meander::Job job;  // after the flow, so that it is joined before the flow goes
-};
-
-struct meander_cut {
-  meander::CutSurface surface;
 };

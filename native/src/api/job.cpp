@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Runs in the background, and previews of them.
-#include <algorithm>
 #include <cmath>
 
-#include "api/structs.h"
+#include "api/results.h"
 
 using namespace meander;
 
@@ -34,27 +33,28 @@ meander_status meander_flow_keep_growth(meander_flow* flow, double length_step, 
   });
 }
 
-meander_status meander_flow_get_preview(meander_flow* flow, meander_preview* preview, double* positions,
-                                        double* normals, size_t point_capacity, size_t* point_count,
-                                        uint64_t* offsets, uint8_t* closed, size_t strand_capacity,
-                                        size_t* strand_count, meander_error* error) {
+meander_status meander_flow_take_preview(meander_flow* flow, meander_preview* preview, meander_error* error) {
   return guard(error, [&] {
     require_started(flow);
-    require(point_count != nullptr && strand_count != nullptr, "A pointer for a count is NULL.");
     require_struct(preview);
-    flow->job.with_preview([&](const Preview& p, size_t kept) {
-      const size_t points = p.polylines.point_count(), strands = p.polylines.closed.size();
-      const bool fits = points <= point_capacity && strands <= strand_capacity;
-      if (fits) require(positions && offsets && closed, "An array for the polylines is NULL.");
-      write_struct(preview, {0, p.serial, p.iterations, p.nodes, p.length, p.seconds, kept, {}});
-      *point_count = points;
-      *strand_count = strands;
-      if (!fits) return false;
-      std::ranges::copy(p.polylines.positions, positions);
-      if (normals) std::ranges::copy(p.polylines.normals, normals);
-      std::ranges::copy(p.polylines.offsets, offsets);
-      std::ranges::copy(p.polylines.closed, closed);
-      return true;
+    auto owner = std::make_unique<OwnedResult<Preview>>();  // before the copy is taken out, since memory may run out
+    const std::optional<size_t> kept = flow->job.take(owner->found);
+    if (!kept) {
+      write_struct(preview, {});
+      return;
+    }
+    hand_out(preview, std::move(owner), [kept](const Preview& copy, meander_preview& p) {
+      p.serial = copy.serial;
+      p.iterations = copy.iterations;
+      p.nodes = copy.nodes;
+      p.length = copy.length;
+      p.seconds = copy.seconds;
+      p.kept = *kept;
+      p.point_count = copy.polylines.point_count();
+      p.strand_count = copy.polylines.closed.size();
+      point_to(p.positions, copy.polylines.positions);
+      point_to(p.offsets, copy.polylines.offsets);
+      point_to(p.closed, copy.polylines.closed);
     });
   });
 }

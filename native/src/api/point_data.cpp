@@ -3,7 +3,7 @@
 // Data of every point of the curve.
 #include "flow/point_data.h"
 
-#include "api/guard.h"
+#include "api/results.h"
 #include "curve/polylines.h"
 
 using namespace meander;
@@ -13,26 +13,55 @@ namespace {
 /// Of the surface, between two asks.
 constexpr uint32_t kFaces = 4096;
 
+struct DataArrays {
+  size_t count = 0;
+  std::vector<double> arc_lengths, normals, tangents, radii, weights;
+  std::vector<uint32_t> faces;
+};
+
+DataArrays data_of(const Flow& flow, const MeshMap* map, meander_point_parts parts) {
+  DataArrays made;
+  made.count = polyline_point_count(flow.curve());
+  const auto room = [&](auto& values, meander_point_parts part, size_t columns) {
+    if (!(parts & part)) return decltype(values.data()){};
+    values.resize(columns * made.count);
+    return values.data();
+  };
+  PointArrays arrays;
+  arrays.arc_lengths = room(made.arc_lengths, MEANDER_POINT_PARTS_ARC_LENGTHS, 1);
+  arrays.normals = room(made.normals, MEANDER_POINT_PARTS_NORMALS, 3);
+  arrays.tangents = room(made.tangents, MEANDER_POINT_PARTS_TANGENTS, 3);
+  arrays.radii = room(made.radii, MEANDER_POINT_PARTS_RADII, 2);
+  arrays.faces = room(made.faces, MEANDER_POINT_PARTS_PLACES, 1);
+  arrays.barycentrics = room(made.weights, MEANDER_POINT_PARTS_PLACES, 3);
+  write_point_data(flow, map, arrays);
+  return made;
+}
+
 }  // namespace
 
-meander_status meander_flow_compute_point_data(meander_flow* flow, double* arc_lengths, double* normals,
-                                               double* tangents, double* radii, uint32_t* faces, double* barycentrics,
-                                               size_t capacity, size_t* count, meander_context* context,
+meander_status meander_flow_compute_point_data(meander_flow* flow, meander_point_parts parts,
+                                               meander_point_data* point_data, meander_context* context,
                                                meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
-    require(count != nullptr, "The pointer for the count is NULL.");
+    require_struct(point_data);
+    require(parts <= MEANDER_POINT_PARTS_ALL, "The parts are no sum of MEANDER_POINT_PARTS_...");
     Flow& f = *flow->flow;
-    const size_t points = polyline_point_count(f.curve());
-    if (points <= capacity) {
-      check_cancelled(context);
-      const std::function<bool()> asked = question(context);
-      const auto watch = f.watch(asked);
-      if (radii) f.update_radii();
-      if (normals) f.normals().prepare(CancelPoll(asked, kFaces));
-      check_cancelled(context);
-      write_point_data(f, flow->map.get(), {arc_lengths, normals, tangents, radii, faces, barycentrics});
-    }
-    *count = points;
+    check_cancelled(context);
+    const std::function<bool()> asked = question(context);
+    const auto watch = f.watch(asked);
+    if (parts & MEANDER_POINT_PARTS_RADII) f.update_radii();
+    if (parts & MEANDER_POINT_PARTS_NORMALS) f.normals().prepare(CancelPoll(asked, kFaces));
+    check_cancelled(context);
+    hand_out(point_data, data_of(f, flow->map.get(), parts), [](const DataArrays& made, meander_point_data& data) {
+      data.count = made.count;
+      point_to(data.arc_lengths, made.arc_lengths);
+      point_to(data.normals, made.normals);
+      point_to(data.tangents, made.tangents);
+      point_to(data.radii, made.radii);
+      point_to(data.faces, made.faces);
+      point_to(data.barycentrics, made.weights);
+    });
   });
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How the structs of the header begin, and how they are laid out, for bindings that declare them again.
-#include "api/structs.h"
-
 #include <algorithm>
 #include <string_view>
+
+#include "api/results.h"
 
 #define MEANDER_INIT(Struct) \
   meander_status Struct##_init(Struct* given, size_t struct_size) { return meander::init_struct(given, struct_size); }
@@ -19,3 +19,5 @@ size_t meander_struct_layout(const char* name, size_t* layout, size_t capacity) 
   if (layout) std::copy_n(found->values.begin(), std::min(capacity, found->values.size()), layout);
   return found->values.size();
 }
+
+void meander_result_destroy(meander_result* result) { delete result; }

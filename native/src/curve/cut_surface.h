@@ -13,7 +13,7 @@
 
 namespace meander {
 
-/// What meander_cut_get_vertices, _get_faces and _get_line copy; see the header.
+/// The arrays of meander_cut; see the header.
 struct CutSurface {
   std::vector<Vec3> positions;
   std::vector<double> distances;

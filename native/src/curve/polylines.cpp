@@ -39,39 +39,25 @@ double polyline_length(const Surface& surface, const Curve& curve) {
   return length;
 }
 
-void write_polylines(const Surface& surface, const Curve& curve, const NormalField& field, double* positions,
-                     double* normals, uint64_t* offsets, uint8_t* closed) {
-  size_t p = 0;
-  const auto put = [&](uint32_t face, const std::array<double, 3>& w) {
-    const Vec3 x = caller_point(surface, face, w);
-    std::copy(x.data(), x.data() + 3, positions + 3 * p);
-    if (normals) {
-      const Vec3 normal = field.blended(face, w[0], w[1], w[2]);
-      std::copy(normal.data(), normal.data() + 3, normals + 3 * p);
-    }
-    ++p;
-  };
-  for (size_t s = 0; s < curve.strands.size(); ++s) {
-    const Strand& strand = curve.strands[s];
-    offsets[s] = p;
-    closed[s] = strand.closed;
+void Polylines::copy_from(const Surface& surface, const Curve& curve) {
+  positions.clear();
+  positions.reserve(polyline_point_count(curve));
+  offsets.clear();
+  closed.clear();
+  guides.clear();
+  for (const Strand& strand : curve.strands) {
+    offsets.push_back(positions.size());
+    closed.push_back(strand.closed);
+    guides.push_back(strand.guide);
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       const SurfacePoint& node = curve.nodes[i];
-      put(node.face, {node.weight(0), node.b.x, node.b.y});
-      for (const Crossing& c : curve.paths[i]) put(face_of(c.e), crossing_weights(c));
+      positions.push_back(caller_point(surface, node.face, {node.weight(0), node.b.x, node.b.y}));
+      for (const Crossing& c : curve.paths[i]) {
+        positions.push_back(caller_point(surface, face_of(c.e), crossing_weights(c)));
+      }
     }
   }
-  offsets[curve.strands.size()] = p;
-}
-
-void Polylines::copy_from(const Surface& surface, const Curve& curve, const NormalField& field) {
-  const size_t points = polyline_point_count(curve);
-  const size_t strands = curve.strands.size();
-  positions.resize(3 * points);
-  normals.resize(3 * points);
-  offsets.resize(strands + 1);
-  closed.resize(strands);
-  write_polylines(surface, curve, field, positions.data(), normals.data(), offsets.data(), closed.data());
+  offsets.push_back(positions.size());
 }
 
 }  // namespace meander

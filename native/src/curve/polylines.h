@@ -11,7 +11,6 @@
 
 #include "curve/curve.h"
 #include "mesh/mesh_map.h"
-#include "mesh/normal_field.h"
 
 namespace meander {
 
@@ -34,20 +33,14 @@ size_t polyline_point_count(const Curve& curve);
 /// Their length on a surface, in its own unit.
 double polyline_length(const Surface& surface, const Curve& curve);
 
-/// Writes the polylines of a curve, strands in the order of the seed's.
-/// `positions` and `normals` hold 3 values a point, `offsets` one value more than there are strands,
-/// `closed` one per strand; `normals`, which `field` gives, may be null.
-void write_polylines(const Surface& surface, const Curve& curve, const NormalField& field, double* positions,
-                     double* normals, uint64_t* offsets, uint8_t* closed);
-
-/// A copy of the polylines. Its memory is used again by the next copy.
+/// A copy of the polylines, strands in the order of the seed's. Its memory is used again by the next copy.
 struct Polylines {
-  std::vector<double> positions, normals;
-  std::vector<uint64_t> offsets;
-  std::vector<uint8_t> closed;
+  std::vector<Vec3> positions;    ///< in the caller's units
+  std::vector<uint64_t> offsets;  ///< one more than there are strands
+  std::vector<uint8_t> closed, guides;
 
-  void copy_from(const Surface& surface, const Curve& curve, const NormalField& field);
-  size_t point_count() const { return positions.size() / 3; }
+  void copy_from(const Surface& surface, const Curve& curve);
+  size_t point_count() const { return positions.size(); }
 };
 
 }  // namespace meander

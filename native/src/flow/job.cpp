@@ -107,25 +107,23 @@ void Job::fill_next(const Flow& flow) {
   next_.nodes = flow.curve().size();
   next_.length = flow.length() * scale;
   next_.seconds = flow.seconds().total;
-  next_.polylines.copy_from(flow.surface(), flow.curve(), flow.normals());
+  next_.polylines.copy_from(flow.surface(), flow.curve());
 }
 
-void Job::with_preview(const std::function<bool(const Preview&, size_t)>& take) {
+std::optional<size_t> Job::take(Preview& copy) noexcept {
   std::lock_guard lock(mutex_);
-  if (kept_.empty() || (!taken_ && newest_.serial < kept_.front().serial)) {
-    taken_ |= take(newest_, kept_.size());
-    wanted_ = taken_ && kept_.empty();
-    return;
-  }
-  if (!take(kept_.front(), kept_.size() - 1)) return;
-  kept_points_ -= kept_.front().polylines.point_count();
-  // The newest one stays the newest, also where it was made before what has been kept.
-  if (newest_.serial < kept_.front().serial) {
-    std::swap(newest_, kept_.front());
+  if (!taken_ && (kept_.empty() || newest_.serial < kept_.front().serial)) {
+    copy = std::exchange(newest_, Preview());
     taken_ = true;
+    wanted_ = kept_.empty();
+    return kept_.size();
   }
+  if (kept_.empty()) return std::nullopt;
+  copy = std::move(kept_.front());
   kept_.pop_front();
+  kept_points_ -= copy.polylines.point_count();
   if (kept_.empty()) wanted_ = true;
+  return kept_.size();
 }
 
 StopReason Job::wait() {

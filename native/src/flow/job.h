@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <deque>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "curve/polylines.h"
@@ -62,10 +62,9 @@ class Job {
   /// The worker has not ended yet. Any thread.
   bool running() const { return running_; }
 
-  /// Calls `take` with the oldest copy that has not been taken, of growth or the newest, and with how
-  /// many of growth come after it; it stays as it is meanwhile. When `take` returns true it is the next
-  /// one's turn, which the worker makes after its present iteration where there is none yet.
-  void with_preview(const std::function<bool(const Preview&, size_t)>& take);
+  /// Takes out the oldest copy that has not been taken, of growth or the newest; how many of growth come after it, or
+  /// nothing while there is none. The worker makes the next one after its present iteration where none is left.
+  std::optional<size_t> take(Preview& copy) noexcept;
 
   /// Joins the worker; why it ended. Throws again what the worker threw.
   StopReason wait();
@@ -81,7 +80,7 @@ class Job {
   std::atomic<bool> wanted_{false};  // the newest copy has been taken
   std::mutex mutex_;                 // of newest_ and kept_, and of what is about them
   Preview newest_;
-  bool taken_ = false;  // newest_ has been taken
+  bool taken_ = true;  // newest_ has been taken
   Preview next_;  // the worker's: filled without the lock, then swapped in
   std::deque<Preview> kept_;
   size_t kept_points_ = 0, point_limit_ = 0;

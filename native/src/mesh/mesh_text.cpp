@@ -129,11 +129,6 @@ class Scanner {
   uint32_t line_ = 1;
 };
 
-template <class Value>
-void put(std::span<Value> array, size_t at, Value value) {
-  if (at < array.size()) array[at] = value;
-}
-
 [[noreturn]] void malformed(uint32_t line, const std::string& what) {
   throw Failure(FailureKind::kInvalidMesh, "Line " + std::to_string(line) + ": " + what + "; correct the file.");
 }
@@ -150,21 +145,19 @@ class Reader {
   void obj_polygon(size_t begin, uint32_t line, size_t least, const char* wanted);
   uint32_t index(std::string_view word, size_t begin, uint32_t line, const char* wanted);
   void add_point(const double* place) {
-    for (size_t k = 0; k < 3; ++k) put(polygons_.positions, 3 * polygons_.position_count + k, place[k]);
-    ++polygons_.position_count;
+    polygons_.positions.insert(polygons_.positions.end(), place, place + 3);
   }
-  void add_corner(uint32_t vertex) { put(polygons_.corners, polygons_.corner_count++, vertex); }
+  void add_corner(uint32_t vertex) { polygons_.corners.push_back(vertex); }
   /// The corners since the last polygon are one, unless they are too few.
   void close_polygon(uint32_t line, size_t least) {
-    if (polygons_.corner_count - begun_ < least) {
-      polygons_.corner_count = begun_;
+    if (polygons_.corners.size() - begun_ < least) {
+      polygons_.corners.resize(begun_);
       ++polygons_.left_out;
       return;
     }
-    put(polygons_.ends, polygons_.polygon_count, uint64_t{polygons_.corner_count});
-    put(polygons_.lines, polygons_.polygon_count, line);
-    ++polygons_.polygon_count;
-    begun_ = polygons_.corner_count;
+    polygons_.ends.push_back(polygons_.corners.size());
+    polygons_.lines.push_back(line);
+    begun_ = polygons_.corners.size();
   }
 
   Scanner scanner_;
@@ -192,7 +185,7 @@ uint32_t Reader::index(std::string_view word, size_t begin, uint32_t line, const
   int64_t value = 0;
   const auto [end, error] = std::from_chars(first, stop, value);
   if (error == std::errc() && (end == stop || *end == '/') && value != 0) {
-    const int64_t place = value > 0 ? value - 1 : static_cast<int64_t>(polygons_.position_count) + value;
+    const int64_t place = value > 0 ? value - 1 : static_cast<int64_t>(polygons_.point_count()) + value;
     if (place >= 0 && place < kIndexLimit) {
       const auto found = static_cast<uint32_t>(place);
       if (greatest_line_ == 0 || found > greatest_) {
@@ -203,7 +196,7 @@ uint32_t Reader::index(std::string_view word, size_t begin, uint32_t line, const
     }
     if (value < 0) {
       malformed(line, "there is no vertex " + std::to_string(value) + ", as only " +
-                          std::to_string(polygons_.position_count) + " stand before this line");
+                          std::to_string(polygons_.point_count()) + " stand before this line");
     }
   }
   malformed(line, scanner_.quoted(begin) + " is not " + wanted);
@@ -213,7 +206,7 @@ void Reader::obj_polygon(size_t begin, uint32_t line, size_t least, const char* 
   for (std::string_view word = scanner_.word(true); !word.empty(); word = scanner_.word(true)) {
     add_corner(index(word, begin, line, wanted));
   }
-  if (least == 2 && polygons_.corner_count - begun_ < least) {
+  if (least == 2 && polygons_.corners.size() - begun_ < least) {
     malformed(line, scanner_.quoted(begin) + " is not " + wanted);
   }
   close_polygon(line, least);
@@ -234,9 +227,9 @@ void Reader::obj(bool lines) {
       obj_polygon(begin, line, 3, "a face of vertices, counted from 1");
     }
   }
-  if (greatest_line_ != 0 && greatest_ >= polygons_.position_count) {
+  if (greatest_line_ != 0 && greatest_ >= polygons_.point_count()) {
     malformed(greatest_line_, "there is no vertex " + std::to_string(uint64_t{greatest_} + 1) + ", the file has " +
-                                  std::to_string(polygons_.position_count));
+                                  std::to_string(polygons_.point_count()));
   }
 }
 
@@ -260,16 +253,16 @@ void Reader::stl(bool names) {
         if (read_number(scanner_.any_word(), coordinate)) continue;
         malformed(line, scanner_.quoted(begin) + " is not a vertex with three coordinates");
       }
-      if (polygons_.corner_count == begun_) first = line;
-      add_corner(static_cast<uint32_t>(std::min<size_t>(polygons_.position_count, UINT32_MAX)));
+      if (polygons_.corners.size() == begun_) first = line;
+      add_corner(static_cast<uint32_t>(std::min<size_t>(polygons_.point_count(), UINT32_MAX)));
       add_point(place);
     } else if ((is_word(word, "endloop") || is_word(word, "endfacet") || is_word(word, "facet")) &&
-               polygons_.corner_count > begun_) {
+               polygons_.corners.size() > begun_) {
       close_polygon(first, 3);
     }
   }
-  if (polygons_.corner_count - begun_ == 3) close_polygon(first, 3);
-  if (polygons_.corner_count != begun_) {
+  if (polygons_.corners.size() - begun_ == 3) close_polygon(first, 3);
+  if (polygons_.corners.size() != begun_) {
     throw Failure(FailureKind::kInvalidMesh,
                   "Line " + std::to_string(first) + ": the file ends within a triangle; export it again.");
   }
@@ -277,14 +270,16 @@ void Reader::stl(bool names) {
 
 }  // namespace
 
-void read_text(std::string_view text, TextKind kind, TextPolygons& polygons) {
+TextPolygons read_text(std::string_view text, TextKind kind) {
+  TextPolygons polygons;
   if (kind != TextKind::kStl) {
     Reader(text, polygons).obj(kind == TextKind::kObjLines);
-    return;
+    return polygons;
   }
   Reader(text, polygons).stl(true);
   // All in one line: then there is no name, or one that ends where the first facet begins.
-  if (polygons.position_count == 0) Reader(text, polygons).stl(false);
+  if (polygons.positions.empty()) Reader(text, polygons).stl(false);
+  return polygons;
 }
 
 size_t read_numbers(std::string_view text, std::span<double> numbers, size_t& end) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace meander {
 
@@ -17,15 +18,14 @@ enum class TextKind {
   kStl        ///< the triangles of an STL file
 };
 
-/// The caller's arrays, which receive what fits; the counts say how much there is.
 struct TextPolygons {
-  std::span<double> positions;   ///< xyz xyz ...
-  std::span<uint32_t> corners;   ///< of one polygon after another
-  std::span<uint64_t> ends;      ///< per polygon, where its corners end
-  std::span<uint32_t> lines;     ///< per polygon, the line of the text, from 1
-  size_t position_count = 0;     ///< in points
-  size_t corner_count = 0, polygon_count = 0;
-  size_t left_out = 0;           ///< polygons of fewer than three corners
+  std::vector<double> positions;  ///< xyz xyz ...
+  std::vector<uint32_t> corners;  ///< of one polygon after another
+  std::vector<uint64_t> ends;     ///< per polygon, where its corners end
+  std::vector<uint32_t> lines;    ///< per polygon, the line of the text, from 1
+  size_t left_out = 0;            ///< polygons of fewer than three corners
+
+  size_t point_count() const { return positions.size() / 3; }
 };
 
 /// Reads a text in one pass. Lines end with \n, \r or both.
@@ -38,7 +38,7 @@ struct TextPolygons {
 ///
 /// Numbers that are NaN or infinite are read. Throws Failure(FailureKind::kInvalidMesh) with the line and what is wrong
 /// in it.
-void read_text(std::string_view text, TextKind kind, TextPolygons& polygons);
+TextPolygons read_text(std::string_view text, TextKind kind);
 
 /// Reads numbers between blanks until there is something else or no more room. Returns how many; `end` receives where
 /// it stopped.

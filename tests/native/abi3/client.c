@@ -2,7 +2,7 @@
  *
  * A program that was compiled when this ABI was new: it includes the header of that day, a frozen copy
  * beside this file, and runs with the library of today. What it does works for as long as the ABI
- * number is 2. Also checked here is what the header promises about structs of other sizes. */
+ * number is 3. Also checked here is what the header promises about structs of other sizes. */
 #include "meander.h"
 
 #include <stdio.h>
@@ -33,6 +33,11 @@ typedef struct longer_options {
   meander_flow_options known;
   uint64_t unknown[3];
 } longer_options;
+typedef struct longer_polylines {
+  meander_polylines known;
+  const double* unknown;
+  uint64_t unknown_count;
+} longer_polylines;
 typedef struct longer_statistics {
   meander_flow_statistics known;
   uint64_t unknown[3];
@@ -42,6 +47,7 @@ static void check_longer_structs(const meander_surface* surface) {
   meander_error error;
   longer_options options;
   longer_statistics statistics;
+  longer_polylines curve;
   meander_flow* flow = NULL;
   must(meander_error_init(&error, sizeof error), &error, "meander_error_init");
   memset(&options, 0xff, sizeof options);
@@ -68,6 +74,13 @@ static void check_longer_structs(const meander_surface* surface) {
        "meander_flow_compute_statistics");
   expect(statistics.known.strands == 1, "what the library knows is filled");
   expect(statistics.unknown[1] == 0, "what it does not know is 0");
+
+  must(meander_polylines_init(&curve.known, sizeof curve), &error, "meander_polylines_init");
+  curve.unknown_count = 7;
+  must(meander_flow_get_polylines(flow, &curve.known, &error), &error, "meander_flow_get_polylines");
+  expect(curve.known.point_count > 0 && curve.unknown == NULL && curve.unknown_count == 0,
+         "arrays that it does not know are NULL and empty");
+  meander_result_destroy(curve.known.result);
   meander_flow_destroy(flow);
 }
 
@@ -81,11 +94,11 @@ static void check_reserve(const meander_surface* surface) {
   must(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), &error,
        "meander_flow_options_init");
   must(meander_seed_init(&seed, sizeof seed), &error, "meander_seed_init");
-  expect(seed.points == NULL && seed.strand_count == 0 && seed.reserved[3] == 0,
+  expect(seed.points == NULL && seed.strand_count == 0 && seed.reserved[2] == 0,
          "a seed begins empty");
   options.radius = 0.2;
   /* The last one: the first may have a meaning by the time that this runs. */
-  options.reserved[7] = 1;
+  options.reserved[4] = 1;
   expect(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, NULL, &error) ==
              MEANDER_STATUS_INVALID_ARGUMENT,
          "a reserved field that is set is refused");
@@ -117,7 +130,8 @@ static void run_a_flow(const meander_surface* surface) {
   meander_flow* flow = NULL;
   meander_flow_statistics statistics;
   meander_iteration* records = NULL;
-  size_t iterations = 0, points = 0, strands = 0;
+  meander_polylines curve;
+  size_t iterations = 0;
   must(meander_error_init(&error, sizeof error), &error, "meander_error_init");
   must(meander_context_create(&context, &error), &error, "meander_context_create");
   must(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_PAPER), &error,
@@ -147,9 +161,16 @@ static void run_a_flow(const meander_surface* surface) {
   expect(records[0].iteration == 1 && records[11].iteration == 12, "records stand side by side");
   free(records);
 
-  must(meander_flow_get_polylines(flow, NULL, NULL, 0, &points, NULL, NULL, 0, &strands, &error),
-       &error, "meander_flow_get_polylines");
-  expect(points > 3 && strands == 1, "the curve comes out");
+  must(meander_polylines_init(&curve, sizeof curve), &error, "meander_polylines_init");
+  must(meander_flow_get_polylines(flow, &curve, &error), &error, "meander_flow_get_polylines");
+  meander_flow_destroy(flow);
+  flow = NULL;
+  must(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, NULL, &error), &error,
+       "meander_flow_create");
+  expect(curve.point_count > 3 && curve.strand_count == 1 && curve.offsets[1] == curve.point_count,
+         "the curve comes out, and outlives its flow");
+  expect(curve.positions[0] * curve.positions[0] <= 1, "its points are there");
+  meander_result_destroy(curve.result);
 
   meander_context_cancel(context);
   expect(meander_flow_compute_statistics(flow, &statistics, context, &error) ==
