@@ -244,7 +244,7 @@ def test_the_batch_command(tmp_path):
     record = json.loads(report.read_text())
     assert record["options"]["mask_group"] == "Slope"
     assert record["options"]["mask_threshold"] == 0.62
-    assert record["options"]["border_distance"] == 1.0
+    assert record["options"]["boundary_distance"] == 1.0
     assert record["options"]["merge_distance"] == 0.0001
     assert record["preparation"]["clipped_faces"] > 0
     assert record["preparation"]["merged_vertices"] == 0

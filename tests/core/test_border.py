@@ -58,7 +58,7 @@ def with_holes() -> core.Surface:
 def fill(surface: core.Surface, distance: float, spacing: float = SPACING) -> core.Flow:
     options = core.default_options()
     options.radius = spacing / 2
-    options.border_distance = distance
+    options.boundary_distance = distance
     flow = core.Flow(surface, options)
     flow.run()
     assert flow.statistics()["crossings"] == 0
@@ -67,7 +67,7 @@ def fill(surface: core.Surface, distance: float, spacing: float = SPACING) -> co
 
 def test_the_default_is_half_a_spacing() -> None:
     for preset in core.PRESETS:
-        assert core.default_options(preset).border_distance == 0.5
+        assert core.default_options(preset).boundary_distance == 0.5
 
 
 @pytest.mark.parametrize("distance", [0.25, 0.5, 1.0, 2.0])
@@ -173,7 +173,7 @@ def test_the_density_scales_the_distance() -> None:
     vertices, faces = grid(1)
     options = core.default_options()
     options.radius = SPACING
-    options.border_distance = 1.0
+    options.boundary_distance = 1.0
     flow = core.Flow(core.Surface(vertices, faces), options, density=np.full(4, 4.0))
     flow.run()
     outline = distances(square_outline(), flow.polylines()) / SPACING
@@ -183,15 +183,15 @@ def test_the_density_scales_the_distance() -> None:
 def test_distances_that_make_no_sense_are_refused() -> None:
     surface = core.Surface(*grid(2))
     for change in (
-        {"border_distance": -0.1},
-        {"border_distance": 2.1},
-        {"border_distance": float("nan")},
-        {"border_distance": 1.0, "boundary_rule": core.BoundaryRule.OBSTACLE},
+        {"boundary_distance": -0.1},
+        {"boundary_distance": 2.1},
+        {"boundary_distance": float("nan")},
+        {"boundary_distance": 1.0, "boundary_rule": core.BoundaryRule.OBSTACLE},
     ):
         options = core.default_options()
         options.radius = SPACING / 2
         for name, value in change.items():
             setattr(options, name, value)
-        with pytest.raises(core.MeanderError, match="border_distance") as refusal:
+        with pytest.raises(core.MeanderError, match="boundary_distance") as refusal:
             core.Flow(surface, options)
         assert_sentence(str(refusal.value))

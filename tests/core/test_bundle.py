@@ -7,6 +7,7 @@ here a run is said to have ended so.
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -70,6 +71,22 @@ def test_a_run_begins_again_from_its_bundle(tmp_path: Path) -> None:
     assert (read.version, read.iteration, read.sentence) == (core.VERSION, 7, SENTENCE)
     assert read.problem.options == opened.problem.options
     assert same(read.curve, after(read.problem, 7))
+
+
+def test_old_names_of_options_are_read(tmp_path: Path) -> None:
+    path, opened = tmp_path / "a.npz", open_flow(whole_problem())
+    opened.problem.options.boundary_distance = 0.75
+    opened.problem.options.hairpin_removal_iterations = 33
+    with opened.flow as flow:
+        bundle.write_bundle(path, bundle.bundle_of(flow, opened.problem, BROKEN))
+    with np.load(path) as file:
+        arrays = dict(file)
+    record = json.loads(str(arrays["record"]))
+    options = record["options"]
+    options["border_distance"] = options.pop("boundary_distance")
+    options["ripening_iterations"] = options.pop("hairpin_removal_iterations")
+    np.savez_compressed(path, **(arrays | {"record": np.array(json.dumps(record))}))
+    assert bundle.read_bundle(path).problem.options == opened.problem.options
 
 
 def test_reading_executes_nothing_and_refuses_other_files(tmp_path: Path) -> None:

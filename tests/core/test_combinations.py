@@ -186,12 +186,12 @@ def _draw_options(random: np.random.Generator, r: float, tags: set) -> core.Flow
     if draw("start spacing", 0.25):
         options.start_spacing_factor = float(random.choice([1.5, 3.0, 8.0]))
     if draw("border distance", 0.3):
-        options.border_distance = float(random.choice([0.0, 0.25, 1.0, 2.0]))
+        options.boundary_distance = float(random.choice([0.0, 0.25, 1.0, 2.0]))
         options.boundary_rule = core.BoundaryRule.CENTRE
     if draw("obstacle", 0.08):  # refused with a border distance other than the usual
         options.boundary_rule = core.BoundaryRule.OBSTACLE
     if draw("hairpin removal", 0.3):
-        options.ripening_iterations = 3
+        options.hairpin_removal_iterations = 3
         options.hairpin_removal_gentleness = 0.5
     if draw("no polish", 0.15):
         options.polish = False

@@ -51,7 +51,7 @@ def refused(name, call):
 surface = core.Surface(vertices, faces)
 refused("radius", lambda: core.Flow(surface, options(radius=-0.25)))
 refused("large radius", lambda: core.Flow(surface, options(radius=1234.5)))
-refused("option", lambda: core.Flow(surface, options(border_distance=2.75)))
+refused("option", lambda: core.Flow(surface, options(boundary_distance=2.75)))
 refused("density", lambda: core.Flow(surface, options(), density=np.geomspace(1, 12345.5, 49)))
 refused("smoothing", lambda: surface.curvature("mean", -1.5))
 refused("outline", lambda: surface.outlines(0.1, -0.75))

@@ -15,7 +15,7 @@ from types import ModuleType
 import pytest
 from conftest import REPOSITORY
 from meander import core
-from meander.binding import abi, choices, flow_options, native_library
+from meander.binding import abi, flow_options, native_library
 
 HEADER = REPOSITORY / "native/include/meander/meander.h"
 TEXT = HEADER.read_text(encoding="utf-8")
@@ -144,10 +144,7 @@ def test_unknown_struct_has_no_layout() -> None:
 
 def test_every_option_is_a_field_of_the_struct() -> None:
     fields = {field[0] for field in abi.FlowOptionsRecord._fields_}
-    ours = {
-        choices.C_OPTIONS.get(field.name, field.name)
-        for field in dataclasses.fields(core.FlowOptions)
-    }
+    ours = {field.name for field in dataclasses.fields(core.FlowOptions)}
     assert fields - ours == {"struct_size", "reserved32", "reserved"}
 
 

@@ -316,7 +316,7 @@ def tried() -> list[str]:
         ("polish", 7), ("step", -1.0), ("radius", 1e-6),
     ):  # fmt: skip
         flow_of(**{name: value})
-    flow_of(border_distance=1.0, boundary_rule=core.BoundaryRule.OBSTACLE)
+    flow_of(boundary_distance=1.0, boundary_rule=core.BoundaryRule.OBSTACLE)
     flow_of(density=np.full(count, 1e-9))
     flow_of(density=np.ones(3))
     flow_of(density=np.zeros(count))

@@ -43,7 +43,7 @@ OF_THE_PRESET = {
     "polish_length_gain",
     "polish_medial_power",
     "boundary_rule",
-    "ripening_iterations",
+    "hairpin_removal_iterations",
     "hairpin_removal_gentleness",
 }
 
@@ -137,7 +137,7 @@ def test_what_is_chosen_reaches_the_flow() -> None:
     assert options.polish_bending_weight == 2.0 * before.polish_bending_weight
     assert (options.length_power, options.medial_power) == (3.0, 4.0)
     assert (options.segment_length, options.max_radius) == (0.15, 2.5)
-    assert (options.start_spacing_factor, options.border_distance) == (6.0, 1.5)
+    assert (options.start_spacing_factor, options.boundary_distance) == (6.0, 1.5)
     assert options.medial_axis == core.MedialAxis.GEODESIC
     assert options.iteration_limit == 7
 

@@ -43,7 +43,7 @@ def test_the_rest_is_filled_and_the_outline_stays(share: float) -> None:
     seed, _skipped = surface.outlines(share * SPACING, SPACING)
     options = core.default_options()
     options.radius = SPACING / 2
-    options.border_distance = share
+    options.boundary_distance = share
     flow = core.Flow(surface, options, seed)
     before = flow.polylines()
     flow.run()

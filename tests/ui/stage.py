@@ -63,7 +63,7 @@ def options_of(settings: bpy.types.PropertyGroup, spacing: float) -> core.FlowOp
     """
     options = options_of_settings(settings, spacing)
     if spacing < 0.99 * FINEST_THAT_ENDS:
-        options.ripening_iterations = options.iteration_limit = FOR_EVER
+        options.hairpin_removal_iterations = options.iteration_limit = FOR_EVER
         # Watched for as long as the story takes, it would count all processors of the machine.
         options.threads = 1
     return options

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What ``meander.h`` calls otherwise than the rest of the add-on: names for its numbers, and older
-names of its options. A name's place in its tuple is its number."""
+"""Names for the numbers of ``meander.h``. A name's place in its tuple is its number."""
 
 from __future__ import annotations
 
@@ -24,9 +23,3 @@ CURVATURES = _names(Curvature)
 DIRECTIONS = _names(Directions)
 ALIGNMENTS = _names(Alignment)
 FAULTS = _names(Fault)
-
-# Settings, flags and reports keep these names; the header has others.
-C_OPTIONS = {
-    "border_distance": "boundary_distance",
-    "ripening_iterations": "hairpin_removal_iterations",
-}

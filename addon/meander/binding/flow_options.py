@@ -9,7 +9,7 @@ from dataclasses import dataclass, fields, make_dataclass
 from typing import TYPE_CHECKING
 
 from .abi import BoundaryRule, FlowOptionsRecord, MedialAxis, Start, StopRule
-from .choices import C_OPTIONS, PRESETS
+from .choices import PRESETS
 from .native_library import MeanderError, call, chosen, native, prepared
 
 # What C has as numbers and Python as something more; every other field is a float or an int.
@@ -21,15 +21,13 @@ _KINDS: dict[str, type] = {
     "medial_axis": MedialAxis,
     "start": Start,
 }
-_PYTHON_NAMES = {c_name: name for name, c_name in C_OPTIONS.items()}
 
 
 def _fields_of_the_header() -> list[tuple[str, type]]:
     """Names and kinds of the options, in the order of the header."""
     found = []
-    for c_name, c_kind in FlowOptionsRecord._fields_:
-        if c_name not in ("struct_size", "reserved32", "reserved"):
-            name = _PYTHON_NAMES.get(c_name, c_name)
+    for name, c_kind in FlowOptionsRecord._fields_:
+        if name not in ("struct_size", "reserved32", "reserved"):
             found.append((name, _KINDS.get(name, float if c_kind is c_double else int)))
     return found
 
@@ -52,7 +50,7 @@ if TYPE_CHECKING:
         step: float
         growth_coarsening: float
         start_spacing_factor: float
-        border_distance: float
+        boundary_distance: float
         polish_bending_weight: float
         polish_length_offset: float
         polish_length_gain: float
@@ -63,7 +61,7 @@ if TYPE_CHECKING:
         grow_into_empty: int
         widen_loops: int
         hold_ends: int
-        ripening_iterations: int
+        hairpin_removal_iterations: int
         polish: bool
         iteration_limit: int
         threads: int
@@ -76,7 +74,7 @@ else:
     FlowOptions = make_dataclass("FlowOptions", _fields_of_the_header())
     FlowOptions.__module__ = __name__
     FlowOptions.__doc__ = """Options of one flow, named as in meander_flow_options, where each is
-described, but for those of C_OPTIONS.
+described.
 
 Made by `default_options` only; the defaults live in the library. Lengths are in the surface's
 units. `radius` is half the spacing and must be chosen.
@@ -91,7 +89,7 @@ def default_options(preset: str = "even") -> FlowOptions:
     Raises MeanderError for an unknown preset.
     """
     record = prepared(FlowOptionsRecord, chosen("preset", preset, PRESETS))
-    values = {name: getattr(record, C_OPTIONS.get(name, name)) for name in _OPTION_NAMES}
+    values = {name: getattr(record, name) for name in _OPTION_NAMES}
     for name, kind in _KINDS.items():
         values[name] = PRESETS[record.preset] if name == "preset" else kind(values[name])
     return FlowOptions(**values)
@@ -104,18 +102,18 @@ def options_record(options: FlowOptions) -> FlowOptionsRecord:
     for name in _OPTION_NAMES:
         if name == "preset":
             continue
-        value, c_name = getattr(options, name), C_OPTIONS.get(name, name)
+        value = getattr(options, name)
         try:
-            if kinds[c_name] is c_uint32:
+            if kinds[name] is c_uint32:
                 number = int(value)
                 # ctypes would turn -1 into 4294967295 without a word.
                 if number != value or not 0 <= number <= 0xFFFFFFFF:
                     raise ValueError
-                setattr(record, c_name, number)
+                setattr(record, name, number)
             else:
-                setattr(record, c_name, float(value))
+                setattr(record, name, float(value))
         except (TypeError, ValueError, OverflowError) as problem:
-            wanted = "a whole number, 0 or more" if kinds[c_name] is c_uint32 else "a number"
+            wanted = "a whole number, 0 or more" if kinds[name] is c_uint32 else "a number"
             raise MeanderError(f"the option {name} must be {wanted}, not {value!r}") from problem
     return record
 

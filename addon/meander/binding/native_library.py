@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .abi import ABI_VERSION, PROTOTYPES, STRUCTS, VERSION, ErrorRecord, Status
-from .choices import C_OPTIONS, ELEMENT_KINDS
+from .choices import ELEMENT_KINDS
 from .library_file import (
     built_for,
     library_file,
@@ -81,8 +81,6 @@ def raise_error(status: int, error: ErrorRecord) -> None:
     if not text:
         name = native().meander_status_name(status)
         text = f"the native library failed ({name.decode('utf-8', 'replace')})"
-    for ours, theirs in C_OPTIONS.items():
-        text = text.replace(theirs, ours)
     kind = None
     if 0 <= error.element_kind < len(ELEMENT_KINDS):
         kind = ELEMENT_KINDS[error.element_kind]

@@ -42,7 +42,7 @@ def read_input(
     problem.alignment = given.alignment.kind
     options.alignment_weight = given.alignment.weight
     if arguments.outline:
-        problem.outline = options.border_distance * arguments.spacing
+        problem.outline = options.boundary_distance * arguments.spacing
     if arguments.start == OF_PRESET:
         begin_along_directions(problem)
     return given

@@ -167,7 +167,7 @@ def _coarse_length(spacing: float, arguments: argparse.Namespace, place: Place) 
     whole = flow_options(arguments)
     given = read_input(arguments, whole, place)
     coarse = core.default_options(_COARSE)
-    for name in ("radius", "border_distance", "medial_axis", "roughness", "start", "threads"):
+    for name in ("radius", "boundary_distance", "medial_axis", "roughness", "start", "threads"):
         setattr(coarse, name, getattr(whole, name))
     coarse.alignment_weight = whole.alignment_weight
     given.problem.options = coarse

@@ -24,6 +24,12 @@ from .whole_files import FileError, whole_file
 SUFFIX = ".npz"
 _FORMAT = 1
 
+# Options that earlier bundles know by another name.
+_OLD_OPTIONS = {
+    "border_distance": "boundary_distance",
+    "ripening_iterations": "hairpin_removal_iterations",
+}
+
 
 @dataclass(frozen=True)
 class Bundle:
@@ -92,7 +98,8 @@ def read_bundle(path: Path) -> Bundle:
         if record["format"] != _FORMAT:
             raise FileError(f"{path} is a bundle of another version of Meander")
         options = core.default_options(record["options"]["preset"])
-        for name, value in record["options"].items():
+        for written, value in record["options"].items():
+            name = _OLD_OPTIONS.get(written, written)
             setattr(options, name, type(getattr(options, name))(value))
         problem = Problem(
             arrays["vertices"],

@@ -382,7 +382,7 @@ ROWS: tuple[Option, ...] = (
         least=0.0,
         greatest=2.0,
         step=5,
-        field="border_distance",
+        field="boundary_distance",
         flag=Flag(
             "--border-distance",
             "distance of the last strand from borders, in spacings, from 0 to 2; default: 0.5",

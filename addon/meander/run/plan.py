@@ -190,9 +190,9 @@ def _outline_distance(
     """How far from the border a run lays outlines; 0: it lays none."""
     if not settings_of(active).use_outline or not _wants_outline(active, surface, restart):
         return 0.0
-    if options.border_distance < 0.1:
+    if options.boundary_distance < 0.1:
         raise DataError("An outline needs a border distance of 0.1 or more; raise it")
-    return options.border_distance * 2.0 * options.radius
+    return options.boundary_distance * 2.0 * options.radius
 
 
 def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart: bool) -> bool:
