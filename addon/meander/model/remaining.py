@@ -7,7 +7,7 @@ from __future__ import annotations
 PHASE_TEXTS = {
     "none": "Preparing",
     "growth": "Growing",
-    "unfolding": "Unfolding",
+    "hairpin_removal": "Removing hairpins",
     "polish": "Evening out",
 }
 # Seconds and share of the work before which a guess would jump about.

@@ -32,7 +32,7 @@ meander_phase meander_context_phase(const meander_context* context) {
   if (!context || !context->control->under_way) return MEANDER_PHASE_NONE;
   switch (context->control->phase.load()) {
     case Phase::kGrowing: return MEANDER_PHASE_GROWTH;
-    case Phase::kHairpinRemoval: return MEANDER_PHASE_UNFOLDING;
+    case Phase::kHairpinRemoval: return MEANDER_PHASE_HAIRPIN_REMOVAL;
     default: return MEANDER_PHASE_POLISH;
   }
 }

@@ -210,10 +210,10 @@ MEANDER_API double meander_context_progress(const meander_context* context);
 /* What the present run of a flow is about. */
 typedef uint32_t meander_phase;
 enum {
-  MEANDER_PHASE_NONE = 0,      /* no iteration yet */
-  MEANDER_PHASE_GROWTH = 1,    /* the curve becomes longer until it fills the surface */
-  MEANDER_PHASE_UNFOLDING = 2, /* its hairpins are drawn in, see ripening_iterations */
-  MEANDER_PHASE_POLISH = 3     /* it becomes even, and comes to rest */
+  MEANDER_PHASE_NONE = 0,            /* no iteration yet */
+  MEANDER_PHASE_GROWTH = 1,          /* the curve becomes longer until it fills the surface */
+  MEANDER_PHASE_HAIRPIN_REMOVAL = 2, /* its hairpins are drawn in; see hairpin_removal_iterations */
+  MEANDER_PHASE_POLISH = 3           /* it becomes even, and comes to rest */
 };
 
 /* The phase that the last iteration of the present run has left the flow in. Updated with the
