@@ -259,6 +259,7 @@ class Writer:
             "    Structure,",
             *(f"    {name}," for name in sorted([*NUMBERS.values(), "c_char_p", "c_void_p"])),
             ")",
+            "from dataclasses import dataclass",
             "from enum import IntEnum",
             "from typing import Any",
             "",
@@ -281,6 +282,11 @@ class Writer:
                 lines += ["    _arrays_ = {"]
                 lines += [f'        "{member}": {NUMBERS[base]},' for member, base in arrays]
                 lines += ["    }"]
+        lines += ["", "", "@dataclass", "class FlowOptionFields:"]
+        lines += ['    """Those of meander_flow_options, each described there."""', ""]
+        for name, kind in h.structs["meander_flow_options"]:
+            if kind.length is None and name not in ("struct_size", "reserved32"):
+                lines.append(f"    {name}: {self._hint(kind.base)}")
         lines += ["", "", "STRUCTS: dict[str, type[Structure]] = {"]
         lines += [f'    "{name}": {record_name(name)},' for name in h.structs]
         lines += [
@@ -301,6 +307,12 @@ class Writer:
 
     def _number(self, base: str) -> str:
         return NUMBERS[self._header.scalars.get(base, base)]
+
+    def _hint(self, base: str) -> str:
+        """What Python has for a number of C."""
+        if base in self._header.enums:
+            return class_name(base)
+        return "float" if base == "double" else "int"
 
     def _field(self, kind: CType) -> str:
         if kind.pointers:
@@ -341,6 +353,11 @@ def structs_in_cpp(header: Header) -> str:
         lines += [f"    sizeof({name}){offsets}}};"]
     lines += ["", "inline constexpr StructLayout kStructLayouts[] = {"]
     lines += [f'    {{"{name}", kLayoutOf{class_name(name)}}},' for name in header.structs]
+    numbers = [
+        name for name, kind in header.structs["meander_flow_options"] if kind == CType("double")
+    ]
+    lines += ["};", "", "inline constexpr NumberField kNumbersOfFlowOptions[] = {"]
+    lines += [f'    {{"{name}", &meander_flow_options::{name}}},' for name in numbers]
     plain = [s for s in header.structs if len(header.functions.get(f"{s}_init", (0, ""))[1]) == 2]
     lines += ["};", "", f"#define MEANDER_PLAIN_STRUCTS(OF) {' '.join(f'OF({s})' for s in plain)}"]
     return "\n".join([*lines, ""])

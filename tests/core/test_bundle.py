@@ -77,6 +77,7 @@ def test_old_names_of_options_are_read(tmp_path: Path) -> None:
     path, opened = tmp_path / "a.npz", open_flow(whole_problem())
     opened.problem.options.boundary_distance = 0.75
     opened.problem.options.hairpin_removal_iterations = 33
+    opened.problem.options.tunings["polish_length_gain"] = 2.5
     with opened.flow as flow:
         bundle.write_bundle(path, bundle.bundle_of(flow, opened.problem, BROKEN))
     with np.load(path) as file:
@@ -85,6 +86,7 @@ def test_old_names_of_options_are_read(tmp_path: Path) -> None:
     options = record["options"]
     options["border_distance"] = options.pop("boundary_distance")
     options["ripening_iterations"] = options.pop("hairpin_removal_iterations")
+    options |= options.pop("tunings")
     np.savez_compressed(path, **(arrays | {"record": np.array(json.dumps(record))}))
     assert bundle.read_bundle(path).problem.options == opened.problem.options
 

@@ -192,7 +192,7 @@ def _draw_options(random: np.random.Generator, r: float, tags: set) -> core.Flow
         options.boundary_rule = core.BoundaryRule.OBSTACLE
     if draw("hairpin removal", 0.3):
         options.hairpin_removal_iterations = 3
-        options.hairpin_removal_gentleness = 0.5
+        options.tunings["hairpin_removal_gentleness"] = 0.5
     if draw("no polish", 0.15):
         options.polish = False
     return options

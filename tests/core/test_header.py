@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-import ast
 import ctypes
 import dataclasses
 import importlib.util
 import re
 import sys
-from pathlib import Path
 from types import ModuleType
 
 import pytest
@@ -37,9 +35,10 @@ generate_abi = _generator()
 
 def module_of(text: str) -> dict[str, object]:
     """What the module made from a header holds."""
-    names: dict[str, object] = {"__name__": "made"}
-    exec(generate_abi.Writer(generate_abi.Parser(text).parse()).module(), names)
-    return names
+    made = ModuleType("made")
+    sys.modules[made.__name__] = made  # where its dataclasses look for it
+    exec(generate_abi.Writer(generate_abi.Parser(text).parse()).module(), vars(made))
+    return vars(made)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -146,14 +145,36 @@ def test_every_option_is_a_field_of_the_struct() -> None:
     fields = {field[0] for field in abi.FlowOptionsRecord._fields_}
     ours = {field.name for field in dataclasses.fields(core.FlowOptions)}
     assert fields - ours == {"struct_size", "reserved32", "reserved"}
+    assert set(core.default_options().tunings) == set(flow_options.tuning_names())
 
 
-def test_editors_see_the_options_that_there_are() -> None:
-    source = Path(flow_options.__file__).read_text(encoding="utf-8")
-    seen = next(node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.ClassDef))
-    declared = [(line.target.id, line.annotation.id) for line in seen.body]
-    made = [(field.name, field.type.__name__) for field in dataclasses.fields(core.FlowOptions)]
-    assert seen.name == "FlowOptions" and declared == made
+def test_tunings_are_the_presets_until_they_are_set() -> None:
+    even, finest = core.default_options("even"), core.default_options("finest")
+    assert even.tunings["polish_length_gain"] != finest.tunings["polish_length_gain"]
+    even.tunings["polish_length_gain"] = 3.5
+    record = flow_options.options_record(even)
+    place = flow_options.tuning_names().index("polish_length_gain")
+    assert record.tunings[place] == 3.5
+    assert core.default_options("even").tunings["polish_length_gain"] != 3.5
+
+
+def test_an_unknown_tuning_is_refused_by_a_sentence_that_lists_the_names() -> None:
+    options = core.default_options()
+    options.radius = 0.1
+    options.tunings["polish_length_game"] = 1.0
+    with pytest.raises(core.MeanderError) as refusal:
+        core.estimate_cost(core.Extent(10, 1.0, 1.0, 1.0), options)
+    assert all(name in str(refusal.value) for name in flow_options.tuning_names())
+    assert "polish_length_game" in str(refusal.value)
+    options.tunings = {"polish_length_gain": -1.0}
+    with pytest.raises(core.MeanderError, match="polish_length_gain is -1; it must be between 0 "):
+        core.estimate_cost(core.Extent(10, 1.0, 1.0, 1.0), options)
+
+
+def test_the_page_lists_the_tunings() -> None:
+    page = (REPOSITORY / "docs/c-api.md").read_text(encoding="utf-8")
+    table = page.split("## Tunings")[1].split("\n## ")[0]
+    assert re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE) == list(flow_options.tuning_names())
 
 
 # ------------------------------------------------------------------------------------------------

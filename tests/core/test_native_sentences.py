@@ -82,7 +82,10 @@ def pools(surface: int, flow: int, running: int) -> dict[str, list[Any]]:
         "distance": [0.1, -1.0], "spacing": [0.2, -1.0, np.nan], "detail": [0.0, -1.0],
         "radius": [0.1, -1.0, 99.0], "least_size": [0.0], "middle_lines": [0], "index": [0],
         "text": [b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", None],
-        "size": [32], "parts": [1, 99], "length_step": [0.1, -1.0, np.nan], "point_limit": [100],
+        "size": [32],
+        "parts": [1, 99],
+        "name": [b"polish_length_gain", b"nothing", None], "value": [1.0, -1.0, np.nan],
+        "length_step": [0.1, -1.0, np.nan], "point_limit": [100],
         "record_size": [ctypes.sizeof(abi.IterationRecord), 1],
         "seed": [None, prepared(abi.SeedRecord)],
     }  # fmt: skip
@@ -137,6 +140,7 @@ def names_of_header() -> dict[str, list[str]]:
 
 NAMES = names_of_header()
 IS_OUTPUT = {
+    "meander_flow_options_get_tuning": ("value",),
     "meander_surface_compute_directions": ("directions",),
     "meander_surface_compute_stroke_directions": ("directions",),
 }

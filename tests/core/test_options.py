@@ -35,16 +35,12 @@ OF_THE_PRESET = {
     "alignment_weight",
     "medial_weight",
     "step",
-    "growth_coarsening",
     "polish",
     "stop_rule",
     "polish_bending_weight",
-    "polish_length_offset",
-    "polish_length_gain",
-    "polish_medial_power",
     "boundary_rule",
     "hairpin_removal_iterations",
-    "hairpin_removal_gentleness",
+    "tunings",
 }
 
 
@@ -207,7 +203,9 @@ def test_a_direction_starts_full_where_nothing_drawn_grows(
 
 def test_how_gently_hairpins_are_removed_is_the_presets() -> None:
     presets = {name: core.default_options(name) for name in core.PRESETS}
-    gentleness = {name: options.hairpin_removal_gentleness for name, options in presets.items()}
+    gentleness = {
+        name: options.tunings["hairpin_removal_gentleness"] for name, options in presets.items()
+    }
     assert gentleness == {"even": 0.0, "paper": 0.0, "finest": 1.0}
 
 

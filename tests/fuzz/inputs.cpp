@@ -15,7 +15,7 @@ struct Range {
 
 struct DoubleField {
   const char* name;
-  double meander_flow_options::*field;
+  double meander_flow_options::*field;  // null: a tuning
   Range range;
 };
 
@@ -32,13 +32,13 @@ constexpr DoubleField kDoubles[] = {
     {"length_power", &meander_flow_options::length_power, {1.5, 8}},
     {"medial_power", &meander_flow_options::medial_power, {2, 8}},
     {"step", &meander_flow_options::step, {0.001, 2}},
-    {"growth_coarsening", &meander_flow_options::growth_coarsening, {1, 4}},
+    {"growth_coarsening", nullptr, {1, 4}},
     {"start_spacing_factor", &meander_flow_options::start_spacing_factor, {1, 16}},
     {"boundary_distance", &meander_flow_options::boundary_distance, {0, 2}},
     {"polish_bending_weight", &meander_flow_options::polish_bending_weight, {0, 8}},
-    {"polish_length_offset", &meander_flow_options::polish_length_offset, {-10, 10}},
-    {"polish_length_gain", &meander_flow_options::polish_length_gain, {0, 100}},
-    {"polish_medial_power", &meander_flow_options::polish_medial_power, {2, 8}},
+    {"polish_length_offset", nullptr, {-10, 10}},
+    {"polish_length_gain", nullptr, {0, 100}},
+    {"polish_medial_power", nullptr, {2, 8}},
 };
 
 struct WordField {
@@ -320,13 +320,23 @@ void Inputs::set_mask(const Record& r) {
 }
 
 void Inputs::set_flow_option(const Record& r) {
+  const auto set_tuning = [&](const char* name, double value) {
+    meander_flow_options_set_tuning(&options, name, value, nullptr);  // which may refuse it
+    transcript_.line("meander_flow_options_set_tuning(&options, \"" + std::string(name) + "\", " + written(value) +
+                     ", nullptr);");
+  };
   constexpr size_t kDoubleCount = std::size(kDoubles), kWordCount = std::size(kWords);
   const size_t which = r.a % (kDoubleCount + kWordCount);
   if (which < kDoubleCount) {
     const DoubleField& f = kDoubles[which];
-    options.*f.field = number(r, f.range);
+    const double value = number(r, f.range);
     if (which == 0) relative_radius = 0;
-    transcript_.line(std::string("options.") + f.name + " = " + written(options.*f.field) + ";");
+    if (f.field) {
+      options.*f.field = value;
+      transcript_.line(std::string("options.") + f.name + " = " + written(value) + ";");
+    } else {
+      set_tuning(f.name, value);
+    }
     return;
   }
   const WordField& f = kWords[which - kDoubleCount];
@@ -335,8 +345,7 @@ void Inputs::set_flow_option(const Record& r) {
   if (r.b < 128 && f.field == &meander_flow_options::hairpin_removal_iterations) {
     value = r.c % 6;
     // Not one of kDoubles: the scenarios of the corpus would be others.
-    options.hairpin_removal_gentleness = r.c / 255.0;
-    transcript_.line("options.hairpin_removal_gentleness = " + written(options.hairpin_removal_gentleness) + ";");
+    set_tuning("hairpin_removal_gentleness", r.c / 255.0);
   }
   if (r.b < 128 && f.field == &meander_flow_options::threads) value = r.c < 200 ? 1 : 1 + r.c % 3;
   options.*f.field = value;

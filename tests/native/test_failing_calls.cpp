@@ -438,6 +438,7 @@ std::vector<Call> calls_that_cannot_fail() {
     world.indices[0] = static_cast<uint32_t>(std::strlen(CALLED(version)()));
     world.indices[1] = CALLED(abi_version)();
     world.indices[2] = static_cast<uint32_t>(std::strlen(CALLED(status_name)(MEANDER_STATUS_INTERNAL)));
+    world.indices[3] = static_cast<uint32_t>(std::strlen(CALLED(tuning_name)(1)));
     world.counts[0] = CALLED(struct_layout)("meander_flow_options", world.counts + 1, 2);
   }));
   calls.push_back(silent("structs", [](World&) {}, [](World& world) {
@@ -487,6 +488,16 @@ std::vector<Call> getters() {
   std::vector<Call> calls;
   calls.push_back(quiet("keep_growth", seeded_flow(2), [](World& world, meander_error* error) {
     return CALLED(flow_keep_growth)(world.flow, 0.1, 1000, error);
+  }));
+  calls.push_back(quiet("set_tuning", [](World&) {}, [](World& world, meander_error* error) {
+    meander_flow_options options = flow_options(1, MEANDER_PRESET_EVEN);
+    const meander_status status = CALLED(flow_options_set_tuning)(&options, "polish_length_gain", 4, error);
+    std::ranges::copy(options.tunings, world.numbers.begin());
+    return status;
+  }));
+  calls.push_back(quiet("tuning", [](World&) {}, [](World& world, meander_error* error) {
+    const meander_flow_options options = flow_options(1, MEANDER_PRESET_EVEN);
+    return CALLED(flow_options_get_tuning)(&options, "polish_length_gain", world.numbers.data(), error);
   }));
   calls.push_back(quiet("surface_statistics", make_square, [](World& world, meander_error* error) {
     auto statistics = prepared<meander_surface_statistics>();

@@ -27,14 +27,12 @@ FlowSettings settings_of(uint32_t preset, const Surface& surface, double spacing
   s.bending_weight = o.bending_weight;
   s.medial_weight = o.medial_weight;
   s.step = o.step;
-  s.growth_coarsening = o.growth_coarsening;
+  for (const SettingRange& tuning : kTunings) {
+    EXPECT_EQ(meander_flow_options_get_tuning(&o, tuning.name.data(), &(s.*tuning.value), nullptr), MEANDER_STATUS_OK);
+  }
   s.polish = o.polish != 0;
   s.polish_bending_weight = o.polish_bending_weight;
-  s.polish_length_offset = o.polish_length_offset;
-  s.polish_length_gain = o.polish_length_gain;
-  s.polish_medial_power = o.polish_medial_power;
   s.hairpin_removal_iterations = o.hairpin_removal_iterations;
-  s.hairpin_removal_gentleness = o.hairpin_removal_gentleness;
   s.grow_into_empty = s.widen_loops = preset != MEANDER_PRESET_PAPER;
   s.stop_rule = o.stop_rule == MEANDER_STOP_RULE_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = BoundaryRule::kCentre;

@@ -57,7 +57,7 @@ class FlowRun {
     meander_flow_options options;
     EXPECT_EQ(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), MEANDER_STATUS_OK);
     options.radius = radius;
-    options.growth_coarsening = 1;
+    EXPECT_EQ(meander_flow_options_set_tuning(&options, "growth_coarsening", 1, nullptr), MEANDER_STATUS_OK);
     options.threads = threads;
     auto seed = prepared<meander_seed>();
     std::vector<uint8_t> fixed;

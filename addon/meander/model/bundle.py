@@ -100,7 +100,10 @@ def read_bundle(path: Path) -> Bundle:
         options = core.default_options(record["options"]["preset"])
         for written, value in record["options"].items():
             name = _OLD_OPTIONS.get(written, written)
-            setattr(options, name, type(getattr(options, name))(value))
+            if name in options.tunings:  # where earlier bundles have them among the options
+                options.tunings[name] = float(value)
+            else:
+                setattr(options, name, type(getattr(options, name))(value))
         problem = Problem(
             arrays["vertices"],
             arrays["faces"],

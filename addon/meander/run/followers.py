@@ -96,7 +96,8 @@ class EvenFollower:
         follows = plan.radius_follows and problem.density is not None
         has_room = follows or modifier_of(plan.result.find()) is not None
         self._radius = problem.options.radius if has_room else 0.0
-        problem.options.growth_coarsening = 1.0  # the curve has grown already
+        # The curve has grown already.
+        problem.options.tunings = problem.options.tunings | {"growth_coarsening": 1.0}
         self._faces, self._steps = problem.faces, steps
         try:
             self._grown = GrownCurve(plan)

@@ -749,23 +749,14 @@ typedef struct meander_flow_options {
   double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A
                                polish takes the larger of this and polish_medial_power */
   double step;              /* factor on the displacement of eq. 10; in [0.001, 2] */
-  double growth_coarsening; /* before a polish, and in its first 22 iterations (140 where
-                               hairpin_removal_gentleness is 1; 30 and 60 with a full start), segments are
-                               longer than h by this factor; in [1, 4] */
   double start_spacing_factor;  /* the curve first fills the surface at this many times the spacing,
                                    which then shrinks to the one asked for (Fig. 25): fewer corners,
                                    more iterations; in [1, 16]; 1: off */
   double boundary_distance;     /* of the last strand from the boundary, in spacings: at 0.5 it is half
                                    as far as its neighbour, at 0 it may run along the boundary; in
                                    [0, 2]. Values other than 0.5 need MEANDER_BOUNDARY_RULE_CENTRE */
-  double polish_bending_weight; /* b in the polish; where a strand turns more sharply than 1 / r, up to
-                                   3.5 times as much, so that hairpins stay round; beside a boundary
-                                   .3 times where hairpin_removal_gentleness is 1 */
-  double polish_length_offset;  /* t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the medial */
-  double polish_length_gain;    /* radius in units of r, smoothed along the curve over 2 r; in [-10, 10]
-                                   and [0, 100] */
-  double polish_medial_power;   /* q of eq. 13 in the polish, in [2, 8]: larger values weigh the worst
-                                   gaps more; the force at a radius of r is that of q = 2 */
+  double polish_bending_weight; /* b in the polish; more where a strand turns sharply, so that hairpins
+                                   stay round */
   meander_boundary_rule boundary_rule;
   meander_medial_axis medial_axis;
   meander_stop_rule stop_rule;
@@ -781,13 +772,6 @@ typedef struct meander_flow_options {
   uint32_t polish;          /* 1: close the gaps at the end with length weights that follow the spacing */
   uint32_t iteration_limit; /* of a run, counted over the life of the flow; at least 1 */
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
-  double hairpin_removal_gentleness; /* in [0, 1]: 0 removes hairpins roughly, as it has to be where there
-                               are few iterations for it; 1 gently, since in many of them roughness
-                               leaves a curve too dense. From 0 to 1 the length weight that draws runs
-                               in falls from 12 to 3 and the share of the last step from .76 to .7, the
-                               boundary pushes less, and the polish has 140 iterations with long
-                               segments instead of 22. 1 in MEANDER_PRESET_FINEST and 0 in the others;
-                               who sets hairpin_removal_iterations alone has that of the preset */
   double roughness;         /* how much of the surface's roughness the spacing follows, in [0, 1]. At 0 it
                                is measured on the surface as it is at the scale of the spacing: where it
                                is crumpled below r, vertices are smoothed by a Gaussian of up to .75 r,
@@ -795,6 +779,7 @@ typedef struct meander_flow_options {
                                as it is. Only with MEANDER_MEDIAL_AXIS_GEODESIC */
   meander_start start;
   uint32_t reserved32;
+  double tunings[16];       /* of meander_flow_options_set_tuning alone */
   uint64_t reserved[5];
 } meander_flow_options;
 
@@ -820,6 +805,39 @@ MEANDER_API meander_status meander_flow_options_init(meander_flow_options* optio
 MEANDER_API meander_status meander_flow_options_get_warning(const meander_flow_options* options,
                                                             size_t index, char* text, size_t capacity,
                                                             size_t* size, meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Flow: tunings, which are experimental
+ *
+ * Numbers that shape the curves of a preset. Their names, ranges, meanings and defaults may change with
+ * every version, without another ABI: programs that set one are tried again with every version.
+ * docs/c-api.md lists those that there are. */
+
+/* The name of a tuning, such as "polish_length_gain"; static storage.
+ *
+ * index     0 for the first
+ * returns   NULL behind the last. Any thread. */
+MEANDER_API const char* meander_tuning_name(size_t index);
+
+/* Sets a tuning.
+ *
+ * options   prepared by meander_flow_options_init
+ * name      of a tuning; any other is refused with MEANDER_STATUS_INVALID_ARGUMENT, by a sentence that
+ *           lists those that there are
+ * value     finite; one out of its range is refused likewise, by a sentence that names the range. Any
+ *           thread. */
+MEANDER_API meander_status meander_flow_options_set_tuning(meander_flow_options* options,
+                                                           const char* name, double value,
+                                                           meander_error* error);
+
+/* Tells a tuning: the preset's until another is set.
+ *
+ * options   prepared by meander_flow_options_init
+ * name      as in meander_flow_options_set_tuning
+ * value     receives it. Any thread. */
+MEANDER_API meander_status meander_flow_options_get_tuning(const meander_flow_options* options,
+                                                           const char* name, double* value,
+                                                           meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: cost                                                                                   */

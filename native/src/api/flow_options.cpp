@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/flow_options.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "api/structs.h"
@@ -34,57 +38,44 @@ void set_lengths(const meander_flow_options& o, double radius, double scale, Flo
   s.max_radius = settle(o.max_radius != 0 ? o.max_radius / scale : o.max_radius_factor * s.radius);
 }
 
-void set_weights(const meander_flow_options& o, FlowSettings& s) {
-  require_range(o.length_weight, 0, 1e6, "length_weight");
-  require_range(o.bending_weight, 0, 1e6, "bending_weight");
-  require_range(o.medial_weight, 1e-6, 1e6, "medial_weight");
-  require_range(o.alignment_weight, 0, 1e6, "alignment_weight");
-  require_range(o.length_power, 1.5, 8, "length_power");
-  require_range(o.medial_power, 2, 8, "medial_power");
-  s.length_weight = o.length_weight;
-  s.bending_weight = o.bending_weight;
-  s.medial_weight = o.medial_weight;
-  s.alignment_weight = o.alignment_weight;
-  s.length_power = o.length_power;
-  s.medial_power = o.medial_power;
+double checked(double value, const SettingRange& range) {
+  require_range(value, range.least, range.greatest, range.name.data());
+  return value;
 }
 
-void set_growth(const meander_flow_options& o, FlowSettings& s) {
-  require_range(o.step, 1e-3, 2, "step");
-  require_range(o.growth_coarsening, 1, 4, "growth_coarsening");
-  require_range(o.start_spacing_factor, 1, 16, "start_spacing_factor");
-  require_range(o.hairpin_removal_gentleness, 0, 1, "hairpin_removal_gentleness");
+/// The fields of kOptions, in its order.
+constexpr auto kFields = [] {
+  std::array<double meander_flow_options::*, std::size(kOptions)> fields{};
+  for (size_t k = 0; k < fields.size(); ++k) {
+    for (const NumberField& number : kNumbersOfFlowOptions) {
+      if (number.name == kOptions[k].name) fields[k] = number.field;
+    }
+  }
+  return fields;
+}();
+static_assert(std::ranges::find(kFields, nullptr) == kFields.end(), "an option has a row in kOptions and no field");
+static_assert(std::size(kTunings) <= std::size(meander_flow_options{}.tunings));
+
+void set_numbers(const meander_flow_options& o, FlowSettings& s) {
+  for (size_t k = 0; k < std::size(kOptions); ++k) s.*kOptions[k].value = checked(o.*kFields[k], kOptions[k]);
+  for (size_t k = 0; k < std::size(kTunings); ++k) s.*kTunings[k].value = checked(o.tunings[k], kTunings[k]);
+}
+
+void set_flags(const meander_flow_options& o, FlowSettings& s) {
   require_flag(o.grow_into_empty, "grow_into_empty");
   require_flag(o.widen_loops, "widen_loops");
   require_flag(o.hold_ends, "hold_ends");
-  s.step = o.step;
-  s.growth_coarsening = o.growth_coarsening;
-  s.start_spacing_factor = o.start_spacing_factor;
+  require_flag(o.polish, "polish");
   s.grow_into_empty = o.grow_into_empty != 0;
   s.widen_loops = o.widen_loops != 0;
   s.hold_ends = o.hold_ends != 0;
-  s.hairpin_removal_iterations = o.hairpin_removal_iterations;
-  s.hairpin_removal_gentleness = o.hairpin_removal_gentleness;
-}
-
-void set_polish(const meander_flow_options& o, FlowSettings& s) {
-  require_range(o.polish_bending_weight, 0, 1e6, "polish_bending_weight");
-  require_range(o.polish_length_offset, -10, 10, "polish_length_offset");
-  require_range(o.polish_length_gain, 0, 100, "polish_length_gain");
-  require_range(o.polish_medial_power, 2, 8, "polish_medial_power");
-  require_flag(o.polish, "polish");
   s.polish = o.polish != 0;
-  s.polish_bending_weight = o.polish_bending_weight;
-  s.polish_length_offset = o.polish_length_offset;
-  s.polish_length_gain = o.polish_length_gain;
-  s.polish_medial_power = o.polish_medial_power;
 }
 
 void set_rules(const meander_flow_options& o, FlowSettings& s) {
   require(o.stop_rule <= MEANDER_STOP_RULE_PAPER, "The option stop_rule is none of MEANDER_STOP_RULE_...");
   require(o.boundary_rule <= MEANDER_BOUNDARY_RULE_OBSTACLE,
           "The option boundary_rule is none of MEANDER_BOUNDARY_RULE_...");
-  require_range(o.boundary_distance, 0, 2, "boundary_distance (in spacings)");
   require(o.boundary_rule == MEANDER_BOUNDARY_RULE_CENTRE || o.boundary_distance == 0.5,
           "A boundary_distance other than 0.5 needs MEANDER_BOUNDARY_RULE_CENTRE; with MEANDER_BOUNDARY_RULE_OBSTACLE "
           "strands stay a spacing away from the boundary.");
@@ -94,20 +85,26 @@ void set_rules(const meander_flow_options& o, FlowSettings& s) {
   require_threads(o.threads);
   s.stop_rule = o.stop_rule == MEANDER_STOP_RULE_PAPER ? StopRule::kPaper : StopRule::kSettled;
   s.boundary_rule = o.boundary_rule == MEANDER_BOUNDARY_RULE_OBSTACLE ? BoundaryRule::kObstacle : BoundaryRule::kCentre;
-  s.boundary_distance = o.boundary_distance;
-  require_range(o.roughness, 0, 1, "roughness");
-  s.roughness = o.roughness;
   s.medial_axis = o.medial_axis == MEANDER_MEDIAL_AXIS_GEODESIC ? MedialAxis::kGeodesic : MedialAxis::kEuclidean;
   s.full_start = o.start == MEANDER_START_FULL;
+  s.hairpin_removal_iterations = o.hairpin_removal_iterations;
   s.iteration_limit = o.iteration_limit;
   s.threads = o.threads;
 }
 
 void set_all_but_lengths(const meander_flow_options& o, FlowSettings& s) {
-  set_weights(o, s);
-  set_growth(o, s);
-  set_polish(o, s);
+  set_numbers(o, s);
+  set_flags(o, s);
   set_rules(o, s);
+}
+
+/// Where a tuning is in the struct.
+size_t index_of_tuning(std::string_view name) {
+  const auto* const found = std::ranges::find(kTunings, name, &SettingRange::name);
+  if (found != std::end(kTunings)) return static_cast<size_t>(found - kTunings);
+  std::string names;
+  for (const SettingRange& tuning : kTunings) names += (names.empty() ? "" : ", ") + std::string(tuning.name);
+  refuse("There is no tuning '" + std::string(name.substr(0, 80)) + "'; there are " + names + ".");
 }
 
 /// What is allowed but seldom meant, one sentence each.
@@ -152,8 +149,8 @@ meander_flow_options default_options(meander_preset preset) {
     o.max_radius_factor = 10;
     o.length_weight = 1;
     o.step = 1;
-    o.growth_coarsening = 1;
-    o.polish_medial_power = 2;
+    o.tunings[index_of_tuning("growth_coarsening")] = 1;
+    o.tunings[index_of_tuning("polish_medial_power")] = 2;
     o.stop_rule = MEANDER_STOP_RULE_PAPER;
     o.iteration_limit = 300;
     o.roughness = 1;
@@ -163,18 +160,18 @@ meander_flow_options default_options(meander_preset preset) {
   o.max_radius_factor = 3;
   o.bending_weight = 1;
   o.step = 1.5;
-  o.growth_coarsening = finest ? 2.5 : 3;
   o.grow_into_empty = o.widen_loops = o.hold_ends = 1;
   o.hairpin_removal_iterations = finest ? 600 : 70;
-  o.hairpin_removal_gentleness = finest ? 1 : 0;
   o.polish = 1;
   o.polish_bending_weight = 1.2;
-  o.polish_length_offset = finest ? -2.8 : -1.16;
-  o.polish_length_gain = finest ? 16 : 3;
-  o.polish_medial_power = 8;
   o.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;
   o.iteration_limit = finest ? 2500 : 900;
   o.start = finest ? MEANDER_START_FULL : MEANDER_START_GROW;
+  o.tunings[index_of_tuning("growth_coarsening")] = finest ? 2.5 : 3;
+  o.tunings[index_of_tuning("hairpin_removal_gentleness")] = finest ? 1 : 0;
+  o.tunings[index_of_tuning("polish_length_offset")] = finest ? -2.8 : -1.16;
+  o.tunings[index_of_tuning("polish_length_gain")] = finest ? 16 : 3;
+  o.tunings[index_of_tuning("polish_medial_power")] = 8;
   return o;
 }
 
@@ -229,5 +226,29 @@ meander_status meander_flow_options_get_warning(const meander_flow_options* opti
     const size_t length = std::min(*size, capacity) - 1;
     std::memcpy(text, sentences[index].data(), length);
     text[length] = '\0';
+  });
+}
+
+const char* meander_tuning_name(size_t index) {
+  return index < std::size(kTunings) ? kTunings[index].name.data() : nullptr;
+}
+
+meander_status meander_flow_options_set_tuning(meander_flow_options* options, const char* name, double value,
+                                               meander_error* error) {
+  return guard(error, [&] {
+    require_struct(options);
+    require(name != nullptr, "The name of the tuning is NULL.");
+    const size_t index = index_of_tuning(name);
+    options->tunings[index] = checked(value, kTunings[index]);
+  });
+}
+
+meander_status meander_flow_options_get_tuning(const meander_flow_options* options, const char* name, double* value,
+                                               meander_error* error) {
+  return guard(error, [&] {
+    require_struct(options);
+    require(name != nullptr, "The name of the tuning is NULL.");
+    require(value != nullptr, "The pointer for the value is NULL.");
+    *value = options->tunings[index_of_tuning(name)];
   });
 }

@@ -24,8 +24,14 @@ struct StructLayout {
   std::span<const size_t> values;
 };
 
-// name_of(), what a struct is called in a sentence; kStructLayouts; MEANDER_PLAIN_STRUCTS, those whose fields all begin
-// as 0.
+/// A number among the options of a flow.
+struct NumberField {
+  std::string_view name;
+  double meander_flow_options::*field;
+};
+
+// name_of(), what a struct is called in a sentence; kStructLayouts; kNumbersOfFlowOptions;
+// MEANDER_PLAIN_STRUCTS, those whose fields all begin as 0.
 #include "structs.inc"
 
 /// The size of a struct in the first header of this ABI: it ended with its reserve. New fields come from

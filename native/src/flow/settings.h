@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "medial/boundary_reach.h"
 
@@ -24,13 +25,10 @@ struct FlowSettings {
   double alignment_weight = 0;
   double length_power = 2, medial_power = 2;
   double step = 1;
-  double growth_coarsening = 1;
   double start_spacing_factor = 1;
   bool polish = false;
-  double polish_bending_weight = 0, polish_length_offset = 0, polish_length_gain = 0;
-  double polish_medial_power = 2;
+  double polish_bending_weight = 0;
   uint32_t hairpin_removal_iterations = 0;
-  double hairpin_removal_gentleness = 0;  ///< 0: roughly, 1: gently
   /// Where both sides of a strand are empty no force acts on it: there it is made to grow.
   bool grow_into_empty = false;
   /// Free ends keep r from what is ahead of them, or go on until they do.
@@ -45,12 +43,56 @@ struct FlowSettings {
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;
 
+  // Tunings, by name in the header.
+
+  /// Before a polish, and in its first iterations, segments are longer than h by this factor.
+  double growth_coarsening = 1;
+  /// 0 removes hairpins roughly, as it has to be where there are few iterations for it; 1 gently, since in many of them
+  /// roughness leaves a curve too dense. See flow/plan.cpp.
+  double hairpin_removal_gentleness = 0;
+  /// In the polish t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the medial radius in units of r, smoothed
+  /// along the curve over 2 r.
+  double polish_length_offset = 0, polish_length_gain = 0;
+  /// q of eq. 13 in the polish: larger values weigh the worst gaps more; the force at a radius of r is that of q = 2.
+  double polish_medial_power = 2;
+
   /// The same on a surface whose unit is `factor` times smaller.
   FlowSettings rescaled(double factor) const;
   /// The same with another r, and lengths that are in proportion to it.
   FlowSettings with_radius(double r) const;
 
   bool operator==(const FlowSettings&) const = default;
+};
+
+/// A number among the settings, its name in the header and its range.
+struct SettingRange {
+  std::string_view name;
+  double FlowSettings::*value;
+  double least, greatest;
+};
+
+/// Those that are fields of meander_flow_options, but for lengths.
+inline constexpr SettingRange kOptions[] = {
+    {"length_weight", &FlowSettings::length_weight, 0, 1e6},
+    {"bending_weight", &FlowSettings::bending_weight, 0, 1e6},
+    {"medial_weight", &FlowSettings::medial_weight, 1e-6, 1e6},
+    {"alignment_weight", &FlowSettings::alignment_weight, 0, 1e6},
+    {"length_power", &FlowSettings::length_power, 1.5, 8},
+    {"medial_power", &FlowSettings::medial_power, 2, 8},
+    {"step", &FlowSettings::step, 1e-3, 2},
+    {"start_spacing_factor", &FlowSettings::start_spacing_factor, 1, 16},
+    {"polish_bending_weight", &FlowSettings::polish_bending_weight, 0, 1e6},
+    {"boundary_distance", &FlowSettings::boundary_distance, 0, 2},
+    {"roughness", &FlowSettings::roughness, 0, 1},
+};
+
+/// Those that meander_flow_options_set_tuning sets, in the order of its array.
+inline constexpr SettingRange kTunings[] = {
+    {"growth_coarsening", &FlowSettings::growth_coarsening, 1, 4},
+    {"hairpin_removal_gentleness", &FlowSettings::hairpin_removal_gentleness, 0, 1},
+    {"polish_length_offset", &FlowSettings::polish_length_offset, -10, 10},
+    {"polish_length_gain", &FlowSettings::polish_length_gain, 0, 100},
+    {"polish_medial_power", &FlowSettings::polish_medial_power, 2, 8},
 };
 
 }  // namespace meander

@@ -84,6 +84,21 @@ static void check_longer_structs(const meander_surface* surface) {
   meander_flow_destroy(flow);
 }
 
+/* Their names may change, so the program asks for one. */
+static void check_tunings(meander_flow_options* options) {
+  meander_error error;
+  double value = 0;
+  const char* name = meander_tuning_name(0);
+  must(meander_error_init(&error, sizeof error), &error, "meander_error_init");
+  if (name == NULL) return;
+  must(meander_flow_options_get_tuning(options, name, &value, &error), &error, "get_tuning");
+  must(meander_flow_options_set_tuning(options, name, value, &error), &error, "set_tuning");
+  expect(meander_flow_options_set_tuning(options, "none", 1, &error) ==
+             MEANDER_STATUS_INVALID_ARGUMENT &&
+             strstr(error.text, name) != NULL,
+         "an unknown tuning is refused by a list of those that there are");
+}
+
 /* A reserved field is one that a later header has given a meaning. */
 static void check_reserve(const meander_surface* surface) {
   meander_error error;
@@ -97,6 +112,7 @@ static void check_reserve(const meander_surface* surface) {
   expect(seed.points == NULL && seed.strand_count == 0 && seed.reserved[2] == 0,
          "a seed begins empty");
   options.radius = 0.2;
+  check_tunings(&options);
   /* The last one: the first may have a meaning by the time that this runs. */
   options.reserved[4] = 1;
   expect(meander_flow_create(surface, NULL, NULL, 0, &options, &flow, NULL, &error) ==
