@@ -61,6 +61,17 @@ def test_nothing_of_the_header_is_left_out() -> None:
         assert len(struct._fields_) == body.count(";"), name
 
 
+def test_the_header_holds_contracts_only() -> None:
+    """What it costs on one machine, and which numbers a preset is made of, change under it."""
+    prose = " ".join(re.findall(r"/\*.*?\*/", TEXT, re.DOTALL))
+    prose = re.sub(r"\s+\*?\s*", " ", prose)
+    figure = r"(?:\b\d[\d.,]*|\bhalf an?|\btwo|\bsome|\ba few|\ba fifth of a)"
+    times = rf"{figure} (?:seconds?|minutes?|(?:milli|micro|nano)seconds?|MB|GB)\b"
+    shares = r"[\d.]+ %|\btimes the time|\bof the time\b|\bfirst \d+ iterations"
+    found = [prose[m.start() - 30 : m.end() + 10] for m in re.finditer(f"{times}|{shares}", prose)]
+    assert found == []
+
+
 def test_types_are_those_of_the_header() -> None:
     result, arguments = abi.PROTOTYPES["meander_flow_create"]
     assert result is ctypes.c_int32

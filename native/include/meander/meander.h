@@ -39,10 +39,11 @@
  *           failure outputs are untouched unless the call says otherwise. The library prints
  *           nothing, throws nothing, and keeps nothing in globals.
  * Threads.  Once created, a surface may be shared by any number of threads and flows. A flow belongs
- *           to one thread at a time. A context may be used from any thread at any time. From
- *           meander_flow_start to meander_flow_wait a thread of the library runs the flow: it calls
- *           nothing of the host's, is never detached, and ends before meander_flow_wait or
- *           meander_flow_destroy returns. Functions on structs alone may be called from any thread.
+ *           to one thread at a time, but for meander_flow_is_running. A context may be used from any
+ *           thread at any time. From meander_flow_start to meander_flow_wait a thread of the library
+ *           runs the flow: it calls nothing of the host's, is never detached, and ends before
+ *           meander_flow_wait or meander_flow_destroy returns. Functions on structs alone may be called
+ *           from any thread.
  * Bytes.    The same input and options give the same bytes for any number of threads.
  *
  * docs/c-api.md says what stays the same from one version to the next.
@@ -200,11 +201,10 @@ MEANDER_API void meander_context_cancel(meander_context* context);
 MEANDER_API void meander_context_reset(meander_context* context);
 
 /* How far the present run of a flow is, as a share of the expected work: in [0, 1], never falling
- * during one run, 1 when the run has ended for whatever reason. While the curve grows it follows the
- * length of the curve towards the length that is expected to fill the surface; in the rest of the
- * run it follows the iterations. Measured with all presets: at x % of the time of a run it is
- * between x - 10 and x + 10 %, except in the shortest runs of the preset paper. Updated once an iteration, by meander_flow_run and by a started
- * run; 0 before the first run, after a reset, and for NULL. Any thread. */
+ * during one run, 1 when the run has ended for whatever reason. It is an estimate: while the curve grows
+ * it follows the length of the curve towards the length that is expected to fill the surface, and then
+ * the iterations. Updated once an iteration, by meander_flow_run and by a started run; 0 before the
+ * first run, after a reset, and for NULL. Any thread. */
 MEANDER_API double meander_context_progress(const meander_context* context);
 
 /* What the present run of a flow is about. */
@@ -512,9 +512,8 @@ enum {
  * vertex_count  as passed to meander_surface_create
  * context       or NULL; asked before the work begins and all the while
  *
- * Smoothing costs a sparse factorisation: a second for 100,000 vertices, most of a minute for 650,000. It
- * asks every millisecond, but not while the unknowns are put in order, which takes half a second for
- * 650,000 vertices. Any thread. */
+ * Smoothing costs a sparse factorisation. The context is not asked while its unknowns are put in order,
+ * which takes a small part of that. Any thread. */
 MEANDER_API meander_status meander_surface_compute_curvature(const meander_surface* surface,
                                                              meander_curvature curvature,
                                                              double smoothing, double* values,
@@ -550,8 +549,8 @@ enum {
  * context       or NULL; asked before the work begins and all the while, as in
  *               meander_surface_compute_curvature
  *
- * Costs sparse factorisations, two of them and one half as long where there is smoothing: two seconds for
- * 40,000 vertices, some minutes for 650,000. Any thread. */
+ * Costs sparse factorisations, about two where there is no smoothing and three where there is. Any
+ * thread. */
 MEANDER_API meander_status meander_surface_compute_directions(const meander_surface* surface,
                                                               meander_directions kind,
                                                               double smoothing, double* directions,
@@ -623,7 +622,7 @@ MEANDER_API meander_status meander_outlines_init(meander_outlines* outlines, siz
  * distance   in mesh units; from a tenth of the spacing to twice the spacing
  * spacing    of the curve to come, in mesh units; points are about a quarter of it apart
  * outlines   prepared by meander_outlines_init; receives them
- * context    or NULL; asked before the work begins and every few milliseconds. Any thread. */
+ * context    or NULL; asked before the work begins and all the while. Any thread. */
 MEANDER_API meander_status meander_surface_find_outlines(const meander_surface* surface, double distance,
                                                          double spacing, meander_outlines* outlines,
                                                          meander_context* context,
@@ -684,8 +683,8 @@ typedef uint32_t meander_preset;
 enum {
   MEANDER_PRESET_EVEN = 0,  /* the default: evenly spaced, few hairpins, no gaps */
   MEANDER_PRESET_PAPER = 1, /* the authors' weights, step and stopping rule */
-  MEANDER_PRESET_FINEST = 2 /* more even, with a third of the hairpins: a full start, and a longer polish. Where it
-                               grows it has a third fewer hairpins than even, in about five times the time */
+  MEANDER_PRESET_FINEST = 2 /* more even, with fewer hairpins, in more time: a full start and a longer
+                               polish */
 };
 
 /* How a medial ball ends at the boundary of an open surface. */
@@ -710,8 +709,8 @@ enum {
 /* When a flow has converged. */
 typedef uint32_t meander_stop_rule;
 enum {
-  MEANDER_STOP_RULE_SETTLED = 0, /* the picture has stopped changing: nodes are on average within 0.05
-                                    (local) r of the curve of 5 iterations before, length within 0.25 % */
+  MEANDER_STOP_RULE_SETTLED = 0, /* the picture has stopped changing: over some iterations nodes stay
+                                    within a small share of the local r, and so does the length */
   MEANDER_STOP_RULE_PAPER = 1    /* |d|_2 / n < 3e-4 r, the test of the authors' own program, in 10
                                     iterations in a row */
 };
@@ -719,11 +718,13 @@ enum {
 /* What a curve starts from. */
 typedef uint32_t meander_start;
 enum {
-  MEANDER_START_GROW = 0, /* its seed, or a small loop, which grows until it fills the surface: it winds as coral does */
-  MEANDER_START_FULL = 1  /* a curve that fills the surface already, and that the flow only makes even: it walks round
-                             evenly spaced streamlines of the field of meander_flow_set_directions or, where there is
-                             none, of a smooth one. A strand that is drawn stays, and the rest leaves it on both sides.
-                             It is laid in the first iteration; hairpin_removal_iterations count as 0 */
+  MEANDER_START_GROW = 0, /* its seed, or a small loop, which grows until it fills the surface: it winds
+                             as coral does */
+  MEANDER_START_FULL = 1  /* a curve that fills the surface already, and that the flow only makes even: it
+                             walks round evenly spaced streamlines of the field of
+                             meander_flow_set_directions or, where there is none, of a smooth one. A strand
+                             that is drawn stays, and the rest leaves it on both sides. It is laid in the
+                             first iteration; hairpin_removal_iterations count as 0 */
 };
 
 /* Options of one flow. Always start from meander_flow_options_init, which is the only place where
@@ -742,8 +743,7 @@ typedef struct meander_flow_options {
   double medial_weight;     /* factor on alpha = 2 sqrt(2) / r^2 of eq. 9; in [1e-6, 1e6]; 1 keeps the
                                spacing */
   double alignment_weight;  /* beta_F of eq. 11, towards the field of meander_flow_set_directions; in
-                               [0, 1e6]; 0: off. 0.5 to 1 steer, as in the paper; 4 leaves little but
-                               turns across the field */
+                               [0, 1e6]; 0: off; about 1 steers, as in the paper */
   double length_power;      /* p of eq. 13, in [1.5, 8]; 2: plain. Scaled so that the whole strand pulls
                                as with 2 */
   double medial_power;      /* q of eq. 13, in [2, 8]; 2: plain. Scaled so that the spacing stays. A
@@ -763,7 +763,7 @@ typedef struct meander_flow_options {
   uint32_t grow_into_empty; /* 1: where both sides of a strand are empty, so that no force acts on it,
                                it is perturbed and made to grow */
   uint32_t widen_loops;     /* 1: the small closed strands of a flow without a seed, and of fill_regions,
-                               begin as circles of radius 1.5 r where the face is smaller */
+                               begin as circles wider than r where the face is smaller */
   uint32_t hold_ends;       /* 1: free ends keep r from what lies ahead of them, or grow until they do */
   uint32_t hairpin_removal_iterations; /* between growth and polish: in this many iterations the fingers
                                on the shortest runs between hairpins are drawn in, and others grow
@@ -774,8 +774,8 @@ typedef struct meander_flow_options {
   uint32_t threads;         /* 0: as many as the machine has; at most 256; the result is the same */
   double roughness;         /* how much of the surface's roughness the spacing follows, in [0, 1]. At 0 it
                                is measured on the surface as it is at the scale of the spacing: where it
-                               is crumpled below r, vertices are smoothed by a Gaussian of up to .75 r,
-                               and r shrinks as lengths do there. At 1 it is measured on the surface
+                               is crumpled below r, vertices are smoothed, and r shrinks as lengths do
+                               there. At 1 it is measured on the surface
                                as it is. Only with MEANDER_MEDIAL_AXIS_GEODESIC */
   meander_start start;
   uint32_t reserved32;
@@ -792,8 +792,8 @@ MEANDER_API meander_status meander_flow_options_init(meander_flow_options* optio
                                                      size_t struct_size, meander_preset preset);
 
 /* Warns of options that are allowed but rarely intended, one sentence each: segments so long that the
- * spacing suffers (segment_length above r / 2.5, Fig. 15), a clamp so small that the curve may not
- * reach everywhere (max_radius below 2 r, Fig. 19), weights and powers far beyond the useful range.
+ * spacing suffers (Fig. 15), a clamp so small that the curve may not reach everywhere (Fig. 19), weights
+ * far beyond the useful range.
  *
  * options   as for meander_flow_create; a field out of its range gives no warning: creating refuses it
  * index     0 for the first warning
@@ -871,7 +871,7 @@ MEANDER_API meander_status meander_extent_init(meander_extent* extent, size_t st
  * density_count  the number of vertices passed to meander_surface_create; 0 for NULL
  * extent         prepared by meander_extent_init; receives the figures
  *
- * Takes a few nanoseconds a face. Any thread. */
+ * Reads the surface once. Any thread. */
 MEANDER_API meander_status meander_surface_measure_extent(const meander_surface* surface,
                                                           const double* density, size_t density_count,
                                                           meander_extent* extent,
@@ -1009,8 +1009,9 @@ MEANDER_API meander_stop_reason meander_flow_stop_reason(const meander_flow* flo
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: a run in the background                                                                */
 
-/* Begins meander_flow_run on a thread of the library and returns at once. For hosts that must not
- * lend a thread of their own, and stay responsive meanwhile; the curve is the same to the last byte.
+/* Begins meander_flow_run on a thread of the library and returns at once: the caller's thread copies the
+ * curve for the first preview, and does no work that grows with the mesh. For hosts that must not lend a
+ * thread of their own, and stay responsive meanwhile; the curve is the same to the last byte.
  *
  * Until meander_flow_wait returns, also when the run has ended by itself, the flow belongs to the
  * run: only meander_flow_is_running, meander_flow_take_preview, meander_flow_stop_reason,
@@ -1023,7 +1024,8 @@ MEANDER_API meander_status meander_flow_start(meander_flow* flow, meander_contex
                                               meander_error* error);
 
 /* 1 while a started run is going; 0 when meander_flow_wait would return at once, before a start, and
- * for NULL. Costs nothing. Any thread. */
+ * for NULL. Costs nothing. Any thread, also while another one makes a call on the flow, but for
+ * meander_flow_destroy, which must come after the last question. */
 MEANDER_API uint32_t meander_flow_is_running(const meander_flow* flow);
 
 /* Waits for the end of a started run.
@@ -1084,12 +1086,10 @@ MEANDER_API meander_status meander_flow_take_preview(meander_flow* flow, meander
  * cancelled and waited for first, which takes one iteration, and is then started again.
  *
  * A curve that is still growing, or not even yet, goes on with that. One that has been finished is
- * fitted: it takes a few iterations of the polish and a few short ones, about a quarter of the time of
- * a run from scratch where the spacing has changed by a tenth. Where the spacing, in the mean along
- * the curve, has changed by more than a fifth since the curve grew, all such changes taken
- * together, and where the weights of growth change, it grows again, from the curve as it is: as even
- * as one from scratch, in about the same time. Without a polish, as in MEANDER_PRESET_PAPER, it
- * always does.
+ * fitted by iterations of the polish, much sooner than a run from scratch would be. Where the spacing, in
+ * the mean along the curve, has changed by much since the curve grew, all such changes taken together,
+ * and where the weights of growth change, it grows again, from the curve as it is: as even as one from
+ * scratch, in about the same time. Without a polish, as in MEANDER_PRESET_PAPER, it always does.
  *
  * Nothing crosses, strands and fixed nodes are as seeded, and guides stay as drawn. Convergence is
  * judged from here on, and the iteration limit counts from here. What asks for what is there already
@@ -1132,7 +1132,7 @@ MEANDER_API meander_status meander_flow_set_options(meander_flow* flow,
  * except those of guides, whose lines stay as drawn and are cut further where they stretch. Nothing
  * crosses, and strands are as seeded. r and all other lengths stay the same in the caller's units, as
  * does the density at every vertex, so a surface that grows gets a longer curve in the steps that
- * follow. A few of them, two or three a frame, keep the spacing even.
+ * follow. A few of them a frame keep the spacing even.
  *
  * A curve that fills its surface continues in the polish, with the weights that close gaps, and never
  * grows from scratch; one that is still growing continues to grow. Convergence is judged from here
