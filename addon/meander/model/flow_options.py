@@ -344,28 +344,6 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
     Option(
-        "momentum",
-        "Momentum",
-        "How much of its last step every node repeats at least. More settles sooner or swings; "
-        "0 leaves it to the quality",
-        _SHAPE,
-        low="0: as the quality has it",
-        row="Inertia",
-        high="livelier, may swing",
-        least=0.0,
-        greatest=0.9,
-        step=5,
-        field="momentum",
-        flag=Flag(
-            "--momentum",
-            "share of its last step that every node repeats at least, from 0 to 0.9; default: 0",
-            _TERMS,
-            "M",
-            least=0.0,
-            greatest=0.9,
-        ),
-    ),
-    Option(
         "least_bend_radius",
         "Least Bend Radius",
         "No turn is to be sharper, as a filament or a tube asks: the curve gets stiffer until that "

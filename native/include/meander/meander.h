@@ -780,9 +780,7 @@ typedef struct meander_flow_options {
   meander_start start;
   uint32_t reserved32;
   double tunings[16];       /* of meander_flow_options_set_tuning alone */
-  double momentum;          /* the least share of its last step that every node repeats, in all phases;
-                               in [0, 0.9]; 0: as the phase has it */
-  uint64_t reserved[4];
+  uint64_t reserved[5];
 } meander_flow_options;
 
 /* Fills in the defaults of a preset; see "Structs".

@@ -50,7 +50,7 @@ Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iteratio
   plan.phase = phase;
   plan.polishing = settings.polish && phase != Phase::kGrowing;
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);
-  plan.momentum = std::max(settings.momentum, settings.polish ? momentum_in(phase, gentleness) : 0);
+  plan.momentum = settings.polish ? momentum_in(phase, gentleness) : 0;
   plan.hairpin_pull = std::lerp(tuning::kRoughPull, tuning::kGentlePull, gentleness);
   plan.medial.boundary_ease = gentleness;
   plan.longest_step =

@@ -42,7 +42,6 @@ struct FlowSettings {
   bool full_start = false;  ///< begin with a curve that fills the surface already
   uint32_t iteration_limit = 1;
   uint32_t threads = 0;
-  double momentum = 0;  ///< the least share of the last step that is repeated
 
   // Tunings, by name in the header.
 
@@ -85,7 +84,6 @@ inline constexpr SettingRange kOptions[] = {
     {"polish_bending_weight", &FlowSettings::polish_bending_weight, 0, 1e6},
     {"boundary_distance", &FlowSettings::boundary_distance, 0, 2},
     {"roughness", &FlowSettings::roughness, 0, 1},
-    {"momentum", &FlowSettings::momentum, 0, 0.9},
 };
 
 /// Those that meander_flow_options_set_tuning sets, in the order of its array.
