@@ -33,8 +33,9 @@ def whole_problem() -> Problem:
     points = np.array([[0.2, 0.2, 0.0], [0.8, 0.3, 0.0], [0.3, 0.8, 0.0], [0.2, 0.5, 0.0]])
     fixed = np.array([1, 0, 1, 0], dtype=np.uint8)
     seed = core.Seed(
-        points, np.array([0, 4], np.uint32), np.array([0], np.uint8), fixed, loops=True, reach=0.1
-    )
+        points, np.array([0, 4], np.uint32), np.array([0], np.uint8), fixed,
+        loops=True, max_distance=0.1,
+    )  # fmt: skip
     prepared = core.SurfaceOptions(merge_distance=1e-9)
     prepared.face_mask = np.arange(len(faces)) > 3
     return Problem(
@@ -87,8 +88,11 @@ def test_old_names_of_options_are_read(tmp_path: Path) -> None:
     options["border_distance"] = options.pop("boundary_distance")
     options["ripening_iterations"] = options.pop("hairpin_removal_iterations")
     options |= options.pop("tunings")
+    record["seed"]["reach"] = record["seed"].pop("max_distance")
     np.savez_compressed(path, **(arrays | {"record": np.array(json.dumps(record))}))
-    assert bundle.read_bundle(path).problem.options == opened.problem.options
+    read = bundle.read_bundle(path).problem
+    assert read.options == opened.problem.options
+    assert read.seed.max_distance == opened.problem.seed.max_distance > 0.0
 
 
 def test_reading_executes_nothing_and_refuses_other_files(tmp_path: Path) -> None:

@@ -239,7 +239,8 @@ def structs(surface: int) -> list[str]:
     found = [
         called("meander_flow_create", [surface, changed(seed, **wrong), None, 0, options, "out",
                                        None], kept)
-        for wrong in ({"strand_count": 0}, {"points": None}, {"fill_regions": 9}, {"reach": -1.0})
+        for wrong in ({"strand_count": 0}, {"points": None}, {"fill_regions": 9},
+                      {"max_distance": -1.0})
     ]  # fmt: skip
     found += [
         called("meander_flow_create", [surface, None, None, 0, changed(options, **wrong), "out",

@@ -221,7 +221,7 @@ def test_bad_seed(square: core.Surface, name: str) -> None:
 
 @pytest.mark.parametrize("reach", [-1.0, NAN, INF])
 def test_a_reach_that_is_no_length(square: core.Surface, reach: float) -> None:
-    seed = replace(seed_of([[0.2, 0.2, 0], [0.8, 0.8, 0]]), reach=reach)
+    seed = replace(seed_of([[0.2, 0.2, 0], [0.8, 0.8, 0]]), max_distance=reach)
     error = refused(core.Flow, square, options_with(), seed)
     assert error.status == core.Status.INVALID_ARGUMENT
 

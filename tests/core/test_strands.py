@@ -172,7 +172,7 @@ def test_points_of_one_spline_are_told_together_and_lengths_as_the_user_reads_th
     assert_sentence(told)
     assert "just after points 1 and 3 of spline 2 of 'Bow'" in told
     parts = [part("High", ([[0.1, 0.1, 0], [0.9, 0.1, 0.7]], False))]
-    error = refusal(strands.assembled(parts, reach=0.5))
+    error = refusal(strands.assembled(parts, max_distance=0.5))
     told = str(strands.explained(error, parts, lambda value: f"{100 * value:.0f} cm"))
     assert_sentence(told)
     assert told.startswith("Point 2 of spline 1 of 'High' is 70 cm away")
@@ -187,14 +187,14 @@ def test_a_seed_above_the_surface_is_laid_on_it_and_the_distance_told() -> None:
     waves = [[x, 0.5, 0.1 + 0.1 * x] for x in np.linspace(0.1, 0.9, 9)]
     drawn = [part("Waves", (waves, False))]
     mesh = geometry.grid(6)
-    reach = strands.reach_of(mesh.vertices)
-    assert reach == pytest.approx(0.25 * np.sqrt(2))
+    most = strands.max_distance_of(mesh.vertices)
+    assert most == pytest.approx(0.25 * np.sqrt(2))
     assert refusal(strands.assembled(drawn)).elements == (0,)  # without it r is the limit
     options = core.default_options()
     options.radius = 0.04
     with (
         core.Surface(*mesh) as surface,
-        core.Flow(surface, options, strands.assembled(drawn, reach=reach)) as flow,
+        core.Flow(surface, options, strands.assembled(drawn, max_distance=most)) as flow,
     ):
         figures, laid = flow.statistics(), flow.polylines().positions
     assert figures["seed_distance"] == pytest.approx(0.19)

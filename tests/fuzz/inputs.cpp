@@ -251,7 +251,7 @@ void Inputs::set_seed_field(const Record& r) {
   has_seed = true;
   switch (r.a % 8) {
     case 0: seed.fill_regions = word(r); break;
-    case 1: seed.reach = number(r, {0, 3}); break;
+    case 1: seed.max_distance = number(r, {0, 3}); break;
     case 2: missing_seed_arrays = r.b; break;
     case 3:
       if (!offsets.empty()) offsets[r.b % offsets.size()] = r.c < 250 ? r.c % 24u : ~uint64_t{0} - (r.c - 250u);
@@ -269,7 +269,7 @@ void Inputs::set_seed_field(const Record& r) {
   }
   if (!transcript_.open()) return;
   transcript_.line("seed.fill_regions = " + written(seed.fill_regions) + ";");
-  transcript_.line("seed.reach = " + written(seed.reach) + ";");
+  transcript_.line("seed.max_distance = " + written(seed.max_distance) + ";");
   write_seed();
 }
 

@@ -219,7 +219,7 @@ void make_long_flow(World& world) {
   seed.points = points;
   seed.point_count = kPoints;
   seed.strand_count = 1;
-  seed.reach = 0.5;
+  seed.max_distance = 0.5;
   seed.offsets = offsets;
   seed.closed = closed;
   const meander_flow_options options = flow_options(0.1, MEANDER_PRESET_EVEN);

@@ -40,7 +40,7 @@ class PhasesOf : public testing::TestWithParam<int> {
     figures.wanted = figures.moved = 1;
     convergence_.note(surface_, curve_, metric_, figures, pool_);
   }
-  Plan plan() const { return plan_iteration(settings_, convergence_.phase()); }
+  IterationPlan plan() const { return plan_iteration(settings_, convergence_.phase()); }
   /// Iterations until the phase ends, at most `most`.
   uint32_t iterations_of(Phase phase, uint32_t most) {
     uint32_t k = 0;
@@ -60,10 +60,10 @@ class PhasesOf : public testing::TestWithParam<int> {
 /// All that goes with it changes one way from rough to gentle.
 TEST(Plan, RemovesHairpinsAsGentlyAsAsked) {
   FlowSettings settings = with_polish();
-  Plan before;
+  IterationPlan before;
   for (const double gentleness : {0.0, 0.25, 0.5, 0.99, 1.0}) {
     settings.hairpin_removal_gentleness = gentleness;
-    const Plan plan = plan_iteration(settings, Phase::kHairpinRemoval);
+    const IterationPlan plan = plan_iteration(settings, Phase::kHairpinRemoval);
     EXPECT_EQ(plan.hairpin_pull == tuning::kRoughPull, gentleness == 0);
     EXPECT_EQ(plan.hairpin_pull == tuning::kGentlePull, gentleness == 1);
     EXPECT_EQ(plan.momentum == tuning::kRoughMomentum, gentleness == 0);
@@ -84,10 +84,10 @@ TEST(Plan, IsTheSameForAnyNumberOfIterations) {
   FlowSettings settings = with_polish();
   for (const Phase phase : {Phase::kHairpinRemoval, Phase::kPolishing}) {
     settings.hairpin_removal_iterations = 1;
-    const Plan few = plan_iteration(settings, phase);
+    const IterationPlan few = plan_iteration(settings, phase);
     for (const uint32_t iterations : {70u, 150u, 300u, 600u, UINT32_MAX}) {
       settings.hairpin_removal_iterations = iterations;
-      const Plan plan = plan_iteration(settings, phase);
+      const IterationPlan plan = plan_iteration(settings, phase);
       EXPECT_EQ(plan.hairpin_pull, few.hairpin_pull);
       EXPECT_EQ(plan.momentum, few.momentum);
       EXPECT_EQ(plan.most_turn, few.most_turn);

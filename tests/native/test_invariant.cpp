@@ -44,7 +44,7 @@ std::unique_ptr<Flow> grown_flow() {
   seed.closed = {0};
   seed.fixed = {1, 0, 0, 1};
   seed.guides = {0};
-  seed.reach = 1;
+  seed.max_distance = 1;
   auto flow = std::make_unique<Flow>(surface, &seed, VertexData<double>{}, s);
   for (int k = 0; k < 12; ++k) EXPECT_TRUE(flow->step(kNeverCancelled));
   return flow;

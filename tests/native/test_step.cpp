@@ -39,7 +39,7 @@ struct Scene {
     FlowState state{settings, Domain(surface, {}, settings, pool), curve, metric, {}};
     medial.radii = radii;
     state.nodes.steps.assign(kNodes, kRadius * Vec2{0.4, 2 * sideways});
-    Plan plan;
+    IterationPlan plan;
     plan.momentum = 0.5;
     plan.longest_step = std::numeric_limits<double>::infinity();
     plan.firm_boundary = firm;

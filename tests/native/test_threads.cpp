@@ -170,6 +170,9 @@ TEST(Threads, MayCancelARunOfAnother) {
     meander_context_reset(context);
     step(flow, 1);
     check(meander_flow_start(flow, context, nullptr));
+    Result<meander_preview> seed;
+    check(meander_flow_take_preview(flow, &seed, nullptr));
+    EXPECT_EQ(seed->serial, 1u);
     watch_and_cancel(context, 2);
     if (k > 0) {
       EXPECT_EQ(meander_flow_wait(flow, nullptr), MEANDER_STATUS_CANCELLED);

@@ -17,14 +17,15 @@ from .native_library import MeanderError, address_of, checked_array, prepared
 class Seed:
     """Strands to start from, in space; every point is moved to the nearest point of the surface.
 
-    points   (n, 3) float64, strand after strand, in the surface's units
-    offsets  (s + 1,) uint32: strand k has the points offsets[k] .. offsets[k + 1] - 1
-    closed   (s,) uint8: 1 closed (first point not repeated), 0 open
-    fixed    (n,) uint8: 1 never moves; None: every point may move
-    guides   (s,) uint8: 1 for a strand that stays as it is and that the others keep away from;
-             None: none
-    loops    regions between guides, and components, without a growing strand get a small loop
-    reach    how far from the surface a point may be, in the surface's units; a local r always is
+    points        (n, 3) float64, strand after strand, in the surface's units
+    offsets       (s + 1,) uint32: strand k has the points offsets[k] .. offsets[k + 1] - 1
+    closed        (s,) uint8: 1 closed (first point not repeated), 0 open
+    fixed         (n,) uint8: 1 never moves; None: every point may move
+    guides        (s,) uint8: 1 for a strand that stays as it is and that the others keep away
+                  from; None: none
+    loops         regions between guides, and components, without a growing strand get a small loop
+    max_distance  how far from the surface a point may be, in the surface's units; a local r always
+                  is
     """
 
     points: NDArray[np.float64]
@@ -33,7 +34,7 @@ class Seed:
     fixed: NDArray[np.uint8] | None = None
     guides: NDArray[np.uint8] | None = None
     loops: bool = False
-    reach: float = 0.0
+    max_distance: float = 0.0
 
 
 def seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:
@@ -82,6 +83,6 @@ def seed_record(seed: Seed) -> tuple[SeedRecord, tuple[NDArray[Any], ...]]:
     record.fixed = address_of(fixed)
     record.guides = address_of(guides)
     record.fill_regions = int(seed.loops)
-    record.reach = seed.reach
+    record.max_distance = seed.max_distance
     optional = tuple(array for array in (fixed, guides) if array is not None)
     return record, (points, ends, closed, *optional)

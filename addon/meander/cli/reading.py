@@ -61,8 +61,8 @@ def _put_seed_together(given: Input, arguments: argparse.Namespace) -> None:
     if arguments.guides is not None:
         guides = mesh_files.read_obj_curve(arguments.guides)
         given.parts.append(strands.Part(str(arguments.guides), guides, guide=True))
-    reach = strands.reach_of(given.problem.vertices)
-    given.problem.seed = strands.assembled(given.parts, arguments.fill_every_part, reach)
+    most = strands.max_distance_of(given.problem.vertices)
+    given.problem.seed = strands.assembled(given.parts, arguments.fill_every_part, most)
 
 
 def _set_fields(given: Input, arguments: argparse.Namespace) -> None:

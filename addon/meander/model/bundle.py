@@ -24,10 +24,11 @@ from .whole_files import FileError, whole_file
 SUFFIX = ".npz"
 _FORMAT = 1
 
-# Options that earlier bundles know by another name.
-_OLD_OPTIONS = {
+# What earlier bundles know by another name.
+_OLD_NAMES = {
     "border_distance": "boundary_distance",
     "ripening_iterations": "hairpin_removal_iterations",
+    "reach": "max_distance",
 }
 
 
@@ -99,7 +100,7 @@ def read_bundle(path: Path) -> Bundle:
             raise FileError(f"{path} is a bundle of another version of Meander")
         options = core.default_options(record["options"]["preset"])
         for written, value in record["options"].items():
-            name = _OLD_OPTIONS.get(written, written)
+            name = _OLD_NAMES.get(written, written)
             if name in options.tunings:  # where earlier bundles have them among the options
                 options.tunings[name] = float(value)
             else:
@@ -114,7 +115,8 @@ def read_bundle(path: Path) -> Bundle:
             outline=record["outline"],
         )
         if "seed" in record:
-            problem.seed = core.Seed(**record["seed"], **_of("seed", arrays))
+            plain = {_OLD_NAMES.get(name, name): value for name, value in record["seed"].items()}
+            problem.seed = core.Seed(**plain, **_of("seed", arrays))
         if "surface_options" in record:
             given = record["surface_options"] | _of("surface_options", arrays)
             problem.surface_options = core.SurfaceOptions(**given)

@@ -171,6 +171,6 @@ def outlined(
         fixed=np.concatenate([moving, np.zeros(len(outlines.points), np.uint8)]),
         guides=guides.astype(np.uint8),
         loops=seed.loops or bool(guides.all()),
-        reach=seed.reach,
+        max_distance=seed.max_distance,
     )
     return joined, skipped

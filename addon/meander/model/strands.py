@@ -41,16 +41,18 @@ def stroke(begin: ArrayLike, end: ArrayLike) -> core.Seed:
     )
 
 
-def reach_of(vertices: NDArray[np.float64]) -> float:
+def max_distance_of(vertices: NDArray[np.float64]) -> float:
     """How far from a surface of these vertices (n, 3) a drawn curve may be, in their units."""
     finite = vertices[np.isfinite(vertices).all(axis=1)]
     return REACH * float(np.linalg.norm(np.ptp(finite, axis=0))) if len(finite) else 0.0
 
 
-def assembled(parts: Sequence[Part], loops: bool = False, reach: float = 0.0) -> core.Seed | None:
+def assembled(
+    parts: Sequence[Part], loops: bool = False, max_distance: float = 0.0
+) -> core.Seed | None:
     """One seed of all parts, in their order; None when there are none.
 
-    reach   how far from the surface points may be, see core.Seed
+    max_distance   how far from the surface points may be, see core.Seed
 
     loops   give regions and components without a growing strand a small loop. Where there are
             guides only they always get one, since nothing else could grow.
@@ -75,7 +77,7 @@ def assembled(parts: Sequence[Part], loops: bool = False, reach: float = 0.0) ->
             [np.full(len(part.seed.closed), part.guide, dtype=np.uint8) for part in parts]
         ),
         loops=loops or all(part.guide for part in parts),
-        reach=reach,
+        max_distance=max_distance,
     )
 
 

@@ -103,11 +103,11 @@ def plan_of(
     alignment = alignment_of(settings)
     directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
     parts, materials = scene_strands.parts_of(active, depsgraph, restart)
-    reach = 0.0
+    most = 0.0
     if any(part.drawn for part in parts):
-        reach = strands.reach_of(vertices)
+        most = strands.max_distance_of(vertices)
         scene_strands.check_on_surface(parts, vertices, faces, spacing / 2.0)
-    seed = strands.assembled(parts, settings.seed_every_part, reach)
+    seed = strands.assembled(parts, settings.seed_every_part, most)
     region = selected_faces(surface) if active is surface else None
     prepared = _prepared(vertices, spacing / 2.0, region, settings, surface, depsgraph)
     options = options_of(settings, spacing)

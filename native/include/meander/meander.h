@@ -633,7 +633,7 @@ MEANDER_API meander_status meander_surface_find_outlines(const meander_surface* 
 
 /* Strands to start from, in space. Every point is moved to the nearest point of the surface, and
  * consecutive points are joined by geodesics. Refused with MEANDER_STATUS_INVALID_SEED: a point
- * farther than `reach` from the surface; strands that cross or touch themselves or each other on the
+ * farther than `max_distance` from the surface; strands that cross or touch themselves or each other on the
  * surface; a closed strand with fewer than 3 different points, an open one with fewer than 2;
  * consecutive points on different components. Sentences count seed points as `points` does, from 0.
  *
@@ -664,7 +664,7 @@ typedef struct meander_seed {
   const uint8_t* closed;   /* uint8_t[strand_count]: 1 closed, 0 open */
   const uint8_t* fixed;    /* uint8_t[point_count]: 1 never moves; NULL: none */
   const uint8_t* guides;   /* uint8_t[strand_count]: 1 is a guide; NULL: none */
-  double reach;            /* how far from the surface a point may be, finite, in the caller's units; a
+  double max_distance;     /* how far from the surface a point may be, finite, in the caller's units; a
                               local r is always allowed, so that 0 means that */
   uint64_t reserved[3];
 } meander_seed;

@@ -75,7 +75,7 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     check_size(*surface->surface, settings, density_at(densities), surface->map.get());
     SeedStrands strands;
     if (seed) strands = checked_seed(seed);
-    strands.reach /= surface->surface->scale();
+    strands.max_distance /= surface->surface->scale();
     auto made = std::make_unique<meander_flow>();
     made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings,
                                         question(context));

@@ -160,7 +160,7 @@ void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, c
   for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
     poll(kLaid);
     const auto hit = closest(surface.to_inside(seed.points[i]));
-    const double most = std::max(seed.reach, radius.at(surface, hit.point));
+    const double most = std::max(seed.max_distance, radius.at(surface, hit.point));
     if (!(hit.distance <= most)) {
       const double scale = surface.scale();
       refuse("Seed point " + std::to_string(i) + " is " + number(hit.distance * scale) +

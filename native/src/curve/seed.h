@@ -18,7 +18,7 @@ struct SeedStrands {
   std::vector<uint8_t> closed, fixed;
   std::vector<uint8_t> guides;  ///< per strand; empty: none
   bool loops = false;           ///< components without a growing strand get a loop
-  double reach = 0;             ///< how far from the surface a point may be, in its units inside; never below r
+  double max_distance = 0;      ///< how far from the surface a point may be, in its units inside; never below r
 };
 
 /// How well a seed fitted the surface. Lengths are in its units inside.

@@ -71,7 +71,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
     clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool_);
   }
   Convergence convergence = convergence_.restarted(clamped);
-  const Plan plan = plan_iteration(next.settings, convergence.phase());
+  const IterationPlan plan = plan_iteration(next.settings, convergence.phase());
   refiner_.cut_guides(next, plan, pool_);
   refiner_.refine(next, plan, pool_);
   update_metric(next, pool_);

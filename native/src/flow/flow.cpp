@@ -130,7 +130,7 @@ void Flow::iterate() {
   watch.lap();
 
   // What this iteration is about, and the medial axis of the curve as it is (3.2.2).
-  const Plan plan = this->plan();
+  const IterationPlan plan = this->plan();
   find_medial_axis(plan);
   seconds.medial_axis += watch.lap();
 
@@ -159,7 +159,7 @@ void Flow::find_medial_axis(FlowState& state, const AtRest& known, MedialPlan pl
 }
 
 /// The same as the forces of an iteration are to see it.
-void Flow::find_medial_axis(const Plan& plan) {
+void Flow::find_medial_axis(const IterationPlan& plan) {
   NodeHistory& nodes = state_.nodes;
   if (!plan.reuse_directions) nodes.directions.clear();
   if (!plan.reuse_balls) nodes.balls.clear();
@@ -193,7 +193,7 @@ IterationRecord Flow::record_of(const NodeData<Vec2>& displacement) {
 }
 
 /// What the nodes will carry once they have moved.
-void Flow::remember(const Plan& plan, const NodeData<Vec2>& displacement) {
+void Flow::remember(const IterationPlan& plan, const NodeData<Vec2>& displacement) {
   std::swap(nodes_after_.radii, medial_.radii);
   nodes_after_.directions = state_.nodes.directions;
   if (plan.reuse_directions) remember_directions(medial_.frames, state_.metric, pool_, nodes_after_.directions);
@@ -202,7 +202,7 @@ void Flow::remember(const Plan& plan, const NodeData<Vec2>& displacement) {
 }
 
 /// Moves the curve, and takes note of the iteration. Whatever it throws, all is then as it was.
-void Flow::move(const Plan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures,
+void Flow::move(const IterationPlan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures,
                 IterationRecord& record) {
   // Nodes move along geodesics and are joined again, no farther than nothing crosses (3.3, 3.3.1).
   const NodeData<double>& moved =

@@ -101,19 +101,20 @@ class Flow {
   /// Of the tests: it spoils a curve that has moved, to see that this is found.
   friend struct FlowFault;
 
-  Plan plan() const {
+  IterationPlan plan() const {
     return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase());
   }
   void iterate();
   void start_full();
   void find_medial_axis(FlowState& state, const AtRest& known, MedialPlan plan = {});
-  void find_medial_axis(const Plan& plan);
+  void find_medial_axis(const IterationPlan& plan);
   /// Those of the last medial axis become radii(), once nothing can fail any more.
   void keep_radii() noexcept { state_.nodes.radii.swap(medial_.radii); }
   IterationFigures figures_of(const NodeData<Vec2>& displacement);
   IterationRecord record_of(const NodeData<Vec2>& displacement);
-  void remember(const Plan& plan, const NodeData<Vec2>& displacement);
-  void move(const Plan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures, IterationRecord& record);
+  void remember(const IterationPlan& plan, const NodeData<Vec2>& displacement);
+  void move(const IterationPlan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures,
+            IterationRecord& record);
   void keep_promises() const;
   void note(IterationFigures& figures);
   double progress() const;

@@ -42,11 +42,11 @@ uint32_t polish_iterations(const FlowSettings& settings) {
   return static_cast<uint32_t>(std::lround(iterations));
 }
 
-Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase) {
+IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase) {
   const double gentleness = settings.hairpin_removal_gentleness;
   const bool settles = settings.stop_rule == StopRule::kSettled;  // else the flow follows the paper
   const bool coarse = settings.polish && phase <= Phase::kPolishing;
-  Plan plan;
+  IterationPlan plan;
   plan.phase = phase;
   plan.polishing = settings.polish && phase != Phase::kGrowing;
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);

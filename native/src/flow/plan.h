@@ -18,7 +18,7 @@ enum class Phase {
 };
 
 /// The same for all nodes, and for the whole of one iteration.
-struct Plan {
+struct IterationPlan {
   Phase phase = Phase::kGrowing;
   bool polishing = false;     ///< past its growth: length weights follow the spacing
   double segment_length = 0;  ///< h where r is the nominal one, in the surface's own unit
@@ -52,6 +52,6 @@ struct Plan {
 uint32_t polish_iterations(const FlowSettings& settings);
 
 /// The plan of the iteration after the first `iterations_in_phase` of this phase: a function of the three alone.
-Plan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase = 0);
+IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase = 0);
 
 }  // namespace meander

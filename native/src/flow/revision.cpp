@@ -54,7 +54,7 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density) {
   }
   Convergence convergence = convergence_.revised(settings, mean_change(state_, next, pool_),
                                                  grows_otherwise(state_.settings, settings));
-  const Plan plan = plan_iteration(settings, convergence.phase());
+  const IterationPlan plan = plan_iteration(settings, convergence.phase());
   refiner_.cut_guides(next, plan, pool_);
   refiner_.refine(next, plan, pool_);
   update_metric(next, pool_);

@@ -14,11 +14,11 @@ constexpr int kMostCuts = 10;
 
 }  // namespace
 
-void SegmentRefiner::refine(FlowState& state, const Plan& plan, ThreadPool& pool) {
+void SegmentRefiner::refine(FlowState& state, const IterationPlan& plan, ThreadPool& pool) {
   apply(state, plan, kNever, pool);
 }
 
-void SegmentRefiner::cut_guides(FlowState& state, const Plan& plan, ThreadPool& pool) {
+void SegmentRefiner::cut_guides(FlowState& state, const IterationPlan& plan, ThreadPool& pool) {
   const Curve& curve = state.curve;
   for (uint32_t k = 0, before = 0; k < kMostCuts && curve.has_guides() && curve.size() != before; ++k) {
     before = curve.size();
@@ -26,7 +26,7 @@ void SegmentRefiner::cut_guides(FlowState& state, const Plan& plan, ThreadPool& 
   }
 }
 
-void SegmentRefiner::apply(FlowState& state, const Plan& plan, double guide_length, ThreadPool& pool) {
+void SegmentRefiner::apply(FlowState& state, const IterationPlan& plan, double guide_length, ThreadPool& pool) {
   update_metric(state, pool);
   const Curve& curve = state.curve;
   targets_.resize(curve.size());

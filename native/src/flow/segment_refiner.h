@@ -15,14 +15,14 @@ class SegmentRefiner {
   /// Splits and removes segments of what grows, as the plan has it: h is its segment length where r is the nominal
   /// one, and else in proportion. Guides stay as they are to the last bit. Finds the metric of the nodes as they were
   /// before.
-  void refine(FlowState& state, const Plan& plan, ThreadPool& pool);
+  void refine(FlowState& state, const IterationPlan& plan, ThreadPool& pool);
 
   /// Cuts guides, where there are any, as finely as everything will be in the end, and all else as the plan has
   /// it: at first, and when the surface has moved.
-  void cut_guides(FlowState& state, const Plan& plan, ThreadPool& pool);
+  void cut_guides(FlowState& state, const IterationPlan& plan, ThreadPool& pool);
 
  private:
-  void apply(FlowState& state, const Plan& plan, double guide_length, ThreadPool& pool);
+  void apply(FlowState& state, const IterationPlan& plan, double guide_length, ThreadPool& pool);
 
   Refinement refinement_;
   NodeData<double> targets_;

@@ -11,7 +11,7 @@ namespace meander {
 namespace {
 
 /// The longest step that node i may take in the direction of `step`, in the surface's unit.
-double longest_step(const Plan& plan, const FlowState& state, const MedialState& medial, size_t i, Vec2 step) {
+double longest_step(const IterationPlan& plan, const FlowState& state, const MedialState& medial, size_t i, Vec2 step) {
   const size_t side = dot(step, medial.frames.bitangent2[i]) > 0 ? 0 : 1;
   const double radius = medial.radii[i][side], r = state.metric.radius[i];
   double most = tuning::kMostOfRadius * radius;
@@ -32,8 +32,8 @@ Vec2 keep_from_boundary(const FlowState& state, const MedialState& medial, size_
 }
 
 /// Adds what is left of the last steps, and makes no step longer than it may be.
-void add_momentum_and_cap(const Plan& plan, const FlowState& state, const MedialState& medial, ThreadPool& pool,
-                          NodeData<Vec2>& displacement) {
+void add_momentum_and_cap(const IterationPlan& plan, const FlowState& state, const MedialState& medial,
+                          ThreadPool& pool, NodeData<Vec2>& displacement) {
   const NodeData<Vec2>& last = state.nodes.steps;
   const double momentum = last.empty() ? 0 : plan.momentum;
   const Frames& frames = medial.frames;
@@ -61,7 +61,7 @@ void cap_ends(const std::vector<FreeEnd>& ends, NodeData<Vec2>& displacement) {
 
 }  // namespace
 
-const NodeData<Vec2>& Step::find(const Plan& plan, const FlowState& state, const MedialState& medial,
+const NodeData<Vec2>& Step::find(const IterationPlan& plan, const FlowState& state, const MedialState& medial,
                                  const Weights& weights, StrandSolver& strands, ThreadPool& pool) {
   ends_.clear();
   if (state.settings.hold_ends) {
@@ -110,8 +110,8 @@ void Step::solve_strands(const FlowState& state, const MedialState& medial, cons
   });
 }
 
-void remember_steps(const Plan& plan, const NodeData<Vec2>& displacement, const Frames& frames, ThreadPool& pool,
-                    NodeData<Vec2>& steps) {
+void remember_steps(const IterationPlan& plan, const NodeData<Vec2>& displacement, const Frames& frames,
+                    ThreadPool& pool, NodeData<Vec2>& steps) {
   if (plan.momentum == 0) {
     steps.clear();
     return;

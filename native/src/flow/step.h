@@ -19,7 +19,7 @@ class Step {
   /// The displacements of all nodes in the planes of their faces, in the surface's unit: what the model asks for, with
   /// what is left of the last step, and no longer than it may be; 0 for guides and fixed nodes. They stay until the
   /// next call.
-  const NodeData<Vec2>& find(const Plan& plan, const FlowState& state, const MedialState& medial,
+  const NodeData<Vec2>& find(const IterationPlan& plan, const FlowState& state, const MedialState& medial,
                              const Weights& weights, StrandSolver& strands, ThreadPool& pool);
 
  private:
@@ -34,7 +34,7 @@ class Step {
 
 /// Keeps displacements in `steps` for the next iteration if they will count there; else forgets what was there. The
 /// nodes will lie in other faces then, but their tangents say the same.
-void remember_steps(const Plan& plan, const NodeData<Vec2>& displacement, const Frames& frames, ThreadPool& pool,
-                    NodeData<Vec2>& steps);
+void remember_steps(const IterationPlan& plan, const NodeData<Vec2>& displacement, const Frames& frames,
+                    ThreadPool& pool, NodeData<Vec2>& steps);
 
 }  // namespace meander

@@ -16,7 +16,7 @@ namespace {
 
 /// What the weights are a function of, and the weights.
 struct Weighting {
-  const Plan& plan;
+  const IterationPlan& plan;
   const FlowState& state;
   const MedialState& medial;
   StrandSolver& strands;
@@ -241,7 +241,7 @@ void set_polish(const Weighting& w) {
 
 }  // namespace
 
-void choose_weights(const Plan& plan, const FlowState& state, const MedialState& medial, StrandSolver& strands,
+void choose_weights(const IterationPlan& plan, const FlowState& state, const MedialState& medial, StrandSolver& strands,
                     ThreadPool& pool, Weights& weights) {
   const Weighting w{plan, state, medial, strands, pool, weights};
   weights.medial_blocks = state.settings.medial_power != 2;

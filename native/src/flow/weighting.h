@@ -13,7 +13,7 @@ namespace meander {
 
 /// Fills all of `weights`, in the memory that they have: a function of the plan and the state alone. `medial` is of
 /// the state's curve; `strands` only lends memory.
-void choose_weights(const Plan& plan, const FlowState& state, const MedialState& medial, StrandSolver& strands,
+void choose_weights(const IterationPlan& plan, const FlowState& state, const MedialState& medial, StrandSolver& strands,
                     ThreadPool& pool, Weights& weights);
 
 }  // namespace meander
