@@ -401,6 +401,27 @@ def brain_coral() -> None:
 
 
 @scene
+def maze() -> None:
+    """A round board with the line as walls, two doors, and a ball on its way."""
+    board = sheet("Board", ring((0.0, 0.0), 1.35), 0.0)
+    line = fill(board, 0.15, border_distance=0.4)
+    walls = make_of(line, "maze", height=0.75, solution=True)
+    dress(board, (0.52, 0.30, 0.13), 0.55)
+    dress(walls, (0.16, 0.055, 0.018), 0.4)
+    way = bpy.data.objects[f"{walls.name} Solution"]
+    dress(way, ORANGE, 0.4)
+    points = way.data.splines[0].points
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=16, radius=0.052)
+    ball = active()
+    ball.location = (*points[0].co[:2], 0.052)
+    dress(ball, (0.8, 0.8, 0.82), 0.08)
+    ball.active_material.node_tree.nodes["Principled BSDF"].inputs["Metallic"].default_value = 1.0
+    studio.add_lights()
+    studio.add_floor(-0.03, (0.30, 0.32, 0.30))
+    studio.add_camera((0.0, -3.6, 4.4), (0.0, -0.04, 0.0), 70.0)
+
+
+@scene
 def running_lights() -> None:
     """Comets of light on a ribbon that lies along the line."""
     bpy.ops.mesh.primitive_torus_add(

@@ -145,6 +145,27 @@ def story() -> Iterator[float]:
     yield from undo()
     assert bpy.data.objects[RESULT].meander.bake is None
 
+    step("Maze has walls and two doors, and the box at the lower left opens others")
+    press("maze", solution=True)
+    yield 1.0
+    picture("make_maze")
+    walls = bpy.context.view_layer.objects.active
+    assert walls.name == f"{RESULT} Maze" and hidden(RESULT) and not hidden(SURFACE)
+    assert f"{walls.name} Solution" in bpy.data.objects
+    assert changed_share("make_panel", "make_maze") > 0.05
+    box = next(r for r in window_override()["area"].regions if r.type == "HUD")
+    assert box.width > 100, "Adjust Last Operation is not shown"
+    operator = bpy.context.window_manager.operators[-1]
+    faces = len(walls.data.polygons)
+    operator.doors = "NONE"
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.ed.undo_redo()
+    yield 0.7
+    picture("make_maze_closed")
+    walls = bpy.context.view_layer.objects.active
+    assert walls.name == f"{RESULT} Maze" and len(walls.data.polygons) != faces
+    assert f"{walls.name} Solution" not in bpy.data.objects
+
 
 panels.MEANDER_PT_output.bl_options = set()  # open, to be seen
 cut_panel.MEANDER_PT_make.bl_options = set()

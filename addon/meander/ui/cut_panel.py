@@ -30,13 +30,14 @@ _FINEST = 0.1
 _last_made: Key | None = None
 
 
-class _Cut(OnResult):
+class Cut(OnResult):
     """Cuts the surface of the active result along it, into a new object."""
 
     bl_options = {"REGISTER", "UNDO"}
     suffix = ""
     middle_lines = False
     sides = False
+    takes_place = True  # of the surface, which is hidden
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -58,13 +59,15 @@ class _Cut(OnResult):
         )
         made = self.make(cut, f"{result.name} {self.suffix}")
         surface = result.meander.surface
-        _show(context, made, (result, surface) if self.hide else ())
-        if self.hide:
+        originals = (result, surface) if self.takes_place else (result,)
+        _show(context, made, originals if self.hide else ())
+        if self.hide and self.takes_place:
             for thing in made:
                 take_place(thing, surface)
-        if made[0].data.color_attributes.active_color is not None:
+        colours = getattr(made[0].data, "color_attributes", None)
+        if colours is not None and colours.active_color is not None:
             show_colours(context, made)
-        faces = sum(len(thing.data.polygons) for thing in made)
+        faces = sum(len(thing.data.polygons) for thing in made if thing.type == "MESH")
         self.report({"INFO"}, f"{made[0].name}: {faces:,} faces{self.remark(cut)}")
         return {"FINISHED"}
 
@@ -77,7 +80,7 @@ class _Cut(OnResult):
         return ""
 
 
-def _can_adjust(cls: type[_Cut], context: bpy.types.Context) -> bool:
+def _can_adjust(cls: type[Cut], context: bpy.types.Context) -> bool:
     """Whether the operator has just been run, and what it has made is still active.
 
     Blender shows the box Adjust Last Operation, and takes the operator back to run it with other
@@ -115,7 +118,7 @@ def _show(
     _last_made = Key(made[0])
 
 
-def _hide() -> object:
+def hide_originals() -> object:
     return BoolProperty(
         name="Hide Originals",
         description="Hide the curve and its surface, in whose place the new object stands",
@@ -123,7 +126,7 @@ def _hide() -> object:
     )
 
 
-class MEANDER_OT_cut_along_curve(_Cut, bpy.types.Operator):
+class MEANDER_OT_cut_along_curve(Cut, bpy.types.Operator):
     bl_idname = "meander.cut_along_curve"
     bl_label = "Cut Along Curve"
     bl_description = (
@@ -137,10 +140,10 @@ class MEANDER_OT_cut_along_curve(_Cut, bpy.types.Operator):
         name="Middle Lines",
         description="Make edges halfway between neighbouring turns of the curve too",
     )
-    hide: _hide()
+    hide: hide_originals()
 
 
-class MEANDER_OT_two_tone(_Cut, bpy.types.Operator):
+class MEANDER_OT_two_tone(Cut, bpy.types.Operator):
     bl_idname = "meander.two_tone"
     bl_label = "Two-Tone"
     bl_description = (
@@ -159,7 +162,7 @@ class MEANDER_OT_two_tone(_Cut, bpy.types.Operator):
             ("TWO", "One for Each Side", "Two meshes that fit into one another"),
         ),
     )
-    hide: _hide()
+    hide: hide_originals()
 
     def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
         materials = [assets.material(f"Meander Side {number}") for number in (1, 2)]
@@ -180,7 +183,7 @@ class MEANDER_OT_two_tone(_Cut, bpy.types.Operator):
         return ", whose colors also meet halfway between turns, since the curve has one side only"
 
 
-class MEANDER_OT_relief(_Cut, bpy.types.Operator):
+class MEANDER_OT_relief(Cut, bpy.types.Operator):
     bl_idname = "meander.relief"
     bl_label = "Relief"
     bl_description = (
@@ -191,7 +194,7 @@ class MEANDER_OT_relief(_Cut, bpy.types.Operator):
     middle_lines = True
 
     detail: FloatProperty(name="Detail", description=_DETAIL, default=0.5, min=0.0, soft_max=2.0)
-    hide: _hide()
+    hide: hide_originals()
 
     def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
         group, material = assets.node_group("Meander Relief"), assets.material("Meander Coral")
@@ -204,7 +207,7 @@ class MEANDER_OT_relief(_Cut, bpy.types.Operator):
         return [made]
 
 
-class MEANDER_OT_ribbon(_Cut, bpy.types.Operator):
+class MEANDER_OT_ribbon(Cut, bpy.types.Operator):
     bl_idname = "meander.ribbon"
     bl_label = "Ribbon"
     bl_description = (
@@ -220,7 +223,7 @@ class MEANDER_OT_ribbon(_Cut, bpy.types.Operator):
         description="Give it a material of lights that run along the curve",
         default=True,
     )
-    hide: _hide()
+    hide: hide_originals()
 
     def make(self, cut: CutResult, name: str) -> list[bpy.types.Object]:
         material = assets.material("Meander Running Lights") if self.running_lights else None
@@ -249,6 +252,7 @@ class MEANDER_PT_make(SubPanel, bpy.types.Panel):
             column.operator(MEANDER_OT_two_tone.bl_idname, icon="MOD_MASK")
             column.operator(MEANDER_OT_relief.bl_idname, icon="RNDCURVE")
             column.operator(MEANDER_OT_ribbon.bl_idname, icon="UV")
+            column.operator("meander.maze", icon="MOD_BUILD")
             column.operator(MEANDER_OT_cut_along_curve.bl_idname, icon="EDGESEL")
         draw_light_and_points(layout, active)
 

@@ -31,6 +31,7 @@ _ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
         ("two_tone", "", {}),
         ("relief", "", {}),
         ("ribbon", "", {}),
+        ("maze", "", {}),
         ("cut_along_curve", "", {}),
         ("add_look", "", {}),
     ),

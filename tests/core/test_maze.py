@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mazes of closed lines, against floods of pixels that know nothing of cut meshes."""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+
+import geometry
+import numpy as np
+import pytest
+from meander import core
+from meander.model.maze import Doors, Maze, NoMaze, wall, wall_pieces
+
+SPACING, WIDTH, DOOR = 0.1, 0.02, 0.1
+SIZE = 160
+
+
+def cut_of(mesh: geometry.Mesh, spacing: float, seed: core.Seed | None = None) -> core.CutSurface:
+    options = core.default_options("even")
+    options.radius, options.iteration_limit = spacing / 2, 150
+    with core.Flow(core.Surface(mesh.vertices, mesh.faces), options, seed) as flow:
+        flow.run()
+        return core.cut_surface(flow, spacing / 5, middle_lines=True)
+
+
+@pytest.fixture(scope="module")
+def sheet() -> core.CutSurface:
+    """A square of side 1 with one closed line."""
+    mesh = geometry.grid(12, 12)
+    low = mesh.vertices.min(axis=0)
+    vertices = (mesh.vertices - low) / np.ptp(mesh.vertices[:, 0])
+    cut = cut_of(mesh._replace(vertices=vertices), SPACING)
+    assert len(cut.lengths) == 1 and cut.closed[0]
+    return cut
+
+
+def line_of(cut: core.CutSurface) -> np.ndarray:
+    return cut.positions[cut.line_vertices]
+
+
+def pieces_of(cut: core.CutSurface, doors: Doors | None) -> list[tuple[np.ndarray, bool]]:
+    places = [] if doors is None else [doors.first, doors.second]
+    gaps = [(float(cut.arc_lengths[place]), DOOR) for place in places]
+    line = line_of(cut)
+    up = np.tile([0.0, 0.0, 1.0], (len(line), 1))
+    return [(points, closed) for points, _, closed in wall_pieces(line, up, gaps)]
+
+
+def free(pieces: list[tuple[np.ndarray, bool]]) -> np.ndarray:
+    """The pixels that no wall covers, with one row more around, all of them free."""
+    ends = [
+        np.stack([p, np.roll(p, -1, axis=0)], axis=1)[: None if closed else -1, :, :2]
+        for p, closed in pieces
+    ]
+    start, along = np.vstack(ends)[:, 0], np.diff(np.vstack(ends), axis=1)[:, 0]
+    steps = np.arange(-1, SIZE + 1) / SIZE + 0.5 / SIZE
+    places = np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2)
+    square = np.maximum((along * along).sum(1), 1e-30)
+    found = np.empty(len(places), dtype=bool)
+    for begin in range(0, len(places), 2000):
+        to = places[begin : begin + 2000, None] - start
+        t = np.clip((to * along).sum(2) / square, 0.0, 1.0)
+        away = np.linalg.norm(to - t[:, :, None] * along, axis=2).min(axis=1)
+        found[begin : begin + 2000] = away > WIDTH / 2
+    return found.reshape(SIZE + 2, SIZE + 2)
+
+
+def flood(open_pixels: np.ndarray, begin: tuple[int, int]) -> np.ndarray:
+    """Which pixels one comes to, by sides."""
+    reached = np.zeros_like(open_pixels)
+    reached[begin] = True
+    queue = deque([begin])
+    while queue:
+        i, j = queue.popleft()
+        for a, b in ((i + 1, j), (i - 1, j), (i, j + 1), (i, j - 1)):
+            if 0 <= a < len(reached) and 0 <= b < len(reached):
+                if open_pixels[a, b] and not reached[a, b]:
+                    reached[a, b] = True
+                    queue.append((a, b))
+    return reached
+
+
+def inside_pixel(cut: core.CutSurface, maze: Maze) -> tuple[int, int]:
+    """In the middle of a corridor of the maze."""
+    of_maze = cut.faces[cut.regions == maze.region]
+    vertex = of_maze.ravel()[np.argmax(cut.distances[of_maze.ravel()])]
+    x, y = cut.positions[vertex][:2]
+    return int(y * SIZE) + 1, int(x * SIZE) + 1
+
+
+def test_only_doors_lead_into_the_maze(sheet: core.CutSurface) -> None:
+    maze = Maze(sheet, SPACING)
+    within = inside_pixel(sheet, maze)
+    closed = flood(free(pieces_of(sheet, None)), (0, 0))
+    assert not closed[within]
+    doors = maze.farthest_doors()
+    opened = free(pieces_of(sheet, doors))
+    reached = flood(opened, (0, 0))
+    assert reached[within]
+    # Each door alone leads in as well, and the way is one: with a wall across either end of it, one
+    # comes in by the other only, and not out.
+    for place in (doors.first, doors.second):
+        x, y = line_of(sheet)[place][:2]
+        rows, columns = np.mgrid[0 : SIZE + 2, 0 : SIZE + 2]
+        near = np.hypot((columns - 0.5) / SIZE - x, (rows - 0.5) / SIZE - y) < 0.6 * DOOR
+        assert flood(opened & ~near, (0, 0))[within]
+
+
+def test_the_maze_has_no_loops(sheet: core.CutSurface) -> None:
+    """What is not maze is in one piece: no wall stands by itself in a corridor."""
+    maze = Maze(sheet, SPACING)
+    corridors = flood(free(pieces_of(sheet, None)), inside_pixel(sheet, maze))
+    around = flood(~corridors, (0, 0))
+    assert (around | corridors).all()
+    assert corridors.mean() > 0.2
+
+
+def test_doors_are_far_apart_and_at_the_border(sheet: core.CutSurface) -> None:
+    maze = Maze(sheet, SPACING)
+    doors = maze.farthest_doors()
+
+    def length(of: Doors) -> float:
+        return float(np.linalg.norm(np.diff(sheet.positions[maze.way(of)], axis=0), axis=1).sum())
+
+    line = line_of(sheet)
+    to_border = np.minimum(line[:, :2], 1.0 - line[:, :2]).min(axis=1)
+    assert max(to_border[doors.first], to_border[doors.second]) < SPACING
+    rng = np.random.default_rng(5)
+    outer = np.flatnonzero(to_border < 0.6 * SPACING)
+    others = [
+        length(Doors(0, maze.region, *sorted(rng.choice(outer, 2, replace=False))))
+        for _ in range(60)
+    ]
+    assert length(doors) > 0.97 * max(others)
+    assert length(doors) > 10.0 * SPACING
+
+
+def test_the_way_keeps_off_the_walls(sheet: core.CutSurface) -> None:
+    maze = Maze(sheet, SPACING)
+    doors = maze.farthest_doors()
+    way = maze.way(doors)
+    ends = sheet.line_vertices[[doors.first, doors.second]]
+    assert [way[0], way[-1]] == ends.tolist()
+    assert (sheet.distances[way[1:-1]] > 0.0).all()
+    edges = {tuple(sorted(pair)) for face in sheet.faces.tolist() for pair in
+             ((face[0], face[1]), (face[1], face[2]), (face[2], face[0]))}  # fmt: skip
+    assert all(tuple(sorted(pair)) in edges for pair in zip(way[:-1].tolist(), way[1:].tolist()))
+    assert np.median(sheet.distances[way]) > 0.35 * SPACING, "in the middle of corridors"
+    assert not np.isin(way[1:-1], sheet.line_vertices).any()
+
+
+def test_doors_where_one_wants_them(sheet: core.CutSurface) -> None:
+    doors = Maze(sheet, SPACING).doors_at(0.75, 0.25)
+    whole = sheet.lengths[0]
+    assert sheet.arc_lengths[doors.first] == pytest.approx(0.25 * whole, abs=0.01)
+    assert sheet.arc_lengths[doors.second] == pytest.approx(0.75 * whole, abs=0.01)
+
+
+def test_a_line_with_one_side_makes_no_maze() -> None:
+    mesh = geometry.grid(8, 8)
+    low = mesh.vertices.min(axis=0)
+    mesh = mesh._replace(vertices=(mesh.vertices - low) / np.ptp(mesh.vertices[:, 0]))
+    stroke = core.Seed(np.array([[0.2, 0.5, 0.0], [0.8, 0.5, 0.0]]), [0, 2], [0])
+    with pytest.raises(NoMaze, match="only one side"):
+        Maze(cut_of(mesh, 0.2, stroke), 0.2)
+
+
+def circle(count: int = 100) -> tuple[np.ndarray, np.ndarray]:
+    turn = 2.0 * np.pi * np.arange(count) / count
+    points = np.column_stack([np.cos(turn), np.sin(turn), np.zeros(count)])
+    return points, np.tile([0.0, 0.0, 2.0], (count, 1))
+
+
+def volume_of(vertices: np.ndarray, faces: np.ndarray) -> float:
+    """Positive where faces look outward; fails where the mesh is not watertight."""
+    count = Counter()
+    for face in faces.tolist():
+        for a, b in zip(face, face[1:] + face[:1]):
+            count[a, b] += 1
+    assert all(number == 1 and count[b, a] == 1 for (a, b), number in list(count.items()))
+    triangles = np.vstack([faces[:, [0, 1, 2]], faces[:, [0, 2, 3]]])
+    return float(np.linalg.det(vertices[triangles]).sum() / 6.0)
+
+
+@pytest.mark.parametrize("closed", [True, False])
+def test_walls_are_watertight(closed: bool) -> None:
+    points, normals = circle()
+    vertices, faces = wall(points, normals, closed, 0.2, 0.3, 0.1)
+    length = np.linalg.norm(np.diff(np.vstack([points, points[:closed]]), axis=0), axis=1).sum()
+    assert volume_of(vertices, faces) == pytest.approx(length * 0.2 * 0.4, rel=0.01)
+    assert vertices[:, 2].min() == pytest.approx(-0.1)
+    assert vertices[:, 2].max() == pytest.approx(0.3)
+    radii = np.linalg.norm(vertices[:, :2], axis=1)
+    assert radii.min() == pytest.approx(0.9, abs=0.002)
+    assert radii.max() == pytest.approx(1.1, abs=0.002)
+
+
+@pytest.mark.parametrize("middles", [(1.0, 4.0), (0.1, 3.0), (6.2, 2.0)])
+def test_gaps_are_cut_where_they_are_asked_for(middles: tuple[float, float]) -> None:
+    points, normals = circle(400)
+    whole = 2.0 * 400 * np.sin(np.pi / 400)
+    pieces = wall_pieces(points, normals, [(middle, 0.5) for middle in middles])
+    assert [closed for _, _, closed in pieces] == [False, False]
+    lengths = [np.linalg.norm(np.diff(piece, axis=0), axis=1).sum() for piece, _, _ in pieces]
+    assert sum(lengths) == pytest.approx(whole - 1.0, rel=1e-3)
+    for middle in middles:
+        place = np.array([np.cos(middle), np.sin(middle), 0.0])
+        away = min(np.linalg.norm(piece - place, axis=1).min() for piece, _, _ in pieces)
+        assert away == pytest.approx(0.25, abs=0.01)
+    assert all(len(piece) == len(across) for piece, across, _ in pieces)
+
+
+def test_gaps_that_meet_leave_one_wall() -> None:
+    points, normals = circle(400)
+    pieces = wall_pieces(points, normals, [(1.0, 0.5), (1.3, 0.5)])
+    assert len(pieces) == 1
+    length = np.linalg.norm(np.diff(pieces[0][0], axis=0), axis=1).sum()
+    assert length == pytest.approx(2.0 * np.pi - 0.8, rel=2e-3)
