@@ -17,6 +17,7 @@ import numpy as np
 import studio
 from meander import core
 from meander.scene import curve_writer
+from meander.scene.look_material import ramp_node_of
 from meander.scene.look_modifier import modifier_of, set_value
 
 DARK = (0.012, 0.016, 0.028)
@@ -362,6 +363,78 @@ def inlay() -> None:
     bpy.data.objects.remove(line)
     ring.data.materials.append(inlaid(images))
     place(ring, lens=60.0)
+
+
+@scene
+def glaze() -> None:
+    """A vase glazed with the colours of the line and its ridges, all of it images."""
+    outline = ((0.0, 0.0), (0.55, 0.0), (0.86, 0.5), (0.95, 0.9), (0.72, 1.5), (0.36, 1.9),
+               (0.30, 2.1), (0.44, 2.35))  # fmt: skip
+    vase = turned(outline, 96)
+    line = fill(vase, 0.13)
+    ramp = ramp_node_of(line.active_material).color_ramp
+    for element, colour in zip(ramp.elements, ((0.01, 0.08, 0.16), (0.02, 0.42, 0.38), PALE)):
+        element.color = (*colour, 1.0)
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(Path(folder) / "vase.exr")
+        bpy.ops.meander.maps(filepath=path, kinds={"COLOR", "NORMAL"}, depth=0.2)
+        images = {kind: image_of(f"{folder}/vase_{kind}.exr") for kind in ("color", "normal")}
+    bpy.data.objects.remove(line)
+    vase.data.materials.append(glazed(images))
+    place(vase, camera=(2.4, -6.4, 3.6), target=(0.0, 0.0, 1.12), lens=76.0)
+
+
+def turned(outline: tuple[tuple[float, float], ...], around: int) -> bpy.types.Object:
+    """A vase from its outline, radius and height, with a UV map that goes round it."""
+    data = bpy.data.curves.new("Vase", "CURVE")
+    spline = data.splines.new("NURBS")
+    spline.points.add(len(outline) - 1)
+    for point, (radius, height) in zip(spline.points, outline):
+        point.co = (radius, 0.0, height, 1.0)
+    spline.use_endpoint_u, spline.order_u, spline.resolution_u = True, 4, 10
+    half = bpy.data.objects.new("Vase", data)
+    profile = [vertex.co.copy() for vertex in half.to_mesh().vertices]
+    bpy.data.objects.remove(half)
+    rows = len(profile)
+    points, faces, places = [], [], []
+    for step in range(around):
+        turn = 2.0 * math.pi * step / around
+        points += [(p.x * math.cos(turn), p.x * math.sin(turn), p.z) for p in profile[1:]]
+    bottom = len(points)
+    points.append((0.0, 0.0, profile[0].z))
+    for step in range(around):
+        here, there = step * (rows - 1), (step + 1) % around * (rows - 1)
+        u, v = step / around, (step + 1) / around
+        faces.append((bottom, there, here))
+        places += [(u, 0.0), (v, 1.0 / rows), (u, 1.0 / rows)]
+        for row in range(rows - 2):
+            low, high = (row + 1) / rows, (row + 2) / rows
+            faces.append((here + row, there + row, there + row + 1, here + row + 1))
+            places += [(u, low), (v, low), (v, high), (u, high)]
+    mesh = bpy.data.meshes.new("Vase")
+    mesh.from_pydata(points, [], faces)
+    layer = mesh.uv_layers.new(name="Round")
+    for corner, uv in zip(layer.data, places):
+        corner.uv = uv
+    thing = bpy.data.objects.new("Vase", mesh)
+    bpy.context.scene.collection.objects.link(thing)
+    for polygon in mesh.polygons:
+        polygon.use_smooth = True
+    return thing
+
+
+def glazed(images: dict[str, bpy.types.Image]) -> bpy.types.Material:
+    """The colours of the line under a glaze that lies on its ridges."""
+    made = studio.material("Glaze", PALE, 0.12)
+    nodes, links = made.node_tree.nodes, made.node_tree.links
+    shader = nodes["Principled BSDF"]
+    colour, normal = (nodes.new("ShaderNodeTexImage") for _ in range(2))
+    colour.image, normal.image = images["color"], images["normal"]
+    bump = nodes.new("ShaderNodeNormalMap")
+    links.new(colour.outputs["Color"], shader.inputs["Base Color"])
+    links.new(normal.outputs["Color"], bump.inputs["Color"])
+    links.new(bump.outputs["Normal"], shader.inputs["Normal"])
+    return made
 
 
 def image_of(path: str) -> bpy.types.Image:

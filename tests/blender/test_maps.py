@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 import scenes
 from mathutils.interpolate import poly_3d_calc
+from meander.model import line_maps
+from meander.scene import look_material
 from test_batch_scene import run_batch
 
 SPACING, SIZE = 0.5, 128
@@ -81,11 +83,76 @@ def test_all_kinds_are_written_and_a_second_time_replaced(tmp_path: Path) -> Non
     ball()
     for size in (32, 64):
         assert bpy.ops.meander.maps(filepath=str(tmp_path / "a.png"), size=size) == {"FINISHED"}
-    assert len(list(tmp_path.iterdir())) == 6
+    assert len(list(tmp_path.iterdir())) == len(line_maps.KINDS)
     assert pixels(tmp_path / "a_normal.png").shape == (64, 64, 4)
     normal = pixels(tmp_path / "a_normal.png")[:, :, :3] * 2.0 - 1.0
     lengths = np.linalg.norm(normal, axis=2)
     assert lengths[lengths < 1.5] == pytest.approx(1.0, abs=0.02)
+
+
+def test_exr_files_hold_the_same_in_floats(tmp_path: Path) -> None:
+    ball()
+    for name in ("a.png", "a.exr"):
+        assert bpy.ops.meander.maps(filepath=str(tmp_path / name), size=64) == {"FINISHED"}
+    assert len(list(tmp_path.iterdir())) == 2 * len(line_maps.KINDS)
+    for kind in line_maps.KINDS:
+        exact, rounded = (pixels(tmp_path / f"a_{kind}{end}") for end in (".exr", ".png"))
+        assert exact.shape == rounded.shape == (64, 64, 4)
+        if kind == "color":
+            low = exact[:, :, :3] <= 0.0031308
+            exact = np.where(
+                low, 12.92 * exact[:, :, :3], 1.055 * exact[:, :, :3] ** (1.0 / 2.4) - 0.055
+            )
+        assert np.abs(exact[:, :, :3] - rounded[:, :, :3]).max() < 2e-5, kind
+    image = bpy.data.images.load(str(tmp_path / "a_distance.exr"))
+    assert image.is_float and image.colorspace_settings.name.startswith("Linear")
+
+
+def test_the_format_is_chosen_or_the_names(tmp_path: Path) -> None:
+    ball()
+    for name, given, wanted in (
+        ("a.exr", {}, "a_side.exr"),
+        ("b", {}, "b_side.png"),
+        ("c.v2", {"file_format": "EXR"}, "c.v2_side.exr"),
+        ("d.png", {"file_format": "EXR"}, "d_side.exr"),
+    ):
+        bpy.ops.meander.maps(filepath=str(tmp_path / name), size=16, kinds={"SIDE"}, **given)
+        assert [path.name for path in tmp_path.iterdir()] == [wanted]
+        (tmp_path / wanted).unlink()
+
+
+def test_colours_are_those_of_the_look(tmp_path: Path) -> None:
+    result = ball()
+    assert len(result.data.splines) == 1 and result.data.splines[0].use_cyclic_u
+    # What a new curve begins with is what the command has without asking Blender.
+    stops = zip(*line_maps.RAMP, strict=True)
+    places, colours = next(stops), np.array(next(stops))
+    begun = look_material.ramp_colours(result)
+    shares = np.linspace(0.0, 1.0, len(begun))
+    expected = np.stack([np.interp(shares, places, colours[:, k]) for k in range(3)], axis=1)
+    assert begun == pytest.approx(expected, abs=1e-4)
+    ramp = look_material.ramp_node_of(look_material.material_of(result)).color_ramp
+    for element, colour in zip(ramp.elements, ((0, 0, 1, 1), (0, 1, 0, 1), (1, 0, 0, 1))):
+        element.color = colour
+    bpy.ops.meander.maps(
+        filepath=str(tmp_path / "a.exr"), size=SIZE, kinds={"COLOR", "ALONG"}, margin=0
+    )
+    along = pixels(tmp_path / "a_along.exr")[:, :, 0]
+    colour = pixels(tmp_path / "a_color.exr")[:, :, :3]
+    drawn = colour.max(axis=2) > 0.0
+    assert drawn.mean() > 0.2
+    back = 1.0 - np.abs(2.0 * along - 1.0)  # 0 where it begins and ends, 1 halfway round
+    red, blue = np.clip(2.0 * back - 1.0, 0.0, 1.0), np.clip(1.0 - 2.0 * back, 0.0, 1.0)
+    wanted = np.stack([red, 1.0 - red - blue, blue], axis=2)
+    assert np.abs(colour - wanted)[drawn].max() < 0.01
+    # A material without a ramp leaves the colours that a new curve begins with.
+    result.data.materials.clear()
+    result.data.materials.append(bpy.data.materials.new("Plain"))
+    bpy.context.view_layer.update()
+    assert look_material.ramp_colours(result) is None
+    bpy.ops.meander.maps(filepath=str(tmp_path / "b.exr"), size=SIZE, kinds={"COLOR"}, margin=0)
+    plain = pixels(tmp_path / "b_color.exr")[:, :, :3][drawn]
+    assert plain.min(axis=0) == pytest.approx(np.min(expected, axis=0), abs=0.01)
 
 
 @pytest.mark.parametrize(
@@ -144,6 +211,13 @@ def test_the_batch_command_writes_images(tmp_path: Path) -> None:
     assert names == ["m_along.png", "m_mask.png"]
     assert all(f"wrote {tmp_path / name}" in done.stdout for name in names)
     assert pixels(tmp_path / "m_mask.png").shape == (64, 64, 4)
+    done = run_batch(
+        *given, "--maps", tmp_path / "e.exr", "--map-kinds", "color,mask", "--map-size", 64
+    )
+    assert done.returncode == 0, done.stderr
+    exact = pixels(tmp_path / "e_mask.exr")
+    assert np.abs(exact - pixels(tmp_path / "m_mask.png"))[:, :, :3].max() < 2e-5
+    assert pixels(tmp_path / "e_color.exr")[:, :, 0].max() == pytest.approx(0.42, abs=0.02)
     refused = run_batch(*given, "--maps", tmp_path / "n.png", "--map-uv", "Nowhere")
     assert refused.returncode == 2 and "--maps is not possible here" in refused.stderr
     assert not list(tmp_path.glob("n*"))

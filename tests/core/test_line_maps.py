@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from meander import core
 from meander.model import line_maps
+from meander.model.exr import exr
 from meander.model.line_maps import Mapped, Style, Tile
 
 SPACING = 0.1
@@ -172,3 +173,95 @@ def test_png_holds_what_was_put_in() -> None:
         assert (raw[:, 0] == 2).all()
         rows = np.cumsum(raw[:, 1:], axis=0, dtype=np.uint8)
         assert (rows.view(">u2").reshape(shape) == image).all()
+
+
+def read_exr(data: bytes) -> dict[str, np.ndarray]:
+    """The channels of a file, read by hand after the description of the layout."""
+    assert data[:8] == bytes.fromhex("762f310102000000")
+    attributes, at = {}, 8
+    while data[at]:
+        name, kind = data[at:].split(b"\0", 2)[:2]
+        at += len(name) + len(kind) + 2
+        (length,) = struct.unpack("<i", data[at : at + 4])
+        attributes[name.decode()] = (kind.decode(), data[at + 4 : at + 4 + length])
+        at += 4 + length
+    at += 1
+    assert attributes["compression"] == ("compression", b"\3")
+    left, top, right, bottom = struct.unpack("<4i", attributes["dataWindow"][1])
+    assert (left, top) == (0, 0) and attributes["displayWindow"] == attributes["dataWindow"]
+    channels, rest = [], attributes["channels"][1]
+    while rest[0]:
+        name, rest = rest.split(b"\0", 1)
+        assert struct.unpack("<i", rest[:4]) == (2,), "32-bit floats"
+        channels.append(name.decode())
+        rest = rest[16:]
+    assert channels == sorted(channels)
+    width, height = right + 1, bottom + 1
+    blocks = -(-height // 16)
+    lines = []
+    for (offset,) in struct.iter_unpack("<Q", data[at : at + 8 * blocks]):
+        first, size = struct.unpack("<ii", data[offset : offset + 8])
+        count = min(16, height - first)
+        raw, body = 4 * width * len(channels) * count, data[offset + 8 : offset + 8 + size]
+        if size < raw:
+            steps = np.frombuffer(zlib.decompress(body), np.uint8).astype(np.int64)
+            steps[1:] -= 128
+            halves = (np.cumsum(steps) % 256).astype(np.uint8)
+            mixed = np.empty(raw, dtype=np.uint8)
+            mixed[0::2], mixed[1::2] = halves[: (raw + 1) // 2], halves[(raw + 1) // 2 :]
+            body = mixed.tobytes()
+        assert len(body) == raw and len(lines) == first
+        lines += list(np.frombuffer(body, "<f4").reshape(count, len(channels), width))
+    assert len(lines) == height
+    return {name: np.stack(lines)[:, k] for k, name in enumerate(channels)}
+
+
+@pytest.mark.parametrize("shape", [(5, 7), (16, 3), (33, 20, 3), (40, 8)])
+@pytest.mark.parametrize("noise", [False, True])
+def test_exr_holds_what_was_put_in(shape: tuple[int, ...], noise: bool) -> None:
+    rng = np.random.default_rng(2)
+    image = np.linspace(0.0, 1.0, int(np.prod(shape)), dtype=np.float32).reshape(shape)
+    if noise:  # which is no shorter compressed
+        image = rng.integers(0, 2**31 - 2**25, shape).astype(np.uint32).view(np.float32)
+    data = exr(image)
+    found = read_exr(data)
+    planes = {"Y": image} if image.ndim == 2 else {n: image[:, :, k] for k, n in enumerate("RGB")}
+    assert found.keys() == planes.keys()
+    assert all(np.array_equal(found[name], plane) for name, plane in planes.items())
+
+
+def test_exr_has_what_png_rounds(sheet: Mapped) -> None:
+    tile = Tile(sheet, (0, 0), Style(SIZE, 0))
+    exact = read_exr(tile.file("distance", ".exr"))["Y"]
+    assert np.abs(exact - tile.image("distance") / 65535.0).max() < 0.51 / 65535.0
+    assert len(np.unique(exact)) > 1.5 * len(np.unique(tile.image("distance")))
+    normal = read_exr(tile.file("normal", ".exr"))
+    assert np.abs(normal["B"] - tile.image("normal")[:, :, 2] / 65535.0).max() < 0.51 / 65535.0
+    assert tile.file("mask", ".png")[:4] == b"\x89PNG"
+
+
+def test_colours_follow_the_ramp_along_the_line(sheet: Mapped) -> None:
+    assert sheet.cut.closed.all()
+    ramp = np.array([[0.0, 0.1, 0.9], [0.5, 0.1, 0.0], [1.0, 1.0, 0.0]])
+    tile = Tile(sheet, (0, 0), Style(SIZE, 0, ramp=ramp))
+    colour, along = tile.values("color"), tile.values("along").astype(float)
+    # There and back, since the line is closed: the first quarter leads to the middle of the ramp.
+    for share, wanted in ((0.02, [0.04, 0.1, 0.9 * 0.92]), (0.25, ramp[1]), (0.5, ramp[2]),
+                          (0.75, ramp[1])):  # fmt: skip
+        there = np.abs(along - share) < 0.002
+        assert there.sum() > 20
+        assert np.abs(colour[there] - wanted).max() < 0.02
+    # As screens have it: half of the light is three quarters of the number.
+    there = np.abs(along - 0.25) < 0.002
+    png = tile.image("color")[there] / 65535.0
+    assert np.median(png[:, 0]) == pytest.approx(0.7354, abs=0.004)
+    assert np.median(png[:, 1]) == pytest.approx(0.3492, abs=0.001)
+
+
+def test_colours_of_an_open_line_end_where_it_ends(sheet: Mapped) -> None:
+    opened = replace(sheet, cut=replace(sheet.cut, closed=np.zeros_like(sheet.cut.closed)))
+    tile = Tile(opened, (0, 0), Style(SIZE, 0))
+    colour, along = tile.values("color"), tile.values("along")
+    for share, colours in ((0.0, line_maps.RAMP[0][1]), (1.0, line_maps.RAMP[-1][1])):
+        there = np.abs(along - share) < 0.004
+        assert there.sum() > 5 and np.abs(colour[there] - colours).max() < 0.005

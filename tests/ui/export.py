@@ -19,6 +19,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 from meander.ui import cut_panel, panels  # noqa: E402
 from stage import (  # noqa: E402
     PICTURES,
+    click,
     key,
     look_at_surface,
     picture,
@@ -103,6 +104,29 @@ def seen_in_the_view() -> Iterator[float]:
     assert abs(found[0] - 0.6 - 100.0 * wide) < 0.1 and abs(found[1] - 0.6 - 100.0 * high) < 0.1
 
 
+def images_by_the_dialog() -> Iterator[float]:
+    """The format changes the end of the name, and the end of the name the format."""
+    with bpy.context.temp_override(**window_override()):
+        bpy.ops.meander.maps("INVOKE_DEFAULT", size=64, kinds={"MASK", "COLOR"})
+    yield from until(lambda: browser() is not None, "the dialog")
+    yield 1.0
+    area = browser()
+    space = area.spaces.active
+    operator = space.active_operator
+    assert space.params.filename == "Torus_Meander.png" and operator.file_format == "PNG"
+    picture("images_dialog")
+    space.params.directory = os.fsencode(f"{FILES}/")
+    space.params.filename = "torus.exr"
+    yield 0.5
+    buttons = next(region for region in area.regions if region.type == "EXECUTE")
+    # What a script executes leaves the browser open.
+    click(buttons.x + buttons.width - 70, buttons.y + buttons.height // 2)
+    paths = [FILES / f"torus_{kind}.exr" for kind in ("mask", "color")]
+    yield from until(lambda: all(path.is_file() for path in paths), "the files")
+    yield 0.5
+    picture("images_written")
+
+
 def story() -> Iterator[float]:
     yield 1.0
     FILES.mkdir(parents=True, exist_ok=True)
@@ -124,6 +148,8 @@ def story() -> Iterator[float]:
     yield from chosen_in_the_dialog()
     step("the view as the layout")
     yield from seen_in_the_view()
+    step("images, whose format is chosen by the name")
+    yield from images_by_the_dialog()
 
 
 tell(story())

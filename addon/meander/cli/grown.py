@@ -22,7 +22,7 @@ class Grown:
     density   per vertex of the surface; None: 1 everywhere
     cut       of the surface along all of the curve; None: none is wanted
     line      what was joined to one line by bridges; None: nothing
-    images    PNG files of the curve by a UV map, by their paths
+    images    image files of the curve by a UV map, by their paths
     """
 
     curve: core.Polylines

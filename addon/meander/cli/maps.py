@@ -14,19 +14,18 @@ from .place import Place
 from .values import BadInput, one_of_several, reader
 from .watching import interruptible
 
-_SUFFIX = ".png"
 _DEFAULT = line_maps.Style()
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group(
-        "maps", "The curve as images with 16 bits a channel, by a UV map of the surface."
+        "maps", "The curve as images by a UV map of the surface: PNG of 16 bits a channel, or EXR."
     )
     add = group.add_argument
     add(
         "--maps",
         type=Path,
-        metavar="OUT.png",
+        metavar="OUT.(png|exr)",
         help="also write them: OUT_mask.png and so on, with UDIM numbers for several tiles",
     )
     add(
@@ -53,8 +52,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
             if getattr(arguments, option) is not None:
                 return f"--{option.replace('_', '-')} needs --maps FILE"
         return None
-    if arguments.maps.suffix.lower() != _SUFFIX:
-        return f"--maps {arguments.maps} is no {_SUFFIX} file"
+    if arguments.maps.suffix.lower() not in line_maps.SUFFIXES:
+        return f"--maps {arguments.maps} is no {' or '.join(line_maps.SUFFIXES)} file"
     if arguments.input.suffix.lower() != ".blend":
         return "--maps needs a UV map; give a .blend as --input"
     return None

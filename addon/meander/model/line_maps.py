@@ -18,9 +18,18 @@ from numpy.typing import NDArray
 
 from .. import core
 from .cut import along_shares
+from .exr import exr
 
 # What an image can show; docs/making.md says what its values mean.
-KINDS = ("mask", "distance", "height", "normal", "side", "along")
+KINDS = ("mask", "distance", "height", "normal", "side", "along", "color")
+# PNG has 16 bits a channel, EXR 32-bit floats.
+SUFFIXES = (".png", ".exr")
+# The colours along a line that the add-on's material begins with, linear: share, and colour.
+RAMP = (
+    (0.0, (0.010, 0.030, 0.180)),
+    (0.5, (0.160, 0.008, 0.150)),
+    (1.0, (0.420, 0.045, 0.010)),
+)
 SIZES = (16, 16384)
 MOST_TILES = 100
 # How long the edges of a cut are to be between the lines, in spacings.
@@ -47,12 +56,24 @@ class Style:
     margin       how far islands go on beyond their edges, in pixels, so that no seam shows
     line_width   of the mask's line, in spacings
     depth        from the line up to the ridges, in spacings: how steep the normals are
+    ramp         the colours along the line, (k, 3), linear, at equal steps from its beginning to
+                 its end, or halfway round a closed one; None: those of RAMP
     """
 
     size: int = 2048
     margin: int = 16
     line_width: float = 0.25
     depth: float = 0.25
+    ramp: NDArray[np.float64] | None = None
+
+    def colours(self, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Of the ramp at shares (n,) in [0, 1], (n, 3)."""
+        if self.ramp is None:
+            places, ramp = zip(*RAMP, strict=True)
+        else:
+            places, ramp = np.linspace(0.0, 1.0, len(self.ramp)), self.ramp
+        columns = np.asarray(ramp, float).T
+        return np.stack([np.interp(shares, places, column) for column in columns], axis=1)
 
 
 @dataclass(frozen=True)
@@ -162,14 +183,26 @@ class Tile:
             if not len(front):
                 break
 
-    def image(self, kind: str) -> NDArray[np.uint16]:
-        """One of KINDS, (size, size) or, of normals, (size, size, 3); 0 where no face is near."""
+    def values(self, kind: str) -> NDArray[np.float32]:
+        """One of KINDS, (size, size) or, of normals and colours, (size, size, 3), all from 0 to 1;
+        0 where no face is near. Colours are linear."""
         size = self._style.size
         known = self.face >= 0
         values = self._values(kind, self.face[known], self._weights[known].astype(np.float64))
-        image = np.zeros((size * size, *values.shape[1:]), dtype=np.uint16)
-        image[known] = np.rint(np.clip(values, 0.0, 1.0) * 65535.0)
+        image = np.zeros((size * size, *values.shape[1:]), dtype=np.float32)
+        image[known] = np.clip(values, 0.0, 1.0)
         return image.reshape(size, size, *values.shape[1:])
+
+    def image(self, kind: str) -> NDArray[np.uint16]:
+        """The same with 16 bits a channel; colours are as screens have them (sRGB)."""
+        values = self.values(kind)
+        return np.rint((_encoded(values) if kind == "color" else values) * 65535.0).astype(
+            np.uint16
+        )
+
+    def file(self, kind: str, suffix: str) -> bytes:
+        """The same as a file, of one of SUFFIXES."""
+        return exr(self.values(kind)) if suffix == ".exr" else png(self.image(kind))
 
     def _values(
         self, kind: str, face: NDArray[np.int32], weights: NDArray[np.float64]
@@ -177,8 +210,11 @@ class Tile:
         cut, spacing = self._mapped.cut, self._mapped.spacing
         if kind == "side":
             return (cut.sides[face] > 0).astype(np.float64)
-        if kind == "along":
-            return (along_shares(cut)[face] * weights).sum(axis=1)
+        if kind in ("along", "color"):
+            along = (along_shares(cut)[face] * weights).sum(axis=1)
+            if kind == "along":
+                return along
+            return self._style.colours(self._there_and_back(face, along))
         distance, away = self._distances(face, weights)
         distance = distance / spacing
         if kind == "mask":
@@ -187,6 +223,17 @@ class Tile:
         if kind == "normal":
             return self._normals(face, distance, away)
         return distance if kind == "distance" else _height(distance)
+
+    def _there_and_back(
+        self, face: NDArray[np.int32], along: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Shares of the way along a strand; of a closed one from 0 to 1 and back, so that nothing
+        shows where it meets itself."""
+        cut = self._mapped.cut
+        closed = np.zeros(int(cut.line_strands.max()) + 2 if len(cut.line_strands) else 1, bool)
+        closed[cut.line_strands] = cut.closed.astype(bool)
+        back = 1.0 - np.abs(2.0 * (along % 1.0) - 1.0)
+        return np.where(closed[np.minimum(cut.strands, len(closed) - 1)[face]], back, along)
 
     def _distances(
         self, face: NDArray[np.int32], weights: NDArray[np.float64]
@@ -292,6 +339,12 @@ def _unit(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)
 
 
+def _encoded(linear: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Colours as sRGB has them (IEC 61966-2-1)."""
+    curved = 1.055 * np.maximum(linear, 0.0031308) ** (1.0 / 2.4) - 0.055
+    return np.where(linear <= 0.0031308, 12.92 * linear, curved)
+
+
 def _height(distance: NDArray[np.float64]) -> NDArray[np.float64]:
     """A round ridge halfway between the turns: 0 on the line, 1 half a spacing from it."""
     return 1.0 - np.clip(1.0 - 2.0 * distance, 0.0, 1.0) ** 2
@@ -305,8 +358,8 @@ def _steepness(distance: NDArray[np.float64]) -> NDArray[np.float64]:
 def images(
     mapped: Mapped, path: Path, kinds: Sequence[str], style: Style
 ) -> tuple[dict[Path, bytes], float]:
-    """PNG files beside the path NAME.png: NAME_KIND.png, with UDIM numbers where there are several
-    tiles; and the largest overlap of a tile. Raises NoPlace."""
+    """Files beside the path NAME.png or NAME.exr: NAME_KIND.png, with UDIM numbers where there are
+    several tiles; and the largest overlap of a tile. Raises NoPlace."""
     tiles = mapped.tiles()
     problem = problem_of_tiles(tiles)
     if problem is not None:
@@ -316,7 +369,8 @@ def images(
         tile = Tile(mapped, number, style)
         overlap = max(overlap, tile.overlap)
         for kind in kinds:
-            files[file_of(path, kind, number, len(tiles) > 1)] = png(tile.image(kind))
+            place = file_of(path, kind, number, len(tiles) > 1)
+            files[place] = tile.file(kind, path.suffix.lower())
     return files, overlap
 
 

@@ -9,10 +9,13 @@ that somebody has chosen in the modifier itself stays.
 from __future__ import annotations
 
 import bpy
+import numpy as np
 
 from .look_modifier import modifier_of, set_value, value_of
 
 _INPUT = "Material"
+# A ramp's colours at so many places.
+_SAMPLES = 513
 
 
 def material_of(curve_object: bpy.types.Object) -> bpy.types.Material | None:
@@ -35,6 +38,17 @@ def ramp_node_of(material: bpy.types.Material) -> bpy.types.Node | None:
     if not any(node.bl_idname == "ShaderNodeAttribute" for node in nodes):
         return None
     return next((node for node in nodes if node.bl_idname == "ShaderNodeValToRGB"), None)
+
+
+def ramp_colours(curve_object: bpy.types.Object) -> np.ndarray | None:
+    """The colours along a result, (k, 3), linear, at equal steps; None where its material has no
+    such ramp."""
+    material = material_of(curve_object)
+    node = None if material is None else ramp_node_of(material)
+    if node is None:
+        return None
+    shares = np.linspace(0.0, 1.0, _SAMPLES).tolist()
+    return np.array([node.color_ramp.evaluate(share)[:3] for share in shares])
 
 
 def write(curve_object: bpy.types.Object, modifier: bpy.types.NodesModifier) -> None:

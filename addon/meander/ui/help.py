@@ -73,6 +73,8 @@ _OF_OPERATORS = (
     ("make_light", "export"),
     ("two_tone", "making"),
     ("maps", "making"),
+    ("maze", "making"),
+    ("draw_camera", "export"),
     ("relief", "making"),
     ("ribbon", "making"),
     ("cut_along_curve", "making"),

@@ -11,6 +11,7 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 from ..model import line_maps
 from ..model.whole_files import naming, whole_files
 from ..run.cutting import cut_result
+from ..scene import look_material
 from ..scene.errors import DataError
 from ..scene.layouts import map_of
 from .on_result import OnResult
@@ -24,20 +25,30 @@ _TIPS = {
     "normal": "Normals of these ridges, with Y upwards",
     "side": "White on one side of the line, black on the other",
     "along": "Black where the line begins, white where it ends",
+    "color": "The colors of the look along the line",
 }
 _KINDS = tuple((kind.upper(), kind.capitalize(), _TIPS[kind]) for kind in line_maps.KINDS)
 _ALL = {name for name, _label, _tip in _KINDS}
+_SUFFIXES = {suffix[1:].upper(): suffix for suffix in line_maps.SUFFIXES}
 
 
 class MEANDER_OT_maps(OnResult, bpy.types.Operator):
-    """Write the curve as images with 16 bits a channel, by a UV map of its surface: for other
-    programs, and for materials without a curve"""
+    """Write the curve as images by a UV map of its surface: for other programs, and for materials
+    without a curve"""
 
     bl_idname = "meander.maps"
     bl_label = "Images"
 
     filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
-    filter_glob: StringProperty(default="*.png", options={"HIDDEN", "SKIP_SAVE"})
+    filter_glob: StringProperty(default="*.png;*.exr", options={"HIDDEN", "SKIP_SAVE"})
+    file_format: EnumProperty(
+        name="Format",
+        description="Of the files; the end of their name chooses it as well",
+        items=(
+            ("PNG", "PNG", "16 bits a channel"),
+            ("EXR", "OpenEXR", "32-bit floats: nothing is rounded, and colors are linear"),
+        ),
+    )
     kinds: EnumProperty(
         name="Images",
         description="What the images show; each becomes a file",
@@ -81,13 +92,36 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
+        layout.prop(self, "file_format")
         layout.column().prop(self, "kinds")
         for name in ("size", "margin", "line_width", "depth", "uv_map"):
             layout.prop(self, name)
 
+    _format = ""
+
+    def check(self, _context: bpy.types.Context) -> bool:
+        before = (self.filepath, self.file_format)
+        if self.file_format == self._format:  # it is the name that has changed
+            self._take_format_of_name()
+        self._format = self.file_format
+        self.filepath = str(self._with_suffix())
+        return (self.filepath, self.file_format) != before
+
+    def _take_format_of_name(self) -> None:
+        suffix = Path(self.filepath).suffix.lower()
+        if suffix in line_maps.SUFFIXES:
+            self.file_format = suffix[1:].upper()
+
+    def _with_suffix(self) -> Path:
+        path, wanted = Path(self.filepath), _SUFFIXES[self.file_format]
+        known = path.suffix.lower() in line_maps.SUFFIXES
+        return path.with_suffix(wanted) if known else path.with_name(path.name + wanted)
+
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if not self.filepath:
-            self.filepath = bpy.path.clean_name(context.active_object.name) + ".png"
+            self.filepath = bpy.path.clean_name(context.active_object.name)
+        self.filepath = str(self._with_suffix())
+        self._format = self.file_format
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
@@ -97,15 +131,19 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         if not kinds:
             raise DataError("No image is chosen; choose at least one under Images")
         if not self.filepath:
-            raise DataError("No file is named; give a name that ends in .png")
+            raise DataError("No file is named; give a name that ends in .png or .exr")
+        chosen = self.properties.is_property_set("file_format")
+        if not chosen or self.file_format == self._format:  # it is the name that has changed
+            self._take_format_of_name()
         result, depsgraph = context.active_object, context.evaluated_depsgraph_get()
         surface = result.meander.surface
         corners = map_of(surface, depsgraph, self.uv_map)
         # Details of a cut are in half spacings.
         cut = cut_result(result, context.scene, depsgraph, 2.0 * line_maps.DETAIL, True)
-        style = line_maps.Style(self.size, self.margin, self.line_width, self.depth)
+        ramp = look_material.ramp_colours(result)
+        style = line_maps.Style(self.size, self.margin, self.line_width, self.depth, ramp)
         mapped = line_maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
-        path = Path(bpy.path.abspath(self.filepath)).with_suffix(".png")
+        path = Path(bpy.path.abspath(str(self._with_suffix())))
         try:
             images, overlap = line_maps.images(mapped, path, kinds, style)
         except line_maps.NoPlace as problem:
