@@ -111,3 +111,25 @@ def test_radius_follows_the_room() -> None:
     coarse = np.median([radius for z, radius in places if z < -0.5])
     assert 0.8 < coarse < 1.2
     assert 0.35 < fine < 0.7
+
+
+def test_a_ribbon_lies_flat_on_the_faces_of_a_cube():
+    """What is drawn of it, away from edges: its upper side looks where the face does."""
+    cube = scenes.cube()
+    result = scenes.fill(cube, 0.3, profile="RIBBON", bevel_share=0.3)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    mesh = result.evaluated_get(depsgraph).to_mesh()
+    leans, areas = [], []
+    for polygon in mesh.polygons:
+        place = np.array(polygon.center)
+        if np.sort(np.abs(place))[1] > 1.0 - 0.3 or polygon.area < 1e-6:
+            continue  # near an edge
+        outward = np.sign(place) * (np.abs(place) == np.abs(place).max())
+        upright = float(outward @ np.array(polygon.normal))
+        if upright > 0.7:  # not its sides, nor what is below
+            leans.append(np.degrees(np.arccos(min(upright, 1.0))))
+            areas.append(polygon.area)
+    leans, areas = np.array(leans), np.array(areas)
+    assert areas.sum() > 2.0
+    assert areas[leans < 1.0].sum() > 0.95 * areas.sum()
+    result.evaluated_get(depsgraph).to_mesh_clear()

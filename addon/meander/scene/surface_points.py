@@ -11,6 +11,7 @@ from mathutils.bvhtree import BVHTree
 
 from .. import core
 from ..model import toolpath
+from ..model.surface_normals import normals_at
 from . import point_attributes
 from .curve_reader import strands_of_curve
 from .evaluated import matrix_of
@@ -68,7 +69,7 @@ def _bound(
 def polylines_of(
     result: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> tuple[core.Polylines, np.ndarray, np.ndarray]:
-    """A result's strands in world units with the surface's smooth normals, and for every point the
+    """A result's strands in world units with normals of the surface, and for every point the
     triangle of the surface that holds it and the weights of its corners.
 
     Raises DataError with one sentence for what cannot be used.
@@ -76,15 +77,8 @@ def polylines_of(
     strands = strands_of_curve(result, depsgraph)
     vertices, faces = triangles_of(result.meander.surface, depsgraph)
     index, weights = bind(strands.points, vertices, faces)
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    weighted = np.cross(b - a, c - a)
-    smooth = np.zeros_like(vertices)
-    for corner in range(3):
-        np.add.at(smooth, faces[:, corner], weighted)
-    normals = np.einsum("nk,nkj->nj", weights, smooth[faces[index]])
-    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-    flat = weighted[index] / np.linalg.norm(weighted[index], axis=1, keepdims=True)
-    normals = np.divide(normals, lengths, out=flat, where=lengths > 0.0)
+    spacing = result.meander.figures.least_spacing or result.meander.spacing
+    normals = normals_at(vertices, faces, index, weights, spacing / 2.0)
     curve = core.Polylines(strands.points, normals, strands.offsets, strands.closed)
     return curve, index, weights
 

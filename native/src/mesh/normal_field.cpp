@@ -10,6 +10,13 @@ namespace {
 /// Averaging passes over the one-ring; a pass spreads by about one edge length.
 constexpr double kMostPasses = 40;
 
+/// In r: a crease turns the normals of its faces up to so far from it.
+constexpr double kReach = 0.5;
+
+/// Cosines of how far the normal of a corner may lean on its face: a mesh is smooth where it is less than 10
+/// degrees, and creased where it is more than 20. Faces that meet at 30 degrees are halfway between.
+constexpr double kSmoothCorner = 0.985, kCreasedCorner = 0.940;
+
 Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   const double n = v.norm();
   return n > 0 ? Vec3(v / n) : otherwise;
@@ -49,8 +56,37 @@ void NormalField::prepare(CancelPoll poll) const {
 
 Vec3 NormalField::blended(uint32_t f, double w0, double w1, double w2) const {
   prepare();
+  const std::array<double, 3> w{w0, w1, w2};
   const Triangle& t = surface_.face(f);
-  return unit_or(w0 * normals_[t[0]] + w1 * normals_[t[1]] + w2 * normals_[t[2]], surface_.face_normal(f));
+  const Vec3& flat = surface_.face_normal(f);
+  const Vec3 smooth = unit_or(w0 * normals_[t[0]] + w1 * normals_[t[1]] + w2 * normals_[t[2]], flat);
+  const double upright = std::min({normals_[t[0]].dot(flat), normals_[t[1]].dot(flat), normals_[t[2]].dot(flat)});
+  const double creased = std::clamp((kSmoothCorner - upright) / (kSmoothCorner - kCreasedCorner), 0.0, 1.0);
+  if (creased == 0) return smooth;
+  return unit_or(creased * beside_creases(f, w, smooth) + (1 - creased) * smooth, flat);
+}
+
+Vec3 NormalField::beside_creases(uint32_t f, const std::array<double, 3>& w, const Vec3& smooth) const {
+  const Triangle& t = surface_.face(f);
+  const Vec3& flat = surface_.face_normal(f);
+  // Of edge k, opposite to corner k: how far it is, as a share of the reach, and the normal on it.
+  std::array<double, 3> away;
+  std::array<Vec3, 3> folded;
+  for (uint32_t k = 0; k < 3; ++k) {
+    const HalfEdge edge = 3 * f + next_corner(k);
+    const HalfEdge twin = surface_.twin(edge);
+    const double height = 2 * surface_.face_area(f) / norm(surface_.along(edge));
+    away[k] = std::clamp(w[k] * height / (kReach * radius_), 0.0, 1.0);
+    folded[k] = twin == kNone ? flat : unit_or(flat + surface_.face_normal(face_of(twin)), flat);
+  }
+  Vec3 sum = away[0] * away[1] * away[2] * flat;
+  for (uint32_t k = 0; k < 3; ++k) {
+    const uint32_t i = next_corner(k), j = next_corner(i);
+    sum += (1 - away[k]) * away[i] * away[j] * folded[k];
+    sum += away[k] * (1 - away[i]) * (1 - away[j]) * normals_[t[k]];
+  }
+  sum += (1 - away[0]) * (1 - away[1]) * (1 - away[2]) * smooth;
+  return unit_or(sum, flat);
 }
 
 }  // namespace meander

@@ -3,6 +3,7 @@
 // Surface normals, smooth enough to render and to follow.
 #pragma once
 
+#include <array>
 #include <mutex>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace meander {
 /// Surface normals for callers that render or follow the curve; the flow itself needs none.
 ///
 /// Vertex normals, weighted by angle and, where faces are much smaller than r, averaged over about
-/// r / 2 so that noise in them does not show, blended over each face.
+/// r / 2 so that noise in them does not show, blended over each face. A face beside a crease is flat, and
+/// its normals turn within r / 2 of its edges and corners only: what lies flat on a cube does not lean in
+/// the middle of its faces.
 class NormalField {
  public:
   /// The normals are computed when they are first asked for, on any thread.
@@ -28,6 +31,8 @@ class NormalField {
 
  private:
   void find(CancelPoll& poll) const;
+  /// The same on a face beside a crease; `smooth` is what its corners give.
+  Vec3 beside_creases(uint32_t f, const std::array<double, 3>& w, const Vec3& smooth) const;
 
   const Surface& surface_;
   double radius_;
