@@ -544,6 +544,27 @@ def cable() -> None:
 
 
 @scene
+def plugs() -> None:
+    """A cable coiled over a reel, with a plug on both of its ends."""
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32)
+    reel = active()
+    reel.scale.z = 0.62
+    for setting, x in (("stroke_from", -0.34), ("stroke_to", 0.34)):
+        end = bpy.data.objects.new(setting, None)
+        end.location = (x, -0.62, 0.42)
+        bpy.context.scene.collection.objects.link(end)
+        setattr(reel.meander, setting, end)
+    line = fill(reel, 0.2, bevel_share=0.34, preset="EVEN")
+    modifier = modifier_of(line)
+    set_value(modifier, "Lift", 1.0)
+    set_value(modifier, "Resolution", 16)
+    line.meander.shown_ends = "PLUG"
+    dress(reel, (0.35, 0.36, 0.38), 0.5)
+    dress(line, (0.85, 0.24, 0.02), 0.4)
+    place(reel, line, camera=(0.6, -6.2, 4.2), target=(0.0, -0.05, -0.02), lens=86.0)
+
+
+@scene
 def yarn() -> None:
     """A ball of yarn, from one line, of three plies with loose fibres."""
     bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32)
