@@ -24,8 +24,8 @@ from meander.model.options import TABLE  # noqa: E402
 DOCS = ROOT / "docs"
 # From top to bottom, as in the sidebar.
 PANELS = (
-    "Meander", "Look", "Density", "Seed and Strands", "Direction", "Region", "Mesh Repair",
-    "Motion", "Make", "Advanced", "Strand Shape", "Preferences",
+    "Meander", "Look", "Guidance", "Density", "Seed and Strands", "Direction", "Region",
+    "Mesh Repair", "Motion", "Make", "Advanced", "Strand Shape", "Preferences",
 )
 BEGIN, END = "<!-- written by scripts/write_option_table.py -->", "<!-- to here -->"
 # Where 0 stands for the preset's own value: the field that has it, in the same unit.

@@ -29,7 +29,7 @@ OF_THE_COMMAND = (
     *(PACKAGE / "model" / f"{name}.py" for name in (
         "mesh_files", "ply_files", "stl_files", "surface_files", "file_text", "drawing",
         "embroidery", "export", "gcode", "toolpath", "parts_by_length", "polygons", "least_bend",
-        "surface_crossings",
+        "surface_crossings", "mirror", "mirror_images", "mirror_whole",
     )),
 )  # fmt: skip
 OF_JOBS = tuple(sorted((PACKAGE / "jobs").glob("*.py")))

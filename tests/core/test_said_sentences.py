@@ -44,6 +44,9 @@ TRIES = """
 --cut a.fbx
 --cut-detail 1
 --cut-middle-lines
+--mirror x --outline
+--mirror x
+--mirror z
 --maps a.jpg
 --maps a.png
 --map-size 64
@@ -234,6 +237,8 @@ def others(folder: Path) -> list[str]:
 
 # What cannot come up here, and where it is tried.
 ELSEWHERE = {
+    "With Symmetry": "needs a surface that is its own mirror image: test_mirror.py",
+    "The curve and its mirror image": "the same",
     "are available; choose a": "needs a machine without memory: test_memory_limit.py",
     "cannot be written to; choose another": "needs a user without rights: test_whole_files.py",
     "is protected against writing": "the same",

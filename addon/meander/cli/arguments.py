@@ -21,6 +21,7 @@ from . import (
     least_bend,
     limits,
     maps,
+    mirror,
     motion,
     preparation,
     strands,
@@ -128,7 +129,7 @@ def check_options(arguments: argparse.Namespace) -> None:
     if arguments.output.suffix.lower() not in OUTPUTS:
         kinds = ", ".join(OUTPUTS[:-1])
         raise BadInput(f"--output {arguments.output} is no {kinds} or {OUTPUTS[-1]} file")
-    for output in (toolpath, export, cut, maps, least_bend):
+    for output in (toolpath, export, cut, maps, least_bend, mirror):
         wrong = output.problem_of(arguments)
         if wrong is not None:
             raise BadInput(wrong)

@@ -18,7 +18,7 @@ from ..model.bend_radius import sharpest_bend
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
-from . import cut, least_bend, limits, maps, preparation, target_length
+from . import cut, least_bend, limits, maps, mirror, preparation, target_length
 from .any_letters import print_any_letters
 from .arguments import check_arguments, parser
 from .flags import flow_options
@@ -72,29 +72,32 @@ def _filled(
     for warning in () if warned else warnings:
         place.warn(warning)
     opened = _open(given, arguments, place)
-    with opened.flow as flow:
+    with opened.flow as grown_flow:
         reason, options = _run(opened, options, arguments, place)
-        if options != opened.problem.options:  # stiffer: what a .blend is to keep
-            arguments.bending = options.bending_weight
-        figures = flow.statistics() | {"stop_reason": reason}
-        if search is not None:
-            spacing, length = arguments.spacing, figures["length"]
-            place.say(f"meander: at a spacing of {spacing:.6g} the curve is {length:.6g} long")
-            following = search.following(spacing, length)
-            if following is not None:
-                arguments.spacing = following
-                return None
-        record = report.build_report(
-            core.library_version(),
-            opened.figures,
-            figures,
-            flow.history(),
-            flow.gaps(),
-            echo(arguments, options, given),
-        )
-        grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
-        images = maps.images_of(flow, arguments, given, place)
-        grown = replace(grown, cut=cut.cut_of(flow, arguments), images=images)
+        stiffness = options.bending_weight
+        if stiffness != opened.problem.options.bending_weight:  # what a .blend is to keep
+            arguments.bending = stiffness
+        with mirror.whole(opened, options) as (flow, figures, of_mirror):
+            figures |= {"stop_reason": reason}
+            if search is not None:
+                spacing, length = arguments.spacing, figures["length"]
+                place.say(f"meander: at a spacing of {spacing:.6g} the curve is {length:.6g} long")
+                following = search.following(spacing, length)
+                if following is not None:
+                    arguments.spacing = following
+                    return None
+            record = report.build_report(
+                core.library_version(),
+                opened.figures,
+                figures,
+                grown_flow.history(),
+                flow.gaps(),
+                echo(arguments, options, given),
+            )
+            grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
+            images = maps.images_of(flow, arguments, given, place)
+            grown = replace(grown, cut=cut.cut_of(flow, arguments), images=images)
+    record["mirror"] = of_mirror
     record["warnings"] = warnings
     record["estimate"] = asdict(opened.cost)
     record["lines"] = {

@@ -10,7 +10,7 @@ from ..model import mesh_files, strands, surface_files
 from ..model.density import Choice, curvature_density
 from ..model.option import OF_PRESET
 from ..model.problem import Problem, begin_along_directions
-from . import density, preparation, terms
+from . import density, mirror, preparation, terms
 from . import strands as strand_options
 from .input import Input
 from .place import Place
@@ -32,6 +32,7 @@ def read_input(
         mesh = surface_files.read(arguments.input)
         given = Input(Problem(mesh.vertices, mesh.faces, options), mesh_file=mesh)
         given.warnings += mesh.remarks
+        mirror.reflect(given.problem, arguments)
     given.repair = preparation.repair_of(arguments)
     problem = given.problem
     if arguments.input.suffix.lower() != ".blend":

@@ -171,6 +171,7 @@ def _coarse_length(spacing: float, arguments: argparse.Namespace, place: Place) 
         setattr(coarse, name, getattr(whole, name))
     coarse.alignment_weight = whole.alignment_weight
     given.problem.options = coarse
+    given.problem.mirror = None  # both halves together are as long as the whole
     opened = interruptible(
         lambda context: open_flow(
             given.problem, context, lambda cost: limits.refuse_large(cost, arguments)

@@ -114,6 +114,8 @@ def _lines(
     why = last_run.why_lines(
         len(closed), known["parts"], known["small_parts"], record["guides"], seeded
     )
+    if why and record["mirror"] is not None:
+        why = record["mirror"]["why"] or why
     return {"count": len(closed), "closed": int(closed.sum()), "why": why or None}
 
 

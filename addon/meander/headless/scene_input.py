@@ -9,7 +9,7 @@ from dataclasses import replace
 import bpy
 
 from .. import core
-from ..cli import density, preparation, terms
+from ..cli import density, mirror, preparation, terms
 from ..cli.input import Input
 from ..cli.values import BadInput
 from ..model import strands
@@ -18,6 +18,7 @@ from ..scene.alignment import angle_source_of, directions_of
 from ..scene.curve_reader import point_numbers, strands_of_curve
 from ..scene.density import choice_of, density_of
 from ..scene.errors import DataError
+from ..scene.evaluated import matrix_of
 from ..scene.fillable import has_faces, shows_instances, why_not_this
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons as renumbered
@@ -56,6 +57,7 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
         fixed_ends = settings.fixed_ends
     depsgraph = bpy.context.evaluated_depsgraph_get()
     problem = Problem(*triangles_of(surface_object, depsgraph), options)
+    mirror.reflect(problem, arguments, matrix_of(surface_object, depsgraph))
     given = Input(problem, choice, surface_object=surface_object)
     given.mask = preparation.mask_of(arguments)
     if given.mask.source != "NONE":

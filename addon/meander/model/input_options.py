@@ -8,10 +8,31 @@ from .simplification import DEFAULT_SHARE, GREATEST_SHARE
 
 _DENSITY, _DIRECTION, _STRANDS = "Density", "Direction", "Seed and Strands"
 _REGION, _REPAIR, _MOTION = "Region", "Mesh Repair", "Motion"
-_MAKE = "Make"
+_GUIDANCE, _MAKE = "Guidance", "Make"
 _TERMS, _PART, _REPAIRS = "terms of the energy", "part to fill", "mesh repair"
 
 ROWS: tuple[Option, ...] = (
+    Option(
+        "mirror",
+        "Symmetry",
+        "Fill one half of the mesh, and the other with its mirror image, joined to one closed line "
+        "by two crossings of the plane. The half with the seed counts, else the positive one",
+        _GUIDANCE,
+        kind=str,
+        default="none",
+        choices=(
+            ("none", "Off", "Fill the mesh as a whole"),
+            ("x", "X", "The halves lie on either side of the object's origin along its X axis"),
+            ("y", "Y", "The halves lie on either side of the object's origin along its Y axis"),
+            ("z", "Z", "The halves lie on either side of the object's origin along its Z axis"),
+        ),
+        flag=Flag(
+            "--mirror",
+            "fill one half on an axis of the object, and the other with its mirror image",
+            entry="mirror",
+            default="none",
+        ),
+    ),
     Option(
         "density_smoothing",
         "Smoothing",

@@ -11,6 +11,8 @@ import numpy as np
 
 from .. import core
 from .field import FieldOn, evaluated
+from .mirror import Half, halved
+from .mirror_plane import Mirror
 from .preparation import outlined
 
 
@@ -32,17 +34,20 @@ class Problem:
     alignment: str = "along"
     outline: float = 0.0  # distance of outlines from the border; 0: none
     least_bend_radius: float = 0.0  # that no turn is to fall short of; 0: none is asked for
+    mirror: Mirror | None = None  # one half is filled, and the other is its mirror image
 
 
 @dataclass(frozen=True)
 class Opened:
     """A flow before its first iteration, and what was found while it was made.
 
-    flow      the caller closes it
+    flow      the caller closes it; of a problem with a mirror it is that of the half
     density   per vertex; None: 1 everywhere
     cost      that the run was expected to have; None: nobody asked
     problem   the one that was opened, with density and directions as they were found
     figures   of core.Surface.statistics(), and "skipped_outlines" where outlines were wanted
+    half      what a whole is made of, by mirror_whole.whole_of(); None: there is no mirror.
+              Density, cost and figures are of the whole surface, `problem` is that of the half
     """
 
     flow: core.Flow
@@ -50,6 +55,7 @@ class Opened:
     figures: dict[str, Any]
     problem: Problem
     cost: core.Cost | None = None
+    half: Half | None = None
 
 
 def begin_along_directions(problem: Problem) -> None:
@@ -79,6 +85,12 @@ def open_flow(
     accept   is told what the run is expected to cost, before there is any curve, and raises what it
              likes where that is too much
     """
+    if problem.mirror is not None:
+        half = halved(problem, context, accept)
+        opened = open_flow(half.problem, context)
+        return replace(
+            opened, density=half.density, figures=half.figures, cost=half.cost, half=half
+        )
     options, cost = problem.options, None
     with core.Surface(
         problem.vertices, problem.faces, problem.surface_options, options.threads, context

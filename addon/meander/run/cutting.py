@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bpy
 import numpy as np
@@ -71,7 +71,7 @@ def cut_result(
         raise DataError("The result has only guides, and guides do not cut; fill the surface")
     length = detail * plan.spacing / 2.0
     try:
-        opened = open_flow(plan.problem)
+        opened = open_flow(replace(plan.problem, mirror=None))
     except core.MeanderError as error:
         if error.status != core.Status.INVALID_SEED:
             raise

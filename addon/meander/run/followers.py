@@ -8,6 +8,7 @@ faces. Followers keep no references to Blender's data.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Protocol
 
 import bpy
@@ -69,7 +70,8 @@ class GrownCurve:
     """The flow of a plan, step by step, and the curve that its result shows of it."""
 
     def __init__(self, plan: Plan) -> None:
-        opened = open_flow(plan.problem)
+        # Both halves are there, and move by themselves.
+        opened = open_flow(replace(plan.problem, mirror=None))
         self.flow = opened.flow
         self._spacing = least_spacing(plan.problem.options.radius, opened.density)
         self._light = plan.light

@@ -14,6 +14,7 @@ import numpy as np
 
 from .. import core
 from ..model import strands
+from ..model.mirror_plane import mirror_of
 from ..model.option import OF_PRESET, chosen
 from ..model.options import in_panel
 from ..model.preparation import Mask
@@ -121,6 +122,9 @@ def plan_of(
         vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline,
         least_bend,
     )  # fmt: skip
+    matrix = matrix_of(surface, depsgraph)
+    if settings.mirror != "NONE":
+        problem.mirror = mirror_of(settings.mirror.lower(), matrix)
     if settings.start == OF_PRESET.upper():
         begin_along_directions(problem)
     plan = Plan(
@@ -130,7 +134,7 @@ def plan_of(
         settings=Key(active),
         result=Key(earlier) if earlier is not None else None,
         from_surface=active is surface,
-        matrix=matrix_of(surface, depsgraph),
+        matrix=matrix,
         spacing=spacing,
         look=_look_of(settings),
         parts=tuple(parts),

@@ -81,7 +81,9 @@ def write_result(
         curve_object=earlier,
         matrix=plan.matrix,
     )
-    sources = None if line is None else line.sources
+    sources = stepper.sources
+    if line is not None:
+        sources = line.sources if sources is None else sources[line.sources]
     scene_strands.assign_materials(result.data, plan.materials, sources)
     own_spacing = plan.spacing / mean_scale(plan.matrix)
     follows = plan.radius_follows and stepper.density is not None
@@ -101,6 +103,8 @@ def write_result(
         int(statistics["guides"]),
         any(not part.guide for part in plan.parts),
     )
+    if why:
+        why = stepper.lines_why or why
     lines = {"lines": count, "closed_lines": closed, "lines_why": why}
     _store(plan, stepper, result, statistics | lines | _bridge_figures(line), stop_reason)
     result.meander.figures.least_spacing = spacing

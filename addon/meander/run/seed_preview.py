@@ -73,8 +73,12 @@ def show(active: bpy.types.Object, context: bpy.types.Context) -> Found:
     depsgraph = context.evaluated_depsgraph_get()
     plan = plan_of(active, context.scene, depsgraph, restart=True)
     try:
-        with open_flow(plan.problem).flow as flow:
+        opened = open_flow(plan.problem)
+        with opened.flow as flow:
             curve, guides, figures = flow.polylines(), flow.guides(), flow.statistics()
+        if opened.half is not None:
+            curve, guides = opened.half.mirror.polylines(curve), np.tile(guides, 2)
+            figures |= opened.half.fit
     except core.MeanderError as error:
         named = in_polygons(error, plan.surface.find(), depsgraph)
         told = strands.explained(named, plan.parts, lambda value: length_text(context.scene, value))

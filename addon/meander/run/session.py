@@ -345,7 +345,8 @@ class Session:
                 self.plan, problem=problem, result=Key(result), from_surface=True
             )
             live.keep(SuspendedRun(self.plan, self.stepper, self.latest, self._meaning))
-        if stop_reason == "converged" and self.plan.from_surface and self.whole:
+        usual = self.plan.from_surface and self.whole and self.plan.problem.mirror is None
+        if stop_reason == "converged" and usual:
             options = self.plan.problem.options
             estimates.speeds.learn(options, figures["nodes"], figures["seconds_total"])
         return result, figures

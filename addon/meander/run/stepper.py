@@ -21,6 +21,8 @@ from .. import core
 from ..model import bundle
 from ..model.bend_radius import sharpest_bend
 from ..model.least_bend import Stiffening
+from ..model.mirror import Half
+from ..model.mirror_whole import whole_of
 from ..model.problem import Problem, open_flow
 from ..model.whole_files import FileError
 
@@ -69,6 +71,11 @@ class Stepper:
         self.gaps: core.Gaps | None = None
         self.guides: np.ndarray | None = None
         self.point_data: core.PointData | None = None  # of every point
+        # Of a problem with a mirror: what a whole is made of. Of its result: the strand of the seed
+        # that each strand came from, and why they are several lines; None and empty without one.
+        self._half: Half | None = None
+        self.sources: np.ndarray | None = None
+        self.lines_why = ""
         self.stiffening = Stiffening(problem.least_bend_radius)
         self.surface_figures: dict[str, Any] = {}  # of core.Surface.statistics(), once prepared
         # Of the library, while the run was going.
@@ -82,7 +89,8 @@ class Stepper:
         """
         try:
             self._begin()
-            self._flow.keep_growth(GROWTH_STEP * self._length, GROWTH_POINTS)
+            length = self._length if self._half is None else self._length / 2.0
+            self._flow.keep_growth(GROWTH_STEP * length, GROWTH_POINTS)
             self._flow.start(self._context)
             self._started = True
         except Exception as error:
@@ -130,6 +138,7 @@ class Stepper:
             opened.figures,
             opened.problem,
         )
+        self._half = opened.half
 
     def _note_cost(self, cost: core.Cost) -> None:
         self._length = cost.length if math.isfinite(cost.length) else 0.0
@@ -158,6 +167,12 @@ class Stepper:
         preview, progress = self._flow.preview(), self._context.progress
         if self._flow.running:  # at the end the library says 1, also of a run that was cancelled
             self._progress, self._phase = progress, self._context.phase
+        if preview is not None and self._half is not None:
+            preview = preview._replace(
+                polylines=self._half.mirror.polylines(preview.polylines),
+                nodes=2 * preview.nodes,
+                length=2.0 * preview.length,
+            )
         return None if preview is None else self._snapshot(*preview)
 
     def revise(self, options: core.FlowOptions, density: np.ndarray | None) -> None:
@@ -166,16 +181,21 @@ class Stepper:
         Between two runs only. Raises core.MeanderError where the library refuses either; the flow
         then has neither.
         """
-        before = self.problem.options
-        self._flow.set_options(options)
+        before, taken, of_flow = self._opened.options, options, density
+        if self._half is not None:
+            taken = self._half.options_of(options)
+            density, of_flow = self._half.density_of(density)
+        self._flow.set_options(taken)
         try:
-            self._flow.set_density(density)
+            self._flow.set_density(of_flow)
         except core.MeanderError:
             self._flow.set_options(before)
             raise
         self.density = density
         self.problem = replace(self.problem, options=options, density=density)
-        self._opened = replace(self._opened, options=options, density=density)
+        self._opened = replace(self._opened, options=taken, density=of_flow)
+        if self._half is not None:
+            self._half = replace(self._half, density=density)
 
     def stiffened(self) -> bool:
         """Makes a curve stiffer that bends more sharply than it may; False where it does not.
@@ -222,13 +242,22 @@ class Stepper:
         self.join()
         if self._error is not None:
             raise self._error
-        statistics = self._flow.statistics()
+        if self._half is None:
+            return self._outcome(self._flow, self._flow.statistics())
+        whole = whole_of(self._half, self._flow, self.problem.options)
+        self.sources, self.lines_why = whole.sources, whole.why
+        with whole.flow as flow:
+            return self._outcome(flow, whole.statistics(self._half, self._flow))
+
+    def _outcome(
+        self, flow: core.Flow, statistics: dict[str, Any]
+    ) -> tuple[Snapshot, dict[str, Any], str]:
         # One that was stopped by hand has them everywhere, and finding them all takes seconds.
-        self.gaps = None if self._stop_reason == "cancelled" else self._flow.gaps()
-        self.guides = self._flow.guides()
-        self.point_data = self._flow.point_data()
+        self.gaps = None if self._stop_reason == "cancelled" else flow.gaps()
+        self.guides = flow.guides()
+        self.point_data = flow.point_data()
         snapshot = self._snapshot(
-            self._flow.polylines(),
+            flow.polylines(),
             statistics["iterations"],
             statistics["nodes"],
             statistics["length"],

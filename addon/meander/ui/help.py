@@ -50,6 +50,7 @@ _OF_SETTINGS = (
     ("stroke_*", "strands"),
     ("*guide*", "strands"),
     ("fixed_ends", "strands"),
+    ("mirror", "surfaces"),
     ("mask_*", "surfaces"),
     ("border_distance", "surfaces"),
     ("use_outline", "surfaces"),

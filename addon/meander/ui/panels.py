@@ -121,15 +121,18 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
 
 
 class MEANDER_PT_guidance(SubPanel, bpy.types.Panel):
-    """Where the line runs, how close and which way: what stands below it."""
+    """Where the line runs, how close and which way: symmetry, and what stands below it."""
 
     bl_idname = GUIDANCE
     bl_label = "Guidance"
     bl_order = ORDER["guidance"]
     bl_options = {"DEFAULT_CLOSED"}
 
-    def draw(self, _context: bpy.types.Context) -> None:
-        pass
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        settings = settings_of(context.active_object)
+        layout.row(align=True).prop(settings, "mirror", expand=True)
 
 
 class MEANDER_PT_output(SubPanel, bpy.types.Panel):

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Symmetry: a curve grows on one half of a surface, and its mirror image fills the other.
+
+The half is cut out along the plane, a little beside it, so that the curve keeps half a spacing from
+the plane as it does from a border. What has grown and its image are then laid on the whole surface,
+as a flow that makes no step (mirror_whole): all that is known of a curve is known of this one too,
+and the library has checked that it crosses itself nowhere. numpy only, no bpy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import core
+from .field import evaluated
+from .half_mesh import HalfMesh, above
+from .mirror_images import Images, images_of
+from .mirror_plane import Mirror
+from .mirror_seed import half_of_seed
+
+if TYPE_CHECKING:
+    from .problem import Problem
+
+# The half ends so far from the plane, in spacings, that nothing on its border meets its own image.
+_INSET = 0.01
+# Vertices this near to the cut lie on it: in shortest edges around them, and in insets.
+_SNAP_EDGES, _SNAP_INSETS = 1e-3, 0.25
+
+
+@dataclass(frozen=True)
+class Half:
+    """The half of a problem that a flow solves, and what is needed to make a whole of it.
+
+    problem   of the half, without a mirror
+    given     of the whole, with density and masks mirrored
+    mirror    its normal points to the half
+    mesh      of the half
+    density   of the whole, per vertex; None: 1 everywhere
+    figures   of the whole surface: core.Surface.statistics()
+    fit       of the given seed, those of core.Flow.statistics(); empty: there is none
+    cost      that a run on the whole surface is expected to have
+    sources   the strand of the given seed that each one of the half's came from
+    images    of the vertices of the whole
+    """
+
+    problem: Problem
+    given: Problem
+    mirror: Mirror
+    mesh: HalfMesh
+    density: NDArray[np.float64] | None
+    figures: dict[str, Any]
+    fit: dict[str, Any]
+    cost: core.Cost
+    sources: NDArray[np.int64]
+    images: Images
+
+    def density_of(
+        self, density: NDArray[np.float64] | None
+    ) -> tuple[NDArray[np.float64] | None, NDArray[np.float64] | None]:
+        """Another density of the whole as its half has it: mirrored, and on the half."""
+        if density is None:
+            return None, None
+        whole = self.images.on_both(density)
+        return whole, self.mesh.carried(whole)
+
+    def options_of(self, options: core.FlowOptions) -> core.FlowOptions:
+        """Other options of the whole as the flow of the half takes them.
+
+        Raises core.MeanderError for those that ask for another cut along the plane.
+        """
+        found, now = _at_borders(options, self.figures), self.problem.options
+        if found.boundary_distance != now.boundary_distance or (
+            found.radius != now.radius and now.boundary_distance != 0.5
+        ):
+            raise core.MeanderError(
+                "With Symmetry the border distance, and the spacing with a border distance other "
+                "than half of it, are those that a run begins with; fill the mesh again",
+                core.Status.INVALID_ARGUMENT,
+            )
+        return found
+
+
+def halved(
+    problem: Problem,
+    context: core.Context | None = None,
+    accept: Callable[[core.Cost], None] | None = None,
+) -> Half:
+    """The half of a problem with a mirror; see problem.open_flow().
+
+    Raises core.MeanderError with one sentence for a surface that is not its own mirror image, and
+    for what does not go with symmetry.
+    """
+    _refuse(problem)
+    options = problem.options
+
+    def surface_of(of: Problem) -> core.Surface:
+        return core.Surface(of.vertices, of.faces, of.surface_options, options.threads, context)
+
+    with surface_of(problem) as surface:  # it names the faults of a mesh that is none
+        density = evaluated(problem.density, surface, context)
+        directions = evaluated(problem.directions, surface, context)
+    mirror = _side(problem)
+    images = images_of(problem, mirror)
+    images.check_symmetry()
+    if density is not None:
+        density = images.on_both(np.asarray(density, dtype=np.float64))
+    prepared = images.masks_on_both()
+    given = replace(problem, density=density, surface_options=prepared, mirror=None)
+    with surface_of(given) as surface:
+        figures = surface.statistics()
+        cost = core.estimate_cost(surface.extent(density), options)
+        if accept is not None:
+            accept(cost)
+        fit = _fit(surface, given, context)
+    of_half = _at_borders(options, figures)
+    mesh = _cut(given, mirror, density, of_half.boundary_distance)
+    half_seed, sources = half_of_seed(problem.seed, mirror.heights, options.radius)
+    if directions is not None:
+        directions = images.lines_on_both(np.asarray(directions, dtype=np.float64))
+    half = replace(
+        given,
+        vertices=mesh.vertices,
+        faces=mesh.faces,
+        options=of_half,
+        seed=half_seed,
+        density=None if density is None else mesh.carried(density),
+        directions=None if directions is None else mesh.carried_lines(directions),
+        surface_options=_of_half(prepared, mesh),
+    )
+    return Half(half, given, mirror, mesh, density, figures, fit, cost, sources, images)
+
+
+def _refuse(problem: Problem) -> None:
+    """Raises for what does not go with symmetry."""
+    prepared = problem.surface_options
+    told = ""
+    if problem.outline:
+        told = "An outline would run along the plane of symmetry too; turn off one of the two"
+    elif problem.least_bend_radius:
+        told = (
+            "The two crossings of the plane of symmetry turn by half a spacing, which no least "
+            "bend radius holds; turn off one of the two"
+        )
+    elif prepared is not None and prepared.smallest_part:
+        told = (
+            "Symmetry halves parts, so that their size does not say which to leave out; set the "
+            "smallest part to 0, and mask or delete what is not to be filled"
+        )
+    if told:
+        raise core.MeanderError(told, core.Status.INVALID_ARGUMENT)
+
+
+def _side(problem: Problem) -> Mirror:
+    """The mirror whose normal points to the half that counts: the other one where that has two
+    thirds of the seed, else the positive one."""
+    mirror, seed = problem.mirror, problem.seed
+    if seed is None or 3 * np.count_nonzero(mirror.heights(seed.points) > 0.0) >= len(seed.points):
+        return mirror
+    return replace(mirror, normal=-mirror.normal)
+
+
+def _fit(surface: core.Surface, given: Problem, context: core.Context | None) -> dict[str, Any]:
+    """How a seed lies on the whole surface; raises what is wrong with it."""
+    if given.seed is None:
+        return {}
+    with core.Flow(surface, at_rest(given.options), given.seed, given.density, context) as flow:
+        return {key: value for key, value in flow.statistics().items() if key.startswith("seed_")}
+
+
+def at_rest(options: core.FlowOptions) -> core.FlowOptions:
+    """Options of a flow that only holds a curve."""
+    return replace(options, start=core.Start.GROW, start_spacing_factor=1.0)
+
+
+def _at_borders(options: core.FlowOptions, figures: dict[str, Any]) -> core.FlowOptions:
+    """Options with which a curve never leaves its half: at the border of that it comes to rest half
+    a spacing from the plane, or nearer where the surface has borders of its own.
+
+    figures   of the whole surface
+    """
+    distance = options.boundary_distance
+    if not figures["boundary_loops"] or options.boundary_rule == core.BoundaryRule.OBSTACLE:
+        distance = 0.5
+    elif distance > 0.5:
+        raise core.MeanderError(
+            "With Symmetry strands keep at most half a spacing from borders; set the border "
+            "distance to 0.5 or less",
+            core.Status.INVALID_ARGUMENT,
+        )
+    return replace(
+        options, boundary_distance=distance, boundary_rule=core.BoundaryRule.CENTRE
+    )
+
+
+def _cut(
+    given: Problem, mirror: Mirror, density: NDArray[np.float64] | None, at_border: float
+) -> HalfMesh:
+    """The half at whose border the curve comes to rest half a spacing from the plane.
+
+    at_border   how far from a border that is, in spacings, at most 0.5
+    """
+    spacings = np.full(len(given.vertices), 2.0 * given.options.radius)
+    if density is not None:
+        spacings /= np.sqrt(density)
+    beyond = 0.5 - at_border + _INSET
+    heights = mirror.heights(given.vertices) - beyond * spacings
+    faces = np.asarray(given.faces, dtype=np.int64)
+    shortest = np.full(len(given.vertices), np.inf)
+    for corner in range(3):
+        one, other = faces[:, corner], faces[:, (corner + 1) % 3]
+        lengths = np.linalg.norm(given.vertices[one] - given.vertices[other], axis=1)
+        for end in (one, other):
+            np.minimum.at(shortest, end, lengths)
+    tolerance = np.minimum(_SNAP_EDGES * shortest, _SNAP_INSETS * _INSET * spacings)
+    return above(given.vertices, faces, heights, tolerance)
+
+
+def _of_half(
+    prepared: core.SurfaceOptions | None, mesh: HalfMesh
+) -> core.SurfaceOptions | None:
+    if prepared is None:
+        return None
+    changed: dict[str, Any] = {}
+    if prepared.vertex_mask is not None:
+        changed["vertex_mask"] = mesh.carried(prepared.vertex_mask)
+    if prepared.face_mask is not None:
+        changed["face_mask"] = np.asarray(prepared.face_mask, dtype=bool)[mesh.sources]
+    return replace(prepared, **changed)

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where the mirror images of a surface's vertices lie on it: whether it is its own mirror image,
+and what is known of one half, on both. numpy only, no bpy."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import core
+from .closest_faces import Places, closest_places
+from .mirror_plane import AXES, Mirror
+
+if TYPE_CHECKING:
+    from .problem import Problem
+
+# How far the mirror image of a surface may lie beside the surface, in spacings.
+_TOLERANCE = 0.1
+# Of a surface that is no mirror image of itself, so many places are measured to find the farthest.
+_MEASURED = 32
+
+
+@dataclass(frozen=True)
+class Images:
+    """The mirror images of the vertices of a problem's surface.
+
+    mirror   its normal points to the half that counts
+    places   nothing is within reach where an image lies beside the surface
+    """
+
+    problem: Problem
+    mirror: Mirror
+    places: Places
+
+    def interpolated(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What is known of vertices, (n,) or (n, d), at their mirror images."""
+        corners = np.asarray(values, dtype=np.float64)[self.problem.faces[self.places.faces]]
+        weights = self.places.barycentrics
+        return (corners * (weights if values.ndim == 1 else weights[:, :, None])).sum(axis=1)
+
+    @property
+    def other(self) -> NDArray[np.bool_]:
+        """Which vertices take over what is known at their mirror images."""
+        below = self.mirror.heights(self.problem.vertices) < 0.0
+        return below & np.isfinite(self.places.distances)
+
+    def on_both(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Values (n,) of the half that counts, on both."""
+        return np.where(self.other, self.interpolated(values), values)
+
+    def lines_on_both(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The same of directions (n, 3)."""
+        turned = self.mirror.turned(self.interpolated(directions))
+        return np.where(self.other[:, None], turned, directions)
+
+    def masks_on_both(self) -> core.SurfaceOptions | None:
+        """How the surface is prepared, with the part to fill of one half on both."""
+        problem, prepared = self.problem, self.problem.surface_options
+        if prepared is None:
+            return None
+        changed: dict[str, Any] = {}
+        if prepared.vertex_mask is not None:
+            mask = np.asarray(prepared.vertex_mask, dtype=np.float64)
+            changed["vertex_mask"] = self.on_both(mask)
+        if prepared.face_mask is not None:
+            mask = np.array(prepared.face_mask, dtype=bool)
+            middles = problem.vertices[problem.faces].mean(axis=1)
+            other = np.flatnonzero(self.mirror.heights(middles) < 0.0)
+            images = self.mirror.images(middles[other])
+            found = closest_places(images, problem.vertices, problem.faces, _tolerance(problem))
+            mask[other] = mask[found.faces] & np.isfinite(found.distances)
+            changed["face_mask"] = mask
+        return replace(prepared, **changed)
+
+    def check_symmetry(self) -> None:
+        """Raises core.MeanderError where the mirror image of what is filled lies beside the
+        surface; where a part of the mesh is filled only the half that counts is looked at."""
+        problem, mirror = self.problem, self.mirror
+        filled, masked = _filled_vertices(problem)
+        heights = mirror.heights(problem.vertices)
+        if masked:
+            filled &= heights >= 0.0
+        if not (filled & (heights > 0.0)).any():
+            upright = mirror.to_object[AXES.index(mirror.axis), :3] @ mirror.normal > 0.0
+            raise core.MeanderError(
+                f"Nothing lies on the {'positive' if upright else 'negative'} side of the plane "
+                "of symmetry, whose half is filled; choose another axis, or move the object's "
+                "origin",
+                core.Status.INVALID_ARGUMENT,
+            )
+        beside = np.flatnonzero(filled & np.isinf(self.places.distances))
+        if not len(beside):
+            return
+        place, distance = self._farthest(beside)
+        place = mirror.to_object[:3, :3] @ place + mirror.to_object[:3, 3]
+        where = ", ".join(f"{value:.4g}" for value in place)
+        raise core.MeanderError(
+            f"The surface is not its own mirror image in {mirror.axis.upper()}: the image of the "
+            f"vertex at ({where}), in the object's own coordinates, lies {distance:.3g} beside the "
+            f"surface, and at most {_tolerance(problem):.3g} is allowed, a tenth of the "
+            "spacing; make the two halves alike, choose another axis, or turn Symmetry off",
+            core.Status.INVALID_ARGUMENT,
+        )
+
+    def _farthest(self, beside: NDArray[np.int64]) -> tuple[NDArray[np.float64], float]:
+        """Of vertices whose images lie beside the surface, about the one that does by most, and by
+        how much: of some of them, since what is far off takes long to measure."""
+        problem = self.problem
+        chosen = np.unique(np.linspace(0, len(beside) - 1, _MEASURED).astype(np.int64))
+        chosen = beside[chosen]
+        images = self.mirror.images(problem.vertices[chosen])
+        distances, reach = np.full(len(chosen), np.inf), _tolerance(problem)
+        while np.isinf(distances).any():
+            reach *= 4.0
+            left = np.flatnonzero(np.isinf(distances))
+            found = closest_places(images[left], problem.vertices, problem.faces, reach)
+            distances[left] = found.distances
+        farthest = int(np.argmax(distances))
+        return problem.vertices[chosen[farthest]], float(distances[farthest])
+
+
+def images_of(problem: Problem, mirror: Mirror) -> Images:
+    """Where the mirror images of all vertices lie, as far as the tolerance reaches."""
+    vertices, faces = problem.vertices, problem.faces
+    images = mirror.images(vertices)
+    count = len(vertices)
+    places = Places(np.full(count, np.inf), np.zeros(count, dtype=np.int64), np.zeros((count, 3)))
+    # Most vertices have a twin, and looking for the nearest face takes a hundred times as long.
+    twins = _twins(images, vertices, _tolerance(problem) / 100.0)
+    corners = np.full(count, -1)
+    corners[faces.ravel()] = np.arange(faces.size)
+    known = np.flatnonzero((twins >= 0) & (corners[twins] >= 0))
+    own = corners[twins[known]]
+    places.distances[known] = np.linalg.norm(images[known] - vertices[twins[known]], axis=1)
+    places.faces[known] = own // 3
+    places.barycentrics[known, own % 3] = 1.0
+    left = np.flatnonzero(np.isinf(places.distances) & np.isfinite(images).all(axis=1))
+    found = closest_places(images[left], vertices, faces, _tolerance(problem))
+    for mine, theirs in zip(
+        (places.distances, places.faces, places.barycentrics),
+        (found.distances, found.faces, found.barycentrics),
+        strict=True,
+    ):
+        mine[left] = theirs
+    return Images(problem, mirror, places)
+
+
+def _twins(
+    points: NDArray[np.float64], vertices: NDArray[np.float64], width: float
+) -> NDArray[np.int64]:
+    """For every point a vertex in the same cell of a grid, or -1: beside a cell's wall the twin is
+    missed, which costs time only."""
+
+    def cells(places: NDArray[np.float64]) -> NDArray[np.void]:
+        # Half a cell off, so that what lies in the plane itself is not beside a wall.
+        whole = np.ascontiguousarray(np.floor(np.nan_to_num(places) / width + 0.5)) + 0.0
+        return whole.view(np.dtype((np.void, whole.dtype.itemsize * 3))).ravel()
+
+    named, number = np.unique(np.concatenate([cells(vertices), cells(points)]), return_inverse=True)
+    holder = np.full(len(named), -1)
+    holder[number[: len(vertices)][::-1]] = np.arange(len(vertices))[::-1]
+    return holder[number[len(vertices) :]]
+
+
+def _tolerance(problem: Problem) -> float:
+    return _TOLERANCE * 2.0 * problem.options.radius
+
+
+def _filled_vertices(problem: Problem) -> tuple[NDArray[np.bool_], bool]:
+    """Which vertices are part of what is filled, and whether that is a part of the mesh only."""
+    prepared, faces = problem.surface_options, np.asarray(problem.faces, dtype=np.int64)
+    masked = False
+    if prepared is not None and prepared.face_mask is not None:
+        faces, masked = faces[np.asarray(prepared.face_mask, dtype=bool)], True
+    filled = np.zeros(len(problem.vertices), dtype=bool)
+    filled[faces.ravel()] = True
+    if prepared is not None and prepared.vertex_mask is not None:
+        filled &= np.asarray(prepared.vertex_mask) >= prepared.mask_threshold
+        masked = True
+    return filled, masked
