@@ -222,7 +222,7 @@ def test_what_is_not_alike_is_refused_with_the_place():
     place = ", ".join(f"{value:.4g}" for value in top.co)
     bpy.context.view_layer.update()
     sentence = refused(surface, 0.3, mirror="X")
-    assert f"({place})" in sentence and "Symmetry" in sentence
+    assert f"({place})" in sentence and "mirror image in X" in sentence
     assert_sentence(sentence)
 
 

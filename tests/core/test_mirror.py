@@ -303,7 +303,7 @@ def test_a_surface_that_is_not_alike_is_refused_with_the_place() -> None:
     assert f"({', '.join(f'{value:.4g}' for value in dented[7])})" in text
     told = float(text.partition("lies ")[2].split()[0])
     assert 0.15 < told <= 0.301  # the side of the spike is nearer to its image's tip than 0.3
-    assert "at most 0.02 is allowed" in text
+    assert "a tenth of the spacing" in text
     small = mesh.vertices.copy()
     small[7] *= 1.0 + 0.015 / np.linalg.norm(small[7])
     assert filled(geometry.Mesh(small, mesh.faces), 0.2).figures["crossings"] == 2

@@ -99,9 +99,8 @@ class Images:
         where = ", ".join(f"{value:.4g}" for value in place)
         raise core.MeanderError(
             f"The surface is not its own mirror image in {mirror.axis.upper()}: the image of the "
-            f"vertex at ({where}), in the object's own coordinates, lies {distance:.3g} beside the "
-            f"surface, and at most {_tolerance(problem):.3g} is allowed, a tenth of the "
-            "spacing; make the two halves alike, choose another axis, or turn Symmetry off",
+            f"vertex at ({where}), in the object's coordinates, lies {distance:.3g} beside it, "
+            "more than a tenth of the spacing; make the halves alike, or choose another axis",
             core.Status.INVALID_ARGUMENT,
         )
 
