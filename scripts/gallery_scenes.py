@@ -126,6 +126,17 @@ def rows() -> None:
 
 
 @scene
+def symmetry() -> None:
+    """One half of Suzanne is filled; the other is its mirror image, and both are one line."""
+    head = suzanne(3)
+    head.rotation_euler.x = 0.0
+    line = fill(head, 0.1, mirror="X", bevel_share=0.24)
+    dress(head, DARK, 0.4)
+    dress(line, ORANGE, 0.4)
+    place(head, line, camera=(0.0, -7.0, 0.9), target=(0.0, 0.0, -0.05), lens=88.0)
+
+
+@scene
 def one_stroke() -> None:
     """One stroke from ear to ear: an open strand whose ends stay where they are."""
     head = suzanne()

@@ -173,6 +173,7 @@ first_row() {
   window ui-live live.py 100
   window ui-look look.py 100
   window ui-make make.py 100
+  window ui-mirror mirror.py 100
   check site 120 bash scripts/build_site.sh
   check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
   check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
