@@ -116,8 +116,8 @@ def test_each_half_is_the_image_of_the_other(run: Filled) -> None:
     """Within the tolerance, by which the surface may lie beside its image: none of these does by
     more than its triangles are chords of it."""
     curve = run.curve
-    images = run.mirror.images(curve.positions)
-    samples = geometry.samples_of(curve.positions, curve.offsets, curve.closed, run.spacing / 100)
+    images = run.mirror.images(curve.positions)[::7]
+    samples = geometry.samples_of(curve.positions, curve.offsets, curve.closed, run.spacing / 30)
     assert geometry.distance_to_samples(images, samples).max() < 0.03 * run.spacing
 
 
@@ -378,17 +378,17 @@ def test_nearest_places_are_those_of_brute_force() -> None:
     random = np.random.default_rng(5)
     vertices = random.normal(size=(60, 3))
     faces = random.integers(0, 60, size=(80, 3)).astype(np.uint32)  # some without area
-    points = random.normal(size=(200, 3))
+    points = random.normal(size=(80, 3))
     found = closest_places(points, vertices, faces, 0.4)
     corners = vertices[faces]
-    steps = np.linspace(0.0, 1.0, 41)
+    steps = np.linspace(0.0, 1.0, 21)
     weights = np.array([(1 - s, s * (1 - t), s * t) for s in steps for t in steps])
     samples = np.einsum("wk,fkd->fwd", weights, corners).reshape(-1, 3)
     nearest = geometry.distance_to_samples(points, samples)
     within = np.isfinite(found.distances)
     assert np.all(nearest[~within] > 0.4)
     assert np.all(found.distances[within] <= nearest[within] + 1e-12)
-    assert np.all(nearest[within] - found.distances[within] < 0.1)
+    assert np.all(nearest[within] - found.distances[within] < 0.15)
     places = geometry.points_at(geometry.Mesh(vertices, faces), found.faces, found.barycentrics)
     apart = np.linalg.norm(places - points, axis=1)
     assert apart[within] == pytest.approx(found.distances[within])
