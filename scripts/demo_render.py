@@ -12,7 +12,7 @@ from pathlib import Path
 import bpy
 from mathutils.kdtree import KDTree
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "docs" / "pictures"))
 
 import studio  # noqa: E402
 

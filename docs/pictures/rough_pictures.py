@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: makes the pictures of rough surfaces in docs/rough_surfaces.md.
 
-    blender --background --python-exit-code 1 --python scripts/rough_pictures.py -- [FOLDER]
+    bash docs/pictures/make.sh rough
 
 Each shows the same surface twice: with a spacing that follows every bump (roughness 1), and with
 one that is measured on the surface as it is at the scale of the spacing. FOLDER is docs/images by
@@ -14,8 +14,8 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "scripts"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs" / "pictures"))
 
 import strands_pictures  # noqa: E402  (the path comes first)
 from strands_pictures import begin, fill, link, meander, surface_of  # noqa: E402

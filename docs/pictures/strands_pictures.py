@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: makes the pictures of docs/strands.md.
 
-    blender --background --python-exit-code 1 --python scripts/strands_pictures.py -- [FOLDER]
+    bash docs/pictures/make.sh strands
 
 FOLDER is docs/images by default. Workbench renders them, which needs an EGL driver but no display.
 Those in the folder have since been reduced to 96 colours.
@@ -13,7 +13,7 @@ from pathlib import Path
 
 import bpy
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "addon"))
 
 import meander  # noqa: E402  (the path comes first)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: makes the picture of docs/look.md, one ball with four looks.
 
-    blender --background --factory-startup --python-exit-code 1 --python scripts/look_pictures.py \
-        -- [FOLDER]
+    bash docs/pictures/make.sh look
 
 FOLDER is docs/images by default. The picture there has since been reduced to 40 colours.
 """
@@ -14,8 +13,8 @@ from pathlib import Path
 
 import bpy
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "scripts")]
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "docs" / "pictures")]
 
 import meander  # noqa: E402  (the path comes first)
 import studio  # noqa: E402

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: makes the pictures of docs/surfaces.md.
 
-    blender --background --python-exit-code 1 --python scripts/surface_pictures.py -- [FOLDER]
+    bash docs/pictures/make.sh surface
 
 FOLDER is docs/images by default; see strands_pictures.py.
 """
@@ -12,8 +12,8 @@ from pathlib import Path
 
 import bpy
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "scripts"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs" / "pictures"))
 
 import strands_pictures  # noqa: E402  (the path comes first)
 from strands_pictures import begin, fill, meander, render, surface_of  # noqa: E402

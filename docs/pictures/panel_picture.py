@@ -2,7 +2,7 @@
 """Blender script: cuts the states of the panel out of the pictures of a UI test, side by side.
 
     bash scripts/test.sh
-    blender --background --factory-startup --python-exit-code 1 --python scripts/panel_picture.py
+    bash docs/pictures/make.sh panel
 
 Reads build/ui and writes panel_states.png and look_panel.png into docs/images.
 """
@@ -16,7 +16,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 PICTURES = ROOT / "build" / "ui"
 IMAGES = ROOT / "docs" / "images"
 # Left, top, width and height, from the upper left of a window of 1280 x 800.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the pictures of docs/terms.md: what every term of the energy does, at two values.
 
-    python3 scripts/draw_terms.py docs/images
+    bash docs/pictures/make.sh terms
 
 Needs numpy and the built library, no Blender. Writes one PNG for each term, and figures to stdout.
 """
@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-REPOSITORY = Path(__file__).resolve().parent.parent
+REPOSITORY = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPOSITORY / "addon"))
 from meander import core  # noqa: E402
 

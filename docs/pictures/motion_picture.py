@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: the picture of docs/motion.md, a tube that is bent and stretched.
 
-    blender --background --factory-startup --python-exit-code 1 --python scripts/motion_picture.py -- PICTURE.png
+    bash docs/pictures/make.sh motion
 
 Above, the curve keeps its spacing; below, its points stick to their faces.
-"""  # noqa: E501
+"""
 
 import sys
 from pathlib import Path
@@ -13,7 +13,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "addon"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "addon"))
 
 from meander import core  # noqa: E402
 from meander.run import followers  # noqa: E402

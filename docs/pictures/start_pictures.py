@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: makes the pictures of full starts in docs/terms.md.
 
-    blender --background --python-exit-code 1 --python scripts/start_pictures.py -- [FOLDER]
+    bash docs/pictures/make.sh start
 
 FOLDER is docs/images by default; see strands_pictures.py.
 """
@@ -11,8 +11,8 @@ from pathlib import Path
 
 import bpy
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "scripts"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs" / "pictures"))
 
 import strands_pictures  # noqa: E402  (the path comes first)
 import studio  # noqa: E402

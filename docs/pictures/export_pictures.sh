@@ -7,7 +7,7 @@
 # export_unrolled.svg, a torus laid flat by its UV map, and export_visible.svg, Suzanne from the
 # front. Needs the library, which scripts/build.sh makes.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: draws docs/images/gallery/scene_drawing.svg, a still life from a camera.
 
-    blender --background --factory-startup --python-exit-code 1 --python scripts/camera_picture.py
+    bash docs/pictures/make.sh camera
 
 The drawing is as the add-on writes it, on white paper.
 """
@@ -14,8 +14,8 @@ from pathlib import Path
 
 import bpy
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "scripts")]
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "docs" / "pictures")]
 
 import gallery_scenes  # noqa: E402
 import meander  # noqa: E402

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: the picture of baked frames in docs/motion.md.
 
-    blender --background --factory-startup --python-exit-code 1 --python scripts/bake_picture.py -- PICTURE.png
+    bash docs/pictures/make.sh bake
 
 Fills a tube, bakes its curve while an armature bends it, saves the scene, and lets a Blender
 without the add-on render three frames, which the picture shows side by side.
-"""  # noqa: E501
+"""
 
 import math
 import struct
@@ -18,7 +18,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 FRAMES, SHOWN = 24, (1, 12, 24)
 SPACING = 0.2
 SIZE = (200, 330)

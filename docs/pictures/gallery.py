@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: takes the pictures of docs/gallery.md, each from an empty scene.
 
-    blender --background --factory-startup --python-exit-code 1 --python scripts/gallery.py -- \
-        FOLDER [PICTURE]...
+    bash docs/pictures/make.sh gallery
 
 Leaves PICTURE.png for each, all of them if none is named. Those in docs/images/gallery have been
 reduced to 128 colours since, by `pngquant 128`.
@@ -15,8 +14,8 @@ from pathlib import Path
 
 import bpy
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "scripts")]
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "docs" / "pictures")]
 
 import gallery_scenes  # noqa: E402
 import meander  # noqa: E402

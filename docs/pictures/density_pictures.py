@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: makes the pictures of docs/density.md.
 
-    blender --background --python-exit-code 1 --python scripts/density_pictures.py -- [FOLDER]
+    bash docs/pictures/make.sh density
 
 FOLDER is docs/images by default. Workbench renders them, which needs an EGL driver but no display.
 Those in the folder have since been reduced to 32 greys.
@@ -15,7 +15,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "addon"))
 
 import meander  # noqa: E402  (the path comes first)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the plots of docs/quality.md: where the presets are uneven, and by how much.
 
-    python3 scripts/quality_plots.py docs/images
+    bash docs/pictures/make.sh quality
 
 Needs numpy, matplotlib (Debian: python3-matplotlib) and the built library, no Blender. Figures are
 the library's own medial radii on a square of 30 x 30 spacings; strands within 2.5 r of its boundary
@@ -19,9 +19,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-REPOSITORY = Path(__file__).resolve().parent.parent
+REPOSITORY = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPOSITORY / "addon"))
-sys.path.insert(0, str(REPOSITORY / "scripts"))
+sys.path.insert(0, str(REPOSITORY / "docs" / "pictures"))
 from draw_terms import sheet  # noqa: E402
 from meander import core  # noqa: E402
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: makes the pictures of thin shapes in docs/quality.md.
 
-    blender --background --python-exit-code 1 --python scripts/thin_pictures.py -- [FOLDER]
+    bash docs/pictures/make.sh thin
 
 Each has four fills: by distances through space from above and from below, then by distances along
 the surface. FOLDER is docs/images by default; see strands_pictures.py.
@@ -14,8 +14,8 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "scripts"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs" / "pictures"))
 
 import strands_pictures  # noqa: E402  (the path comes first)
 from meander import core  # noqa: E402
