@@ -8,9 +8,10 @@ mark_as_advanced(MEANDER_CCACHE)
 if(MEANDER_CCACHE AND NOT CMAKE_CROSSCOMPILING)
   foreach(language C CXX)
     if(NOT CMAKE_${language}_COMPILER_LAUNCHER)
-      # The last two are what ccache asks for where headers are precompiled.
+      # The last three are what precompiled headers need: GCC tells a header that it has seen by all of its bytes, so one
+      # that differs in a comment alone is another.
       set(CMAKE_${language}_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}"
-        CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros "${MEANDER_CCACHE}")
+        CCACHE_NOHASHDIR=1 CCACHE_COMMENTS=1 CCACHE_SLOPPINESS=pch_defines,time_macros "${MEANDER_CCACHE}")
     endif()
   endforeach()
 endif()
