@@ -35,13 +35,13 @@ blender_script() {
 
 zip=$(ls -t build/meander-*.zip | head -n 1)
 blender_script "Installing the add-on" scripts/install_addon.py "$zip"
-blender_script "Setting the scene" scripts/demo_scene.py "$demo/scene.blend"
+blender_script "Setting the scene" docs/pictures/demo_scene.py "$demo/scene.blend"
 # From the profile, as a user runs it: nothing of the checkout's add-on is used.
 blender_script "Filling Suzanne" "$BLENDER_USER_SCRIPTS/addons/meander/batch.py" \
   --input "$demo/scene.blend" --object Suzanne --seed-object Seed --density-group Fine \
   --spacing 0.055 --output "$demo/suzanne.blend" --report "$demo/suzanne.json"
 grep '^meander:' "$demo/Filling Suzanne.log" | tail -n 2
-blender_script "Rendering" scripts/demo_render.py "$demo/suzanne.blend" "$demo/suzanne.png"
+blender_script "Rendering" docs/pictures/demo_render.py "$demo/suzanne.blend" "$demo/suzanne.png"
 
 rm -f "$demo/scene.blend" "$demo"/*.blend1
 printf '\n'

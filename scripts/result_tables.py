@@ -9,7 +9,7 @@ revision, when and on what machine. A page has the table between `<!-- results: 
 `<!-- end of results -->`. --check writes nothing, and fails when a page is not what would be
 written.
 
---store takes the JSON objects, one a line, that a command such as scripts/bench.py prints, keeps
+--store takes the JSON objects, one a line, that a command such as benchmarks/bench.py prints, keeps
 those whose keys have the values of `only`, and of each what the columns show. The revision is that
 of the checkout; the machine is the one at hand.
 """

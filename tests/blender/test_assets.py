@@ -41,7 +41,7 @@ def described(blocks: list[bpy.types.ID]) -> dict[str, object]:
 def test_the_file_is_what_its_script_makes():
     stored = contents()
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    sys.path.insert(0, str(ROOT / "scripts"))
+    sys.path.insert(0, str(ROOT / "assets"))
     try:
         import make_assets
     finally:
@@ -49,7 +49,7 @@ def test_the_file_is_what_its_script_makes():
     made = described(make_assets.build())
     assert set(made) == set(stored)
     for name, what in made.items():
-        assert what == stored[name], f"{name}: run scripts/make_assets.py again"
+        assert what == stored[name], f"{name}: run assets/make_assets.py again"
 
 
 def test_every_asset_has_a_catalog_and_a_description():

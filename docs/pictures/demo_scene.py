@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script, first part of the demo: Suzanne, a seed drawn on her, and a painted vertex group.
 
-    blender --background --factory-startup --python scripts/demo_scene.py -- SCENE.blend
+    blender --background --factory-startup --python docs/pictures/demo_scene.py -- SCENE.blend
 
 Leaves a scene as a user would make it by hand: nothing in it refers to Meander.
 """

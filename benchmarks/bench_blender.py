@@ -3,7 +3,7 @@
 
     xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" \
       blender --factory-startup --window-geometry 0 0 1280 800 \
-      --python-exit-code 1 --python scripts/bench_blender.py -- \
+      --python-exit-code 1 --python benchmarks/bench_blender.py -- \
       [--repeat N] [--threads T] [--nodes N ...] [--sidebar 0|1] [--maximised] [--only ROW ...]
 
 Prints JSON objects, one a line. All of them have `width` and `height` of the window, `view_width`

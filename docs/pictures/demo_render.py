@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script, last part of the demo: light, camera, materials, and the picture.
 
-    blender --background --python scripts/demo_render.py -- SCENE.blend PICTURE.png
+    blender --background --python docs/pictures/demo_render.py -- SCENE.blend PICTURE.png
 
 Saves the scene as rendered, so that opening it shows the picture's view.
 """
@@ -12,7 +12,7 @@ from pathlib import Path
 import bpy
 from mathutils.kdtree import KDTree
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "docs" / "pictures"))
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import studio  # noqa: E402
 

@@ -2,7 +2,7 @@
 """Blender script: frames a second while a curve follows a tube that an armature bends.
 
     blender --background --factory-startup --python-exit-code 1 \\
-        --python scripts/bench_motion.py -- [--spacing S] [--steps N] [--threads T]
+        --python benchmarks/bench_motion.py -- [--spacing S] [--steps N] [--threads T]
 
 Prints a JSON object for Blender's own evaluation, the frame set and nothing following, and for both
 kinds of motion: medians over the frames of clock seconds and of seconds of all processors, and the

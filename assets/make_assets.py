@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender script: makes the asset file of the add-on, its node groups and materials.
 
-    blender -b --factory-startup --python-exit-code 1 --python scripts/make_assets.py -- [FOLDER]
+    blender -b --factory-startup --python-exit-code 1 --python assets/make_assets.py -- [FOLDER]
 
 FOLDER is addon/meander/assets by default. Run it in Blender 3.4, whose files every later Blender
 reads. The file is kept with the sources, since not every machine that packs the add-on has a
@@ -17,7 +17,7 @@ from pathlib import Path
 import bpy
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "addon")]
+sys.path[:0] = [str(ROOT / "assets"), str(ROOT / "addon")]
 
 from asset_groups import nodes  # noqa: E402  (the path comes first)
 from meander.scene.assets import MARK, VERSION  # noqa: E402
