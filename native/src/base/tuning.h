@@ -62,13 +62,13 @@ inline constexpr double kRest = 0.05, kTurn = 0.1;
 
 /// A node keeps a ball that was measured along the surface while it is no farther than the first of these from where
 /// that was, in r, and the straight ball differs from what it was by less than the second, as a share. It is measured again
-/// after so many iterations at the latest, what had to be searched for after the last. Measured: docs/medial_axis.md,
-/// "What it costs".
+/// after kBallIterations at the latest, what had to be searched for after kSearchedIterations. Measured:
+/// docs/decisions.md, "Kept balls".
 inline constexpr double kBallRest = 0.1, kBallChange = 0.1;
 inline constexpr uint32_t kBallIterations = 6, kSearchedIterations = 4;
 
-/// In so many iterations of the polish balls are not measured yet. 16 instead of 10 is within noise. Measured: the same
-/// place.
+/// The polish measures balls after this many iterations. 16 instead of 10 is within noise. Measured: docs/decisions.md,
+/// "What growth sees".
 inline constexpr uint32_t kUnmeasuredPolish = 16;
 
 /// Weight of the radius that a ball lacks at the boundary: 2, or 1 in gentle runs; below a share kVeryNear of the
