@@ -22,7 +22,7 @@ from pathlib import Path
 import bpy
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "scripts")]
+sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "docs" / "pictures")]
 
 import bake_picture  # noqa: E402
 import meander  # noqa: E402

@@ -31,13 +31,17 @@ sanitized=(env LD_PRELOAD="$(clang -print-file-name=libclang_rt.asan-x86_64.so) 
   ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 PYTHONMALLOC=malloc PYTHONDONTWRITEBYTECODE=1
   MEANDER_LIBRARY="$library")
 
-# That all of this sees anything: 256 bytes for 248 have to end the program. Much more might lie beyond all memory of
-# the heap, where the program ends without that being said.
+# That all of this sees anything: an array that is 8 bytes too short has to end the program. Much more might lie beyond
+# all memory of the heap, where the program ends without that being said.
 report=$("${sanitized[@]}" /usr/bin/python3 - "$library" 2>&1 <<'PYTHON' || true
 import ctypes
 import sys
 
-ctypes.CDLL(sys.argv[1]).meander_flow_options_init(ctypes.create_string_buffer(248), 256, 0)
+sys.path.insert(0, "addon")
+from meander.binding.abi import FlowOptionsRecord
+
+size = ctypes.sizeof(FlowOptionsRecord)
+ctypes.CDLL(sys.argv[1]).meander_flow_options_init(ctypes.create_string_buffer(size - 8), size, 0)
 PYTHON
 )
 if ! grep -q 'ERROR: AddressSanitizer: heap-buffer-overflow' <<<"$report"; then

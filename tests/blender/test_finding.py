@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from meander.model.remaining import in_words
-from meander.run import estimates
+from meander.run import estimates, live
 from meander.scene import flow_options, preferences
 from meander.scene.lengths import length_text
 from meander.ui import run_operators
@@ -127,6 +127,26 @@ def test_steps_and_threads_are_in_the_preferences(monkeypatch):
         bpy.context,
     )
     assert {"Most Steps", "Threads", "Points"} <= {text.text for text in layout.texts()}
+
+
+def test_live_begins_no_very_large_curve_where_nothing_is_kept(monkeypatch):
+    """As after a run without it, after Esc, and in a file that was opened."""
+    surface = grid()
+    result = fill(surface, 0.2)
+    before = [len(spline.points) for spline in result.data.splines]
+    activate(surface)
+    monkeypatch.setattr(run_operators, "is_large", lambda estimate: estimate.points > 20_000)
+    surface.meander.live, surface.meander.spacing = True, 0.001
+    assert bpy.ops.meander.live() == {"CANCELLED"}
+    assert "The curve would be very large" in " ".join(texts_of(MEANDER_PT_main))
+    assert [len(spline.points) for spline in result.data.splines] == before
+    surface.meander.spacing = 0.15
+    assert bpy.ops.meander.live() == {"FINISHED"}
+    # What is as large already goes on.
+    monkeypatch.setattr(run_operators, "is_large", lambda estimate: True)
+    live.drop()
+    surface.meander.spacing = 0.16
+    assert bpy.ops.meander.live() == {"FINISHED"}
 
 
 def test_a_spacing_that_live_refuses_leaves_a_note(monkeypatch):

@@ -123,6 +123,8 @@ def test_what_ships_is_not_removed(own_scripts):
     cube()
     remove = {"name": "Few Corners", "remove_name": True}
     assert bpy.ops.meander.add_preset(**remove) == {"CANCELLED"}
+    assert bpy.ops.meander.add_preset(name="Few Corners") == {"CANCELLED"}, "nor hidden by another"
+    assert not list(own_scripts.glob("*.py"))
     assert (presets.SHIPPED / "Few_Corners.py").is_file()
 
 

@@ -176,7 +176,8 @@ def faults() -> Iterator[float]:
     press_run()
     yield from until(ended, "the repaired mesh")
     yield 0.3
-    assert torn.meander.figures.mended == 2 and not torn.meander.problem.sentence
+    assert torn.meander.last_result.meander.figures.mended == 2
+    assert not torn.meander.problem.sentence
     activate("Torn")
     yield 0.3
     picture("6_repaired")

@@ -117,7 +117,11 @@ def drawing() -> Iterator[float]:
     yield from drag((x - 70, y + 40), (x + 70, y + 40))
     yield from until(lambda: len(curve.data.splines) == 2, "two strokes")
     yield from until(lambda: seed_preview.is_shown(surface()), "the strokes on the surface")
-    yield from until(strokes_are_orange, "both strokes in the picture")
+    tries = 0
+    while not strokes_are_orange():  # a picture takes a while to draw, and longer to be taken
+        tries += 1
+        assert tries < 20, "both strokes in the picture"
+        yield 1.0
     yield from drag((x, y - 90), (x, y + 90))
     yield from until(lambda: "cross" in drawing_panel_says(), "the refusal")
     yield 0.3

@@ -44,6 +44,8 @@ LOOK_INTERVAL, LOOK_SHARE = 0.2, 0.2
 STALE = 0.25
 # So long a full start is drawn, in seconds, as long as the run goes.
 DRAWN_IN = 2.0
+# Of what a run with Live on would not have begun by itself.
+VERY_LARGE = "The curve would be very large; fill the mesh again for that"
 
 
 def _leave_one(options: core.FlowOptions) -> None:
@@ -177,7 +179,7 @@ class Session:
                 depsgraph = home.evaluated_depsgraph_get()
                 wish = live.wish_of(active, self.plan, self.stepper.density, depsgraph)
             if wish is not None and self._grows_large(wish):
-                raise DataError("The curve would be very large; fill the mesh again for that")
+                raise DataError(VERY_LARGE)
         except (DataError, core.MeanderError) as error:
             wish, self.refusal, self.refused = None, str(error), Key(active)
         self._meaning = now

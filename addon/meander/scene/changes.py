@@ -8,7 +8,7 @@ what goes on from an earlier run compares the points as well.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -41,24 +41,30 @@ def uncounted() -> Iterator[None]:
         _counting = True
 
 
-def _count(depsgraph: Any, whole: bool) -> None:
-    """whole   count objects too of which everything is evaluated anew, their place as well"""
+def _count(depsgraph: Any, is_shape: Callable[[Any], bool]) -> None:
+    """is_shape   whether an object counts of which all is evaluated anew, its place as well"""
     if depsgraph is None or not _counts or not _counting:
         return
     for update in depsgraph.updates:
         if not update.is_updated_geometry or not isinstance(update.id, bpy.types.Object):
             continue
-        number = number_of(update.id.original)
-        if number in _counts and (whole or not update.is_updated_transform):
+        thing = update.id.original
+        number = number_of(thing)
+        if number in _counts and (not update.is_updated_transform or is_shape(thing)):
             _counts[number] += 1
 
 
 def on_update(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
     # Blender evaluates all of an object when a panel changes any setting of an add-on on it; and of
-    # what it has read back for an undo, whose shape may be another.
+    # one in Edit Mode when something is undone there, after which its shape is another.
     global _undone
-    _count(depsgraph, whole=_undoing or _undone)
+    undo = _undoing or _undone
+    _count(depsgraph, lambda thing: undo and thing.mode == "EDIT")
     _undone = False
+
+
+def on_frame(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
+    _count(depsgraph, lambda _thing: True)
 
 
 def on_undo_begin() -> None:
@@ -69,10 +75,6 @@ def on_undo_begin() -> None:
 def on_undo_end() -> None:
     global _undoing, _undone
     _undoing, _undone = False, True
-
-
-def on_frame(_scene: bpy.types.Scene, depsgraph: Any = None) -> None:
-    _count(depsgraph, whole=True)
 
 
 def on_load() -> None:

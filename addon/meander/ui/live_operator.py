@@ -14,7 +14,7 @@ from dataclasses import replace
 import bpy
 
 from .. import core
-from ..run import live, session
+from ..run import estimates, live, session
 from ..run.lasting import lasting
 from ..run.meaning import meaning_of
 from ..run.plan import Plan, plan_of
@@ -23,7 +23,7 @@ from ..scene.identity import number_of
 from ..scene.linked_settings import settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
-from .run_operators import MEANDER_OT_run, Watched, poll_run
+from .run_operators import MEANDER_OT_run, Watched, fits, poll_run
 
 # Of the timer, in seconds, while a curve grows and while none does.
 _GROWING, WAITING = 0.07, 0.15
@@ -53,13 +53,20 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
         return self._watch(context) if self._begin(context) else {"CANCELLED"}
 
     def _continued(self, context: bpy.types.Context, active: bpy.types.Object) -> Plan:
-        """A run from the points of the result of the active object, with that one's settings."""
+        """A run from the points of the result of the active object, with that one's settings.
+
+        Raises DataError for what makes a curve very large that is not.
+        """
         depsgraph = context.evaluated_depsgraph_get()
         result = last_result(active, context.scene) or active
         plan = plan_of(result, context.scene, depsgraph)
         wish = live.wish_of(active, plan, plan.problem.density, depsgraph)
         plan = replace(plan, from_surface=True)  # which leaves alone what is active
-        return wish.applied(plan) if wish is not None else plan
+        plan = wish.applied(plan) if wish is not None else plan
+        points = result.meander.figures.whole_points
+        if not fits(plan) and estimates.of_plan(plan).points > 2 * points:
+            raise DataError(session.VERY_LARGE)
+        return plan
 
     def _begin(self, context: bpy.types.Context) -> bool:
         """Whether something else is asked for than the curve is; the session then takes it."""

@@ -27,7 +27,8 @@ class _OnResult(OnOwnResult):
         _activate_surface(context, result)
         following.forget()
         count = len(collection.objects)
-        self.report({"INFO"}, f"{collection.name}: {count} objects; {result.name} is hidden")
+        frames = "1 object" if count == 1 else f"{count} objects"
+        self.report({"INFO"}, f"{collection.name}: {frames}; {result.name} is hidden")
         return {"FINISHED"}
 
 

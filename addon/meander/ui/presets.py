@@ -147,6 +147,9 @@ class MEANDER_OT_add_preset(AddPresetBase, bpy.types.Operator):
             if not own and (SHIPPED / file).is_file():
                 self.report({"WARNING"}, "The presets of the add-on cannot be removed")
                 return {"CANCELLED"}
+        elif (SHIPPED / f"{self.as_filename(self.name.strip())}.py").is_file():
+            self.report({"WARNING"}, "A preset of the add-on has this name; choose another")
+            return {"CANCELLED"}
         with lent(context.active_object, SETTINGS):
             return super().execute(context)
 

@@ -72,7 +72,7 @@ def poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
     return True
 
 
-def _fits(plan: Plan) -> bool:
+def fits(plan: Plan) -> bool:
     """Whether a run is small enough to begin without a question."""
     try:
         return not is_large(estimates.of_plan(plan))
@@ -114,7 +114,7 @@ class Watched:
         """A session that asks nobody whether a wish may be large: it refuses those that are."""
         notes.clear(plan.settings.find())
         created = session.Session(plan, run)
-        created.allows = _fits
+        created.allows = fits
         return created
 
     def _watch(self, context: bpy.types.Context) -> set[str]:
