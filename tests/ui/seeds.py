@@ -118,10 +118,12 @@ def drawing() -> Iterator[float]:
     yield from until(lambda: len(curve.data.splines) == 2, "two strokes")
     yield from until(lambda: seed_preview.is_shown(surface()), "the strokes on the surface")
     tries = 0
+    yield 0.3
     while not strokes_are_orange():  # a picture takes a while to draw, and longer to be taken
         tries += 1
         assert tries < 20, "both strokes in the picture"
         yield 1.0
+    step("a stroke that crosses another is said to, and undone")
     yield from drag((x, y - 90), (x, y + 90))
     yield from until(lambda: "cross" in drawing_panel_says(), "the refusal")
     yield 0.3
