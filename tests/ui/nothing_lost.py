@@ -130,6 +130,7 @@ def undo_during_a_run() -> Iterator[float]:
     key("RET")
     yield from until(ended, "the end after Enter")
     assert_nothing_left_over()
+    step("one undo takes the new curve back, and one redo brings it again")
     latter = splines_of(RESULT)
     assert latter != former
     for shift, expected in ((False, former), (True, latter), (False, former), (False, former)):

@@ -6,7 +6,6 @@ from __future__ import annotations
 import argparse
 import math
 import sys
-import traceback
 from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -19,14 +18,13 @@ from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.whole_files import FileError
 from . import cut, least_bend, limits, maps, mirror, preparation, target_length
-from .any_letters import print_any_letters
 from .arguments import check_arguments, parser
+from .exit_code import exit_code_of
 from .flags import flow_options
 from .grown import Grown, grown_of
 from .input import Input
 from .place import Place
 from .reading import read_input
-from .values import BadInput
 from .watching import interruptible, summary
 from .writing import echo, write_outputs
 
@@ -186,28 +184,11 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
 
 
 def main(argv: Sequence[str], place: Place) -> int:
-    """Runs the command and returns its exit code.
+    """Runs the command and returns its exit code; see exit_code.
 
     argv    the options
     place   where it runs
 
-    0 done, also when the iteration limit was reached (the report says so); 2 bad input, with one
-    sentence on stderr and every output file as it was; 1 a defect, with a traceback; 130
-    interrupted from the keyboard, with every output file as it was.
+    A run that has reached the iteration limit is done; the report says so.
     """
-    print_any_letters()
-    try:
-        _process(argv, place)
-    except (BadInput, core.MeanderError, FileError) as problem:
-        if getattr(problem, "status", None) == core.Status.INTERNAL:
-            traceback.print_exc()
-            return 1
-        print(f"meander: {' '.join(str(problem).split())}", file=sys.stderr, flush=True)
-        return 2
-    except KeyboardInterrupt:
-        print("meander: interrupted", file=sys.stderr, flush=True)
-        return 130
-    except Exception:
-        traceback.print_exc()
-        return 1
-    return 0
+    return exit_code_of(lambda: _process(argv, place))

@@ -7,17 +7,14 @@ import argparse
 import re
 import sys
 import time
-import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import bpy
 
-from .. import core
-from ..cli.any_letters import print_any_letters
+from ..cli.exit_code import exit_code_of
 from ..cli.values import BadInput, Parser, index, reader
 from ..model.camera_page import PAPERS, Page
-from ..model.whole_files import FileError
 from ..run.camera_drawing import CameraDrawing
 from ..run.stepper import Stepper
 from ..scene.camera_view import camera_page
@@ -89,19 +86,7 @@ def parser() -> Parser:
 
 def main(argv: Sequence[str]) -> int:
     """Runs the command and returns its exit code; see camera.py."""
-    print_any_letters()
-    try:
-        _draw(parser().parse_args(argv))
-    except (BadInput, DataError, core.MeanderError, FileError) as problem:
-        print(f"meander: {' '.join(str(problem).split())}", file=sys.stderr, flush=True)
-        return 2
-    except KeyboardInterrupt:
-        print("meander: interrupted", file=sys.stderr, flush=True)
-        return 130
-    except Exception:
-        traceback.print_exc()
-        return 1
-    return 0
+    return exit_code_of(lambda: _draw(parser().parse_args(argv)), DataError)
 
 
 def _draw(arguments: argparse.Namespace) -> None:

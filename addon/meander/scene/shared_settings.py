@@ -7,6 +7,9 @@ of the two is passed on to the other. A curve that was made earlier keeps its ow
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import bpy
 
 from .fillable import is_result
@@ -61,7 +64,7 @@ def _give(
         setattr(target, name, value)
 
 
-def watched(annotations: dict[str, object]) -> None:
+def watched(annotations: dict[str, Any]) -> None:
     """Has each of the declared properties passed on when it is changed, after what it does now."""
     for name, declared in annotations.items():
         if is_copied(name):
@@ -69,7 +72,7 @@ def watched(annotations: dict[str, object]) -> None:
             keywords["update"] = _passing_on(name, keywords.get("update"))
 
 
-def _passing_on(name: str, update: object) -> object:
+def _passing_on(name: str, update: Callable | None) -> Callable:
     def passing_on(settings: bpy.types.PropertyGroup, context: bpy.types.Context) -> None:
         if update is not None:
             update(settings, context)
