@@ -11,7 +11,7 @@ import pytest
 SOURCES = Path(__file__).resolve().parents[2] / "native" / "src"
 
 # In the order of the data; docs/architecture.md says what each is for.
-ROOMS = ("base", "mesh", "geodesic", "curve", "seed", "medial", "model", "flow", "api")
+ROOMS = ("base", "mesh", "geodesic", "curve", "seed", "medial", "model", "flow", "outputs", "api")
 # In quotes, or in angle brackets where what is named could be ours.
 OURS = "|".join((*ROOMS, "meander"))
 INCLUDE = re.compile(rf'^\s*#\s*include\s+(?:"([^"]+)"|<((?:{OURS})/[^>]+)>)', re.MULTILINE)
@@ -65,6 +65,7 @@ def test_no_header_includes_itself_by_others():
     [
         ("base/plane.h", "mesh/surface.h", "later room"),
         ("medial/gaps.cpp", "flow/flow.h", "later room"),
+        ("flow/flow.h", "outputs/cut_surface.h", "later room"),
         ("flow/job.h", "meander/meander.h", "later room"),
         ("mesh/fields.cpp", "surface.h", "names no room"),
         ("stray.h", "base/plane.h", "stands in no room"),
@@ -103,3 +104,10 @@ def test_the_picture_of_the_rooms_has_them_all_in_their_order() -> None:
     # The Python package comes first, and has a room of the same name as one of these.
     first = names.index(ROOMS[0])
     assert names[first : first + len(ROOMS)] == list(ROOMS)
+
+
+def test_the_page_of_the_rooms_has_them_all_in_their_order() -> None:
+    page = (SOURCES.parents[1] / "docs" / "architecture.md").read_text("utf-8")
+    (order,) = re.findall(r"^\| `native/src` \| ([^|]+) \|", page, re.MULTILINE)
+    assert re.findall(r"`(\w+)`", order) == list(ROOMS)
+    assert re.findall(r"^\| `native/src/(\w+)` \|", page, re.MULTILINE) == list(ROOMS)

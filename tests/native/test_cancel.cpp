@@ -14,13 +14,13 @@
 #include <thread>
 #include <vector>
 
+#include "api_results.h"
 #include "base/failure.h"
-#include "curve/cut_surface.h"
 #include "flow/flow.h"
 #include "mesh/closest_point.h"
 #include "mesh/fields.h"
 #include "mesh/normal_field.h"
-#include "api_results.h"
+#include "outputs/cut_surface.h"
 #include "test_seeds.h"
 #include "under_sanitizer.h"
 

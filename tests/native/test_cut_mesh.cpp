@@ -7,10 +7,10 @@
 
 #include "base/disjoint_sets.h"
 #include "curve/crossings.h"
-#include "curve/cut_mesh.h"
-#include "curve/line_fields.h"
-#include "curve/middle_lines.h"
 #include "geodesic_distance.h"
+#include "outputs/cut_mesh.h"
+#include "outputs/line_fields.h"
+#include "outputs/middle_lines.h"
 #include "test_curves.h"
 
 namespace meander::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Surfaces cut along the curve.
-#include "curve/cut_surface.h"
+#include "outputs/cut_surface.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/line_distance.h"
+#include "outputs/line_distance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,7 +3,7 @@
 // The lines halfway between turns of the curve, as edges of a cut mesh.
 #pragma once
 
-#include "curve/line_distance.h"
+#include "outputs/line_distance.h"
 
 namespace meander {
 

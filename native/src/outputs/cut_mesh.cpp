@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/cut_mesh.h"
+#include "outputs/cut_mesh.h"
 
 #include <algorithm>
 #include <cmath>

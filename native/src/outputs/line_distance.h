@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "curve/cut_mesh.h"
+#include "outputs/cut_mesh.h"
 
 namespace meander {
 

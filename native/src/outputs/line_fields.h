@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "curve/line_distance.h"
+#include "outputs/line_distance.h"
 
 namespace meander {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/middle_lines.h"
+#include "outputs/middle_lines.h"
 
 #include <algorithm>
 #include <utility>

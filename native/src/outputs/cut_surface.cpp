@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/cut_surface.h"
+#include "outputs/cut_surface.h"
 
-#include "curve/line_fields.h"
-#include "curve/middle_lines.h"
 #include "curve/polylines.h"
+#include "outputs/line_fields.h"
+#include "outputs/middle_lines.h"
 
 namespace meander {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/line_fields.h"
+#include "outputs/line_fields.h"
 
 #include "base/disjoint_sets.h"
 
