@@ -8,9 +8,9 @@
 #include <ctime>
 
 #include "curve/crossings.h"
-#include "curve/first_curve.h"
-#include "curve/regions.h"
 #include "medial/boundary_reach.h"
+#include "seed/first_curve.h"
+#include "seed/regions.h"
 #include "test_curves.h"
 
 namespace meander::test {

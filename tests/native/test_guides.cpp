@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/segment_distance.h"
-#include "curve/regions.h"
+#include "seed/regions.h"
 #include "test_seeds.h"
 
 namespace meander::test {

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "api/handles.h"
-#include "curve/seed.h"
 #include "mesh/vertex_data.h"
+#include "seed/seed.h"
 
 namespace meander {
 

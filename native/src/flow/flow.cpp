@@ -8,13 +8,13 @@
 #include "base/failure.h"
 #include "base/stopwatch.h"
 #include "curve/crossings.h"
-#include "curve/first_curve.h"
 #include "curve/polylines.h"
 #include "flow/clamped_nodes.h"
 #include "flow/free_nodes.h"
 #include "flow/invariant.h"
 #include "flow/progress.h"
 #include "flow/weighting.h"
+#include "seed/first_curve.h"
 #include "seed/full_start.h"
 
 namespace meander {

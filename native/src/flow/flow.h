@@ -10,7 +10,6 @@
 
 #include "base/thread_pool.h"
 #include "curve/retraction.h"
-#include "curve/seed.h"
 #include "flow/convergence.h"
 #include "flow/flow_state.h"
 #include "flow/run_record.h"
@@ -20,6 +19,7 @@
 #include "medial/gaps.h"
 #include "medial/medial_state.h"
 #include "model/strand_solver.h"
+#include "seed/seed.h"
 
 namespace meander {
 

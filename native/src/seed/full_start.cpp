@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "curve/crossings.h"
-#include "curve/guide_samples.h"
 #include "mesh/line_relaxation.h"
+#include "seed/guide_samples.h"
 #include "seed/line_tree.h"
 #include "seed/streamlines.h"
 #include "seed/tree_tour.h"

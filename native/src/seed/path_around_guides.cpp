@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/path_around_guides.h"
+#include "seed/path_around_guides.h"
 
 #include <algorithm>
 

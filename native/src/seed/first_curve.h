@@ -6,8 +6,8 @@
 #include "base/point_tree.h"
 #include "base/thread_pool.h"
 #include "curve/curve.h"
-#include "curve/seed.h"
 #include "mesh/radius_field.h"
+#include "seed/seed.h"
 
 namespace meander {
 

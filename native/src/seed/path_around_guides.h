@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "curve/guide_samples.h"
+#include "seed/guide_samples.h"
 
 namespace meander {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/first_curve.h"
+#include "seed/first_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@
 #include "base/failure.h"
 #include "base/tuning.h"
 #include "curve/crossings.h"
-#include "curve/regions.h"
 #include "geodesic/geodesic_trace.h"
 #include "mesh/radius_field.h"
+#include "seed/regions.h"
 
 namespace meander {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kInset = 0.02;  // keeps the outline of a face off its edges
 constexpr uint32_t kRays = 24;
 
 /// Where the first face has no room for a circle, this many other places are tried, at least half of its radius apart.
-constexpr size_t kPlaces = 64;
+constexpr size_t kOtherPlaces = 64;
 
 void add_node(Curve& curve, const SurfacePoint& p) {
   curve.nodes.push_back(p);
@@ -82,7 +82,7 @@ class Loops {
     std::vector<Vec3> tried;
     std::unordered_set<uint32_t> seen{middle.face};
     std::vector<uint32_t> faces{middle.face};  // breadth first
-    for (size_t k = 0; k < faces.size() && tried.size() < kPlaces; ++k) {
+    for (size_t k = 0; k < faces.size() && tried.size() < kOtherPlaces; ++k) {
       const uint32_t f = faces[k];
       const SurfacePoint here = k == 0 ? middle : make_point(f, 1, 1, 1);
       const Vec3 place = position(surface_, here);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/regions.h"
+#include "seed/regions.h"
 
 #include <limits>
 #include <numeric>
@@ -7,7 +7,7 @@
 #include <span>
 #include <unordered_map>
 
-#include "curve/guide_samples.h"
+#include "seed/guide_samples.h"
 
 namespace meander {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/guide_samples.h"
+#include "seed/guide_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/seed.h"
+#include "seed/seed.h"
 
 #include <algorithm>
 #include <string>
@@ -8,9 +8,9 @@
 #include "base/front_search.h"
 #include "base/tuning.h"
 #include "curve/crossings.h"
-#include "curve/path_around_guides.h"
 #include "mesh/closest_point.h"
 #include "mesh/radius_field.h"
+#include "seed/path_around_guides.h"
 
 namespace meander {
 namespace {
