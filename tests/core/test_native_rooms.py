@@ -52,8 +52,25 @@ def headers_in_a_circle(sources: Path) -> list[str]:
     return sorted(includes)
 
 
+def misplaced_constants(sources: Path) -> list[str]:
+    """One line for every constant that no room uses, or an earlier one than its own does first."""
+    wrong = []
+    files = {p: p.read_text(encoding="utf-8") for p in sources.rglob("*.[hc]*")}
+    for header in sorted(sources.glob("*/constants.h")):
+        for name in re.findall(r"\b(k[A-Z]\w*) = ", files[header]):
+            used = re.compile(rf"\btuning::{name}\b")
+            rooms = {p.parent.name for p, text in files.items() if used.search(text)}
+            if header.parent.name != min(rooms, key=ROOMS.index, default=None):
+                wrong.append(f"{header.relative_to(sources)} has {name} for {sorted(rooms)}")
+    return wrong
+
+
 def test_every_room_includes_only_what_stands_before_it():
     assert wrong_includes(SOURCES) == []
+
+
+def test_a_constant_stands_in_the_first_room_that_uses_it():
+    assert misplaced_constants(SOURCES) == []
 
 
 def test_no_header_includes_itself_by_others():
@@ -88,6 +105,16 @@ def test_angle_brackets_hide_nothing(tmp_path, include):
     path.write_text(f"#include <vector>\n#include <{include}>\n", encoding="utf-8")
     (found,) = wrong_includes(tmp_path)
     assert f"includes {include} from a later room" in found
+
+
+@pytest.mark.parametrize(("user", "rooms"), [(None, "[]"), ("model", "['model']")])
+def test_a_misplaced_constant_is_found(tmp_path, user, rooms):
+    (tmp_path / "flow").mkdir()
+    (tmp_path / "flow" / "constants.h").write_text("inline constexpr double kTurn = 2;\n")
+    if user:
+        (tmp_path / user).mkdir()
+        (tmp_path / user / "weights.cpp").write_text("double a = tuning::kTurn;\n")
+    assert misplaced_constants(tmp_path) == [f"flow/constants.h has kTurn for {rooms}"]
 
 
 def test_a_circle_is_found(tmp_path):

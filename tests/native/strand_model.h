@@ -7,7 +7,7 @@
 
 #include <Eigen/Dense>
 
-#include "base/tuning.h"
+#include "model/constants.h"
 #include "model/energy.h"
 #include "model/solve.h"
 #include "test_curves.h"

@@ -4,8 +4,8 @@
 // has moved or other settings are asked for.
 #include <gtest/gtest.h>
 
-#include "base/tuning.h"
 #include "curve/refinement.h"
+#include "flow/constants.h"
 #include "flow/convergence.h"
 #include "test_curves.h"
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "base/tuning.h"
 #include "curve/retraction.h"
+#include "medial/constants.h"
 #include "medial/frames.h"
 #include "test_curves.h"
 

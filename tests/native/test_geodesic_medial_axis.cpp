@@ -7,10 +7,10 @@
 #include <ostream>
 
 #include "api/flow_options.h"
-#include "base/tuning.h"
 #include "flow/flow.h"
 #include "geodesic_distance.h"
 #include "geodesic_reference.h"
+#include "medial/constants.h"
 #include "medial/geodesic_medial_axis.h"
 #include "test_curves.h"
 #include "thin_surfaces.h"

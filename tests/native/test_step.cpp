@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "base/tuning.h"
+#include "flow/constants.h"
 #include "flow/step.h"
 #include "test_curves.h"
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <memory>
 
-#include "base/tuning.h"
 #include "curve/curvature.h"
 #include "curve/hairpins.h"
+#include "flow/constants.h"
 #include "flow/weighting.h"
 #include "model/weights.h"
 #include "test_curves.h"

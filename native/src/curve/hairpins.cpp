@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/tuning.h"
+#include "curve/constants.h"
 #include "curve/curvature.h"
 
 namespace meander {

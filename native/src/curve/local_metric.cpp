@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/tuning.h"
+#include "curve/constants.h"
 
 namespace meander {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/elementary.h"
-#include "base/tuning.h"
+#include "flow/constants.h"
 #include "flow/free_nodes.h"
 
 namespace meander {

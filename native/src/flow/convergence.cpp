@@ -6,7 +6,7 @@
 
 #include "base/point_tree.h"
 #include "base/segment_distance.h"
-#include "base/tuning.h"
+#include "flow/constants.h"
 #include "flow/free_nodes.h"
 
 namespace meander {

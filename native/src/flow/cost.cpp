@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/elementary.h"
-#include "base/tuning.h"
+#include "flow/constants.h"
 #include "flow/plan.h"
 #include "mesh/roughness.h"
 

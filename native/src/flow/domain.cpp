@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "base/tuning.h"
+#include "flow/constants.h"
 
 namespace meander {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/tuning.h"
+#include "flow/constants.h"
 
 namespace meander {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/tuning.h"
+#include "flow/constants.h"
 
 namespace meander {
 

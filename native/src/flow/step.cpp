@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/tuning.h"
+#include "flow/constants.h"
 #include "model/solve.h"
 
 namespace meander {

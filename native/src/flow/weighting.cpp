@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/tuning.h"
 #include "curve/curvature.h"
 #include "curve/hairpins.h"
 #include "flow/clamped_nodes.h"
+#include "flow/constants.h"
 #include "model/smoothed_spacing.h"
 
 namespace meander {

@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "base/tuning.h"
 #include "geodesic/geodesic_trace.h"
+#include "medial/constants.h"
 
 namespace meander {
 namespace {

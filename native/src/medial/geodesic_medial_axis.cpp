@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/tuning.h"
+#include "medial/constants.h"
 #include "medial/geodesic_ball.h"
 
 namespace meander {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "base/tuning.h"
+#include "medial/constants.h"
 
 namespace meander {
 

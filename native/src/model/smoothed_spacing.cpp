@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/tuning.h"
+#include "model/constants.h"
 #include "model/solve.h"
 
 namespace meander {

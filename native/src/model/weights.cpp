@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
-#include "base/tuning.h"
+#include "model/constants.h"
 
 namespace meander {
 

@@ -10,10 +10,10 @@
 
 #include "base/elementary.h"
 #include "base/failure.h"
-#include "base/tuning.h"
 #include "curve/crossings.h"
 #include "geodesic/geodesic_trace.h"
 #include "mesh/radius_field.h"
+#include "seed/constants.h"
 #include "seed/regions.h"
 
 namespace meander {

@@ -6,10 +6,10 @@
 
 #include "base/failure.h"
 #include "base/front_search.h"
-#include "base/tuning.h"
 #include "curve/crossings.h"
 #include "mesh/closest_point.h"
 #include "mesh/radius_field.h"
+#include "seed/constants.h"
 #include "seed/path_around_guides.h"
 
 namespace meander {
