@@ -11,7 +11,7 @@
 #include "curve/refinement.h"
 #include "failing_allocations.h"
 #include "flow/flow.h"
-#include "flow/job.h"
+#include "outputs/job.h"
 #include "test_seeds.h"
 
 namespace meander::test {

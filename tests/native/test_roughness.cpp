@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "base/thread_pool.h"
-#include "curve/polylines.h"
 #include "flow/flow.h"
 #include "mesh/heat_flow.h"
 #include "mesh/roughness.h"
 #include "mesh/space_average.h"
 #include "mesh/surface_at_scale.h"
+#include "outputs/polylines.h"
 #include "test_curves.h"
 
 namespace meander::test {

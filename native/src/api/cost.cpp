@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a run is going to cost.
-#include "flow/cost.h"
+#include "outputs/cost.h"
 
 #include <cmath>
 

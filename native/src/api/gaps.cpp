@@ -5,7 +5,7 @@
 
 #include "api/caller_mesh.h"
 #include "api/results.h"
-#include "curve/polylines.h"
+#include "outputs/polylines.h"
 
 using namespace meander;
 

@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "flow/flow.h"
-#include "flow/job.h"
 #include "meander/meander.h"
 #include "mesh/mesh_preparation.h"
+#include "outputs/job.h"
 
 struct meander_context {
   std::shared_ptr<meander::RunControl> control = std::make_shared<meander::RunControl>();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Data of every point of the curve.
-#include "flow/point_data.h"
+#include "outputs/point_data.h"
 
 #include "api/results.h"
-#include "curve/polylines.h"
+#include "outputs/polylines.h"
 
 using namespace meander;
 

@@ -61,4 +61,19 @@ double Curve::growing_length() const {
   return sum;
 }
 
+double length_on(const Surface& surface, const Curve& curve) {
+  double length = 0;
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    if (!curve.has_segment(i)) continue;
+    Vec3 from = position(surface, curve.nodes[i]);
+    const auto go_to = [&](const Vec3& to) {
+      length += (to - from).norm();
+      from = to;
+    };
+    for (const Crossing& c : curve.paths[i]) go_to(position(surface, c));
+    go_to(position(surface, curve.nodes[curve.next(i)]));
+  }
+  return length;
+}
+
 }  // namespace meander

@@ -93,4 +93,7 @@ class Curve {
   std::vector<uint8_t> on_guide_;  // empty where there are no guides
 };
 
+/// The length of the same curve on a surface with other vertices, in its own unit: through the same points of its faces.
+double length_on(const Surface& surface, const Curve& curve);
+
 }  // namespace meander

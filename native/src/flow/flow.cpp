@@ -8,7 +8,6 @@
 #include "base/failure.h"
 #include "base/stopwatch.h"
 #include "curve/crossings.h"
-#include "curve/polylines.h"
 #include "flow/clamped_nodes.h"
 #include "flow/free_nodes.h"
 #include "flow/invariant.h"
@@ -319,7 +318,7 @@ std::vector<Gap> Flow::gaps(double least_size) {
 }
 
 double Flow::length() const {
-  return at_scale() ? polyline_length(surface(), state_.curve) : state_.curve.length();
+  return at_scale() ? length_on(surface(), state_.curve) : state_.curve.length();
 }
 
 Radii Flow::radii_of(uint32_t node) const {

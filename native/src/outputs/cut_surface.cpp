@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs/cut_surface.h"
 
-#include "curve/polylines.h"
 #include "outputs/line_fields.h"
 #include "outputs/middle_lines.h"
+#include "outputs/polylines.h"
 
 namespace meander {
 namespace {
 
-using Weights = std::array<double, 3>;
+using CornerWeights = std::array<double, 3>;
 
 /// What is done between two asks: less than a millisecond.
 constexpr uint32_t kPieces = 8192;
 /// Pieces that a vertex or face counts for which is put out.
 constexpr size_t kOutput = 16;
 
-Weights weights_at(Vec2 b) { return {1 - b.x - b.y, b.x, b.y}; }
+CornerWeights weights_at(Vec2 b) { return {1 - b.x - b.y, b.x, b.y}; }
 
 void put_vertices(const Surface& surface, const MeshMap* map, const CutMesh& mesh, const LineDistance& distance,
                   CutSurface& out, CancelPoll& poll) {
@@ -27,7 +27,7 @@ void put_vertices(const Surface& surface, const MeshMap* map, const CutMesh& mes
   for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     poll(kOutput);
     const CutMesh::Place& place = mesh.place(v);
-    const Weights w = weights_at(place.at);
+    const CornerWeights w = weights_at(place.at);
     out.positions.push_back(caller_point(surface, place.face, w));
     out.distances.push_back(distance.at(v).distance * surface.scale());
     out.vertex_faces.push_back(map ? map->face(place.face) : place.face);
@@ -57,8 +57,8 @@ void put_faces(const Surface& surface, const MeshMap* map, const CutMesh& mesh, 
     out.regions.push_back(line.region);
     out.sides.push_back(line.side);
     out.nearest_sides.push_back(line.nearest_side);
-    Weights along{}, distances{};
-    std::array<Weights, 3> corners{};
+    CornerWeights along{}, distances{};
+    std::array<CornerWeights, 3> corners{};
     for (uint32_t k = 0; k < 3; ++k) {
       along[k] = line.along[k] * surface.scale();
       distances[k] = line.distance[k] * surface.scale();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flow/job.h"
+#include "outputs/job.h"
 
 #include <algorithm>
 #include <new>

@@ -13,8 +13,8 @@
 #include <optional>
 #include <thread>
 
-#include "curve/polylines.h"
 #include "flow/flow.h"
+#include "outputs/polylines.h"
 
 namespace meander {
 

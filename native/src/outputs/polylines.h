@@ -30,9 +30,6 @@ std::array<double, 3> crossing_weights(const Crossing& c);
 /// The number of points of the polylines: nodes, and crossings of edges between them.
 size_t polyline_point_count(const Curve& curve);
 
-/// Their length on a surface, in its own unit.
-double polyline_length(const Surface& surface, const Curve& curve);
-
 /// A copy of the polylines, strands in the order of the seed's. Its memory is used again by the next copy.
 struct Polylines {
   std::vector<Vec3> positions;    ///< in the caller's units

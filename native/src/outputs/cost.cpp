@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flow/cost.h"
+#include "outputs/cost.h"
 
 #include <algorithm>
 #include <cmath>

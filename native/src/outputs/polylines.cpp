@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve/polylines.h"
+#include "outputs/polylines.h"
 
 #include <algorithm>
 
@@ -22,21 +22,6 @@ size_t polyline_point_count(const Curve& curve) {
   size_t points = curve.size();
   for (const Path& path : curve.paths) points += path.size();
   return points;
-}
-
-double polyline_length(const Surface& surface, const Curve& curve) {
-  double length = 0;
-  for (uint32_t i = 0; i < curve.size(); ++i) {
-    if (!curve.has_segment(i)) continue;
-    Vec3 from = position(surface, curve.nodes[i]);
-    const auto go_to = [&](const Vec3& to) {
-      length += (to - from).norm();
-      from = to;
-    };
-    for (const Crossing& c : curve.paths[i]) go_to(position(surface, c));
-    go_to(position(surface, curve.nodes[curve.next(i)]));
-  }
-  return length;
 }
 
 void Polylines::copy_from(const Surface& surface, const Curve& curve) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "flow/point_data.h"
+#include "outputs/point_data.h"
 
 #include <algorithm>
 
-#include "curve/polylines.h"
+#include "outputs/polylines.h"
 
 namespace meander {
 namespace {
