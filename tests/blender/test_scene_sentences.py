@@ -54,6 +54,7 @@ ELSEWHERE = {
     "so that its bridges cannot": ("test_strands.py", "its bridges cannot be taken out"),
     "has no camera; add": ("test_camera_drawing.py", "has no camera; add one"),
     "is no camera; make": ("test_camera_drawing.py", "is no camera; make a camera"),
+    "is in what this view layer": ("test_made_objects.py", "does not show; show 'Elsewhere'"),
     "takes panoramas": ("test_camera_drawing.py", "takes panoramas, which no page"),
     "cannot be turned into a mesh": ("", "no object with faces refuses it; Blender's own words"),
     "cannot be written by scripts before": ("", "Blender 3.4 alone says it, and 4.2 never"),

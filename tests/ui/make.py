@@ -95,6 +95,17 @@ def story() -> Iterator[float]:
     box = next(r for r in window_override()["area"].regions if r.type == "HUD")
     assert box.width > 100, "Adjust Last Operation is not shown"
 
+    step("its panel leads back to the curve")
+    assert not bpy.ops.meander.run.poll()
+    press("select_curve")
+    yield 0.7
+    picture("make_select_curve")
+    assert bpy.context.view_layer.objects.active == bpy.data.objects[RESULT]
+    assert not hidden(RESULT) and hidden(SURFACE)
+    assert changed_share("make_two_tone", "make_select_curve") > 0.05
+    yield from undo()
+    assert bpy.context.view_layer.objects.active == bpy.data.objects[made] and hidden(RESULT)
+
     step("undo takes it back, and redo brings it again")
     yield from undo()
     assert made not in bpy.data.objects

@@ -22,6 +22,7 @@ from ..scene.curve_writer import write_curve
 from ..scene.flow_options import keep_shape, options_of
 from ..scene.linked_settings import settings_of, settings_to_change
 from ..scene.look_modifier import modifier_of
+from ..scene.made_objects import name_curve
 from ..scene.profile import set_tilt_and_radius
 from ..scene.region import store_region
 from ..scene.settings import copy_settings
@@ -164,6 +165,7 @@ def _make_points(
         plan.matrix,
         look.radius_of(result) * mean_scale(plan.matrix),
     )
+    name_curve([result.meander.figures.points], result)
 
 
 def _named_by_other(points: bpy.types.Object, result: bpy.types.Object) -> bool:

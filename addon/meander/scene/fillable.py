@@ -7,6 +7,8 @@ from pathlib import Path
 
 import bpy
 
+from .made_objects import made_from
+
 # Types of which Blender always makes a mesh.
 _OF_FACES = frozenset({"MESH", "FONT", "SURFACE", "META"})
 
@@ -51,6 +53,12 @@ def why_not_this(thing: bpy.types.Object | None) -> str:
         return (
             f"'{thing.name}' shows instances; use Object > Apply > Make Instances Real, then fill "
             "the meshes"
+        )
+    curve = made_from(thing)
+    if curve is not None:
+        return (
+            f"'{thing.name}' was made from '{curve.name}'; press Select Curve, or Use as Surface "
+            "to fill it"
         )
     if is_result(thing):
         return f"The surface of '{thing.name}' is gone; choose a mesh to fill"

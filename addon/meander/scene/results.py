@@ -7,6 +7,7 @@ import bpy
 
 from .fillable import has_faces, is_result
 from .linked_settings import settings_of, settings_to_change
+from .made_objects import let_go
 
 
 def is_present(thing: bpy.types.Object | None) -> bool:
@@ -62,6 +63,7 @@ def forget_deleted(surface: bpy.types.Object) -> None:
     if found is None or is_present(found):
         return
     settings_to_change(surface).last_result = None
+    let_go(found)
     if found.users == 0 and found.library is None:
         data = found.data
         bpy.data.objects.remove(found)

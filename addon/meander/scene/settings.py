@@ -9,6 +9,7 @@ from __future__ import annotations
 import bpy
 
 from .fillable import has_faces, is_result
+from .made_objects import made_from
 
 # What belongs to one object: what it lies on, what its last run came to, and what it does now.
 _OWN = frozenset(
@@ -21,6 +22,7 @@ _OWN = frozenset(
         "follow",
         "bake",
         "last_result",
+        "made_from",
         "shown_profile",
         "shown_ends",
     }
@@ -80,7 +82,10 @@ def adopt(
 
 
 def surface_of(object: bpy.types.Object | None) -> bpy.types.Object | None:
-    """The surface that an object stands for: what has faces itself, or the surface of a result."""
+    """The surface that an object stands for: what has faces itself, or the surface of a result.
+
+    None for what was made from a curve: that is looked at, and rarely filled.
+    """
     if is_result(object):
         return object.meander.surface
-    return object if has_faces(object) else None
+    return object if has_faces(object) and made_from(object) is None else None

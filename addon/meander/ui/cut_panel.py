@@ -16,6 +16,7 @@ from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from ..scene.identity import Key
 from ..scene.look_modifier import set_value
+from ..scene.made_objects import name_curve
 from ..scene.solid_view import colour_corners, show_colours
 from ..scene.transforms import mean_scale
 from .on_result import NO_RESULT, OnResult
@@ -58,6 +59,7 @@ class Cut(OnResult):
             self.sides,
         )
         made = self.make(cut, f"{result.name} {self.suffix}")
+        name_curve(made, result)
         surface = result.meander.surface
         originals = (result, surface) if self.takes_place else (result,)
         _show(context, made, originals if self.hide else ())

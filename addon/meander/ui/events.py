@@ -22,7 +22,15 @@ from ..run import (
     session,
     suspended,
 )
-from ..scene import after_undo, changes, identity, linked_settings, look_material, solid_view
+from ..scene import (
+    after_undo,
+    changes,
+    identity,
+    linked_settings,
+    look_material,
+    made_objects,
+    solid_view,
+)
 from . import live_operator, seed_drawing
 
 # What is called at which event, in this order: first what other functions of the row look at.
@@ -46,7 +54,7 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         following.on_load,
         live_operator.forget,
     ),
-    "save_pre": (linked_settings.before_save, look_material.on_output),
+    "save_pre": (linked_settings.before_save, made_objects.before_save, look_material.on_output),
     "undo_pre": (changes.on_undo_begin, after_undo.begin),
     "undo_post": (*_READ_BACK, solid_view.give_back, *_UNDONE),
     "redo_pre": (changes.on_undo_begin, after_undo.begin),

@@ -17,6 +17,8 @@ _ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
         ("choose_settings", "Choose Settings of Linked Mesh", {}),
         ("propose_spacing", "", {}),
         ("show_gaps", "", {}),
+        ("select_curve", "", {}),
+        ("use_as_surface", "", {}),
         ("select_problem", "Show Faults", {}),
     ),
     (

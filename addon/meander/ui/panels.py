@@ -15,12 +15,14 @@ from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
 from ..scene.lengths import length_text
 from ..scene.linked_settings import can_be_changed, settings_of
+from ..scene.made_objects import made_from
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, rows, switch
 from .fill_buttons import draw_fill_buttons
 from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
+from .made_operators import draw_hidden, draw_made
 from .on_result import LINKED, is_linked
 from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation_panels import draw_faults
@@ -48,11 +50,14 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         if surface is not None:
             _draw_linked(layout, context.active_object)
             self._draw_settings(layout.column(), context.active_object, surface)
+        elif made_from(context.active_object) is not None:
+            draw_made(layout, made_from(context.active_object))
         elif running is None and surface_drawn_on(context.active_object) is None:
             notice(layout, why_not_this(context.active_object) or "Select a mesh to fill")
         if running is not None:
             self._draw_progress(layout, context, running)
         elif surface is not None:
+            draw_hidden(layout, context)
             self._draw_buttons(layout, context)
             draw_faults(layout, context)
 

@@ -10,6 +10,7 @@ from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
 from ..scene.fillable import is_result
 from ..scene.linked_settings import settings_of
+from ..scene.made_objects import name_curve
 from ..scene.surface_points import strands_of_result
 from ..scene.transforms import mean_scale
 from .camera_operator import MEANDER_OT_draw_camera
@@ -39,6 +40,7 @@ class _PointsToObject(OnResult):
         thing = point_attributes.make(
             self.kind, f"{result.name} Points", strands, surface, matrix, thickness
         )
+        name_curve([thing], result)
         count = sum(len(strand.points) for strand in strands)
         self.report({"INFO"}, f"{thing.name}: {count:,} points with attributes")
         if any(strand.radii is None for strand in strands):

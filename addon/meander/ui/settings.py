@@ -19,7 +19,7 @@ from bpy.props import (
 
 from ..scene import results
 from ..scene.curve_reader import has_strands
-from ..scene.fillable import has_faces
+from ..scene.fillable import has_faces, is_result
 from ..scene.linked_settings import owner_of
 from ..scene.shared_settings import watched
 from .alignment_settings import AlignmentSettings
@@ -37,6 +37,10 @@ def _is_surface(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) ->
 
 def _is_result(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
     return results.is_result_of(object, owner_of(settings))
+
+
+def _is_made_by_meander(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return is_result(object)
 
 
 def _is_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
@@ -155,6 +159,15 @@ class MeanderSettings(
             "Empty: a new one is made"
         ),
         poll=_is_result,
+        options=set(),
+    )
+    made_from: PointerProperty(
+        type=bpy.types.Object,
+        name="Made From",
+        description=(
+            "The curve that this object was made from, as by Two-Tone. Empty: it can be filled"
+        ),
+        poll=_is_made_by_meander,
         options=set(),
     )
     seed: PointerProperty(

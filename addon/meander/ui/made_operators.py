@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The way from what was made from a curve back to it: what the panel says of both."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..run import session
+from ..scene.made_objects import bring_into_view, made_from
+from ..scene.results import shown_result
+from .refusing import refusing
+from .sidebar import notice
+
+
+def _curve_behind(context: bpy.types.Context) -> bpy.types.Object | None:
+    """The curve that the active object was made from, or that lies on it, or that it is."""
+    active = context.active_object
+    return made_from(active) or shown_result(active, context.scene)
+
+
+class MEANDER_OT_select_curve(bpy.types.Operator):
+    """Show the curve that this object was made from, or that lies on this mesh, and make it
+    active"""
+
+    bl_idname = "meander.select_curve"
+    bl_label = "Select Curve"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif _curve_behind(context) is None:
+            cls.poll_message_set("Choose a mesh with a curve, or what was made from one")
+        elif context.mode != "OBJECT":
+            cls.poll_message_set("Works in Object Mode")
+        else:
+            return True
+        return False
+
+    @refusing
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        bring_into_view(_curve_behind(context), context)
+        return {"FINISHED"}
+
+
+class MEANDER_OT_use_as_surface(bpy.types.Operator):
+    """Let this object be filled like any other mesh. It forgets the curve that it was made from"""
+
+    bl_idname = "meander.use_as_surface"
+    bl_label = "Use as Surface"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if made_from(active) is None:
+            cls.poll_message_set("Choose what was made from a curve")
+        elif active.library is not None:
+            cls.poll_message_set("The object is linked from another file")
+        else:
+            return True
+        return False
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        context.active_object.meander.made_from = None
+        return {"FINISHED"}
+
+
+def draw_made(layout: bpy.types.UILayout, curve: bpy.types.Object) -> None:
+    """What stands in the panel for an object that was made from a curve."""
+    notice(layout, f"Made from {curve.name}", "OUTLINER_OB_CURVE")
+    row = layout.row()
+    row.scale_y = 1.4
+    row.operator(MEANDER_OT_select_curve.bl_idname, icon="RESTRICT_SELECT_OFF")
+    layout.operator(MEANDER_OT_use_as_surface.bl_idname, icon="MESH_DATA")
+
+
+def draw_hidden(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """That the curve which the buttons would change is not seen; a bake says so by itself."""
+    result = shown_result(context.active_object, context.scene)
+    if result is None or result.meander.bake is not None or result.visible_get():
+        return
+    column = layout.column(align=True)
+    column.label(text="Curve is hidden", icon="HIDE_ON")
+    column.operator(MEANDER_OT_select_curve.bl_idname, icon="RESTRICT_SELECT_OFF")
+
+
+_CLASSES = (MEANDER_OT_select_curve, MEANDER_OT_use_as_surface)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)
