@@ -78,6 +78,7 @@ def test_a_drawing_that_crosses_itself_says_so(tmp_path: Path, capsys) -> None:
     assert drawing["crossings"] > 50 and len(drawing["crossing_places"]) == 20
     assert f"crosses itself at {drawing['crossings']:,} places" in said
     assert_sentence(said.strip())
+    assert "leave out what is hidden by Visible Only (--visible-only)" in said
 
 
 def test_a_flat_surface_has_a_drawing_without_crossings(tmp_path: Path, capsys) -> None:

@@ -217,7 +217,10 @@ def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:
     if values["layout_as"] == "uv":
         what = "its UV map has parts on top of each other; pack the islands of the map"
     elif not values["visible_only"]:
-        what = "one layer of the surface lies before another; leave out what is hidden"
+        what = (
+            "one layer of the surface lies before another; leave out what is hidden by Visible "
+            "Only (--visible-only)"
+        )
     elif kind.name in ("DST", "PES"):
         what = "stitches cut corners; choose a smaller stitch tolerance"
     else:
