@@ -7,12 +7,30 @@ import bpy
 import numpy as np
 import pytest
 from meander.scene.results import last_result
-from meander.ui.panels import MEANDER_PT_figures
+from meander.ui.look_panel import MEANDER_PT_look
+from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
 from panel_layout import drawn
-from scenes import activate, counts, fill, length_of, sphere, world_splines
+from scenes import (
+    activate,
+    circle_points,
+    counts,
+    fill,
+    length_of,
+    poly_curve,
+    sphere,
+    world_splines,
+)
 from watched_runs import begin, tick_until
 
 QUICK = {"spacing": 0.5, "iteration_limit": 20}
+
+
+def texts_of(panel: type[bpy.types.Panel]) -> list[str]:
+    return [text.text for text in drawn(panel, bpy.context).texts()]
+
+
+def texts_of_main() -> list[str]:
+    return texts_of(MEANDER_PT_main)
 
 
 def run_again(surface: bpy.types.Object, spacing: float, **options) -> bpy.types.Object | None:
@@ -62,6 +80,85 @@ def test_a_new_curve_leaves_the_one_before_it():
     assert np.array_equal(world_splines(first)[0][0], former)
     assert run_again(surface, 0.3) == second
     assert np.array_equal(world_splines(first)[0][0], former)
+
+
+def test_a_new_curve_can_be_made_with_a_curve_active():
+    surface = sphere()
+    first = fill(surface, **QUICK)
+    assert bpy.context.active_object == first and "New Curve" in texts_of_main()
+    former = world_splines(first)[0][0]
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    second = bpy.context.active_object
+    assert second != first and second.meander.surface == surface
+    assert last_result(surface, bpy.context.scene) == second
+    assert np.array_equal(world_splines(first)[0][0], former)
+    # An earlier curve gives its own settings, which its panel shows, and keeps them and its line.
+    second.meander.spacing, second.meander.density_source = 0.3, "CURVATURE"
+    activate(first)
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    third = bpy.context.active_object
+    assert third not in (first, second)
+    assert third.meander.spacing == pytest.approx(QUICK["spacing"])
+    assert third.meander.density_source == "GROUP" == surface.meander.density_source
+    assert surface.meander.spacing == third.meander.spacing
+    assert length_of(third) == pytest.approx(length_of(first), rel=0.1), "it begins from its seed"
+    assert second.meander.spacing == pytest.approx(0.3)
+    assert np.array_equal(world_splines(first)[0][0], former)
+
+
+def test_a_new_curve_begins_from_the_seed_that_the_active_curve_began_from():
+    surface = sphere()
+    surface.meander.seed = poly_curve("Ring", [circle_points(0.8, 0.6)], True)
+    first = fill(surface, **QUICK)
+    assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
+    second = bpy.context.active_object
+    assert second != first and second.name.startswith("Ring Meander")
+    assert np.array_equal(world_splines(second)[0][0], world_splines(first)[0][0])
+
+
+def delete(thing: bpy.types.Object) -> None:
+    activate(thing)
+    bpy.ops.object.delete()
+
+
+def test_where_the_newest_curve_is_deleted_the_one_before_it_is_updated():
+    surface = sphere()
+    surface.name = "Ball"
+    curves = [fill(surface, **QUICK)]
+    for spacing in (0.4, 0.3):
+        curves.append(run_again(surface, spacing, beside=True))
+    # The last that was run counts, whatever its name.
+    activate(curves[0])
+    assert bpy.ops.meander.run(restart=True) == {"FINISHED"}
+    curves = [curves[1], curves[2], curves[0]]
+    curves[0].name, curves[1].name = "Z", "A"
+    for left in (2, 1):
+        delete(curves[left])
+        activate(surface)
+        before = curves[left - 1]
+        assert last_result(surface, bpy.context.scene) == before
+        assert figures_shown() and "New Curve" in texts_of_main()
+        # Either's settings are the other's, from the next choice on.
+        surface.meander.spacing = 0.35
+        assert before.meander.spacing == pytest.approx(0.35)
+        before.meander.spacing = 0.45
+        assert surface.meander.spacing == pytest.approx(0.45)
+    assert run_again(surface, 0.5) == curves[0] and surface.meander.last_result == curves[0]
+    delete(curves[0])
+    activate(surface)
+    assert last_result(surface, bpy.context.scene) is None and not figures_shown()
+
+
+def test_the_look_names_the_curve_that_is_left():
+    surface = sphere()
+    first = fill(surface, **QUICK)
+    second = run_again(surface, 0.4, beside=True)
+    first.name, second.name = "First", "Second"
+    activate(surface)
+    assert "First" not in texts_of(MEANDER_PT_look)
+    delete(second)
+    activate(surface)
+    assert "First" in texts_of(MEANDER_PT_look)
 
 
 def test_the_last_result_is_found_after_undo_and_in_a_file(tmp_path):

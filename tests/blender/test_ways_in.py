@@ -240,10 +240,10 @@ def test_the_menu_has_every_operator():
     surface = cube()
     assert texts_of_run() == [(None, {})]
     result = fill(surface, 0.5)
-    assert texts_of_run() == [("Continue", {}), ("Fill Again", {"restart": True})]
+    new = ("New Curve", {"beside": True})
+    assert texts_of_run() == [("Continue", {}), ("Fill Again", {"restart": True}), new]
     activate(surface)
-    again = [("Fill Again", {}), ("New Curve", {"beside": True})]
-    assert texts_of_run() == again
+    assert texts_of_run() == [("Fill Again", {}), new]
     assert result.meander.surface == surface
 
 

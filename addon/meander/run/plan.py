@@ -70,7 +70,7 @@ def plan_run(context: bpy.types.Context, restart: bool = False, beside: bool = F
     """Reads the scene for a run on the active object: a mesh, or a result to go on with.
 
     restart   start a result from the seed again, not from its own splines
-    beside    of a mesh: make a new result beside those that it has, instead of updating the last
+    beside    make a new result beside those that the mesh has, instead of updating one
 
     Raises DataError or core.MeanderError with a sentence for what cannot be used.
     """
@@ -103,7 +103,8 @@ def plan_of(
     density = density_of(choice, surface, depsgraph, spacing / 2.0)
     alignment = alignment_of(settings)
     directions = directions_of(alignment, surface, depsgraph, spacing / 2.0)
-    parts, materials = scene_strands.parts_of(active, depsgraph, restart)
+    from_surface = active is surface or beside
+    parts, materials = scene_strands.parts_of(active, depsgraph, restart or beside)
     most = 0.0
     if any(part.drawn for part in parts):
         most = strands.max_distance_of(vertices)
@@ -113,10 +114,10 @@ def plan_of(
     prepared = _prepared(vertices, spacing / 2.0, region, settings, surface, depsgraph)
     options = options_of(settings, spacing)
     options.alignment_weight = alignment.weight if directions is not None else 0.0
-    outline = _outline_distance(active, surface, options, restart)
-    earlier = active
-    if active is surface:
-        earlier = None if beside else results.last_result(surface, scene)
+    outline = _outline_distance(active, options, from_surface or restart)
+    earlier = results.last_result(surface, scene) if from_surface else active
+    if beside:
+        earlier = None
     least_bend = float(f"{settings.least_bend_radius:.6g}")
     problem = Problem(
         vertices, faces, options, seed, density, prepared, directions, alignment.kind, outline,
@@ -133,7 +134,7 @@ def plan_of(
         surface=Key(surface),
         settings=Key(active),
         result=Key(earlier) if earlier is not None else None,
-        from_surface=active is surface,
+        from_surface=from_surface,
         matrix=matrix,
         spacing=spacing,
         look=_look_of(settings),
@@ -186,22 +187,19 @@ def _look_of(settings: bpy.types.PropertyGroup) -> Look:
 
 
 def _outline_distance(
-    active: bpy.types.Object,
-    surface: bpy.types.Object,
-    options: core.FlowOptions,
-    restart: bool,
+    active: bpy.types.Object, options: core.FlowOptions, from_seed: bool
 ) -> float:
     """How far from the border a run lays outlines; 0: it lays none."""
-    if not settings_of(active).use_outline or not _wants_outline(active, surface, restart):
+    if not settings_of(active).use_outline or not (from_seed or _lays_outline_again(active)):
         return 0.0
     if options.boundary_distance < 0.1:
         raise DataError("An outline needs a border distance of 0.1 or more; raise it")
     return options.boundary_distance * 2.0 * options.radius
 
 
-def _wants_outline(active: bpy.types.Object, surface: bpy.types.Object, restart: bool) -> bool:
-    """Whether a run lays the outline: a result that has kept its own goes on with that."""
-    if active is surface or restart or not active.meander.figures.guides:
+def _lays_outline_again(active: bpy.types.Object) -> bool:
+    """Whether a result that goes on gets an outline: where it has its own it goes on with that."""
+    if not active.meander.figures.guides:
         return True
     if active.meander.guides is not None or active.meander.guide_collection is not None:
         raise DataError(

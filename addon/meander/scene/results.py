@@ -30,10 +30,26 @@ def last_result(
     """
     if not has_faces(surface):
         return None
-    found = settings_of(surface).last_result
+    found = updated_next(surface)
     if not is_result_of(found, surface) or scene not in found.users_scene[:]:
         return None
     return found if found.library is None and found.data.library is None else None
+
+
+def updated_next(surface: bpy.types.Object) -> bpy.types.Object | None:
+    """The curve that a surface names as its last result; where the user has deleted that one, the
+    one of those left that a run has updated last.
+    """
+    found = settings_of(surface).last_result
+    if found is None or is_present(found):
+        return found
+    left = [
+        thing
+        for scene in surface.users_scene
+        for thing in scene.objects
+        if is_result_of(thing, surface) and thing.library is None and thing.data.library is None
+    ]
+    return max(left, key=lambda thing: thing.meander.figures.run_number, default=None)
 
 
 def shown_result(
@@ -52,6 +68,12 @@ def made_spacing(result: bpy.types.Object) -> float:
 def remember(result: bpy.types.Object, surface: bpy.types.Object) -> None:
     """Makes a curve the one that filling its surface again updates."""
     settings_to_change(surface).last_result = result
+    of_others = (
+        thing.meander.figures.run_number
+        for thing in bpy.data.objects
+        if thing != result and is_result_of(thing, surface)
+    )
+    result.meander.figures.run_number = 1 + max(of_others, default=0)
 
 
 def forget_deleted(surface: bpy.types.Object) -> None:

@@ -15,7 +15,7 @@ import bpy
 from .fillable import is_result
 from .linked_settings import is_from_file, owner_of, settings_of
 from .region import is_region
-from .results import is_present, is_result_of
+from .results import is_present, is_result_of, updated_next
 from .settings import copied, is_copied
 
 # What names the part that is filled; a region of Edit Mode is that of its curve alone.
@@ -31,10 +31,10 @@ def partner_of(settings: bpy.types.PropertyGroup) -> bpy.types.PropertyGroup | N
         return None
     if is_result(thing):
         surface = settings.surface
-        if surface is None or settings_of(surface).last_result != thing:
+        if surface is None or updated_next(surface) != thing:
             return None
         return settings_of(surface)
-    result = settings.last_result
+    result = updated_next(thing)
     if not is_result_of(result, thing) or not is_present(result) or is_from_file(result):
         return None
     return result.meander

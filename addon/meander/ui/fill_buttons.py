@@ -30,6 +30,7 @@ def draw_fill_buttons(layout: bpy.types.UILayout, context: bpy.types.Context) ->
         layout.operator(run, text="Fill Again", icon="FILE_REFRESH").restart = True
     elif last_result(active, context.scene) is None:
         layout.operator(run, icon="PLAY")
+        return
     else:
         layout.operator(run, text="Fill Again", icon="FILE_REFRESH")
-        layout.operator(run, text="New Curve", icon="ADD").beside = True
+    layout.operator(run, text="New Curve", icon="ADD").beside = True

@@ -59,7 +59,11 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
         if result is not active:
             whole = layout.row()  # its name has all the room
             whole.use_property_split = False
-            whole.prop(settings_of(active), "last_result", text="", icon="CURVE_DATA")
+            settings = settings_of(active)
+            if settings.last_result == result:
+                whole.prop(settings, "last_result", text="", icon="CURVE_DATA")
+            else:  # the one that it names has been deleted
+                whole.label(text=result.name, icon="CURVE_DATA")
         modifier = look_modifier.modifier_of(result)
         if modifier is None:
             _draw_bevel(layout, result)

@@ -197,7 +197,7 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
     )
     beside: BoolProperty(
         name="New Curve",
-        description="Make another curve on a mesh, instead of updating the last one",
+        description="Make another curve on the mesh, instead of updating one",
         default=False,
         options={"HIDDEN", "SKIP_SAVE"},
     )
@@ -216,7 +216,7 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
     def description(cls, context: bpy.types.Context, options: Any) -> str:
         active = context.active_object
         if options.beside:
-            return "Fill the mesh with another curve; leaves the curve that it has as it is"
+            return "Fill the mesh with another curve; leaves the curves that it has as they are"
         if options.restart or last_result(active, context.scene) is not None:
             return (
                 "Fill the surface from its seed again; keeps the looks, materials and modifiers "

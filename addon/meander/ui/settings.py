@@ -78,6 +78,7 @@ class MeanderFigures(bpy.types.PropertyGroup):
     )
     spacing_median: FloatProperty(name="Median Spacing", unit="LENGTH", options=set())
     seconds: FloatProperty(name="Seconds", options=set())
+    run_number: IntProperty(name="Run", description="Among those on its surface", options=set())
     empty_parts: IntProperty(name="Empty Parts", options=set())
     # On results only: which of their splines are guides.
     strands: IntProperty(name="Strands", options=set())
