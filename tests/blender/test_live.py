@@ -8,8 +8,10 @@ from collections.abc import Iterator
 import bpy
 import numpy as np
 import pytest
-from meander.run import live, session, suspended
+from meander.model.remaining import in_words
+from meander.run import estimates, live, session, suspended
 from meander.run.lasting import lasting
+from meander.run.plan import Plan
 from scenes import activate, counts, fill, grid, sphere
 from watched_runs import begin, tick_until
 
@@ -154,6 +156,50 @@ def test_a_run_takes_spacing_and_paint_while_it_goes():
     assert figures["spacing_target"] == pytest.approx(0.4)
     assert result.meander.spacing == pytest.approx(0.4)
     assert figures["stop_reason"] == "converged"
+
+
+def seconds_of(plan: Plan) -> float:
+    return estimates.of_plan(plan).seconds
+
+
+@pytest.mark.usefixtures("windowed")
+def test_the_time_left_is_there_at_once_for_what_live_asks():
+    surface = sphere()
+    surface.meander.live = True
+    running = begin(surface, 0.05)
+    assert running.left_text() == in_words(seconds_of(running.plan)), "nobody has measured it yet"
+    tick_until(running, lambda: running.latest and running.latest.iterations > 3)
+    surface.meander.spacing = 0.01
+    tick_until(running, lambda: running.plan.spacing == pytest.approx(0.01))
+    assert running.left_text() == in_words(seconds_of(running.plan))
+    assert running.left_text() != in_words(0.0)
+    # A run that goes on has the rest of it before it.
+    while running.progress() < 0.02:
+        assert running.tick(bpy.context)
+    running.suspend()
+    kept = suspended.run_of(surface)
+    assert kept is not None and kept.latest.progress >= 0.02
+    resumed = session.Session(kept.plan, kept)
+    resumed.start(bpy.context)
+    left = seconds_of(kept.plan) * (1.0 - kept.latest.progress)
+    assert resumed.left_text() == in_words(left)
+    resumed.end()
+
+
+@pytest.mark.usefixtures("windowed")
+def test_the_time_left_is_there_at_once_where_a_finished_curve_goes_on():
+    surface = sphere()
+    fill(surface, spacing=SPACING, live=True)
+    activate(surface)
+    surface.meander.spacing = 0.01
+    kept = live.taken(surface, bpy.context.evaluated_depsgraph_get())
+    running = session.Session(kept.plan, kept)
+    assert running.find_wish(bpy.context, surface)
+    running.start(bpy.context)
+    assert running.tick(bpy.context)
+    assert running.plan.spacing == pytest.approx(0.01)
+    assert running.left_text() == in_words(seconds_of(running.plan)) != in_words(0.0)
+    running.end()
 
 
 @pytest.mark.usefixtures("windowed")

@@ -14,7 +14,7 @@ import pytest
 from meander import batch, core
 from meander.cli.values import BadInput
 from meander.headless import scene_output
-from meander.run import cutting, followers, live
+from meander.run import cutting, estimates, followers, live
 from meander.run.plan import plan_run
 from meander.scene import point_attributes
 from meander.scene.errors import DataError
@@ -106,7 +106,8 @@ def of_growing(said: Said) -> None:
 def of_live(said: Said) -> None:
     surface = cube()
     running = begin(surface, 0.5)
-    running.allows = lambda plan: plan.spacing > 0.2
+    most = 2 * estimates.of_plan(running.plan).points
+    running.is_large = lambda estimate: estimate.points > most
     surface.meander.live, surface.meander.spacing = True, 0.1
     assert not running.find_wish(bpy.context, surface)
     said.lines.append(running.refusal)

@@ -19,6 +19,7 @@ import bpy
 
 from .. import core
 from ..model import bridges, strands
+from ..model.estimate import Estimate
 from ..model.remaining import Remaining, in_words, told
 from ..scene.errors import DataError
 from ..scene.identity import Key, number_of
@@ -55,6 +56,14 @@ def _leave_one(options: core.FlowOptions) -> None:
         options.threads = processors - 1
 
 
+def _estimate_of(plan: Plan) -> Estimate | None:
+    """What a run comes to; None where it will report why not."""
+    try:
+        return estimates.of_plan(plan)
+    except core.MeanderError:
+        return None
+
+
 class Session:
     """A run from its plan to its end.
 
@@ -74,8 +83,7 @@ class Session:
             self.plan, self.stepper = suspended_run.plan, suspended_run.stepper
             self.latest = suspended_run.latest
             self._meaning = suspended_run.meaning
-        began = suspended_run is None
-        self._remaining = Remaining(estimates.expected(plan.settings.find()) if began else None)
+        self._remaining = Remaining()
         self._shown = True  # whether the view has what is in `latest`
         # A curve that fills the surface from its start is drawn strand by strand, as with a pen:
         # whether it still is, and since when.
@@ -91,10 +99,11 @@ class Session:
         # What was asked for while the run was going, until the flow has taken it; what the settings
         # of each object meant when they were looked at last; when they are looked at next.
         self._wish: live.Wish | None = None
+        self._wished: Estimate | None = None  # what the run comes to with it
         self._seen = {number_of(plan.settings.find()): self._meaning}
         self._next_look = 0.0
         self.whole = suspended_run is None  # all of it was one run, to tell how long runs take
-        self.allows: Callable[[Plan], bool] = lambda _plan: True  # a run as large as this
+        self.is_large: Callable[[Estimate], bool] = lambda _run: False  # one to be asked about
         # Why the last wish was refused, a sentence, and whose it was, for whoever reports it.
         self.refusal, self.refused = "", plan.settings
         self.ticked = 0.0  # when, by time.perf_counter()
@@ -108,8 +117,17 @@ class Session:
         self._preview = Preview(self.plan, context.scene)
         self._window = Window(context)
         _leave_one(self.plan.problem.options)
+        self._remaining = Remaining(self._expected())
         self.stepper.start()
         self._polled = time.perf_counter()
+
+    def _expected(self) -> float | None:
+        """The seconds that the run is thought to take; what goes on has the rest before it."""
+        seconds = estimates.expected(self.plan.settings.find())
+        if seconds is None:
+            estimate = _estimate_of(self.plan)
+            seconds = None if estimate is None else estimate.seconds
+        return None if seconds is None else seconds * (1.0 - self.progress())
 
     def _take_the_place(self) -> None:
         """A run that begins takes the place of the one before it, and of what is drawn."""
@@ -178,7 +196,8 @@ class Session:
             with self.plan.home.entered(context, self.plan.surface.find()) as home:
                 depsgraph = home.evaluated_depsgraph_get()
                 wish = live.wish_of(active, self.plan, self.stepper.density, depsgraph)
-            if wish is not None and self._grows_large(wish):
+            self._wished = None if wish is None else _estimate_of(wish.applied(self.plan))
+            if self._grows_large():
                 raise DataError(VERY_LARGE)
         except (DataError, core.MeanderError) as error:
             wish, self.refusal, self.refused = None, str(error), Key(active)
@@ -188,9 +207,12 @@ class Session:
         self._next_look = end + max(LOOK_INTERVAL, (end - begin) / LOOK_SHARE)
         return wish is not None
 
-    def _grows_large(self, wish: live.Wish) -> bool:
+    def _grows_large(self) -> bool:
         """Whether a wish makes a run large that was not: whoever began a large one, meant it."""
-        return not self.allows(wish.applied(self.plan)) and self.allows(self.plan)
+        if self._wished is None or not self.is_large(self._wished):
+            return False
+        now = _estimate_of(self.plan)
+        return now is None or not self.is_large(now)
 
     def _take_wishes(self, context: bpy.types.Context) -> None:
         """Has the run take what was asked for meanwhile: it ends, changes, and goes on."""
@@ -210,7 +232,7 @@ class Session:
         if self.stepper.failed:
             return
         self._apply(wish)
-        self._remaining = Remaining()
+        self._remaining = Remaining(None if self._wished is None else self._wished.seconds)
         self.stepper.start()
 
     def _apply(self, wish: live.Wish) -> None:

@@ -114,7 +114,7 @@ class Watched:
         """A session that asks nobody whether a wish may be large: it refuses those that are."""
         notes.clear(plan.settings.find())
         created = session.Session(plan, run)
-        created.allows = fits
+        created.is_large = is_large
         return created
 
     def _watch(self, context: bpy.types.Context) -> set[str]:
