@@ -202,7 +202,7 @@ def test_panel_while_running(monkeypatch):
     plan = plan_run(bpy.context)
     monkeypatch.setattr(lasting, "session", session.Session(plan))
     shown = draw(panels.MEANDER_PT_main)
-    assert "Stop" in shown and "Fill with Curve" not in shown
+    assert "Stop Filling" in shown and "Fill with Curve" not in shown
     assert not bpy.ops.meander.run.poll()
     assert bpy.ops.meander.stop.poll()
 
@@ -244,7 +244,7 @@ def test_three_verbs_say_what_they_keep(windowed):
     # A run that was ended goes on, in the place of one that would begin anew from the same curve.
     shown = draw(panels.MEANDER_PT_main)
     buttons = [text for text in shown if text.startswith(("Continue", "Fill", "New"))]
-    assert buttons[0].startswith("Continue at ") and buttons[1:] == ["Fill Again"]
+    assert buttons[0].startswith("Continue at ") and buttons[1:] == ["Fill Again", "New Curve"]
 
 
 def test_panel_says_what_to_expect():

@@ -98,7 +98,7 @@ def test_export_writes_files_and_make_makes_objects():
     assert {"Light Result", "Tolerance", "Points As"} <= set(texts_of(MEANDER_PT_make))
     assert "Relief" not in texts_of(MEANDER_PT_make)
     fill(surface, 0.4)
-    assert texts_of(MEANDER_PT_points) == ["Export Curve", "Images", "Draw from Camera"]
+    assert texts_of(MEANDER_PT_points) == ["Export Curve", "Write Images", "Draw from Camera"]
     assert {"Relief", "Light Result", "Make Light", "Points As", "Points to Mesh"} <= set(
         texts_of(MEANDER_PT_make)
     )

@@ -225,9 +225,13 @@ def test_the_menu_has_every_operator():
         called.clear()
         this = SimpleNamespace(layout=Noted())
         MEANDER_MT_object.draw(this, bpy.context)
-        # Menu Search shows the text alone: no two may be the same.
-        texts = [item.label for item in this.layout.children]
-        assert len(set(texts)) == len(texts) and "Done" not in texts and "Show" not in texts
+        # Menu Search shows the text alone: no two may be the same, and each says what it does.
+        texts = [item.label for item in this.layout.children if item.kind == "operator"]
+        assert len(set(texts)) == len(texts)
+        assert not {"Done", "Show", "Stop", "Images"} & set(texts)
+        # The same verbs as on the buttons, which have their operators' own labels.
+        own = {text for idname, text, _given in called if idname != "meander.run"}
+        assert own == {None}
         # What goes on with a run that was stopped stands there only when there is one.
         of_panels = {"live", "ask_run", "use_preset", "add_preset", "resume"}
         operators = {f"meander.{name}" for name in set(dir(bpy.ops.meander)) - of_panels}

@@ -44,7 +44,7 @@ def refusal(name: str, faults: core.Faults, strict: bool) -> str:
     faults   all of them, at least one
     strict   whether those that are safe to repair were not
     """
-    text = f"'{name}' has {described(faults)}; press Show to select them"
+    text = f"'{name}' has {described(faults)}; press Show Faults to select them"
     if (faults.kinds != core.FAULTS.index("not_finite")).all() and strict:
         return f"{text}, or turn off Strict to have them repaired"
     return f"{text}, and correct them"

@@ -37,7 +37,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
     without a curve"""
 
     bl_idname = "meander.maps"
-    bl_label = "Images"
+    bl_label = "Write Images"
 
     filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
     filter_glob: StringProperty(default="*.png;*.exr", options={"HIDDEN", "SKIP_SAVE"})

@@ -10,48 +10,48 @@ import bpy
 
 from .fill_buttons import draw_fill_buttons
 
-# In groups: the operator, a text where its own would not say enough, and what it is called with.
-_ENTRIES: tuple[tuple[tuple[str, str, dict[str, bool]], ...], ...] = (
+# Operators in groups. They have the labels of the buttons, so each label says enough by itself.
+_ENTRIES: tuple[tuple[str, ...], ...] = (
     (
-        ("stop", "Stop Filling", {}),
-        ("choose_settings", "Choose Settings of Linked Mesh", {}),
-        ("propose_spacing", "", {}),
-        ("show_gaps", "", {}),
-        ("select_curve", "", {}),
-        ("use_as_surface", "", {}),
-        ("select_problem", "Show Faults", {}),
+        "stop",
+        "choose_settings",
+        "propose_spacing",
+        "show_gaps",
+        "select_curve",
+        "use_as_surface",
+        "select_problem",
     ),
     (
-        ("draw_seed", "", {}),
-        ("end_seed", "End Drawing Seed", {}),
-        ("seed_from_edges", "", {}),
-        ("seed_from_boundary", "", {}),
-        ("stroke_from_vertices", "", {}),
-        ("preview_seed", "", {}),
+        "draw_seed",
+        "end_seed",
+        "seed_from_edges",
+        "seed_from_boundary",
+        "stroke_from_vertices",
+        "preview_seed",
     ),
     (
-        ("two_tone", "", {}),
-        ("relief", "", {}),
-        ("ribbon", "", {}),
-        ("maze", "", {}),
-        ("cut_along_curve", "", {}),
-        ("add_look", "", {}),
+        "two_tone",
+        "relief",
+        "ribbon",
+        "maze",
+        "cut_along_curve",
+        "add_look",
     ),
     (
-        ("bake_motion", "", {}),
-        ("bake_growth", "", {}),
-        ("animate_growth", "", {}),
-        ("clear_bake", "", {}),
+        "bake_motion",
+        "bake_growth",
+        "animate_growth",
+        "clear_bake",
     ),
     (
-        ("make_light", "", {}),
-        ("points_to_mesh", "", {}),
-        ("points_to_curves", "", {}),
-        ("export_toolpath", "", {}),
-        ("maps", "Write Images", {}),
-        ("draw_camera", "", {}),
+        "make_light",
+        "points_to_mesh",
+        "points_to_curves",
+        "export_toolpath",
+        "maps",
+        "draw_camera",
     ),
-    (("open_help", "", {}),),
+    ("open_help",),
 )
 
 
@@ -65,11 +65,8 @@ class MEANDER_MT_object(bpy.types.Menu):
         draw_fill_buttons(layout, context)
         for group in _ENTRIES:
             layout.separator()
-            for name, text, given in group:
-                entry = {"text": text} if text else {}
-                operator = layout.operator(f"meander.{name}", **entry)
-                for option, value in given.items():
-                    setattr(operator, option, value)
+            for name in group:
+                layout.operator(f"meander.{name}")
 
 
 def _in_menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:

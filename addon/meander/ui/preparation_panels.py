@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels for the part to fill, its border and faults of the mesh; the button Show."""
+"""The panels for the part to fill, its border and faults of the mesh; the button Show Faults."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
     """Select all faults of the mesh in Edit Mode and bring them into view"""
 
     bl_idname = "meander.select_problem"
-    bl_label = "Show"
+    bl_label = "Show Faults"
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that grow a curve: Fill with Curve, the question before a large run, Continue, Stop.
+"""The buttons that grow a curve: Fill with Curve, the question before a large run, Continue, Stop
+Filling.
 
 In a window, filling is modal: the native library runs on a thread of its own, where no Python is,
 and a timer shows how the curve grows. execute() is the same run without a window, for scripts and
@@ -367,7 +368,7 @@ class MEANDER_OT_stop(bpy.types.Operator):
     """Stop growing and keep the curve as it is now"""
 
     bl_idname = "meander.stop"
-    bl_label = "Stop"
+    bl_label = "Stop Filling"
     bl_options = {"INTERNAL"}
 
     @classmethod

@@ -2,7 +2,7 @@
 """Seeds drawn on the surface with Blender's own draw tool, set up in one click, and looked at.
 
 While a seed is drawn, the tool of Edit Mode and the settings of curve painting are borrowed. They
-are given back by Done, and also when the user leaves Edit Mode by himself or the curve goes.
+are given back by End Drawing, and also when the user leaves Edit Mode by himself or the curve goes.
 Blender fits a smooth curve to every stroke, which cuts through a surface that bends; so what the
 strokes come to is shown on the surface after each.
 """
@@ -40,7 +40,7 @@ _PAINT = {
     "use_stroke_endpoints": False,
     "use_project_only_selected": False,
 }
-_STATUS = "Draw on the surface: drag with the left button    Tab or Done: end"
+_STATUS = "Draw on the surface: drag with the left button    Tab or End Drawing: end"
 # How often it is looked for new strokes, and whether the user has left Edit Mode, in seconds.
 _INTERVAL = 0.1
 # Strokes on a surface where showing one takes longer than this, in seconds, are not shown: the next
@@ -199,7 +199,7 @@ class MEANDER_OT_draw_seed(bpy.types.Operator):
     bl_label = "Draw Seed"
     bl_description = (
         "Draw the seed on the surface with the mouse: makes a curve, the seed of this mesh, and "
-        "sets up Blender's draw tool for it. Every stroke becomes a strand; Done ends"
+        "sets up Blender's draw tool for it. Every stroke becomes a strand; End Drawing ends"
     )
     bl_options = {"REGISTER", "UNDO"}
 
@@ -233,7 +233,7 @@ class MEANDER_OT_end_seed(bpy.types.Operator):
     """Leave Edit Mode and go back to the surface, with what was drawn as its seed"""
 
     bl_idname = "meander.end_seed"
-    bl_label = "Done"
+    bl_label = "End Drawing"
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod

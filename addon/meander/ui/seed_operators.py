@@ -55,7 +55,7 @@ class MEANDER_OT_seed_from_edges(bpy.types.Operator):
     """Make a curve of the selected edges, and the seed of this mesh of it"""
 
     bl_idname = "meander.seed_from_edges"
-    bl_label = "Seed from Selected Edges"
+    bl_label = "Seed from Edges"
     bl_description = (
         "Make a curve that follows the selected edges, and the seed of it: each chain of edges "
         "becomes an open strand, each loop a closed one"
@@ -93,7 +93,7 @@ class MEANDER_OT_seed_from_boundary(bpy.types.Operator):
     """Make a curve of the boundary, and the seed of this mesh of it"""
 
     bl_idname = "meander.seed_from_boundary"
-    bl_label = "Seed from Boundary Loops"
+    bl_label = "Seed from Boundary"
     bl_description = (
         "Make a curve of closed strands along the boundaries of the mesh, and the seed of it. In "
         "Edit Mode with boundary edges selected, of their loops only"
@@ -122,7 +122,7 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
     """Make a two-point curve of the two selected vertices, and the seed of this mesh of it"""
 
     bl_idname = "meander.stroke_from_vertices"
-    bl_label = "Stroke from Selected Vertices"
+    bl_label = "Stroke from Vertices"
     bl_description = (
         "Make a curve of two points at the two selected vertices, and the seed of it: one stroke "
         "from one to the other then fills the surface, with its ends where they are"

@@ -54,18 +54,14 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
 
 
 def _draw_makers(column: bpy.types.UILayout, surface: bpy.types.Object) -> None:
-    """The buttons that make a seed of this mesh; their full names are too long for the sidebar."""
+    """The buttons that make a seed of this mesh."""
     column.operator(MEANDER_OT_draw_seed.bl_idname, icon="GREASEPENCIL")
     if surface.mode == "EDIT":
         edges = MEANDER_OT_seed_from_edges.bl_idname
-        column.operator(edges, text="Seed from Edges", icon="EDGESEL")
+        column.operator(edges, icon="EDGESEL")
         column.operator(edges, text="Guides from Edges", icon="EDGESEL").guides = True
-        column.operator(
-            MEANDER_OT_stroke_from_vertices.bl_idname, text="Stroke from Vertices", icon="VERTEXSEL"
-        )
-    column.operator(
-        MEANDER_OT_seed_from_boundary.bl_idname, text="Seed from Boundary", icon="MESH_CIRCLE"
-    )
+        column.operator(MEANDER_OT_stroke_from_vertices.bl_idname, icon="VERTEXSEL")
+    column.operator(MEANDER_OT_seed_from_boundary.bl_idname, icon="MESH_CIRCLE")
 
 
 def register() -> None:
