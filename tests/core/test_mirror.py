@@ -344,7 +344,7 @@ def test_a_run_with_symmetry_takes_no_other_border() -> None:
 
 
 def test_a_wide_empty_rim_is_refused_where_there_is_a_rim() -> None:
-    assert "borders" in refused(sheet(), 0.2, boundary_distance=0.8)
+    assert "boundaries" in refused(sheet(), 0.2, boundary_distance=0.8)
     near = filled(sheet(), 0.2, boundary_distance=0.2)
     assert np.abs(near.curve.positions[:, 1]).max() > 0.93
     heights = np.abs(near.heights())

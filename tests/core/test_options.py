@@ -17,6 +17,8 @@ from meander import batch, core
 from meander.cli.arguments import parser
 from meander.cli.flags import flow_options
 from meander.cli.place import Place
+from meander.jobs import options as items
+from meander.jobs.job_file import JobError
 from meander.model.export_options import ROWS
 from meander.model.option import OF_PRESET, Option, apply, chosen, store
 from meander.model.options import BY_SETTING, OF_THE_FLOW, TABLE
@@ -258,6 +260,37 @@ def test_every_flag_is_that_of_the_command(capsys: pytest.CaptureFixture) -> Non
             assert getattr(given, option.flag.destination) == option.flag.default
 
 
+@pytest.mark.parametrize(
+    ("former", "name", "value"),
+    [("border-distance", "boundary-distance", "1.25"), ("preset", "quality", "finest")],
+)
+def test_former_names_of_flags_are_read_and_not_shown(
+    former: str, name: str, value: str, capsys: pytest.CaptureFixture
+) -> None:
+    needed = ["--input", "a.obj", "--output", "b.obj", "--spacing", "1"]
+    given = PARSER.parse_args([*needed, f"--{former}", value])
+    assert given == PARSER.parse_args([*needed, f"--{name}", value])
+    assert given != PARSER.parse_args(needed)
+    # In files of jobs too, where both together are one too many.
+    assert items.check_keys("here", {former: value}) == {name: value}
+    assert items.check_keys("here", {former.replace("-", "_"): value}) == {name: value}
+    with pytest.raises(JobError, match="twice"):
+        items.check_keys("here", {former: value, name: value})
+    with pytest.raises(SystemExit):
+        PARSER.parse_args(["--help"])
+    assert f"--{former}" not in capsys.readouterr().out
+
+
+def test_the_panel_and_flags_have_one_word_for_one_thing() -> None:
+    """Boundary, as in the field, in Blender and in the library; how far strands see is Sight."""
+    for option in (*TABLE, *ROWS):
+        told = [option.label, option.row, option.tip, option.low, option.high]
+        told += [text for choice in option.choices for text in choice[1:]]
+        told += [option.flag.name, option.flag.help] if option.flag else []
+        words = " ".join(told).lower()
+        assert "border" not in words and "reach" not in words, option.setting
+
+
 def test_the_table_in_the_documents_is_current() -> None:
     command = [sys.executable, REPOSITORY / "scripts/write_option_table.py", "--check"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
@@ -267,7 +300,7 @@ def test_the_table_in_the_documents_is_current() -> None:
 @pytest.mark.parametrize(
     ("flag", "value", "word"),
     [
-        ("--border-distance", "2.5", "from 0 to 2"),
+        ("--boundary-distance", "2.5", "from 0 to 2"),
         ("--mask-threshold", "-0.1", "from 0 to 1"),
         ("--threads", "257", "from 0 to 256"),
         ("--iterations", "0", "from 1 to 2147483647"),

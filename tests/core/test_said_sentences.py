@@ -83,7 +83,7 @@ TRIES = """
 --mask-group a
 --mask-threshold 0.3
 --mask-invert
---outline --border-distance 0.05
+--outline --boundary-distance 0.05
 --guides line.obj --guides-object Name --input shot.blend
 --from 0 0 0
 --from 0 0 0 --to 1 1 0 --seed line.obj

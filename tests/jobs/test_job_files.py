@@ -154,7 +154,7 @@ def test_every_flag_of_the_batch_command_may_stand_in_a_file():
     known = {key for key in options._actions() if key not in options._REFUSED}
     for key in known - {"from", "to"}:
         assert options.check_keys("here", {key: 1}) == {key: 1}
-    assert {"spacing", "seed-object", "bake-frames", "cut", "preset"} <= known
+    assert {"spacing", "seed-object", "bake-frames", "cut", "quality"} <= known
 
 
 def test_the_page_names_every_key_and_flag():
@@ -218,7 +218,7 @@ MISTAKES = {
     "spacing is a list": ("[defaults]\nspacing = [1, 2]\n" + ITEM, "2"),
     "spacing is a switch": ("[defaults]\nspacing = true\n" + ITEM, "spacing is a number"),
     "switch is a word": (SPACING + ITEM + 'strict = "yes"\n', "true or false"),
-    "choice": (SPACING + ITEM + 'preset = "fast"\n', "'fast'"),
+    "choice": (SPACING + ITEM + 'quality = "fast"\n', "'fast'"),
     "timeout": (SPACING + ITEM + "timeout = 0\n", "timeout"),
     "timeout without end": (SPACING + ITEM + "timeout = 1" + "0" * 400 + "\n", "timeout"),
     "digits without end": (SPACING + ITEM + "timeout = 1" + "0" * 5000 + "\n", "TOML"),

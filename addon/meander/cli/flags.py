@@ -38,6 +38,14 @@ def add_flags(
                 given["type"] = values.share_or(given["type"])
             given["metavar"] = flag.metavar
         parser.add_argument(flag.name, **given)
+        hidden = {"help": argparse.SUPPRESS, "default": argparse.SUPPRESS, "dest": flag.destination}
+        for name in flag.former:
+            parser.add_argument(name, **given | hidden)
+
+
+def current_name(name: str) -> str:
+    """The name of a flag without its dashes, where that is one of an earlier version."""
+    return next((flag.name[2:] for _option, flag in FLAGGED if f"--{name}" in flag.former), name)
 
 
 def chosen(arguments: argparse.Namespace) -> dict[str, Any]:
@@ -53,7 +61,7 @@ def chosen(arguments: argparse.Namespace) -> dict[str, Any]:
 
 def flow_options(arguments: argparse.Namespace) -> core.FlowOptions:
     """The preset's options with what the flags say in their place."""
-    options = core.default_options(arguments.preset)
+    options = core.default_options(arguments.quality)
     options.radius = arguments.spacing / 2
     apply(OF_THE_FLOW, chosen(arguments), options)
     for option, flag in FLAGGED:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The options of the batch command for repairing the mesh, the part to fill, its border; no bpy."""
+"""Options of the batch command for repairing the mesh, the part to fill, its boundary; no bpy."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _COUNTED = (
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     mask = parser.add_argument_group(
-        "part to fill", "One mask of the .blend's object, and the border."
+        "part to fill", "One mask of the .blend's object, and the boundary."
     )
     mask.add_argument("--mask-group", metavar="NAME", help="vertex group: where it is high enough")
     mask.add_argument("--mask-material", metavar="NAME", help="the faces with this material")
@@ -68,9 +68,9 @@ def problem_of(arguments: argparse.Namespace, kind: str) -> str | None:
         return "--mask-threshold is for --mask-group; give both or none"
     if arguments.mask_invert and not given:
         return "--mask-invert needs a mask; give one such as --mask-group"
-    if arguments.outline and arguments.border_distance is not None:
-        if arguments.border_distance < 0.1:
-            return "--outline needs a --border-distance of at least 0.1; choose a larger one"
+    if arguments.outline and arguments.boundary_distance is not None:
+        if arguments.boundary_distance < 0.1:
+            return "--outline needs a --boundary-distance of at least 0.1; choose a larger one"
     return None
 
 

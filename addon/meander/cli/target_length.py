@@ -95,7 +95,7 @@ def begin(arguments: argparse.Namespace, place: Place) -> Search | None:
     arguments.spacing = 1.0  # only to read the surface
     given = read_input(arguments, flow_options(arguments), place)
     spacing = _PACKING * _area(given.problem.vertices, given.problem.faces) / wanted
-    if arguments.preset == _COARSE:
+    if arguments.quality == _COARSE:
         arguments.spacing = spacing
         return Search(wanted)
 

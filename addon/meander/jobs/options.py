@@ -11,6 +11,7 @@ from typing import Any
 
 from ..cli import blender_flags
 from ..cli.arguments import check_options, parser
+from ..cli.flags import current_name
 from ..cli.place import Place
 from ..cli.values import BadInput
 from .job_file import JobError, unknown_key
@@ -40,7 +41,7 @@ def _actions() -> dict[str, argparse.Action]:
         name.lstrip("-"): action
         for action in parser(_NOWHERE)._actions
         for name in action.option_strings
-        if name.startswith("--")
+        if name.startswith("--") and action.help != argparse.SUPPRESS
     }
 
 
@@ -49,7 +50,7 @@ def check_keys(where: str, table: Mapping[str, Any]) -> dict[str, Any]:
     known = [*OWN_KEYS, *(name for name in _actions() if name not in _REFUSED)]
     found: dict[str, Any] = {}
     for key, value in table.items():
-        name = key.replace("_", "-")
+        name = current_name(key.replace("_", "-"))
         if name in _REFUSED:
             raise JobError(f"{where}: {key} is not for job files: {_REFUSED[name]}; leave it out")
         if name not in known:

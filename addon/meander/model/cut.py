@@ -88,7 +88,7 @@ def smooth_normals(
 def one_side(cut: core.CutSurface, side: int) -> core.CutSurface:
     """The faces of one side, 1 or -1, with the vertices and the parts of the curve that they have.
 
-    Strands stay whole: both sides have all of the curve along their borders.
+    Strands stay whole: both sides have all of the curve along their boundaries.
     """
     kept = cut.sides == side
     used = np.zeros(len(cut.positions), dtype=bool)

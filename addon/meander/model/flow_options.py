@@ -44,7 +44,12 @@ ROWS: tuple[Option, ...] = (
             ("paper", "As Published", "Faster, more winding, less even: the method as published"),
         ),
         field="preset",
-        flag=Flag("--preset", "weights, step and stopping rule; default: even", default="even"),
+        flag=Flag(
+            "--quality",
+            "weights, step and stopping rule; default: even",
+            default="even",
+            former=("--preset",),
+        ),
     ),
     Option(
         "start",
@@ -370,13 +375,13 @@ ROWS: tuple[Option, ...] = (
     ),
     Option(
         "border_distance",
-        "Border Distance",
-        "Distance of the last strand from borders and holes, in spacings. "
-        "At 0 strands run along the border",
+        "Boundary Distance",
+        "Distance of the last strand from boundaries and holes, in spacings. "
+        "At 0 strands run along the boundary",
         _REGION,
-        low="0: the last strand runs along the border",
+        low="0: the last strand runs along the boundary",
         high="an empty rim, up to two spacings wide",
-        row="To Border",
+        row="Boundary",
         unit="spacing",
         default=0.5,
         least=0.0,
@@ -384,12 +389,13 @@ ROWS: tuple[Option, ...] = (
         step=5,
         field="boundary_distance",
         flag=Flag(
-            "--border-distance",
-            "distance of the last strand from borders, in spacings, from 0 to 2; default: 0.5",
+            "--boundary-distance",
+            "distance of the last strand from boundaries, in spacings, from 0 to 2; default: 0.5",
             _PART,
             "D",
             least=0.0,
             greatest=2.0,
+            former=("--border-distance",),
         ),
     ),
 )

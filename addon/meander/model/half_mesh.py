@@ -51,8 +51,8 @@ def above(
     """The part of a mesh where a function, linear in every face, is above 0.
 
     values      (n,) at the vertices
-    tolerance   (n,): a vertex whose value is that small lies on the border itself, so that no face
-                is cut into a sliver; it stays where it is
+    tolerance   (n,): a vertex whose value is that small lies on the boundary itself, so that no
+                face is cut into a sliver; it stays where it is
     """
     faces = np.asarray(faces, dtype=np.int64)
     signs = np.where(values > tolerance, 1, np.where(values < -tolerance, -1, 0))

@@ -139,7 +139,7 @@ ROWS: tuple[Option, ...] = (
     Option(
         "mask_threshold",
         "Threshold",
-        "Weight at which the border runs, cutting through faces",
+        "Weight at which the boundary runs, cutting through faces",
         _REGION,
         low="more of the mesh is filled",
         high="less of it is",
@@ -169,14 +169,14 @@ ROWS: tuple[Option, ...] = (
     Option(
         "use_outline",
         "Outline First",
-        "Place a fixed strand along every border at the border distance first, and fill what "
+        "Place a fixed strand along every boundary at the boundary distance first, and fill what "
         "is left inside",
         _REGION,
         kind=bool,
         default=False,
         flag=Flag(
             "--outline",
-            "place a fixed strand along every border at that distance first",
+            "place a fixed strand along every boundary at that distance first",
             _PART,
             entry="outline",
         ),
@@ -273,15 +273,15 @@ ROWS: tuple[Option, ...] = (
     Option(
         "cut_non_manifold",
         "Cut Non-Manifold Edges",
-        "Treat edges with more than two faces as borders, at which every sheet ends. Off: faces "
+        "Treat edges with more than two faces as boundaries, at which every sheet ends. Off: faces "
         "that continue each other stay joined there",
         _REPAIR,
         kind=bool,
         default=False,
         flag=Flag(
             "--cut-non-manifold",
-            "edges with more than two faces become borders of each; else faces that continue each "
-            "other stay joined",
+            "edges with more than two faces become boundaries of each; else faces that continue "
+            "each other stay joined",
             _REPAIRS,
         ),
     ),

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from .. import core
 from .cut import is_parted
 
-# In spacings: a door to the outside is no farther from the border of the surface than this. Of a
+# In spacings: a door to the outside is no farther from the boundary of the surface than this. Of a
 # way, how much dearer it is close to a wall than in the middle of a corridor.
 _FROM_BORDER, _AT_WALL = 1.0, 0.1
 
@@ -58,13 +58,13 @@ class Maze:
         self._border = _border_vertices(cut.faces)
         first, second = self._sides()
         outside = np.isin(cut.faces, self._border)
-        # What touches the border is outside.
+        # What touches the boundary is outside.
         touching = [bool(outside[cut.regions == region].any()) for region in (first, second)]
         swapped = touching[0] and not touching[1]
         self.region, self._other = (second, first) if swapped else (first, second)
 
     def farthest_doors(self) -> Doors:
-        """Two doors with the longest way between them; at the border where the surface has one."""
+        """Two doors with the longest way between them; at the boundary where there is one."""
         candidates = self._candidates()
         graph = self._graph(self.region)
         start = before = int(candidates[0])

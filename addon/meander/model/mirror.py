@@ -2,9 +2,9 @@
 """Symmetry: a curve grows on one half of a surface, and its mirror image fills the other.
 
 The half is cut out along the plane, a little beside it, so that the curve keeps half a spacing from
-the plane as it does from a border. What has grown and its image are then laid on the whole surface,
-as a flow that makes no step (mirror_whole): all that is known of a curve is known of this one too,
-and the library has checked that it crosses itself nowhere. numpy only, no bpy.
+the plane as it does from a boundary. What has grown and its image are then laid on the whole
+surface, as a flow that makes no step (mirror_whole): all that is known of a curve is known of this
+one too, and the library has checked that it crosses itself nowhere. numpy only, no bpy.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from .mirror_seed import half_of_seed
 if TYPE_CHECKING:
     from .problem import Problem
 
-# The half ends so far from the plane, in spacings, that nothing on its border meets its own image.
+# So far from the plane the half ends, in spacings: nothing on its boundary meets its own image.
 _INSET = 0.01
 # Vertices this near to the cut lie on it: in shortest edges around them, and in insets.
 _SNAP_EDGES, _SNAP_INSETS = 1e-3, 0.25
@@ -73,13 +73,13 @@ class Half:
 
         Raises core.MeanderError for those that ask for another cut along the plane.
         """
-        found, now = _at_borders(options, self.figures), self.problem.options
+        found, now = _at_boundaries(options, self.figures), self.problem.options
         if found.boundary_distance != now.boundary_distance or (
             found.radius != now.radius and now.boundary_distance != 0.5
         ):
             raise core.MeanderError(
-                "With Symmetry the border distance, and the spacing with a border distance other "
-                "than half of it, are those that a run begins with; fill the mesh again",
+                "With Symmetry the boundary distance, and the spacing with a boundary distance "
+                "other than half of it, are those that a run begins with; fill the mesh again",
                 core.Status.INVALID_ARGUMENT,
             )
         return found
@@ -117,7 +117,7 @@ def halved(
         if accept is not None:
             accept(cost)
         fit = _fit(surface, given, context)
-    of_half = _at_borders(options, figures)
+    of_half = _at_boundaries(options, figures)
     mesh = _cut(given, mirror, density, of_half.boundary_distance)
     half_seed, sources = half_of_seed(problem.seed, mirror.heights, options.radius)
     if directions is not None:
@@ -177,9 +177,9 @@ def at_rest(options: core.FlowOptions) -> core.FlowOptions:
     return replace(options, start=core.Start.GROW, start_spacing_factor=1.0)
 
 
-def _at_borders(options: core.FlowOptions, figures: dict[str, Any]) -> core.FlowOptions:
-    """Options with which a curve never leaves its half: at the border of that it comes to rest half
-    a spacing from the plane, or nearer where the surface has borders of its own.
+def _at_boundaries(options: core.FlowOptions, figures: dict[str, Any]) -> core.FlowOptions:
+    """Options with which a curve never leaves its half: at the boundary of that it comes to rest
+    half a spacing from the plane, or nearer where the surface has boundaries of its own.
 
     figures   of the whole surface
     """
@@ -188,7 +188,7 @@ def _at_borders(options: core.FlowOptions, figures: dict[str, Any]) -> core.Flow
         distance = 0.5
     elif distance > 0.5:
         raise core.MeanderError(
-            "With Symmetry strands keep at most half a spacing from borders; set the border "
+            "With Symmetry strands keep at most half a spacing from boundaries; set the boundary "
             "distance to 0.5 or less",
             core.Status.INVALID_ARGUMENT,
         )
@@ -198,16 +198,16 @@ def _at_borders(options: core.FlowOptions, figures: dict[str, Any]) -> core.Flow
 
 
 def _cut(
-    given: Problem, mirror: Mirror, density: NDArray[np.float64] | None, at_border: float
+    given: Problem, mirror: Mirror, density: NDArray[np.float64] | None, at_boundary: float
 ) -> HalfMesh:
-    """The half at whose border the curve comes to rest half a spacing from the plane.
+    """The half at whose boundary the curve comes to rest half a spacing from the plane.
 
-    at_border   how far from a border that is, in spacings, at most 0.5
+    at_boundary   how far from a boundary that is, in spacings, at most 0.5
     """
     spacings = np.full(len(given.vertices), 2.0 * given.options.radius)
     if density is not None:
         spacings /= np.sqrt(density)
-    beyond = 0.5 - at_border + _INSET
+    beyond = 0.5 - at_boundary + _INSET
     heights = mirror.heights(given.vertices) - beyond * spacings
     faces = np.asarray(given.faces, dtype=np.int64)
     shortest = np.full(len(given.vertices), np.inf)

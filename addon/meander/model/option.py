@@ -38,6 +38,7 @@ class Flag:
     default   the value when it is not given; None: the preset's own
     synonyms  other words for choices, each with the choice that it stands for
     share     per cent of the whole are understood as well, as a model.preparation.Share
+    former    names of earlier versions, which are read and not shown
     """
 
     name: str
@@ -52,6 +53,7 @@ class Flag:
     default: Any = None
     synonyms: tuple[tuple[str, str], ...] = ()
     share: bool = False
+    former: tuple[str, ...] = ()
 
     @property
     def destination(self) -> str:

@@ -22,8 +22,8 @@ class Repair:
     """What is done to a mesh with faults, in the copy that is filled.
 
     strict             it is refused, but for what the others mend; else all that is safe is mended
-    cut_non_manifold   edges with more than two faces become borders of each; else those faces that
-                       continue each other stay joined
+    cut_non_manifold   edges with more than two faces become boundaries of each; else those faces
+                       that continue each other stay joined
     smallest_part      parts of a smaller size, the diagonal of their bounding box, are left out; in
                        world units, or a Share of the size of the mesh; 0: none
     """
@@ -146,7 +146,7 @@ def outlined(
     spacing: float,
     context: core.Context | None = None,
 ) -> tuple[core.Seed | None, int]:
-    """The seed with outlines along the border as guides behind it, and how many had no room.
+    """The seed with outlines along the boundary as guides behind it, and how many had no room.
 
     distance, spacing   in the surface's units
     context             stops the search where it is cancelled, with a core.MeanderError

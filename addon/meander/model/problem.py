@@ -32,7 +32,7 @@ class Problem:
     surface_options: core.SurfaceOptions | None = None
     directions: np.ndarray | FieldOn | None = None
     alignment: str = "along"
-    outline: float = 0.0  # distance of outlines from the border; 0: none
+    outline: float = 0.0  # distance of outlines from the boundary; 0: none
     least_bend_radius: float = 0.0  # that no turn is to fall short of; 0: none is asked for
     mirror: Mirror | None = None  # one half is filled, and the other is its mirror image
 

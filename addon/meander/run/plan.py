@@ -189,11 +189,11 @@ def _look_of(settings: bpy.types.PropertyGroup) -> Look:
 def _outline_distance(
     active: bpy.types.Object, options: core.FlowOptions, from_seed: bool
 ) -> float:
-    """How far from the border a run lays outlines; 0: it lays none."""
+    """How far from the boundary a run lays outlines; 0: it lays none."""
     if not settings_of(active).use_outline or not (from_seed or _lays_outline_again(active)):
         return 0.0
     if options.boundary_distance < 0.1:
-        raise DataError("An outline needs a border distance of 0.1 or more; raise it")
+        raise DataError("An outline needs a boundary distance of 0.1 or more; raise it")
     return options.boundary_distance * 2.0 * options.radius
 
 

@@ -25,7 +25,7 @@ class AlignmentSettings:
             ("STROKES", "Curves", "Curves drawn on the surface, continued smoothly between them"),
             ("UV", "UV Map", "The U or V lines of a UV map"),
             ("ATTRIBUTE", "Attribute", "Vector attribute of points, such as Geometry Nodes create"),
-            ("BOUNDARY", "Border", "Parallel to borders and holes, and smooth between them"),
+            ("BOUNDARY", "Boundary", "Parallel to boundaries and holes, and smooth between them"),
         ),
         default="NONE",
         options=set(),

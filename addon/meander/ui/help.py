@@ -27,7 +27,7 @@ PAGES = (
     ("density", "Density", "Where strands are closer"),
     ("strands", "Strands", "Seeds, strokes and guides"),
     ("terms", "Direction and Shape", "What strands run along, and how they bend"),
-    ("surfaces", "Surfaces", "Parts of a mesh, borders and faults"),
+    ("surfaces", "Surfaces", "Parts of a mesh, boundaries and faults"),
     ("motion", "Motion", "Surfaces that move"),
     ("export", "Export", "Files for machines and drawings"),
     ("options", "Options", "Every setting and flag, with its range and default"),

@@ -44,7 +44,7 @@ class MEANDER_OT_maze(Cut, bpy.types.Operator):
         name="Doors",
         description="Where gaps in the wall lead into the maze",
         items=(
-            ("FAR", "Far Apart", "With the longest way between them; at the border of a sheet"),
+            ("FAR", "Far Apart", "With the longest way between them; at the boundary of a sheet"),
             ("CHOSEN", "Chosen", "At two places along the curve"),
             ("NONE", "None", "A wall without gaps"),
         ),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels for the part to fill, its border and faults of the mesh; the button Show Faults."""
+"""The panels for the part to fill, its boundary and faults of the mesh; the button Show Faults."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ class PreparationSettings:
 
     mask_source: EnumProperty(
         name="Fill",
-        description="Which part of the mesh the curve fills; its edge acts as a border",
+        description="Which part of the mesh the curve fills; its edge acts as a boundary",
         items=(
             ("NONE", "Whole Mesh", "All faces"),
             ("MATERIAL", "Material", "The faces that have a material"),
