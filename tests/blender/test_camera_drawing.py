@@ -10,6 +10,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from types import MethodType, SimpleNamespace
 
 import bpy
 import meander
@@ -20,7 +21,11 @@ from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 from meander.headless import draw
 from meander.model.camera_page import PAPERS, Page
+from meander.run.camera_drawing import CameraDrawing
+from meander.run.drawing_estimate import DrawingEstimate
 from meander.scene.camera_view import camera_page
+from meander.ui import camera_operator
+from panel_layout import Layout
 
 SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -331,6 +336,72 @@ def run_command(*arguments: object, scene: Path) -> subprocess.CompletedProcess:
     return subprocess.run(
         [*command, *map(str, arguments)], capture_output=True, text=True, timeout=120
     )
+
+
+def estimate(spacing: float) -> DrawingEstimate:
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    return CameraDrawing(frame(), spacing, depsgraph).estimate()
+
+
+def test_what_a_drawing_comes_to_is_known_before(tmp_path: Path) -> None:
+    camera((0.0, -10.0, 0.0))
+    plane("Near", 1.2, (-0.9, -5.0, 0.0))
+    slope = plane("Slope", 8.0, (0.0, 5.0, 0.0), math.radians(60.0))
+    bpy.ops.mesh.primitive_uv_sphere_add(radius=1.0, location=(1.0, 0.0, 0.5))
+    slope.meander.preset = "PAPER"
+    width = float(frame().sides[0])
+    for spacing in (3.0, 2.0):
+        expected = estimate(spacing).at(spacing, width)
+        drawn(tmp_path / "a.svg", spacing, report_too=True)
+        objects = json.loads((tmp_path / "a.json").read_text())["objects"]
+        points = sum(each["nodes"] for each in objects)
+        assert estimate(spacing).cost().nodes == pytest.approx(points, rel=1.0 / 3.0)
+        # Measured once, it is known for every spacing and every page.
+        assert estimate(4.0).at(spacing, width).points == pytest.approx(expected.points, rel=0.1)
+        assert estimate(4.0).at(2.0 * spacing, 2.0 * width).points == pytest.approx(
+            estimate(4.0).at(spacing, width).points
+        )
+
+
+def test_the_dialog_says_what_the_page_comes_to() -> None:
+    camera((0.0, -10.0, 0.0))
+    plane("Near", 1.2, (-0.9, -5.0, 0.0))
+    chosen = {"spacing": 2.0, "paper": "A4", "width": 200.0, "height": 200.0, "margin": 15.0}
+    texts = []
+    for more in ({}, {"spacing": 1.0}, {"paper": "A3", "margin": 30.0 * math.sqrt(0.5)}):
+        dialog = SimpleNamespace(
+            **chosen | more, line_width=0.3, report_too=False, layout=Layout(),
+            _size=estimate(3.0), bl_rna=bpy.ops.meander.draw_camera.get_rna_type(),
+        )  # fmt: skip
+        for name in ("_frame", "_expected"):
+            method = getattr(camera_operator.MEANDER_OT_draw_camera, name)
+            setattr(dialog, name, MethodType(method, dialog))
+        camera_operator.MEANDER_OT_draw_camera.draw(dialog, bpy.context)
+        (text,) = (each.text for each in dialog.layout.texts() if each.text.startswith("About"))
+        texts.append(text)
+    counts = [int(text.split()[1].replace(",", "")) for text in texts]
+    assert counts[1] == pytest.approx(4 * counts[0], rel=0.1)
+    assert counts[2] == pytest.approx(2 * counts[0], rel=0.1)
+
+
+def test_the_command_says_what_it_will_take_and_refuses_too_much(
+    tmp_path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    saved(tmp_path)
+    output = tmp_path / "a.svg"
+    given = ["--output", str(output), "--spacing", "3"]
+    capsys.readouterr()
+    assert draw.main([*given, "--limit-nodes", "10"]) == 2
+    said = capsys.readouterr()
+    assert re.match(r"meander: about [\d,]+ points, \d+ s, \d+ MB\n", said.out)
+    assert re.fullmatch(
+        r"meander: the run would need about [\d,]+ nodes, .*, and --limit-nodes is 10; choose a "
+        r"larger spacing, or raise --limit-nodes\n",
+        said.err,
+    )
+    assert not output.exists()
+    assert draw.main(given) == 0 and output.exists()
+    assert capsys.readouterr().out.startswith("meander: about ")
 
 
 def test_the_command_draws_the_same(tmp_path: Path) -> None:

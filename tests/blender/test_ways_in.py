@@ -233,7 +233,7 @@ def test_the_menu_has_every_operator():
         own = {text for idname, text, _given in called if idname != "meander.run"}
         assert own == {None}
         # What goes on with a run that was stopped stands there only when there is one.
-        of_panels = {"live", "ask_run", "use_preset", "add_preset", "resume"}
+        of_panels = {"live", "ask_run", "ask_draw", "use_preset", "add_preset", "resume"}
         operators = {f"meander.{name}" for name in set(dir(bpy.ops.meander)) - of_panels}
         assert {idname for idname, _text, _given in called} == operators
         return [(text, vars(given)) for idname, text, given in called if idname == "meander.run"]

@@ -93,7 +93,7 @@ def drawn_to_the_end() -> Iterator[float]:
 
 def ended_by_esc() -> Iterator[float]:
     before = state()
-    yield from chosen("never", 0.6)
+    yield from chosen("never", 1.0)
     yield from until(going, "the drawing begins")
     yield 1.0
     assert going()
@@ -105,6 +105,36 @@ def ended_by_esc() -> Iterator[float]:
     yield 0.5
     picture("camera_ended")
     assert not (FILES / "never.svg").exists() and state() == before
+    yield from nothing_is_left()
+
+
+def asked_before_a_large_page() -> Iterator[float]:
+    ask, large = camera_operator.MEANDER_OT_ask_draw, camera_operator.is_large
+    camera_operator.is_large = lambda estimate: estimate.points > 5000
+    before, draws = state(), []
+    original = ask.draw
+
+    def draw(self: bpy.types.Operator, context: bpy.types.Context) -> None:
+        draws.append(self.figures)
+        original(self, context)
+
+    ask.draw = draw
+    # Away from it: nothing is drawn. On its button: it is.
+    for answer in ("ESC", "RET"):
+        draws.clear()
+        yield from chosen(f"large_{answer}", 1.0)
+        yield from until(lambda: draws, "the question")
+        yield 1.0
+        picture(f"camera_asks_{answer}")
+        assert not going() and " points, " in draws[0], draws
+        key(answer)
+        yield 1.0
+        assert answer == "RET" or not going()
+    yield from until(going, "the drawing begins")
+    key("ESC")
+    yield from until(lambda: not going(), "the drawing ends")
+    ask.draw, camera_operator.is_large = original, large
+    assert state() == before
     yield from nothing_is_left()
 
 
@@ -131,6 +161,8 @@ def story() -> Iterator[float]:
     yield from drawn_to_the_end()
     step("Esc ends it, and leaves nothing")
     yield from ended_by_esc()
+    step("a very large page is asked for first")
+    yield from asked_before_a_large_page()
     step("what cannot be drawn is said, and nothing goes on")
     yield from refused_in_the_panel()
 

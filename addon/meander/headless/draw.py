@@ -13,8 +13,11 @@ from pathlib import Path
 import bpy
 
 from ..cli.exit_code import exit_code_of
+from ..cli.limits import add_options as add_limits
+from ..cli.limits import refuse_large
 from ..cli.values import BadInput, Parser, index, reader
 from ..model.camera_page import PAPERS, Page
+from ..model.estimate import described
 from ..run.camera_drawing import CameraDrawing
 from ..run.stepper import Stepper
 from ..scene.camera_view import camera_page
@@ -80,6 +83,7 @@ def parser() -> Parser:
     )
     add("--camera", metavar="NAME", help="default: the one of the scene")
     add("--frame", type=index, metavar="N", help="of the animation; default: as saved")
+    add_limits(made)
     add("--quiet", action="store_true", help="print errors and warnings only")
     return made
 
@@ -117,6 +121,11 @@ def _draw(arguments: argparse.Namespace) -> None:
         depsgraph = bpy.context.evaluated_depsgraph_get()
         frame = camera_page(scene, depsgraph, camera, page)
         drawing = CameraDrawing(frame, arguments.spacing, depsgraph)
+    size = drawing.estimate()
+    expected = size.at(drawing.spacing, float(frame.sides[0]))
+    if expected is not None:
+        say(f"about {described(expected)}")
+        refuse_large(size.cost(), arguments)
     _fill(drawing, say)
     told = drawing.write(arguments.output, arguments.line_width, camera.name, arguments.report)
     for remark in drawing.remarks():

@@ -26,6 +26,7 @@ from ..model.whole_files import naming, whole_files
 from ..scene.camera_view import Sight, seen_by
 from ..scene.errors import DataError
 from ..scene.visible import seen_parts
+from .drawing_estimate import DrawingEstimate
 from .paper_spacing import BEYOND, PaperSpacing
 from .stepper import Stepper
 
@@ -84,6 +85,11 @@ class CameraDrawing:
         self._waiting = [(each.name, paper.problem_of(each)) for each in drawn]
         self._count = len(drawn)
         self.name = ""  # of the surface that next() has given
+
+    def estimate(self) -> DrawingEstimate:
+        """What all that has not begun comes to; to be asked for before the first next()."""
+        problems = [problem for _name, problem in self._waiting if isinstance(problem, Problem)]
+        return DrawingEstimate(problems, self.spacing, float(self.page.sides[0]))
 
     @property
     def place(self) -> str:

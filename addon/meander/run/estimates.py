@@ -16,6 +16,7 @@ import bpy
 from .. import core
 from ..model.estimate import Estimate, Speeds, estimated, extent_of, together
 from ..model.field import evaluated
+from ..model.problem import Problem
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of
@@ -110,11 +111,15 @@ def _estimate(found: _Measured, settings: bpy.types.PropertyGroup) -> Estimate |
 
 def of_plan(plan: Plan) -> Estimate:
     """What a run comes to that has been planned. Raises core.MeanderError for a mesh at fault."""
-    problem = plan.problem
-    extent = _extent(
+    options = plan.problem.options
+    return estimated(extent_of_problem(plan.problem), options, plan.look.radius > 0.0, speeds)
+
+
+def extent_of_problem(problem: Problem) -> core.Extent:
+    """What there is to fill. Raises core.MeanderError for a mesh at fault."""
+    return _extent(
         problem.vertices, problem.faces, problem.density, problem.surface_options, problem.options
     )
-    return estimated(extent, problem.options, plan.look.radius > 0.0, speeds)
 
 
 def _order(active: bpy.types.Object) -> None:
@@ -169,7 +174,10 @@ def measure(active: bpy.types.Object) -> None:
 
 def _extent(vertices, faces, density, prepared, options) -> core.Extent:
     share = 1.0
-    if callable(density) or prepared.face_mask is not None or prepared.vertex_mask is not None:
+    masked = prepared is not None and (
+        prepared.face_mask is not None or prepared.vertex_mask is not None
+    )
+    if callable(density) or masked:
         with core.Surface(vertices, faces, prepared, options.threads) as surface:
             share = surface.statistics()["area"] / area_of(vertices, faces)
             density = evaluated(density, surface)

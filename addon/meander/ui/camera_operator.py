@@ -10,18 +10,22 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
-from ..model.camera_page import PAPERS, Page
+from ..model.camera_page import PAPERS, CameraPage, Page
+from ..model.estimate import Estimate, described
 from ..model.whole_files import FileError
 from ..run import session
 from ..run.camera_drawing import CameraDrawing
+from ..run.drawing_estimate import DrawingEstimate
 from ..run.stepper import Stepper
 from ..run.window import Window
+from ..scene.blender_versions import ask
 from ..scene.camera_view import camera_page
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.settings import surface_of
+from .preferences import is_large
 from .refusing import refuse, refusing
-from .run_operators import over_view, sentence_of
+from .run_operators import draw_question, over_view, sentence_of
 
 KEYS = "Esc: Cancel"
 
@@ -55,15 +59,10 @@ class _Going:
 _going: _Going | None = None  # one at most
 
 
-class MEANDER_OT_draw_camera(bpy.types.Operator):
-    """Fill everything that the camera sees at one spacing on paper, and write the page as an SVG
-    file with a layer for each object, without what is hidden. Nothing in the scene is changed"""
-
-    bl_idname = "meander.draw_camera"
-    bl_label = "Draw from Camera"
+class PageSettings:
+    """The page and what is drawn on it: settings of the drawing and of the question before it."""
 
     filepath: StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
-    filter_glob: StringProperty(default="*.svg", options={"HIDDEN", "SKIP_SAVE"})
     spacing: FloatProperty(
         name="Spacing",
         description="Between neighbouring strands on paper, in millimetres, where a surface faces "
@@ -106,6 +105,24 @@ class MEANDER_OT_draw_camera(bpy.types.Operator):
         default=False,
     )
 
+
+class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
+    """Fill everything that the camera sees at one spacing on paper, and write the page as an SVG
+    file with a layer for each object, without what is hidden. Nothing in the scene is changed"""
+
+    bl_idname = "meander.draw_camera"
+    bl_label = "Draw from Camera"
+
+    filter_glob: StringProperty(default="*.svg", options={"HIDDEN", "SKIP_SAVE"})
+    asked: BoolProperty(
+        name="Asked",
+        description="Begin without asking, however large the drawing is",
+        default=False,
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
+
+    _size: DrawingEstimate | None = None  # of what the camera sees, for the dialog
+
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         if session.current() is not None or _going is not None:
@@ -118,7 +135,7 @@ class MEANDER_OT_draw_camera(bpy.types.Operator):
             return True
         return False
 
-    def draw(self, _context: bpy.types.Context) -> None:
+    def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
@@ -130,10 +147,30 @@ class MEANDER_OT_draw_camera(bpy.types.Operator):
             column.prop(self, "height")
         for name in ("margin", "line_width", "report_too"):
             layout.prop(self, name)
+        expected = self._expected(context)
+        if expected is not None:
+            row = layout.row()
+            row.active = False
+            row.label(text=f"About {described(expected)}")
+
+    def _expected(self, context: bpy.types.Context) -> Estimate | None:
+        """What the page that is chosen comes to; None while that is not known."""
+        if self._size is None:
+            return None
+        try:
+            return self._size.at(self.spacing, float(self._frame(context).sides[0]))
+        except DataError:  # which drawing will report
+            return None
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if not self.filepath:
             self.filepath = bpy.path.clean_name(context.scene.camera.name) + ".svg"
+        if self.asked:
+            return self.execute(context)
+        try:
+            self._size = self._drawing(context).estimate()
+        except DataError:  # which drawing will report
+            self._size = None
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
@@ -143,6 +180,8 @@ class MEANDER_OT_draw_camera(bpy.types.Operator):
             raise DataError("No file is named; give a name that ends in .svg")
         drawing = self._drawing(context)
         if self.options.is_invoke and not bpy.app.background:
+            if not self.asked and self._asks(drawing):
+                return {"CANCELLED"}
             return self._watch(context, drawing)
         while (stepper := drawing.next()) is not None:
             stepper.run()
@@ -150,16 +189,28 @@ class MEANDER_OT_draw_camera(bpy.types.Operator):
         self._write(context, drawing)
         return {"FINISHED"}
 
-    def _drawing(self, context: bpy.types.Context) -> CameraDrawing:
+    def _asks(self, drawing: CameraDrawing) -> bool:
+        """Whether so much is to be drawn that the user is asked; he begins it, or does not."""
+        expected = drawing.estimate().at(drawing.spacing, float(drawing.page.sides[0]))
+        if expected is None or not is_large(expected):
+            return False
+        chosen = {name: getattr(self, name) for name in PageSettings.__annotations__}
+        bpy.ops.meander.ask_draw("INVOKE_DEFAULT", figures=described(expected), **chosen)
+        return True
+
+    def _frame(self, context: bpy.types.Context) -> CameraPage:
         sides = PAPERS.get(self.paper.lower(), (self.width, self.height))
         page = Page(*sides, self.margin)
         if not page.has_room:
             raise DataError("The margins leave nothing of the page; choose a smaller Margin")
-        scene, depsgraph = context.scene, context.evaluated_depsgraph_get()
-        frame = camera_page(scene, depsgraph, scene.camera, page)
+        scene = context.scene
+        return camera_page(scene, context.evaluated_depsgraph_get(), scene.camera, page)
+
+    def _drawing(self, context: bpy.types.Context) -> CameraDrawing:
         active = context.active_object
         fallback = settings_of(active) if active and surface_of(active) == active else None
-        return CameraDrawing(frame, self.spacing, depsgraph, fallback)
+        depsgraph = context.evaluated_depsgraph_get()
+        return CameraDrawing(self._frame(context), self.spacing, depsgraph, fallback)
 
     def _write(self, context: bpy.types.Context, drawing: CameraDrawing) -> None:
         path = Path(bpy.path.abspath(self.filepath)).with_suffix(".svg")
@@ -220,14 +271,39 @@ class MEANDER_OT_draw_camera(bpy.types.Operator):
             _going.end()
 
 
+class MEANDER_OT_ask_draw(PageSettings, bpy.types.Operator):
+    """Begin a drawing that is larger than the preferences allow without asking"""
+
+    bl_idname = "meander.ask_draw"
+    bl_label = "Draw a Large Page?"
+    bl_options = {"INTERNAL"}
+
+    figures: StringProperty(options={"HIDDEN", "SKIP_SAVE"})
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        return ask(context.window_manager, self, 340, "Draw")
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        draw_question(self.layout, self.figures)
+
+    def execute(self, _context: bpy.types.Context) -> set[str]:
+        chosen = {name: getattr(self, name) for name in PageSettings.__annotations__}
+        bpy.ops.meander.draw_camera("INVOKE_DEFAULT", asked=True, **chosen)
+        return {"FINISHED"}
+
+
 def _menu(self: bpy.types.Menu, _context: bpy.types.Context) -> None:
     self.layout.operator(
         MEANDER_OT_draw_camera.bl_idname, text="Meander Drawing from Camera (.svg)"
     )
 
 
+_CLASSES = (MEANDER_OT_draw_camera, MEANDER_OT_ask_draw)
+
+
 def register() -> None:
-    bpy.utils.register_class(MEANDER_OT_draw_camera)
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
     bpy.types.TOPBAR_MT_file_export.append(_menu)
 
 
@@ -235,4 +311,5 @@ def unregister() -> None:
     if _going is not None:
         _going.end()
     bpy.types.TOPBAR_MT_file_export.remove(_menu)
-    bpy.utils.unregister_class(MEANDER_OT_draw_camera)
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

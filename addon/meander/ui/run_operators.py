@@ -297,6 +297,13 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
         return True
 
 
+def draw_question(layout: bpy.types.UILayout, figures: str) -> None:
+    """What a question before a large run says, above its buttons."""
+    column = layout.column()
+    column.label(text=f"About {figures}", icon="QUESTION")
+    column.label(text="A wider spacing needs less", icon="BLANK1")
+
+
 class MEANDER_OT_ask_run(bpy.types.Operator):
     """Begin a run that is larger than the preferences allow without asking"""
 
@@ -312,9 +319,7 @@ class MEANDER_OT_ask_run(bpy.types.Operator):
         return ask(context.window_manager, self, 340, "Fill")
 
     def draw(self, _context: bpy.types.Context) -> None:
-        column = self.layout.column()
-        column.label(text=f"About {self.figures}", icon="QUESTION")
-        column.label(text="A wider spacing needs less", icon="BLANK1")
+        draw_question(self.layout, self.figures)
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
         bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart, beside=self.beside, asked=True)
