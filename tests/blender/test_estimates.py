@@ -51,6 +51,17 @@ def test_the_panel_says_what_the_run_comes_to(build):
     assert estimate.points == pytest.approx(point_count(fill(surface, 0.1)), rel=0.2)
 
 
+def test_symmetry_takes_the_time_of_one_half():
+    surface = sphere()
+    surface.meander.spacing = 0.02
+    whole = measured(surface)
+    surface.meander.mirror = "X"
+    symmetric = measured(surface)
+    assert symmetric == estimates.of_plan(plan_run(bpy.context))
+    assert symmetric.points == whole.points
+    assert 0.4 < symmetric.seconds / whole.seconds < 0.75
+
+
 def test_density_and_region_count():
     surface = grid(cells=40)
     surface.meander.spacing = 0.1

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
+from .estimate import cost_of
 from .field import evaluated
 from .half_mesh import HalfMesh, above
 from .mirror_images import Images, images_of
@@ -113,7 +114,7 @@ def halved(
     given = replace(problem, density=density, surface_options=prepared, mirror=None)
     with surface_of(given) as surface:
         figures = surface.statistics()
-        cost = core.estimate_cost(surface.extent(density), options)
+        cost = cost_of(surface.extent(density), options, symmetric=True)
         if accept is not None:
             accept(cost)
         fit = _fit(surface, given, context)

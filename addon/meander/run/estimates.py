@@ -104,15 +104,17 @@ def _known(active: bpy.types.Object) -> _Measured | None:
 def _estimate(found: _Measured, settings: bpy.types.PropertyGroup) -> Estimate | None:
     try:
         options = options_of(settings, settings.spacing or found.automatic)
-        return estimated(found.extent, options, settings.use_bevel, speeds)
+        symmetric = settings.mirror != "NONE"
+        return estimated(found.extent, options, settings.use_bevel, speeds, symmetric)
     except core.MeanderError:  # the button says why
         return None
 
 
 def of_plan(plan: Plan) -> Estimate:
     """What a run comes to that has been planned. Raises core.MeanderError for a mesh at fault."""
-    options = plan.problem.options
-    return estimated(extent_of_problem(plan.problem), options, plan.look.radius > 0.0, speeds)
+    problem, bevelled = plan.problem, plan.look.radius > 0.0
+    symmetric = problem.mirror is not None
+    return estimated(extent_of_problem(problem), problem.options, bevelled, speeds, symmetric)
 
 
 def extent_of_problem(problem: Problem) -> core.Extent:
