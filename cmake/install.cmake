@@ -18,7 +18,7 @@ if(NOT abi_version)
   message(FATAL_ERROR "no MEANDER_ABI_VERSION in meander.h: has it been renamed?")
 endif()
 
-add_library(meander_installed SHARED $<TARGET_OBJECTS:meander_core> $<TARGET_OBJECTS:meander_openmesh>)
+add_library(meander_installed SHARED $<TARGET_OBJECTS:meander_core>)
 set_target_properties(meander_installed PROPERTIES
   OUTPUT_NAME meander
   EXPORT_NAME meander

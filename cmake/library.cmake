@@ -17,7 +17,7 @@ add_custom_command(
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/native/src/*.cpp" "${PROJECT_SOURCE_DIR}/native/src/*.h")
 
-add_library(meander_core STATIC ${sources} "${generated_dir}/structs.inc" $<TARGET_OBJECTS:meander_openmesh>)
+add_library(meander_core STATIC ${sources} "${generated_dir}/structs.inc")
 set_target_properties(meander_core PROPERTIES
   POSITION_INDEPENDENT_CODE ON
   CXX_VISIBILITY_PRESET hidden
@@ -26,7 +26,6 @@ target_include_directories(meander_core
   PUBLIC "${PROJECT_SOURCE_DIR}/native/include"
          "${PROJECT_SOURCE_DIR}/native/src"
          "${generated_dir}")
-target_include_directories(meander_core SYSTEM PUBLIC "${OPENMESH_INCLUDE_DIR}")
 # EIGEN_MPL2_ONLY makes it an error to use one of the few LGPL parts of Eigen.
 # The objects go into the shared library, which exports the C API; programs linked with the static
 # library do not import it.
@@ -42,7 +41,7 @@ endif()
 
 # The version is part of the file name: a process that has loaded a library keeps it when another
 # takes its path, so the library of an add-on updated in a running Blender needs a name of its own.
-add_library(meander SHARED $<TARGET_OBJECTS:meander_core> $<TARGET_OBJECTS:meander_openmesh>)
+add_library(meander SHARED $<TARGET_OBJECTS:meander_core>)
 set_target_properties(meander PROPERTIES
   OUTPUT_NAME "meander-${PROJECT_VERSION}"
   LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib"

@@ -25,7 +25,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-header_packages=(libeigen3-dev libnanoflann-dev libopenmesh-dev)
+header_packages=(libeigen3-dev libnanoflann-dev)
 build_packages=(ca-certificates ccache cmake ninja-build g++ pkgconf python3 python3-markdown python3-venv
   "${header_packages[@]}" libgtest-dev)
 # Debian's Blender runs on the system's Python but does not depend on numpy, which the add-on needs.
@@ -165,10 +165,10 @@ if [ $package_tools -eq 1 ]; then
   # Where the presets look for it, whatever Python the environment has.
   ln -sfn "$(cd "$tools" && echo lib/python3*/site-packages/ziglang/zig)" "$tools/zig"
   # The headers without those of this system, which lie beside them in /usr/include.
-  if [ ! -e "$tools/include/OpenMesh" ]; then
+  if [ ! -e "$tools/include/nanoflann.hpp" ]; then
     rm -rf "$tools/include" "$tools/include.part"
     mkdir "$tools/include.part"
-    cp -RL /usr/include/eigen3/Eigen /usr/include/nanoflann.hpp /usr/include/OpenMesh "$tools/include.part"
+    cp -RL /usr/include/eigen3/Eigen /usr/include/nanoflann.hpp "$tools/include.part"
     mv "$tools/include.part" "$tools/include"
   fi
 fi

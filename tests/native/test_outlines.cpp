@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/failure.h"
 #include "geodesic/boundary_distance.h"
@@ -34,32 +35,35 @@ Mesh angle() {
   return m;
 }
 
-/// Every face has three half-edges in a ring, every boundary one belongs to a loop, and so does every vertex.
+/// Every face has three half-edges in a ring, and circulating round the vertices meets each of them once.
 void expect_whole(const HalfedgeMesh& mesh) {
-  const auto& c = mesh.connectivity();
-  for (const auto h : c.halfedges()) {
-    EXPECT_EQ(c.prev_halfedge_handle(c.next_halfedge_handle(h)), h);
-    EXPECT_EQ(c.to_vertex_handle(h), c.from_vertex_handle(c.next_halfedge_handle(h)));
-    EXPECT_EQ(c.face_handle(h), c.face_handle(c.next_halfedge_handle(h)));
-    if (!c.is_boundary(h)) {
-      EXPECT_EQ(c.next_halfedge_handle(c.next_halfedge_handle(c.next_halfedge_handle(h))), h);
-    } else {
-      EXPECT_TRUE(c.is_boundary(c.from_vertex_handle(h)));
+  std::set<HalfEdge> of_faces, of_vertices;
+  for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const HalfEdge a = mesh.first(f), b = mesh.next(a), c = mesh.next(b);
+    EXPECT_EQ(mesh.next(c), a);
+    EXPECT_EQ(mesh.prev(a), c);
+    for (const HalfEdge h : {a, b, c}) {
+      EXPECT_EQ(mesh.face(h), f);
+      EXPECT_EQ(mesh.to(h), mesh.from(mesh.next(h)));
+      EXPECT_EQ(mesh.to(h), mesh.from(HalfedgeMesh::opposite(h)));
+      EXPECT_TRUE(of_faces.insert(h).second);
     }
   }
-  size_t spokes = 0;
-  for (const auto v : c.vertices()) {
-    for ([[maybe_unused]] const auto h : c.voh_range(v)) ++spokes;
+  for (uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    mesh.each_leaving(v, [&](HalfEdge h) {
+      EXPECT_EQ(mesh.from(h), v);
+      EXPECT_TRUE(of_vertices.insert(h).second);
+    });
   }
-  EXPECT_EQ(spokes, c.n_halfedges());
+  EXPECT_EQ(of_vertices, of_faces);
 }
 
 double area(const HalfedgeMesh& mesh) {
   double sum = 0;
-  for (const auto f : mesh.connectivity().faces()) {
-    std::vector<Vec3> p;
-    for (const auto v : mesh.connectivity().fv_range(f)) p.push_back(mesh.position(v));
-    sum += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+  for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const HalfEdge h = mesh.first(f);
+    const Vec3& apex = mesh.position(mesh.to(mesh.next(h)));
+    sum += 0.5 * (mesh.position(mesh.from(h)) - apex).cross(mesh.position(mesh.to(h)) - apex).norm();
   }
   return sum;
 }
@@ -70,17 +74,15 @@ TEST(HalfedgeMesh, IsTheSurface) {
   for (const Mesh& m : {sphere(1), with_unused, joined(square(), angle(), 3)}) {
     const Surface s = make_surface(m);
     const HalfedgeMesh mesh(s);
-    const auto& c = mesh.connectivity();
-    EXPECT_EQ(c.n_vertices(), s.vertex_count());
-    EXPECT_EQ(c.n_edges(), (3 * s.face_count() + s.boundary().size()) / 2);
+    EXPECT_EQ(mesh.vertex_count(), s.vertex_count());
+    EXPECT_EQ(mesh.edge_count(), (3 * s.face_count() + s.boundary().size()) / 2);
     expect_whole(mesh);
     for (uint32_t f = 0; f < s.face_count(); ++f) {
-      uint32_t k = 0;
-      for (const auto h : c.fh_range(HalfedgeMesh::Face(static_cast<int>(f)))) {
-        EXPECT_EQ(static_cast<uint32_t>(c.from_vertex_handle(h).idx()), s.face(f)[k]);
-        const HalfEdge twin = s.twin(3 * f + k++);
-        const int beside = c.face_handle(c.opposite_halfedge_handle(h)).idx();
-        EXPECT_EQ(beside, twin == kNone ? -1 : static_cast<int>(face_of(twin)));
+      HalfEdge h = mesh.first(f);
+      for (uint32_t k = 0; k < 3; ++k, h = mesh.next(h)) {
+        EXPECT_EQ(mesh.from(h), s.face(f)[k]);
+        const HalfEdge twin = s.twin(3 * f + k);
+        EXPECT_EQ(mesh.face(HalfedgeMesh::opposite(h)), twin == kNone ? kNone : face_of(twin));
       }
     }
   }
@@ -91,14 +93,13 @@ TEST(HalfedgeMesh, KeepsItsShapeWhenEdgesAreSplit) {
   for (const Mesh& m : {square(), angle(), sphere(1)}) {
     const Surface s = make_surface(m);
     HalfedgeMesh mesh(s);
-    const auto& c = mesh.connectivity();
-    const auto euler = [&] { return int(c.n_vertices()) - int(c.n_edges()) + int(c.n_faces()); };
+    const auto euler = [&] { return int(mesh.vertex_count()) - int(mesh.edge_count()) + int(mesh.face_count()); };
     const int euler_before = euler();
     Rng rng(5);
     for (int k = 0; k < 300; ++k) {
-      const auto e = HalfedgeMesh::Edge(static_cast<int>(rng.below(c.n_edges())));
-      const Vec3 middle = mesh.middle(e);
-      const auto v = mesh.split(e);
+      const auto h = static_cast<HalfEdge>(rng.below(2 * mesh.edge_count()));
+      const Vec3 middle = mesh.middle(h);
+      const uint32_t v = mesh.split(h);
       EXPECT_EQ(mesh.position(v), middle);
       EXPECT_LT((s.to_inside(mesh.caller_position(v)) - middle).norm(), 4 * 0x1p-30);
     }
@@ -114,17 +115,17 @@ TEST(BoundaryDistance, IsExactAlongStraightBoundaries) {
   const double side = 1 / s.scale();
   const double reach = 0.1 * side;
   const BoundaryDistance d(s, reach, reach / 4, never);
-  for (const auto v : d.mesh().connectivity().vertices()) {
+  for (uint32_t v = 0; v < d.mesh().vertex_count(); ++v) {
     const Vec3& p = d.mesh().position(v);
     const double exact = std::min({p.x(), p.y(), side - p.x(), side - p.y()});
     if (exact < reach) {
       EXPECT_NEAR(d.at(v), exact, kRounding * side);
     }
   }
-  for (const auto e : d.mesh().connectivity().edges()) {
-    const Vec3 m = d.mesh().middle(e);
+  for (HalfEdge h = 0; h < 2 * d.mesh().edge_count(); h += 2) {
+    const Vec3 m = d.mesh().middle(h);
     if (std::min({m.x(), m.y(), side - m.x(), side - m.y()}) < reach) {
-      EXPECT_LE(d.mesh().length(e), reach / 4);
+      EXPECT_LE(d.mesh().length(h), reach / 4);
     }
   }
 }
@@ -134,7 +135,7 @@ TEST(BoundaryDistance, CutsUpAStripWhoseFacesGrowWithItsLength) {
   constexpr double kMostFaces = 200;  // on a stretch of the boundary as long as the distance
   for (const double reach : {0.01, 0.005, 0.0025, 0.001}) {
     const BoundaryDistance d(s, reach, reach / 4, never);
-    EXPECT_LT(static_cast<double>(d.mesh().connectivity().n_faces()), kMostFaces * 4 / s.scale() / reach);
+    EXPECT_LT(static_cast<double>(d.mesh().face_count()), kMostFaces * 4 / s.scale() / reach);
   }
 }
 

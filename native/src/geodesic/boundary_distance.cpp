@@ -11,10 +11,6 @@
 namespace meander {
 namespace {
 
-using Vertex = HalfedgeMesh::Vertex;
-using Edge = HalfedgeMesh::Edge;
-using Halfedge = HalfedgeMesh::Halfedge;
-
 /// Splits, and vertices that the front passes, from one poll to the next: a few hundred microseconds.
 constexpr uint32_t kPieces = 256;
 
@@ -44,7 +40,7 @@ BoundaryDistance::BoundaryDistance(const Surface& surface, double reach, double 
     : mesh_(surface) {
   const PointTree boundary(boundary_samples(surface, edge, CancelPoll(cancelled, 64 * kPieces)));
   refine(boundary, reach, edge, cancelled);
-  front_ = FrontSearch(AllNodes(mesh_.connectivity().n_vertices()));
+  front_ = FrontSearch(AllNodes(mesh_.vertex_count()));
   march(reach + 2 * edge, cancelled);
 }
 
@@ -54,59 +50,58 @@ void BoundaryDistance::refine(const PointTree& boundary, double reach, double ed
                               const std::function<bool()>& cancelled) {
   struct Long {
     double length;
-    int edge;
+    HalfEdge half;  // the first of the edge's two
     bool operator<(const Long& other) const {
-      return length != other.length ? length < other.length : edge > other.edge;
+      return length != other.length ? length < other.length : half > other.half;
     }
   };
-  const HalfedgeMesh::Connectivity& mesh = mesh_.connectivity();
   CancelPoll poll(cancelled, kPieces);
   std::priority_queue<Long> queue;
-  const auto consider = [&](Edge e) {
-    const double length = mesh_.length(e);
+  const auto consider = [&](HalfEdge h) {
+    const double length = mesh_.length(h);
     if (!(length > edge)) return;
     // A point of the edge is at most half its length from its middle; a sample, half a step from the boundary's.
     const double near = reach + 0.5 * (length + edge);
-    if (boundary.any_within(mesh_.middle(e), near * near)) queue.push({length, e.idx()});
+    if (boundary.any_within(mesh_.middle(h), near * near)) queue.push({length, h});
   };
-  for (const Edge e : mesh.edges()) {
+  for (HalfEdge h = 0; h < 2 * mesh_.edge_count(); h += 2) {
     poll();
-    consider(e);
+    consider(h);
   }
   while (!queue.empty()) {
     poll();
-    const Edge e(queue.top().edge);
+    const HalfEdge half = queue.top().half;
     queue.pop();
-    for (const Edge beside : mesh.ve_range(mesh_.split(e))) consider(beside);
+    const HalfEdge added = static_cast<HalfEdge>(2 * mesh_.edge_count());
+    mesh_.split(half);
+    consider(half);
+    for (HalfEdge h = added; h < 2 * mesh_.edge_count(); h += 2) consider(h);
   }
 }
 
 void BoundaryDistance::march(double last, const std::function<bool()>& cancelled) {
-  const HalfedgeMesh::Connectivity& mesh = mesh_.connectivity();
   CancelPoll poll(cancelled, kPieces);
-  for (const Vertex v : mesh.vertices()) {
-    if (!mesh.is_isolated(v) && mesh.is_boundary(v)) front_.offer(number(v), 0);
+  for (HalfEdge h = 0; h < 2 * mesh_.edge_count(); ++h) {
+    if (mesh_.face(h) == kNone) front_.offer(mesh_.from(h), 0);
   }
-  while (const auto next = front_.next()) {
+  while (const auto v = front_.next()) {
     poll();
-    const Vertex v(static_cast<int>(*next));
-    if (at(v) > last) break;
-    const auto reach = [&](Vertex c, Vertex other) {
-      if (front_.done(number(c))) return;
-      const double along_edge = at(v) + (mesh_.position(c) - mesh_.position(v)).norm();
-      front_.offer(number(c), front_.done(number(other)) ? across(v, other, c) : along_edge);
+    if (at(*v) > last) break;
+    const auto reach = [&](uint32_t c, uint32_t other) {
+      if (front_.done(c)) return;
+      const double along_edge = at(*v) + (mesh_.position(c) - mesh_.position(*v)).norm();
+      front_.offer(c, front_.done(other) ? across(*v, other, c) : along_edge);
     };
-    for (const Halfedge h : mesh.voh_range(v)) {
-      if (mesh.is_boundary(h)) continue;
-      const Vertex a = mesh.to_vertex_handle(h), b = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
+    mesh_.each_leaving(*v, [&](HalfEdge h) {
+      const uint32_t a = mesh_.to(h), b = mesh_.to(mesh_.next(h));
       reach(a, b);
       reach(b, a);
-    }
+    });
   }
 }
 
 /// The distance at c of a straight front that reaches a and b when it does.
-double BoundaryDistance::across(Vertex a, Vertex b, Vertex c) const {
+double BoundaryDistance::across(uint32_t a, uint32_t b, uint32_t c) const {
   const Vec3 u = mesh_.position(b) - mesh_.position(a), w = mesh_.position(c) - mesh_.position(a);
   const double by_edges = std::min(at(a) + w.norm(), at(b) + (w - u).norm());
   const double length = u.norm(), slope = (at(b) - at(a)) / length;

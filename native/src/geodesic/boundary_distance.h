@@ -26,13 +26,12 @@ class BoundaryDistance {
 
   const HalfedgeMesh& mesh() const { return mesh_; }
   /// Infinite where the front has not been.
-  double at(HalfedgeMesh::Vertex v) const { return front_.cost(number(v)); }
+  double at(uint32_t v) const { return front_.cost(v); }
 
  private:
-  static uint32_t number(HalfedgeMesh::Vertex v) { return static_cast<uint32_t>(v.idx()); }
   void refine(const PointTree& boundary, double reach, double edge, const std::function<bool()>& cancelled);
   void march(double last, const std::function<bool()>& cancelled);
-  double across(HalfedgeMesh::Vertex a, HalfedgeMesh::Vertex b, HalfedgeMesh::Vertex c) const;
+  double across(uint32_t a, uint32_t b, uint32_t c) const;
 
   HalfedgeMesh mesh_;
   FrontSearch<AllNodes> front_{AllNodes(0)};

@@ -29,47 +29,43 @@ struct Loop {
 class LevelLines {
  public:
   LevelLines(const BoundaryDistance& distance, double level)
-      : distance_(distance), mesh_(distance.mesh()), neighbours_(mesh_.connectivity()), level_(level) {}
+      : distance_(distance), mesh_(distance.mesh()), level_(level) {}
 
   std::vector<Loop> find(CancelPoll poll) const {
     std::vector<Loop> loops;
-    std::vector<uint8_t> visited(neighbours_.n_faces(), 0);
-    const auto first_visit = [&](Halfedge h) {
-      return !std::exchange(visited[static_cast<size_t>(neighbours_.face_handle(h).idx())], uint8_t{1});
-    };
-    for (const HalfedgeMesh::Face face : neighbours_.faces()) {
+    std::vector<uint8_t> visited(mesh_.face_count(), 0);
+    const auto first_visit = [&](HalfEdge h) { return !std::exchange(visited[mesh_.face(h)], uint8_t{1}); };
+    for (uint32_t face = 0; face < mesh_.face_count(); ++face) {
       poll();
-      Halfedge h = entry_of(face);
-      if (!h.is_valid() || !first_visit(h)) continue;
+      HalfEdge h = entry_of(face);
+      if (h == kNone || !first_visit(h)) continue;
       Loop& loop = loops.emplace_back();
       do {
         poll();
         add_point(h, loop);
-        h = neighbours_.opposite_halfedge_handle(exit_after(h));
+        h = mesh_.opposite(exit_after(h));
       } while (first_visit(h));
     }
     return loops;
   }
 
  private:
-  using Vertex = HalfedgeMesh::Vertex;
-  using Halfedge = HalfedgeMesh::Halfedge;
+  bool above(uint32_t v) const { return distance_.at(v) >= level_; }
 
-  bool above(Vertex v) const { return distance_.at(v) >= level_; }
-
-  /// The half-edge by which a line enters the face; invalid where none does.
-  Halfedge entry_of(HalfedgeMesh::Face face) const {
-    for (const Halfedge h : neighbours_.fh_range(face)) {
-      if (above(neighbours_.from_vertex_handle(h)) && !above(neighbours_.to_vertex_handle(h))) return h;
+  /// The half-edge by which a line enters the face; kNone where none does.
+  HalfEdge entry_of(uint32_t face) const {
+    const HalfEdge first = mesh_.first(face);
+    for (const HalfEdge h : {first, mesh_.next(first), mesh_.prev(first)}) {
+      if (above(mesh_.from(h)) && !above(mesh_.to(h))) return h;
     }
-    return Halfedge();
+    return kNone;
   }
-  Halfedge exit_after(Halfedge entry) const {
-    const Halfedge next = neighbours_.next_halfedge_handle(entry);
-    return above(neighbours_.to_vertex_handle(next)) ? next : neighbours_.prev_halfedge_handle(entry);
+  HalfEdge exit_after(HalfEdge entry) const {
+    const HalfEdge next = mesh_.next(entry);
+    return above(mesh_.to(next)) ? next : mesh_.prev(entry);
   }
-  void add_point(Halfedge h, Loop& loop) const {
-    const Vertex a = neighbours_.from_vertex_handle(h), b = neighbours_.to_vertex_handle(h);
+  void add_point(HalfEdge h, Loop& loop) const {
+    const uint32_t a = mesh_.from(h), b = mesh_.to(h);
     // Clear of the vertices, so that points do not coincide.
     constexpr double kClear = 1e-3;
     const double t = (level_ - distance_.at(a)) / (distance_.at(b) - distance_.at(a));
@@ -80,7 +76,6 @@ class LevelLines {
 
   const BoundaryDistance& distance_;
   const HalfedgeMesh& mesh_;
-  const HalfedgeMesh::Connectivity& neighbours_;
   double level_;
 };
 

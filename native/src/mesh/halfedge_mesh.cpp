@@ -6,82 +6,79 @@
 namespace meander {
 namespace {
 
-/// Half-edges are numbered by an int.
 constexpr size_t kMostEdges = size_t{1} << 30;
 
-HalfedgeMesh::Vertex vertex_handle(uint32_t v) { return HalfedgeMesh::Vertex(static_cast<int>(v)); }
+/// Edges that a split adds: half of the one that is split, and one in each face beside it.
+constexpr size_t kNewEdges = 3;
 
 }  // namespace
 
-HalfedgeMesh::HalfedgeMesh(const Surface& surface) {
-  const uint32_t vertices = static_cast<uint32_t>(surface.vertex_count());
-  const uint32_t faces = static_cast<uint32_t>(surface.face_count());
+HalfedgeMesh::HalfedgeMesh(const Surface& surface) : leaving_(surface.vertex_count(), kNone) {
   const size_t edges = (3 * surface.face_count() + surface.boundary().size()) / 2;
   if (edges > kMostEdges) throw Failure(FailureKind::kOutOfMemory, "The surface has too many edges to be refined.");
-  connectivity_.reserve(vertices, edges, faces);
-  for (uint32_t v = 0; v < vertices; ++v) {
-    connectivity_.new_vertex();
+  half_.reserve(2 * edges);
+  for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
     position_.push_back(surface.position(v));
     caller_.push_back(surface.caller_position(v));
   }
-  std::vector<Halfedge> halfedge(3 * surface.face_count());
-  for (HalfEdge e = 0; e < halfedge.size(); ++e) {
+  std::vector<HalfEdge> here(3 * surface.face_count());
+  for (HalfEdge e = 0; e < here.size(); ++e) {
     const HalfEdge twin = surface.twin(e);
     const Triangle& corners = surface.face(face_of(e));
-    halfedge[e] = twin < e ? connectivity_.opposite_halfedge_handle(halfedge[twin])
-                           : connectivity_.new_edge(vertex_handle(corners[corner_of(e)]),
-                                                    vertex_handle(corners[next_corner(corner_of(e))]));
+    here[e] = twin < e ? opposite(here[twin])
+                       : add_edge(corners[corner_of(e)], corners[next_corner(corner_of(e))]);
   }
-  for (uint32_t f = 0; f < faces; ++f) {
-    const Face face = connectivity_.new_face();
-    connectivity_.set_halfedge_handle(face, halfedge[3 * f]);
-    for (uint32_t k = 0; k < 3; ++k) {
-      const Halfedge h = halfedge[3 * f + k];
-      connectivity_.set_face_handle(h, face);
-      connectivity_.set_next_halfedge_handle(h, halfedge[3 * f + next_corner(k)]);
-      connectivity_.set_halfedge_handle(vertex_handle(surface.face(f)[k]), h);
-    }
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    set_face(add_face(), here[3 * f], here[3 * f + 1], here[3 * f + 2]);
+    for (uint32_t k = 0; k < 3; ++k) leaving_[surface.face(f)[k]] = here[3 * f + k];
   }
-  connect_boundary(surface, halfedge);
+  // The faces of a vertex are one fan, so that one half-edge at most leaves it along the boundary.
+  for (const HalfEdge e : surface.boundary()) leaving_[from(here[e])] = here[e];
 }
 
-/// Joins the half-edges without a face to loops. The faces of a vertex are one fan, so that one of them at most
-/// leaves it.
-void HalfedgeMesh::connect_boundary(const Surface& surface, const std::vector<Halfedge>& halfedge) {
-  for (const HalfEdge e : surface.boundary()) {
-    const Halfedge outside = connectivity_.opposite_halfedge_handle(halfedge[e]);
-    connectivity_.set_halfedge_handle(connectivity_.from_vertex_handle(outside), outside);
-  }
-  for (const HalfEdge e : surface.boundary()) {
-    const Halfedge outside = connectivity_.opposite_halfedge_handle(halfedge[e]);
-    const Vertex to = connectivity_.to_vertex_handle(outside);
-    connectivity_.set_next_halfedge_handle(outside, connectivity_.halfedge_handle(to));
-  }
+HalfEdge HalfedgeMesh::add_edge(uint32_t from, uint32_t to) {
+  half_.push_back({to, kNone, kNone});
+  half_.push_back({from, kNone, kNone});
+  return static_cast<HalfEdge>(half_.size() - 2);
 }
 
-double HalfedgeMesh::length(Edge e) const {
-  const Halfedge h = connectivity_.halfedge_handle(e, 0);
-  return (position(connectivity_.to_vertex_handle(h)) - position(connectivity_.from_vertex_handle(h))).norm();
+uint32_t HalfedgeMesh::add_face() {
+  first_.push_back(kNone);
+  return static_cast<uint32_t>(first_.size() - 1);
 }
 
-Vec3 HalfedgeMesh::middle(Edge e) const {
-  const Halfedge h = connectivity_.halfedge_handle(e, 0);
-  return 0.5 * (position(connectivity_.from_vertex_handle(h)) + position(connectivity_.to_vertex_handle(h)));
+void HalfedgeMesh::set_face(uint32_t face, HalfEdge a, HalfEdge b, HalfEdge c) {
+  first_[face] = a;
+  half_[a].next = b;
+  half_[b].next = c;
+  half_[c].next = a;
+  for (const HalfEdge h : {a, b, c}) half_[h].face = face;
 }
 
-HalfedgeMesh::Vertex HalfedgeMesh::split(Edge e) {
-  constexpr size_t kNewEdges = 3;
-  if (connectivity_.n_edges() + kNewEdges > kMostEdges) {
+uint32_t HalfedgeMesh::split(HalfEdge h) {
+  if (edge_count() + kNewEdges > kMostEdges) {
     throw Failure(FailureKind::kOutOfMemory, "The surface would have to be refined too far.");
   }
-  const Halfedge h = connectivity_.halfedge_handle(e, 0);
-  const Vec3& from = caller_[index(connectivity_.from_vertex_handle(h))];
-  const Vec3& to = caller_[index(connectivity_.to_vertex_handle(h))];
-  const Vec3 between = 0.5 * (from + to);
-  position_.push_back(middle(e));
-  caller_.push_back(between);
-  const Vertex v = connectivity_.new_vertex();
-  connectivity_.split(e, v);
+  const HalfEdge o = opposite(h);
+  const uint32_t a = from(h), v = static_cast<uint32_t>(vertex_count());
+  const Vec3 halfway = middle(h), caller_halfway = 0.5 * (caller_[a] + caller_[to(h)]);
+  position_.push_back(halfway);
+  caller_.push_back(caller_halfway);
+  // h runs from the new vertex on; the half up to there is new.
+  const HalfEdge back = add_edge(v, a), forth = opposite(back);
+  half_[o].to = v;
+  if (leaving_[a] == h) leaving_[a] = forth;
+  leaving_.push_back(face(h) != kNone ? h : back);
+  if (face(h) != kNone) {
+    const HalfEdge x = next(h), y = next(x), out = add_edge(v, to(x));
+    set_face(face(h), h, x, opposite(out));
+    set_face(add_face(), out, y, forth);
+  }
+  if (face(o) != kNone) {
+    const HalfEdge x = next(o), y = next(x), out = add_edge(v, to(x));
+    set_face(face(o), o, out, y);
+    set_face(add_face(), back, x, opposite(out));
+  }
   return v;
 }
 

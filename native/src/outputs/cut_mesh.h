@@ -16,8 +16,7 @@ namespace meander {
 /// Lengths are in the surface's own unit. Guides are left out: they may cross one another.
 ///
 /// Every piece lies in one face of the surface, so each face is triangulated by itself, and the points on its edges
-/// are the same from both sides (see Crossing). OpenMesh is not used here: its edges can be split, but which diagonals
-/// there are has to be decided by exact predicates in the plane of the face.
+/// are the same from both sides (see Crossing).
 class CutMesh {
  public:
   struct Face {
