@@ -82,7 +82,7 @@ def test_no_header_includes_itself_by_others():
     [
         ("base/plane.h", "mesh/surface.h", "later room"),
         ("curve/refinement.cpp", "seed/seed.h", "later room"),
-        ("medial/gaps.cpp", "flow/flow.h", "later room"),
+        ("medial/frames.cpp", "flow/flow.h", "later room"),
         ("flow/flow.h", "outputs/cut_surface.h", "later room"),
         ("outputs/job.h", "meander/meander.h", "later room"),
         ("mesh/fields.cpp", "surface.h", "names no room"),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geodesic/geodesic_trace.h"
-#include "medial/emptiness.h"
+#include "outputs/emptiness.h"
 #include "test_curves.h"
 
 namespace meander::test {

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "flow/flow.h"
 #include "api_results.h"
+#include "flow/flow.h"
+#include "outputs/statistics.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -104,7 +105,7 @@ TEST_P(EveryIteration, KeepsTheCurveWhole) {
           measure_path(*surface, curve.nodes[i], curve.nodes[curve.next(i)], curve.paths[i]);
       EXPECT_NEAR(shape.length, curve.shapes[i].length, kMeasured);
     }
-    EXPECT_EQ(flow.measure().crossings, 0u);
+    EXPECT_EQ(statistics_of(flow).crossings, 0u);
   }
 }
 
@@ -346,7 +347,7 @@ TEST(FlowUnderADensity, StrandsInMetricDistanceAreAtRest) {
   }
   FlowSettings settings = settings_of(MEANDER_PRESET_EVEN, *surface, 2 * low);
   Flow flow(surface, &seed, density, settings);
-  std::vector<double> spacing = flow.measure().spacing;
+  std::vector<double> spacing = statistics_of(flow).spacing;
   for (double& d : spacing) d /= 2 * settings.radius;
   // Only the outer sides of the first and the last strand face the boundary. There are nine strands,
   // and most nodes are on the first, where r is least.
@@ -410,7 +411,7 @@ TEST(FlowToTheEnd, DoesNotDependOnWhoLooksAtIt) {
   for (int k = 0; alone.stop_reason() == StopReason::kRunning; ++k) {
     ASSERT_TRUE(alone.step(kNeverCancelled));
     int asked = 0;
-    if (k % 3 == 0) watched.measure();
+    if (k % 3 == 0) statistics_of(watched);
     if (k % 5 == 0) {
       EXPECT_FALSE(watched.step([&] { return ++asked > 1 + k % 2; }));
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/segment_distance.h"
+#include "outputs/statistics.h"
 #include "seed/regions.h"
 #include "test_seeds.h"
 
@@ -92,7 +93,7 @@ TEST(Guides, StayAsTheyAreWhileTheRestGrows) {
           ASSERT_TRUE(!flow.curve().on_guide(i) || flow.curve().fixed[i]);
         }
       }
-      EXPECT_EQ(flow.measure().crossings, 0u);
+      EXPECT_EQ(statistics_of(flow).crossings, 0u);
     }
   }
 }
@@ -145,7 +146,7 @@ TEST(Guides, AreKeptFromAtTheSpacing) {
   const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(6)));
   Flow flow = flow_on(surface, {{{{0.2, 0.3, 0}, {0.8, 0.45, 0}}}}, true, 0.07);
   flow.run(kNeverCancelled, [](double) {});
-  flow.measure();
+  flow.update_radii();
   const Strand& guide = flow.curve().strands[0];
   std::vector<double> radii;
   for (uint32_t i = guide.first + 3; i + 3 < guide.end(); ++i) {

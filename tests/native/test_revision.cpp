@@ -11,6 +11,7 @@
 
 #include "api/handles.h"
 #include "api_structs.h"
+#include "outputs/statistics.h"
 #include "test_curves.h"
 
 namespace meander::test {
@@ -78,7 +79,7 @@ double packing(const FlowHandle& flow) {
 
 /// Of both sides of all nodes, the share with a medial radius within a fifth of r.
 double near_target(const FlowHandle& flow) {
-  const Flow::Measure measure = flow->flow->measure();
+  const Statistics measure = statistics_of(*flow->flow);
   const double wanted = 2 * flow->flow->settings().radius;
   double near = 0;
   for (const double spacing : measure.spacing) near += std::abs(spacing / wanted - 1) <= 0.2;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Places that the curve leaves empty.
-#include "medial/gaps.h"
+#include "outputs/gaps.h"
 
 #include "api/caller_mesh.h"
 #include "api/results.h"
@@ -41,7 +41,7 @@ meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, mea
     Flow& f = *flow->flow;
     const std::function<bool()> asked = question(context);
     const auto watch = f.watch(asked);
-    GapArrays found = in_terms_of_the_caller(f.gaps(least_size != 0 ? least_size : kGapSize), f.surface(),
+    GapArrays found = in_terms_of_the_caller(find_gaps(f, least_size != 0 ? least_size : kGapSize), f.surface(),
                                              flow->map.get());
     check_cancelled(context);
     hand_out(gaps, std::move(found), [](const GapArrays& arrays, meander_gaps& g) {

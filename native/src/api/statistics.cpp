@@ -1,59 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The figures of a flow, and its history.
+#include "outputs/statistics.h"
+
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "api/structs.h"
 
 using namespace meander;
 
 namespace {
-
-/// How far the spacing may be from what is wanted and still be even, as a share of that.
-constexpr double kEvenWithin = 0.2;
-
-void count_strands(const Flow& flow, meander_flow_statistics& figures) {
-  const Curve& curve = flow.curve();
-  std::vector<uint8_t> grown(flow.surface().component_count(), 0);
-  figures.strands = static_cast<uint32_t>(curve.strands.size());
-  for (const Strand& s : curve.strands) {
-    figures.closed_strands += s.closed;
-    figures.guides += s.guide;
-    if (!s.guide) grown[flow.surface().component(curve.nodes[s.first].face)] = 1;
-  }
-  figures.empty_components = static_cast<uint32_t>(std::ranges::count(grown, 0));
-}
-
-/// Components that are smaller than the spacing: the curve has no room on them.
-uint32_t small_components(const Surface& surface, double spacing) {
-  const Vec3 infinite = Vec3::Constant(std::numeric_limits<double>::infinity());
-  std::vector<Vec3> low(surface.component_count(), infinite), high(surface.component_count(), -infinite);
-  for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    const uint32_t part = surface.component(f);
-    for (const uint32_t v : surface.face(f)) {
-      low[part] = low[part].cwiseMin(surface.position(v));
-      high[part] = high[part].cwiseMax(surface.position(v));
-    }
-  }
-  uint32_t small = 0;
-  for (size_t part = 0; part < low.size(); ++part) small += (high[part] - low[part]).norm() < spacing;
-  return small;
-}
-
-double percentile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return 0;
-  return sorted[static_cast<size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
-
-/// The share of the values that are within `tolerance` times `wanted` of it.
-double share_within(const std::vector<double>& sorted, double wanted, double tolerance) {
-  if (sorted.empty()) return 0;
-  const auto first = std::ranges::lower_bound(sorted, (1 - tolerance) * wanted);
-  const auto last = std::ranges::upper_bound(sorted, (1 + tolerance) * wanted);
-  return first < last ? static_cast<double>(last - first) / static_cast<double>(sorted.size()) : 0;
-}
 
 void add_seconds(const FlowSeconds& seconds, meander_flow_statistics& figures) {
   figures.seconds_total = seconds.total;
@@ -76,26 +33,29 @@ void add_fit(const Flow& flow, meander_flow_statistics& figures) {
   figures.seed_jump_point2 = fit.jump_to;
 }
 
-meander_flow_statistics statistics_of(const meander_flow& handle) {
+meander_flow_statistics callers_figures(const meander_flow& handle) {
   Flow& flow = *handle.flow;
   const double scale = flow.surface().scale();
-  const Flow::Measure m = flow.measure();
+  const Statistics s = statistics_of(flow);
   meander_flow_statistics figures{};
   figures.stop_reason = meander_flow_stop_reason(&handle);
   figures.iterations = static_cast<uint32_t>(flow.history().size());
   figures.nodes = flow.curve().size();
-  figures.crossings = static_cast<uint32_t>(std::min<size_t>(m.crossings, UINT32_MAX));
+  figures.crossings = static_cast<uint32_t>(std::min<size_t>(s.crossings, UINT32_MAX));
   figures.polishing = flow.polishing();
-  count_strands(flow, figures);
-  figures.small_components = small_components(flow.surface(), 2 * flow.settings().radius);
-  figures.length = m.length * scale;
-  figures.energy = m.energy * scale;
+  figures.strands = s.strands;
+  figures.closed_strands = s.closed_strands;
+  figures.guides = s.guides;
+  figures.empty_components = s.empty_components;
+  figures.small_components = s.small_components;
+  figures.length = s.length * scale;
+  figures.energy = s.energy * scale;
   figures.mean_step = flow.history().empty() ? 0 : flow.history().back().mean_step * scale;
   figures.spacing_target = 2 * flow.settings().radius * scale;
-  figures.spacing_p05 = percentile(m.spacing, 0.05) * scale;
-  figures.spacing_median = percentile(m.spacing, 0.5) * scale;
-  figures.spacing_p95 = percentile(m.spacing, 0.95) * scale;
-  figures.evenness = share_within(m.spacing, 2 * flow.settings().radius, kEvenWithin);
+  figures.spacing_p05 = s.spacing_percentile(0.05) * scale;
+  figures.spacing_median = s.spacing_percentile(0.5) * scale;
+  figures.spacing_p95 = s.spacing_percentile(0.95) * scale;
+  figures.evenness = s.evenness(2 * flow.settings().radius);
   figures.roughness = static_cast<float>(flow.roughness().mean);
   figures.smoothing = static_cast<float>(flow.roughness().smoothing);
   figures.stretch = static_cast<float>(flow.roughness().stretch);
@@ -114,7 +74,7 @@ meander_status meander_flow_compute_statistics(meander_flow* flow, meander_flow_
     check_cancelled(context);
     const std::function<bool()> asked = question(context);
     const auto watch = flow->flow->watch(asked);
-    const meander_flow_statistics figures = statistics_of(*flow);
+    const meander_flow_statistics figures = callers_figures(*flow);
     check_cancelled(context);
     write_struct(statistics, figures);
   });

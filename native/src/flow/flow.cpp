@@ -7,7 +7,6 @@
 
 #include "base/failure.h"
 #include "base/stopwatch.h"
-#include "curve/crossings.h"
 #include "flow/clamped_nodes.h"
 #include "flow/free_nodes.h"
 #include "flow/invariant.h"
@@ -268,53 +267,6 @@ double Flow::progress() const {
 void Flow::update_radii() {
   find_medial_axis(state_, {});
   keep_radii();
-}
-
-Flow::Measure Flow::measure() {
-  find_medial_axis(state_, {});
-  choose_weights(plan(), state_, medial_, strands_, pool_, weights_);
-  const Curve& curve = state_.curve;
-  Measure m;
-  m.length = length();
-  m.energy = energy(curve, medial_.felt_radii, state_.metric, weights_, pool_);
-  const double nominal = 2 * state_.settings.radius * approach_.factor();
-  for (uint32_t i = 0; i < curve.size(); ++i) {
-    if (curve.on_guide(i)) continue;
-    for (size_t side = 0; side < 2; ++side) {
-      const double radius = in_local_radii(medial_.frames, state_.metric, i, side, medial_.radii[i][side]);
-      m.spacing.push_back(nominal * radius / state_.metric.radius[i]);
-    }
-  }
-  std::sort(m.spacing.begin(), m.spacing.end());
-  CrossingTest test;
-  m.crossings = test.find(*state_.domain.surface, curve, pool_).size();
-  keep_radii();
-  return m;
-}
-
-std::vector<Gap> Flow::gaps(double least_size) {
-  find_medial_axis(state_, {});
-  const Domain& domain = state_.domain;
-  const Surface& surface = *domain.surface;
-  std::vector<Gap> gaps = find_gaps(surface, state_.curve, medial_.frames, medial_.radii, domain.radius,
-                                    least_size, domain.patches.get(), pool_);
-  // Where a strip along the boundary is to stay empty, only what lies farther from the curve than the
-  // strip asks for is a gap.
-  const double kept = state_.settings.boundary_distance;
-  if (kept > 0.5 && !domain.boundary->empty()) {
-    std::erase_if(gaps, [&](const Gap& gap) {
-      const double r = gap.radius / gap.size;
-      const double to_boundary =
-          std::sqrt(domain.boundary->tree().nearest(position(surface, gap.centre))->squared_distance);
-      const double wanted = std::max(0.0, (2 * kept - 1) * r - to_boundary);
-      return gap.radius - wanted < least_size * r;
-    });
-  }
-  if (at_scale()) {
-    for (Gap& gap : gaps) gap.radius *= domain.stretch_at(gap.centre);
-  }
-  keep_radii();
-  return gaps;
 }
 
 double Flow::length() const {

@@ -16,7 +16,6 @@
 #include "flow/segment_refiner.h"
 #include "flow/spacing_approach.h"
 #include "flow/step.h"
-#include "medial/gaps.h"
 #include "medial/medial_state.h"
 #include "model/strand_solver.h"
 #include "seed/seed.h"
@@ -84,16 +83,23 @@ class Flow {
   /// How well the seed fitted the surface that the flow began on.
   const SeedFit& seed_fit() const { return seed_fit_; }
 
-  /// Figures of the curve as it is now; brings radii() up to date, and changes nothing else.
-  struct Measure {
-    double length = 0, energy = 0;
-    std::vector<double> spacing;  ///< medial diameter over the local one, times 2 r; sorted
-    size_t crossings = 0;
+  /// The curve as it is now, on the surface that the flow runs on.
+  struct Present {
+    const FlowState& state;
+    const MedialState& medial;  ///< of the curve, as exact as may be
+    IterationPlan plan;         ///< of the next iteration
+    double spacing_factor;      ///< what r is multiplied by while the curve approaches its spacing
+    ThreadPool& pool;
   };
-  Measure measure();
-  /// Where the curve as it is now leaves the surface empty, see find_gaps; as measure(), it brings
-  /// radii() up to date and changes nothing else.
-  std::vector<Gap> gaps(double least_size);
+  /// Returns question(Present). Brings radii() up to date and changes nothing else; whatever is thrown, also by the
+  /// question, all is then as it was.
+  template <class Question>
+  auto ask(const Question& question) {
+    find_medial_axis(state_, {});
+    auto answer = question(Present{state_, medial_, plan(), approach_.factor(), pool_});
+    keep_radii();
+    return answer;
+  }
   /// Brings radii() up to date and changes nothing else.
   void update_radii();
 

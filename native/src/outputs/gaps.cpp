@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "medial/gaps.h"
+#include "outputs/gaps.h"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ constexpr double kFinestStep = 0.005;
 constexpr int kMostSteps = 200;
 
 /// Places that are compared between two asks whether to go on.
-constexpr uint32_t kPieces = 4096;
+constexpr uint32_t kCompared = 4096;
 
 /// A step must gain at least this share of its length: one that the boundary ends at once also goes a little way along
 /// it, and a climb of such steps would never come to shorter ones.
@@ -117,15 +117,17 @@ std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, dou
   return kept;
 }
 
-}  // namespace
-
-std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
-                           const NodeData<Radii>& radii, const RadiusField& radius, double least_size,
-                           const SurfacePatches* patches, ThreadPool& pool) {
-  const Emptiness emptiness(surface, curve, frames.position.values(), radius, patches);
-  const bool along_surface = patches != nullptr;
+std::vector<Gap> emptiest_places(const Flow::Present& present, double least_size) {
+  const Domain& domain = present.state.domain;
+  const Surface& surface = *domain.surface;
+  const Curve& curve = present.state.curve;
+  const Frames& frames = present.medial.frames;
+  const NodeData<Radii>& radii = present.medial.radii;
+  ThreadPool& pool = present.pool;
+  const Emptiness emptiness(surface, curve, frames.position.values(), domain.radius, domain.patches.get());
+  const bool along_surface = domain.patches != nullptr;
   const double promising = kPromising * least_size;
-  const double surely_small = kSurely * promising * radius.least();
+  const double surely_small = kSurely * promising * domain.radius.least();
   const size_t balls = 2 * size_t{curve.size()};
   const size_t middles = balls + surface.face_count(), count = middles + surface.boundary().size();
   constexpr size_t kBlock = 512;
@@ -152,13 +154,38 @@ std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Fra
   std::vector<Gap> starts;
   for (const std::vector<Gap>& block : found) starts.insert(starts.end(), block.begin(), block.end());
 
-  std::vector<Gap> gaps = apart(surface, starts, kSameStart, along_surface, pool.poll(kPieces));
+  std::vector<Gap> gaps = apart(surface, starts, kSameStart, along_surface, pool.poll(kCompared));
   pool.for_blocks(gaps.size(), 2, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) gaps[k] = climb(emptiness, gaps[k]);
   });
-  gaps = apart(surface, gaps, 1, along_surface, pool.poll(kPieces));
+  gaps = apart(surface, gaps, 1, along_surface, pool.poll(kCompared));
   std::erase_if(gaps, [&](const Gap& gap) { return gap.size < least_size; });
   return gaps;
+}
+
+/// Where a strip along the boundary is to stay empty, what lies no farther from the curve than it asks for is no gap.
+void leave_out_strip(const FlowState& state, double least_size, std::vector<Gap>& gaps) {
+  const Domain& domain = state.domain;
+  const double kept = state.settings.boundary_distance;
+  if (kept <= 0.5 || domain.boundary->empty()) return;
+  std::erase_if(gaps, [&](const Gap& gap) {
+    const double r = gap.radius / gap.size;
+    const double to_boundary =
+        std::sqrt(domain.boundary->tree().nearest(position(*domain.surface, gap.centre))->squared_distance);
+    const double wanted = std::max(0.0, (2 * kept - 1) * r - to_boundary);
+    return gap.radius - wanted < least_size * r;
+  });
+}
+
+}  // namespace
+
+std::vector<Gap> find_gaps(Flow& flow, double least_size) {
+  return flow.ask([&](const Flow::Present& present) {
+    std::vector<Gap> gaps = emptiest_places(present, least_size);
+    leave_out_strip(present.state, least_size, gaps);
+    for (Gap& gap : gaps) gap.radius *= present.state.domain.stretch_at(gap.centre);
+    return gaps;
+  });
 }
 
 }  // namespace meander

@@ -5,9 +5,8 @@
 
 #include <vector>
 
-#include "medial/emptiness.h"
-#include "medial/frames.h"
-#include "medial/medial_axis.h"
+#include "flow/flow.h"
+#include "outputs/emptiness.h"
 
 namespace meander {
 
@@ -16,8 +15,8 @@ namespace meander {
 /// nothing gives way, so a good filling still has some of these, a little smaller.
 inline constexpr double kGapSize = 1.2;
 
-/// Places whose size is at least `least_size`, the largest first. No centre lies within the radius of
-/// a larger gap: what overlaps is one gap.
+/// Places that the curve as it is now leaves empty, whose size is at least `least_size`, the largest first. No centre
+/// lies within the radius of a larger gap: what overlaps is one gap.
 ///
 /// A largest empty place touches the curve on several sides, so it is a medial ball of the nodes
 /// where it touches, and the search starts from the centres of all balls, carried onto the surface by
@@ -28,15 +27,13 @@ inline constexpr double kGapSize = 1.2;
 /// search, so where balls end at the clamp in one large void the size is a lower bound.
 ///
 /// Distance is straight through space, as the Euclidean medial axis has it: a sheet that lies closer than
-/// the spacing to another one is covered by the strands of both. With `patches`, those of the surface, only
+/// the spacing to another one is covered by the strands of both. Where distances are along the surface, only
 /// what of the curve is connected to the place counts, on the part of the surface that is no farther from it; gaps
 /// on sheets that face each other are then two. What only strands of another sheet are near to counts as at
 /// most 3 r from the curve.
 ///
-/// `frames`, `radii`  of the present curve, see compute_frames and compute_medial_axis
-/// `radius`           the local r
-std::vector<Gap> find_gaps(const Surface& surface, const Curve& curve, const Frames& frames,
-                           const NodeData<Radii>& radii, const RadiusField& radius,
-                           double least_size, const SurfacePatches* patches, ThreadPool& pool);
+/// Where a strip along the boundary is to stay empty, only what lies farther from the curve than the strip asks for is
+/// a gap. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes.
+std::vector<Gap> find_gaps(Flow& flow, double least_size);
 
 }  // namespace meander

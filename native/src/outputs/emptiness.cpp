@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "medial/emptiness.h"
+#include "outputs/emptiness.h"
 
 #include <algorithm>
 #include <cmath>
