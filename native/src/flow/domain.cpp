@@ -34,13 +34,12 @@ double filling_length(const Surface& surface, const RadiusField& radius) {
 
 double expected_nodes(const Surface& surface, const FlowSettings& settings,
                       const std::function<double(uint32_t)>& density_at) {
-  constexpr double kMeanSegment = 1.4;  // in h
   double weighted_area = 0;
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     const Triangle& t = surface.face(f);
     weighted_area += surface.face_area(f) * (density_at(t[0]) + density_at(t[1]) + density_at(t[2])) / 3;
   }
-  return weighted_area / (2 * settings.radius * kMeanSegment * settings.segment_length);
+  return weighted_area / (2 * settings.radius * tuning::kMeanSegment * settings.segment_length);
 }
 
 Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, const FlowSettings& settings, ThreadPool& pool)

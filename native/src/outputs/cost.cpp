@@ -19,8 +19,6 @@ namespace {
 
 /// The length of a finished curve over area by spacing; without a polish it stays shorter.
 constexpr double kLength = 1.047, kUnpolishedLength = 0.967;
-/// The mean distance of nodes, in h: they are kept between h and 2 h apart.
-constexpr double kMeanSegment = 1.39;
 /// How often a line of any direction crosses edges: for each unit of its length, and each unit of edge length on
 /// each unit of area (Crofton).
 constexpr double kCrossings = 2 / std::numbers::pi;
@@ -90,7 +88,7 @@ Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
   const bool along_surface = settings.medial_axis == MedialAxis::kGeodesic;
   Cost cost;
   cost.length = per_area * extent.length_area;
-  cost.nodes = per_area * extent.node_area / (kMeanSegment * settings.segment_length);
+  cost.nodes = per_area * extent.node_area / (tuning::kMeanSegment * settings.segment_length);
   // What is too large for a number is still none times no edges.
   constexpr double kMost = std::numeric_limits<double>::max();
   cost.points = cost.nodes + kCrossings * std::min(cost.length, kMost) * std::min(extent.edge_density, kMost);
