@@ -9,8 +9,8 @@
 
 #include "base/failure.h"
 #include "geodesic/boundary_distance.h"
-#include "geodesic/outline.h"
 #include "mesh/halfedge_mesh.h"
+#include "seed/outline.h"
 #include "test_meshes.h"
 
 namespace meander::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "api/results.h"
-#include "geodesic/outline.h"
+#include "seed/outline.h"
 
 using namespace meander;
 

@@ -23,7 +23,7 @@ struct Outlines {
 /// nothing fits between the two; so are strands shorter than six radii. Lengths are in the surface's
 /// own unit.
 ///
-/// The distance is that of boundary_distance.h, on faces that are cut up near the boundary until their edges
+/// The distance is that of geodesic/boundary_distance.h, on faces that are cut up near the boundary until their edges
 /// are a quarter of the distance; the lines, being level sets, never cross. Time and memory grow with the
 /// length of the boundary over `distance`.
 ///

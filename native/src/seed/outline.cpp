@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geodesic/outline.h"
+#include "seed/outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,9 +67,9 @@ class LevelLines {
   void add_point(HalfEdge h, Loop& loop) const {
     const uint32_t a = mesh_.from(h), b = mesh_.to(h);
     // Clear of the vertices, so that points do not coincide.
-    constexpr double kClear = 1e-3;
+    constexpr double kOffVertices = 1e-3;
     const double t = (level_ - distance_.at(a)) / (distance_.at(b) - distance_.at(a));
-    const double share = std::clamp(t, kClear, 1 - kClear);
+    const double share = std::clamp(t, kOffVertices, 1 - kClear);
     loop.points.push_back(mesh_.position(a) + share * (mesh_.position(b) - mesh_.position(a)));
     loop.caller.push_back(mesh_.caller_position(a) + share * (mesh_.caller_position(b) - mesh_.caller_position(a)));
   }
