@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "api_results.h"
+#include "base/cancel_token.h"
 #include "base/failure.h"
 #include "flow/flow.h"
 #include "mesh/closest_point.h"
@@ -37,14 +38,14 @@ constexpr int kFirst = 40, kSampled = 20;
 #endif
 
 /// A boundary, a guide, a stroke between fixed points, and what fill_regions adds.
-std::unique_ptr<Flow> seeded_flow(uint32_t threads, int iterations, const std::function<bool()>& cancelled = {}) {
+std::unique_ptr<Flow> seeded_flow(uint32_t threads, int iterations, const CancelToken& cancel = {}) {
   static const auto surface = std::make_shared<const Surface>(make_surface(grid_with_hole(8)));
   const std::vector<Line> lines{{{{0.05, 0.8, 0}, {0.95, 0.8, 0}}},
                                 {{{0.1, 0.1, 0}, {0.9, 0.15, 0}}, false, false, true}};
   const SeedStrands seed = seed_of(lines, true);
   FlowSettings settings = checked_settings(options_of(0.05), *surface);
   settings.threads = threads;
-  auto flow = std::make_unique<Flow>(surface, &seed, VertexData<double>{}, settings, cancelled);
+  auto flow = std::make_unique<Flow>(surface, &seed, VertexData<double>{}, settings, cancel);
   for (int k = 0; k < iterations; ++k) flow->step(kNeverCancelled);
   return flow;
 }
@@ -79,7 +80,7 @@ std::string look(const Flow& flow) {
 template <class Work>
 bool is_cancelled(int n, const Work& work) {
   int asked = 0;
-  const std::function<bool()> question = [&] { return asked++ >= n; };
+  const auto question = [&] { return asked++ >= n; };
   try {
     work(question);
   } catch (const Failure& failure) {
@@ -94,7 +95,7 @@ bool is_cancelled(int n, const Work& work) {
 template <class Work>
 int asks_of(const Work& work) {
   int asked = 0;
-  const std::function<bool()> question = [&] {
+  const auto question = [&] {
     ++asked;
     return false;
   };
@@ -112,7 +113,7 @@ bool asks_often(double share, const Work& work) {
   for (int k = 0; k < 5 && !often; ++k) {
     const double begin = processor_seconds();
     double last = begin, longest = 0;
-    const std::function<bool()> question = [&] {
+    const auto question = [&] {
       const double now = processor_seconds();
       longest = std::max(longest, now - last);
       last = now;
@@ -128,7 +129,7 @@ bool asks_often(double share, const Work& work) {
 struct Task {
   std::string name;
   /// What it finds, if that is not to be seen in the flow.
-  std::function<double(Flow&)> work;
+  std::function<double(Flow&, const CancelToken&)> work;
   int least_asks;
 };
 
@@ -142,50 +143,45 @@ TEST_P(Cancel, LeavesEverythingAsItWas) {
     const auto undisturbed = seeded_flow(threads, 3);
     const std::string before = look(*undisturbed);
     double found = 0;
-    const int asks = asks_of([&](const std::function<bool()>& question) {
-      const auto watch = undisturbed->watch(question);
-      found = task.work(*undisturbed);
-    });
+    const int asks = asks_of([&](const CancelToken& question) { found = task.work(*undisturbed, question); });
     EXPECT_GE(asks, task.least_asks);
     undisturbed->step(kNeverCancelled);
     const std::string after = look(*undisturbed);
     const int apart = std::max(1, (asks - kFirst) / kSampled);
     for (int n = 0; n < asks; n += n < kFirst ? 1 : apart) {
       const auto flow = seeded_flow(threads, 3);
-      const auto call = [&](const std::function<bool()>& question) {
-        const auto watch = flow->watch(question);
-        task.work(*flow);
-      };
+      const auto call = [&](const CancelToken& question) { task.work(*flow, question); };
       // Of several threads the caller's may get fewer blocks this time, and ask less often.
       if (!is_cancelled(n, call)) {
         ASSERT_GT(threads, 1u) << "ask " << n;
         continue;
       }
       ASSERT_TRUE(look(*flow) == before) << "ask " << n;
-      ASSERT_EQ(task.work(*flow), found) << "ask " << n;
+      ASSERT_EQ(task.work(*flow, {}), found) << "ask " << n;
       flow->step(kNeverCancelled);
       ASSERT_TRUE(look(*flow) == after) << "ask " << n;
     }
   }
 }
 
-double move(Flow& flow) {
+double move(Flow& flow, const CancelToken& cancel) {
   std::vector<double> vertices;
   for (uint32_t v = 0; v < flow.surface().vertex_count(); ++v) {
     const Vec3 p = flow.surface().caller_position(v);
     vertices.insert(vertices.end(), {1.1 * p.x(), 1.1 * p.y(), 1.1 * p.z()});
   }
-  flow.set_vertices(vertices);
+  flow.set_vertices(vertices, nullptr, cancel);
   return 0;
 }
 
 const Task kTasks[] = {
-    {"gaps", [](Flow& flow) { return static_cast<double>(find_gaps(flow, 1.2).size()); }, 10},
-    {"statistics", [](Flow& flow) { return statistics_of(flow).energy; }, 10},
+    {"gaps", [](Flow& flow, const CancelToken& cancel) { return static_cast<double>(find_gaps(flow, 1.2, cancel).size()); },
+     10},
+    {"statistics", [](Flow& flow, const CancelToken& cancel) { return statistics_of(flow, cancel).energy; }, 10},
     {"set_vertices", move, 10},
     {"revise",
-     [](Flow& flow) {
-       flow.revise(flow.settings().with_radius(0.03 / flow.surface().scale()));
+     [](Flow& flow, const CancelToken& cancel) {
+       flow.revise(flow.settings().with_radius(0.03 / flow.surface().scale()), nullptr, cancel);
        return 0.0;
      },
      10},
@@ -197,7 +193,7 @@ TEST(CancelAtAnyAsk, EndsAStep) {
   for (const uint32_t threads : {1u, 3u}) {
     const auto undisturbed = seeded_flow(threads, 6);
     const std::string before = look(*undisturbed);
-    const int asks = asks_of([&](const std::function<bool()>& question) { undisturbed->step(question); });
+    const int asks = asks_of([&](const CancelToken& question) { undisturbed->step(question); });
     const std::string after = look(*undisturbed);
     EXPECT_GE(asks, 30);
     const auto flow = seeded_flow(threads, 6);
@@ -217,7 +213,7 @@ TEST(CancelAtAnyAsk, EndsAStep) {
 }
 
 TEST(CancelAtAnyAsk, EndsTheMakingOfAFlow) {
-  const auto make = [](const std::function<bool()>& question) { seeded_flow(1, 0, question); };
+  const auto make = [](const CancelToken& question) { seeded_flow(1, 0, question); };
   const int asks = asks_of(make);
   EXPECT_GE(asks, 10);
   for (int n = 0; n < asks; ++n) EXPECT_TRUE(is_cancelled(n, make));
@@ -236,7 +232,7 @@ TEST(CancelAtAnyAsk, EndsTheLayingOfASeed) {
   }
   const SeedStrands seed = seed_of({line}, false);
   const FlowSettings settings = checked_settings(options_of(0.1), *surface);
-  const auto make = [&](const std::function<bool()>& question) {
+  const auto make = [&](const CancelToken& question) {
     const Flow flow(surface, &seed, VertexData<double>{}, settings, question);
   };
   const int asks = asks_of(make);
@@ -250,7 +246,7 @@ TEST(CancelAtAnyAsk, EndsTheLayingOfASeed) {
 TEST(CancelAtAnyAsk, EndsTheMakingOfASurface) {
   const Mesh mesh = sphere(5);
   for (const unsigned threads : {1u, 3u}) {
-    const auto make = [&](const std::function<bool()>& question) {
+    const auto make = [&](const CancelToken& question) {
       const Surface surface(mesh.vertices, mesh.faces, threads, question);
     };
     EXPECT_GE(asks_of(make), 4);
@@ -262,19 +258,13 @@ TEST(CancelAtAnyAsk, EndsTheMakingOfASurface) {
 /// What is done for every face takes longest on a large mesh: no part of it may be done in one go.
 TEST(CancelAtAnyAsk, IsNeverFarAwayOnALargeMesh) {
   const Mesh mesh = sphere(7);
-  EXPECT_TRUE(asks_often(0.2, [&](const std::function<bool()>& question) {
+  EXPECT_TRUE(asks_often(0.2, [&](const CancelToken& question) {
     const Surface surface(mesh.vertices, mesh.faces, 1, question);
   }));
   const auto surface = std::make_shared<const Surface>(make_surface(mesh));
   Flow flow(surface, nullptr, VertexData<double>{}, checked_settings(options_of(0.1), *surface));
-  EXPECT_TRUE(asks_often(0.25, [&](const std::function<bool()>& question) {
-    const auto watch = flow.watch(question);
-    move(flow);
-  }));
-  EXPECT_TRUE(asks_often(0.1, [&](const std::function<bool()>& question) {
-    const auto watch = flow.watch(question);
-    find_gaps(flow, 1.2);
-  }));
+  EXPECT_TRUE(asks_often(0.25, [&](const CancelToken& question) { move(flow, question); }));
+  EXPECT_TRUE(asks_often(0.1, [&](const CancelToken& question) { find_gaps(flow, 1.2, question); }));
 }
 #endif
 
@@ -291,7 +281,7 @@ void add(Bytes& bytes, const Value* values, size_t count) {
 /// A call that keeps nothing: what it finds is all there is to see.
 struct Search {
   std::string name;
-  std::function<Bytes(const std::function<bool()>&)> find;
+  std::function<Bytes(const CancelToken&)> find;
   int least_asks;
 };
 
@@ -303,11 +293,11 @@ TEST_P(CancelSearch, EndsItAndTheNextOneIsWhole) {
   const Search& search = GetParam();
   const Bytes found = search.find({});
   ASSERT_FALSE(found.empty());
-  const int asks = asks_of([&](const std::function<bool()>& question) { EXPECT_TRUE(search.find(question) == found); });
+  const int asks = asks_of([&](const CancelToken& question) { EXPECT_TRUE(search.find(question) == found); });
   EXPECT_GE(asks, search.least_asks);
   const int apart = std::max(1, (asks - kFirst) / kSampled);
   for (int n = 0; n < asks; n += n < kFirst ? 1 : apart) {
-    ASSERT_TRUE(is_cancelled(n, [&](const std::function<bool()>& question) { search.find(question); })) << "ask " << n;
+    ASSERT_TRUE(is_cancelled(n, [&](const CancelToken& question) { search.find(question); })) << "ask " << n;
   }
   EXPECT_TRUE(search.find({}) == found);
 }
@@ -325,9 +315,9 @@ Bytes bytes_of(const VertexData<Value>& values) {
 }
 
 /// With all that a cut can have: open and closed strands, a guide, a boundary, vertices inside of faces.
-Bytes cut_of(double detail, bool middle_lines, const std::function<bool()>& cancelled) {
+Bytes cut_of(double detail, bool middle_lines, const CancelToken& cancel) {
   static const auto flow = seeded_flow(1, 30);
-  const CutSurface cut = cut_surface(flow->surface(), nullptr, flow->curve(), detail, middle_lines, cancelled);
+  const CutSurface cut = cut_surface(flow->surface(), nullptr, flow->curve(), detail, middle_lines, cancel);
   Bytes bytes;
   const auto all = [&](const auto& values) { add(bytes, values.data(), values.size()); };
   all(cut.positions);
@@ -370,7 +360,7 @@ const Search kSearches[] = {
        return bytes_of(extended_directions(ball(), {&stroke, 1}, asked));
      }, 20},
     {"nearest_points", [](const auto& asked) {
-       const ClosestPoint closest(ball(), CancelPoll(asked, 512));
+       const ClosestPoint closest(ball(), asked.every(512));
        Bytes bytes;
        for (int k = 0; k < 20; ++k) {
          const double distance = closest(Vec3(0.1 * k, 1 - 0.1 * k, 0.3)).distance;
@@ -380,7 +370,7 @@ const Search kSearches[] = {
      }, 40},
     {"normals", [](const auto& asked) {
        const NormalField field(ball(), 1);
-       field.prepare(CancelPoll(asked, 512));
+       field.prepare(asked.every(512));
        Bytes bytes;
        for (uint32_t f = 0; f < ball().face_count(); ++f) add(bytes, field.blended(f, 0.2, 0.3, 0.5).data(), 3);
        return bytes;

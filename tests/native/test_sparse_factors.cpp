@@ -6,7 +6,6 @@
 #include <climits>
 #include <complex>
 #include <cstring>
-#include <functional>
 #include <random>
 #include <vector>
 
@@ -92,20 +91,21 @@ TYPED_TEST(SparseFactorsOf, AskAllTheWhile) {
   typename SparseFactors<TypeParam>::Vector b(matrix.rows());
   b.setOnes();
   int asked = 0, last = INT_MAX;
-  const std::function<bool()> question = [&] { return asked++ == last; };
-  const SparseFactors<TypeParam> factors(matrix, CancelPoll(question, kPieces));
+  const auto question = [&] { return asked++ == last; };
+  const CancelToken cancel = CancelToken(question).every(kPieces);
+  const SparseFactors<TypeParam> factors(matrix, cancel);
   const int in_factors = asked;
   EXPECT_GT(in_factors, 100);
-  factors.solve(b, CancelPoll(question, kPieces));
+  factors.solve(b, cancel);
   const int in_solution = asked - in_factors;
   EXPECT_GT(in_solution, 5);
   for (last = 0; last < in_factors; ++last) {
     asked = 0;
-    EXPECT_THROW(SparseFactors<TypeParam>(matrix, CancelPoll(question, kPieces)), Failure);
+    EXPECT_THROW(SparseFactors<TypeParam>(matrix, cancel), Failure);
   }
   for (last = 0; last < in_solution; ++last) {
     asked = 0;
-    EXPECT_THROW(factors.solve(b, CancelPoll(question, kPieces)), Failure);
+    EXPECT_THROW(factors.solve(b, cancel), Failure);
   }
 }
 

@@ -106,6 +106,36 @@ TEST_P(ThreadPoolOf, TakesTheBlocksOfAThreadThatIsHeldUp) {
   }
 }
 
+/// Only the pool that is given the token stops, though both have the same threads, and the question is put on the
+/// caller's thread alone.
+TEST_P(ThreadPoolOf, StopsTheLoopsOfTheComputationThatIsCancelled) {
+  ThreadPool pool(GetParam());
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> flag = false;
+  int asked = 0;
+  const auto question = [&] {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    return ++asked > 3;
+  };
+  ThreadPool flagged = pool.with(flag), counted = pool.with(question);
+  std::atomic<size_t> sum = 0;
+  const auto body = [&](size_t, size_t begin, size_t end) { sum += end - begin; };
+  flagged.for_blocks(100, 3, body);
+  EXPECT_EQ(sum.exchange(0), 100u);
+  flag = true;
+  EXPECT_THROW(flagged.for_blocks(100, 3, body), Failure);
+  EXPECT_EQ(sum, 0u);
+  EXPECT_THROW(
+      {
+        for (int round = 0; round < 5; ++round) counted.for_blocks(4, 1, body);
+      },
+      Failure);
+  EXPECT_EQ(asked, 4);
+  sum = 0;
+  pool.for_blocks(100, 3, body);
+  EXPECT_EQ(sum, 100u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Threads, ThreadPoolOf, testing::Values(1u, 2u, 3u, 16u));
 
 TEST(ThreadPool, CountsTheCaller) {

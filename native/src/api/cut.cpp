@@ -51,7 +51,7 @@ meander_status meander_flow_cut_surface(const meander_flow* flow, double detail,
     check_cancelled(context);
     const Flow& f = *flow->flow;
     CutSurface made =
-        cut_surface(f.surface(), flow->map.get(), f.curve(), detail, middle_lines != 0, question(context));
+        cut_surface(f.surface(), flow->map.get(), f.curve(), detail, middle_lines != 0, cancel_of(context));
     check_cancelled(context);
     hand_out(cut, std::move(made), show);
   });

@@ -42,8 +42,7 @@ meander_status meander_flow_set_vertices(meander_flow* flow, const double* verti
                         " when the flow began; only their places may change, so start a new flow.");
     }
     check_cancelled(context);
-    const std::function<bool()> asked = question(context);
-    const auto watch = f.watch(asked);
-    f.set_vertices(surface_vertices(map, f.surface().vertex_count(), std::span(vertices, 3 * vertex_count)), map);
+    f.set_vertices(surface_vertices(map, f.surface().vertex_count(), std::span(vertices, 3 * vertex_count)), map,
+                   cancel_of(context));
   });
 }

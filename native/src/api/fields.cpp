@@ -72,11 +72,11 @@ std::vector<Vec3> checked_points(const double* points, size_t count, const Surfa
 }
 
 VertexData<Vec3> directions_of(const Surface& s, meander_directions kind, double radius,
-                               const std::function<bool()>& asked) {
+                               const CancelToken& cancel) {
   switch (kind) {
-    case MEANDER_DIRECTIONS_SMOOTH: return smoothest_directions(s, asked);
-    case MEANDER_DIRECTIONS_BOUNDARY: return boundary_directions(s, asked);
-    default: return principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius, asked);
+    case MEANDER_DIRECTIONS_SMOOTH: return smoothest_directions(s, cancel);
+    case MEANDER_DIRECTIONS_BOUNDARY: return boundary_directions(s, cancel);
+    default: return principal_directions(s, kind == MEANDER_DIRECTIONS_CURVATURE_MAX, radius, cancel);
   }
 }
 
@@ -95,7 +95,7 @@ meander_status meander_surface_compute_curvature(const meander_surface* surface,
     const bool gaussian = kind == MEANDER_CURVATURE_GAUSSIAN || kind == MEANDER_CURVATURE_ABSOLUTE_GAUSSIAN;
     const double unit = gaussian ? 1 / (s.scale() * s.scale()) : 1 / s.scale();
     check_cancelled(context);
-    const VertexData<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius, question(context));
+    const VertexData<double> x = curvature(s, static_cast<CurvatureKind>(kind), radius, cancel_of(context));
     check_cancelled(context);
     std::fill_n(values, vertex_count, 0.0);
     for_caller_vertices(s, map, [&](uint32_t theirs, uint32_t v) { values[theirs] = x[v] * unit; });
@@ -113,8 +113,7 @@ meander_status meander_surface_compute_directions(const meander_surface* surface
     require_vertices(vertex_count, s, map, directions);
     const double radius = checked_smoothing(smoothing, s);
     check_cancelled(context);
-    const std::function<bool()> asked = question(context);
-    const VertexData<Vec3> found = directions_of(s, kind, radius, asked);
+    const VertexData<Vec3> found = directions_of(s, kind, radius, cancel_of(context));
     check_cancelled(context);
     write(s, map, found, directions);
   });
@@ -139,7 +138,7 @@ meander_status meander_surface_compute_stroke_directions(const meander_surface* 
       strokes.push_back(std::span(inside).subspan(ends[g], ends[g + 1] - ends[g]));
     }
     check_cancelled(context);
-    const VertexData<Vec3> found = extended_directions(s, strokes, question(context));
+    const VertexData<Vec3> found = extended_directions(s, strokes, cancel_of(context));
     check_cancelled(context);
     write(s, map, found, directions);
   });
@@ -171,7 +170,7 @@ meander_status meander_surface_turn_directions(const meander_surface* surface, d
       lines[v] = Vec3(directions[3 * theirs], directions[3 * theirs + 1], directions[3 * theirs + 2]);
       turns[v] = angles[theirs];
     }
-    const VertexData<Vec3> turned = turned_directions(s, lines, turns, question(context));
+    const VertexData<Vec3> turned = turned_directions(s, lines, turns, cancel_of(context));
     check_cancelled(context);
     write(s, map, turned, directions);
   });

@@ -78,7 +78,7 @@ meander_status meander_flow_create(const meander_surface* surface, const meander
     strands.max_distance /= surface->surface->scale();
     auto made = std::make_unique<meander_flow>();
     made->flow = std::make_unique<Flow>(surface->surface, seed ? &strands : nullptr, densities, settings,
-                                        question(context));
+                                        cancel_of(context));
     made->map = surface->map;
     check_cancelled(context);
     *flow = made.release();
@@ -90,7 +90,7 @@ void meander_flow_destroy(meander_flow* flow) { delete flow; }
 meander_status meander_flow_step(meander_flow* flow, meander_context* context, meander_error* error) {
   return guard(error, [&] {
     require_idle(flow);
-    if (!flow->flow->step([&] { return cancelled(context); })) {
+    if (!flow->flow->step(cancel_of(context))) {
       throw Failure(FailureKind::kCancelled, "The step was cancelled.");
     }
   });
@@ -100,7 +100,7 @@ meander_status meander_flow_run(meander_flow* flow, meander_context* context, me
   return guard(error, [&] {
     require_idle(flow);
     if (context) context->control->begin();
-    require_finished(flow->flow->run([&] { return cancelled(context); },
+    require_finished(flow->flow->run(cancel_of(context),
                                      [&](double progress) {
                                        if (context) context->control->tell(*flow->flow, progress);
                                      }));

@@ -4,11 +4,11 @@
 // status and a sentence.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <type_traits>
 
 #include "api/handles.h"
+#include "base/cancel_token.h"
 #include "base/exception_memory.h"
 #include "base/failure.h"
 
@@ -53,18 +53,13 @@ void require_threads(uint32_t threads);
 /// Refuses a mesh that is not there, or has more vertices or faces than the header allows.
 void require_mesh(const double* vertices, size_t vertex_count, const uint32_t* faces, size_t face_count);
 
-inline bool cancelled(const meander_context* context) { return context && context->control->cancelled; }
-
-/// The same as a question, for what asks it now and then.
-inline std::function<bool()> question(const meander_context* context) {
-  if (!context) return {};
-  return [context] { return cancelled(context); };
+/// What ends a call with this context, or with none. Must not outlive it.
+inline CancelToken cancel_of(const meander_context* context) {
+  return context ? CancelToken(context->control->cancelled) : CancelToken();
 }
 
-/// For calls that cannot be cancelled from inside: throws where the context has been cancelled.
-inline void check_cancelled(const meander_context* context) {
-  if (cancelled(context)) throw Failure(FailureKind::kCancelled, "The call was cancelled.");
-}
+/// Throws where the context has been cancelled.
+inline void check_cancelled(const meander_context* context) { cancel_of(context).now(); }
 
 /// What a run that ended so returns.
 inline void require_finished(StopReason reason) {

@@ -32,7 +32,7 @@ meander_status meander_surface_find_outlines(const meander_surface* surface, dou
     require_range(distance / spacing, 0.1, 2, "distance of an outline (in spacings)");
     check_cancelled(context);
     Outlines found = find_outlines(s, distance / s.scale(), 0.5 * spacing / s.scale(),
-                                   [context] { return cancelled(context); });
+                                   cancel_of(context));
     OutlineArrays arrays{std::move(found.points), {found.offsets.begin(), found.offsets.end()},
                          std::move(found.closed)};
     hand_out(outlines, std::move(arrays), [&found](const OutlineArrays& lines, meander_outlines& o) {

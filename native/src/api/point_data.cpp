@@ -49,10 +49,9 @@ meander_status meander_flow_compute_point_data(meander_flow* flow, meander_point
     require(parts <= MEANDER_POINT_PARTS_ALL, "The parts are no sum of MEANDER_POINT_PARTS_...");
     Flow& f = *flow->flow;
     check_cancelled(context);
-    const std::function<bool()> asked = question(context);
-    const auto watch = f.watch(asked);
-    if (parts & MEANDER_POINT_PARTS_RADII) f.update_radii();
-    if (parts & MEANDER_POINT_PARTS_NORMALS) f.normals().prepare(CancelPoll(asked, kFaces));
+    const CancelToken cancel = cancel_of(context);
+    if (parts & MEANDER_POINT_PARTS_RADII) f.update_radii(cancel);
+    if (parts & MEANDER_POINT_PARTS_NORMALS) f.normals().prepare(cancel.every(kFaces));
     check_cancelled(context);
     hand_out(point_data, data_of(f, flow->map.get(), parts), [](const DataArrays& made, meander_point_data& data) {
       data.count = made.count;

@@ -62,9 +62,9 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
 
 /// The surface of a prepared mesh; what it refuses is said of the caller's mesh.
 std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned threads,
-                                          const std::function<bool()>& cancelled) {
+                                          const CancelToken& cancel) {
   try {
-    return std::make_shared<const Surface>(mesh.vertices, mesh.faces, threads, cancelled);
+    return std::make_shared<const Surface>(mesh.vertices, mesh.faces, threads, cancel);
   } catch (const Failure& failure) {
     if (failure.kind == FailureKind::kCancelled) throw;
     ThreadPool pool(1);
@@ -80,9 +80,9 @@ std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned thr
 /// strict check to the last bit.
 std::shared_ptr<const Surface> faultless_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
                                                  double weld_distance, unsigned threads,
-                                                 const std::function<bool()>& cancelled) {
+                                                 const CancelToken& cancel) {
   try {
-    auto surface = std::make_shared<const Surface>(vertices, faces, threads, cancelled);
+    auto surface = std::make_shared<const Surface>(vertices, faces, threads, cancel);
     if (weld_distance == 0) return surface;
     std::vector<uint32_t> boundary;
     for (const HalfEdge e : surface->boundary()) {  // of a flipped face the half-edges 0 and 2 have changed places
@@ -100,20 +100,20 @@ std::shared_ptr<const Surface> faultless_surface(std::span<const double> vertice
 
 std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
                                                   const meander_surface_options& options,
-                                                  const std::function<bool()>& cancelled) {
+                                                  const CancelToken& cancel) {
   const PrepareSettings settings = checked_settings(options, vertices.size() / 3, faces.size() / 3);
   auto made = std::make_unique<meander_surface>();
   if (settings.changes_nothing()) {
-    made->surface = std::make_shared<const Surface>(vertices, faces, options.threads, cancelled);
+    made->surface = std::make_shared<const Surface>(vertices, faces, options.threads, cancel);
     return made;
   }
   check_numbers(vertices, faces);
   if (settings.only_mends()) {
-    made->surface = faultless_surface(vertices, faces, settings.weld_distance, options.threads, cancelled);
+    made->surface = faultless_surface(vertices, faces, settings.weld_distance, options.threads, cancel);
     if (made->surface) return made;
   }
-  PreparedMesh mesh = prepare_mesh(vertices, faces, settings, cancelled);
-  made->surface = surface_of(mesh, options.threads, cancelled);
+  PreparedMesh mesh = prepare_mesh(vertices, faces, settings, cancel);
+  made->surface = surface_of(mesh, options.threads, cancel);
   made->prepared = mesh.counts;
   made->map = std::make_shared<const MeshMap>(std::move(mesh.map));
   return made;

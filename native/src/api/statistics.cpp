@@ -33,10 +33,10 @@ void add_fit(const Flow& flow, meander_flow_statistics& figures) {
   figures.seed_jump_point2 = fit.jump_to;
 }
 
-meander_flow_statistics callers_figures(const meander_flow& handle) {
+meander_flow_statistics callers_figures(const meander_flow& handle, const CancelToken& cancel) {
   Flow& flow = *handle.flow;
   const double scale = flow.surface().scale();
-  const Statistics s = statistics_of(flow);
+  const Statistics s = statistics_of(flow, cancel);
   meander_flow_statistics figures{};
   figures.stop_reason = meander_flow_stop_reason(&handle);
   figures.iterations = static_cast<uint32_t>(flow.history().size());
@@ -72,9 +72,7 @@ meander_status meander_flow_compute_statistics(meander_flow* flow, meander_flow_
     require_idle(flow);
     require_struct(statistics);
     check_cancelled(context);
-    const std::function<bool()> asked = question(context);
-    const auto watch = flow->flow->watch(asked);
-    const meander_flow_statistics figures = callers_figures(*flow);
+    const meander_flow_statistics figures = callers_figures(*flow, cancel_of(context));
     check_cancelled(context);
     write_struct(statistics, figures);
   });

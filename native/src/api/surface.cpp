@@ -21,7 +21,7 @@ meander_status meander_surface_create(const double* vertices, size_t vertex_coun
     }
     check_cancelled(context);
     auto made = prepared_surface(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), o,
-                                 question(context));
+                                 cancel_of(context));
     check_cancelled(context);
     *surface = made.release();
   });

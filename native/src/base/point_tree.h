@@ -18,7 +18,7 @@
 #include <nanoflann.hpp>
 #pragma pop_macro("fprintf")
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 
 namespace meander {
 
@@ -26,7 +26,7 @@ namespace meander {
 class PointTree {
  public:
   /// `poll` counts every coordinate that is looked at while the tree is made, some nanoseconds each.
-  explicit PointTree(std::vector<Eigen::Vector3d> points, const CancelPoll& poll = {})
+  explicit PointTree(std::vector<Eigen::Vector3d> points, const CancelToken& poll = {})
       : cloud_{{std::move(points)}, poll}, index_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(8)) {
     if (!cloud_.points.empty()) index_.buildIndex();
     cloud_.poll = {};
@@ -80,8 +80,8 @@ class PointTree {
   };
   /// The same as the making of the tree sees it. Searches do not: they read points through the Cloud.
   struct AskingCloud : Cloud {
-    AskingCloud(Cloud&& cloud, const CancelPoll& asked) : Cloud(std::move(cloud)), poll(asked) {}
-    mutable CancelPoll poll;
+    AskingCloud(Cloud&& cloud, const CancelToken& asked) : Cloud(std::move(cloud)), poll(asked) {}
+    mutable CancelToken poll;
     double kdtree_get_pt(size_t i, size_t k) const {
       poll();
       return Cloud::kdtree_get_pt(i, k);

@@ -2,10 +2,14 @@
 #include "base/thread_pool.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
 
 #include "base/exception_memory.h"
-#include "base/failure.h"
 
 namespace meander {
 namespace {
@@ -29,7 +33,64 @@ void relax() {
 
 }  // namespace
 
-ThreadPool::ThreadPool(unsigned threads) {
+/// The threads themselves.
+class ThreadPool::Crew {
+ public:
+  explicit Crew(unsigned threads);
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  unsigned size() const { return static_cast<unsigned>(workers_.size()) + 1; }
+  void for_blocks(size_t count, size_t grain, const std::function<void(size_t, size_t, size_t)>& body,
+                  const CancelToken& cancel);
+
+ private:
+  /// Blocks [begin, end) that no thread has taken yet, both numbers in one word, so that the owner can take the
+  /// first block and other threads the last. Each share has a cache line of its own, since it is written
+  /// whenever a block is taken.
+  struct alignas(64) Share {
+    std::atomic<uint64_t> blocks = 0;
+  };
+
+  void work(unsigned thread);
+  void share_out(size_t blocks);
+  void take_blocks(unsigned thread);
+  void do_block(unsigned thread, size_t block);
+  template <class Done>
+  void stay_awake(const Done& done) const;
+
+  std::vector<std::thread> workers_;
+  std::vector<Share> shares_;  // one for each thread, the caller's first
+  std::mutex mutex_;
+  std::condition_variable start_, done_;
+  // The present loop.
+  const std::function<void(size_t, size_t, size_t)>* body_ = nullptr;
+  const CancelToken* cancel_ = nullptr;
+  size_t count_ = 0, grain_ = 1;
+  std::atomic<unsigned> running_ = 0;  // threads of the pool that take blocks, not counting the caller
+  std::atomic<bool> open_ = false;     // there may be blocks to take
+  bool quit_ = false;
+  bool stays_awake_ = false;           // for a moment, see stay_awake
+  std::exception_ptr error_;
+};
+
+ThreadPool::ThreadPool(unsigned threads) : crew_(std::make_shared<Crew>(threads)) {}
+
+ThreadPool ThreadPool::with(const CancelToken& cancel) const {
+  ThreadPool pool = *this;
+  pool.cancel_ = cancel;
+  return pool;
+}
+
+unsigned ThreadPool::size() const { return crew_->size(); }
+
+void ThreadPool::for_blocks(size_t count, size_t grain,
+                            const std::function<void(size_t, size_t, size_t)>& body) {
+  crew_->for_blocks(count, grain, body, cancel_);
+}
+
+ThreadPool::Crew::Crew(unsigned threads) {
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   stays_awake_ = threads > 1 && threads <= std::thread::hardware_concurrency();
   shares_ = std::vector<Share>(threads);
@@ -44,7 +105,7 @@ ThreadPool::ThreadPool(unsigned threads) {
 /// Waits for `done` without going to sleep, but not for long, and not at all where other threads of the
 /// pool may need the processor.
 template <class Done>
-void ThreadPool::stay_awake(const Done& done) const {
+void ThreadPool::Crew::stay_awake(const Done& done) const {
   if (!stays_awake_) return;
   const auto until = std::chrono::steady_clock::now() + kMoment;
   constexpr int kSpins = 32;  // between two readings of the clock
@@ -56,7 +117,7 @@ void ThreadPool::stay_awake(const Done& done) const {
   } while (std::chrono::steady_clock::now() < until);
 }
 
-ThreadPool::~ThreadPool() {
+ThreadPool::Crew::~Crew() {
   {
     std::lock_guard lock(mutex_);
     quit_ = true;
@@ -65,20 +126,21 @@ ThreadPool::~ThreadPool() {
   for (std::thread& worker : workers_) worker.join();
 }
 
-void ThreadPool::for_blocks(size_t count, size_t grain,
-                      const std::function<void(size_t, size_t, size_t)>& body) {
+void ThreadPool::Crew::for_blocks(size_t count, size_t grain, const std::function<void(size_t, size_t, size_t)>& body,
+                                  const CancelToken& cancel) {
   if (count == 0) return;
   if (workers_.empty() || count <= grain) {
     for (size_t b = 0; b < block_count(count, grain); ++b) {
-      heed_cancel();
+      cancel.now();
       body(b, b * grain, std::min(count, (b + 1) * grain));
     }
     return;
   }
-  heed_cancel();  // other threads may take all blocks
+  cancel.now();  // other threads may take all blocks
   {
     std::lock_guard lock(mutex_);
     body_ = &body;
+    cancel_ = &cancel;
     count_ = count;
     grain_ = grain;
     share_out(block_count(count, grain));
@@ -96,7 +158,7 @@ void ThreadPool::for_blocks(size_t count, size_t grain,
 }
 
 /// A part of the blocks for each thread, in the order of the threads.
-void ThreadPool::share_out(size_t blocks) {
+void ThreadPool::Crew::share_out(size_t blocks) {
   const size_t threads = size();
   for (size_t k = 0; k < threads; ++k) {
     shares_[k].blocks.store(pack(blocks * k / threads, blocks * (k + 1) / threads), std::memory_order_relaxed);
@@ -104,7 +166,7 @@ void ThreadPool::share_out(size_t blocks) {
 }
 
 /// The blocks of the thread's own share, then those that others have left in theirs.
-void ThreadPool::take_blocks(unsigned thread) {
+void ThreadPool::Crew::take_blocks(unsigned thread) {
   for (unsigned k = 0; k < size(); ++k) {
     std::atomic<uint64_t>& share = shares_[(thread + k) % size()].blocks;
     uint64_t blocks = share.load(std::memory_order_relaxed);
@@ -119,13 +181,9 @@ void ThreadPool::take_blocks(unsigned thread) {
   }
 }
 
-void ThreadPool::heed_cancel() const {
-  if (cancelled_ && (*cancelled_)()) throw Failure(FailureKind::kCancelled, "The computation was cancelled.");
-}
-
-void ThreadPool::do_block(unsigned thread, size_t block) {
+void ThreadPool::Crew::do_block(unsigned thread, size_t block) {
   try {
-    if (thread == 0) heed_cancel();
+    if (thread == 0) cancel_->now();
     (*body_)(block, block * grain_, std::min(count_, (block + 1) * grain_));
   } catch (...) {
     share_out(0);
@@ -134,7 +192,7 @@ void ThreadPool::do_block(unsigned thread, size_t block) {
   }
 }
 
-void ThreadPool::work(unsigned thread) {
+void ThreadPool::Crew::work(unsigned thread) {
   if (!can_throw()) return;  // the others do its share
   std::unique_lock lock(mutex_);
   for (;;) {

@@ -3,18 +3,14 @@
 // A pool of threads for loops whose iterations do not write to the same places.
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <numeric>
-#include <thread>
 #include <vector>
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 
 namespace meander {
 
@@ -22,8 +18,8 @@ namespace meander {
 inline constexpr size_t kNodeGrain = 2048;
 inline constexpr size_t kMeshGrain = 4096;
 
-/// Threads that live as long as the pool and share loops with the caller. Not copyable. One loop at
-/// a time; the caller's thread is one of the pool.
+/// Threads that share loops with the caller, and what ends those loops. A small value: copies have the same threads,
+/// which live as long as the last of them. One loop at a time; the caller's thread is one of the pool.
 ///
 /// Every thread starts with a share of its own, the same part of every loop, so that what it wrote in one loop
 /// is still in its caches in the next. A thread that has finished its share takes blocks from the end of
@@ -32,39 +28,21 @@ inline constexpr size_t kMeshGrain = 4096;
 /// tens of microseconds, about as long as waking a thread.
 class ThreadPool {
  public:
-  /// `threads` in all, the caller included; 0 means as many as the machine has.
+  /// `threads` in all, the caller included; 0 means as many as the machine has. Nothing ends its loops.
   explicit ThreadPool(unsigned threads);
-  ~ThreadPool();
-  ThreadPool(const ThreadPool&) = delete;
-  ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /// While it lives, loops of the pool end with Failure(FailureKind::kCancelled) where `cancelled` says so, which is
-  /// asked before every loop and before every block that the caller's thread takes, and on that thread only. What a
-  /// loop has written by then stays. The question must outlive it; an empty one is never asked. Watches nest; the inner
-  /// one is asked.
-  class Watch {
-   public:
-    Watch(ThreadPool& pool, const std::function<bool()>& cancelled) : pool_(pool), outer_(pool.cancelled_) {
-      pool.cancelled_ = cancelled ? &cancelled : nullptr;
-    }
-    ~Watch() { pool_.cancelled_ = outer_; }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
+  /// The same threads for a computation that `cancel` may stop: loops end with Failure(FailureKind::kCancelled) then.
+  /// What they have written by then stays.
+  ThreadPool with(const CancelToken& cancel) const;
 
-   private:
-    ThreadPool& pool_;
-    const std::function<bool()>* outer_;
-  };
+  /// What stops the loops, for work of the caller's thread that is no loop of the pool.
+  CancelToken poll(uint32_t pieces) const { return cancel_.every(pieces); }
 
-  /// Asks what the present watch asks, for work of the caller's thread that is no loop of the pool. It must not outlive
-  /// the watch.
-  CancelPoll poll(uint32_t pieces) const { return cancelled_ ? CancelPoll(*cancelled_, pieces) : CancelPoll(); }
-
-  unsigned size() const { return static_cast<unsigned>(workers_.size()) + 1; }
+  unsigned size() const;
 
   /// Calls body(begin, end) for consecutive blocks of [0, count). Blocks depend on `count` and
   /// `grain` only, never on the number of threads, so a body that writes per index, or per block,
-  /// gives the same bytes for any pool. An exception of a body is thrown again here, and so is a cancel, see Watch.
+  /// gives the same bytes for any pool. An exception of a body is thrown again here, and so is a cancel.
   void for_blocks(size_t count, size_t grain,
                   const std::function<void(size_t block, size_t begin, size_t end)>& body);
 
@@ -102,33 +80,10 @@ class ThreadPool {
   static size_t block_count(size_t count, size_t grain) { return (count + grain - 1) / grain; }
 
  private:
-  /// Blocks [begin, end) that no thread has taken yet, both numbers in one word, so that the owner can take the
-  /// first block and other threads the last. Each share has a cache line of its own, since it is written
-  /// whenever a block is taken.
-  struct alignas(64) Share {
-    std::atomic<uint64_t> blocks = 0;
-  };
+  class Crew;
 
-  void work(unsigned thread);
-  void share_out(size_t blocks);
-  void take_blocks(unsigned thread);
-  void do_block(unsigned thread, size_t block);
-  void heed_cancel() const;
-  template <class Done>
-  void stay_awake(const Done& done) const;
-
-  std::vector<std::thread> workers_;
-  std::vector<Share> shares_;  // one for each thread, the caller's first
-  std::mutex mutex_;
-  std::condition_variable start_, done_;
-  const std::function<void(size_t, size_t, size_t)>* body_ = nullptr;
-  size_t count_ = 0, grain_ = 1;
-  std::atomic<unsigned> running_ = 0;  // threads of the pool that take blocks, not counting the caller
-  std::atomic<bool> open_ = false;     // there may be blocks to take
-  bool quit_ = false;
-  bool stays_awake_ = false;           // for a moment, see stay_awake
-  std::exception_ptr error_;
-  const std::function<bool()>* cancelled_ = nullptr;  // of the present watch
+  std::shared_ptr<Crew> crew_;
+  CancelToken cancel_;
 };
 
 }  // namespace meander

@@ -227,10 +227,8 @@ void Refinement::lay_out(Curve& curve, ThreadPool& pool) {
   const std::function<void(size_t, size_t, size_t)> fill = [&](size_t, size_t begin, size_t end) {
     put_block(curve, static_cast<uint32_t>(begin), static_cast<uint32_t>(end));
   };
-  const std::function<bool()> unasked;
-  const ThreadPool::Watch no_cancel(pool, unasked);
   lent_ = true;
-  pool.for_blocks(curve.size(), kNodeGrain, fill);
+  pool.with({}).for_blocks(curve.size(), kNodeGrain, fill);
   next_.link();
 }
 

@@ -54,27 +54,28 @@ FlowState carried_to(std::shared_ptr<const Surface> surface, const FlowState& st
 
 }  // namespace
 
-void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map) {
+void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map, const CancelToken& cancel) {
+  ThreadPool pool = pool_.with(cancel);
   // What may fail is done to another state, which then takes the place of the present one.
-  auto surface = std::make_shared<const Surface>(this->surface().deformed(vertices, pool_, map));
+  auto surface = std::make_shared<const Surface>(this->surface().deformed(vertices, pool, map));
   check_size(state_, *surface);
   const double factor = this->surface().scale() / surface->scale();
-  FlowState next = carried_to(std::move(surface), state_, pool_);
+  FlowState next = carried_to(std::move(surface), state_, pool);
   if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
   MoveSeconds seconds = record_.seconds.move;
-  retraction_.straighten(*next.domain.surface, next.curve, pool_, seconds);
+  retraction_.straighten(*next.domain.surface, next.curve, pool, seconds);
 
   double clamped = 1;
   if (!polishing() && approach_.arrived()) {
-    find_medial_axis(next, {});
+    find_medial_axis(next, {}, pool);
     next.nodes.radii.swap(medial_.radii);
-    clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool_);
+    clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool);
   }
   Convergence convergence = convergence_.restarted(clamped);
   const IterationPlan plan = plan_iteration(next.settings, convergence.phase());
-  refiner_.cut_guides(next, plan, pool_);
-  refiner_.refine(next, plan, pool_);
-  update_metric(next, pool_);
+  refiner_.cut_guides(next, plan, pool);
+  refiner_.refine(next, plan, pool);
+  update_metric(next, pool);
 
   static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);
   state_ = std::move(next);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/cancel_token.h"
 #include "base/thread_pool.h"
 #include "curve/retraction.h"
 #include "flow/convergence.h"
@@ -25,37 +26,32 @@ namespace meander {
 /// One thread at a time may use it, but for what says otherwise.
 class Flow {
  public:
-  /// `seed` null: face loops. `density`: positive; empty: 1 everywhere. Throws Failure, also where `cancelled`, which
-  /// may be empty, says so on the way.
+  /// `seed` null: face loops. `density`: positive; empty: 1 everywhere. Throws Failure, also where `cancel` stops it.
   Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, const VertexData<double>& density,
-       const FlowSettings& settings, const std::function<bool()>& cancelled = {});
+       const FlowSettings& settings, const CancelToken& cancel = {});
 
   /// The lines that alignment_weight refers to; before the first iteration.
   void set_field(LineField field);
 
-  /// One iteration; false, with everything as before, when `cancelled` said so. It is asked in every loop.
-  bool step(const std::function<bool()>& cancelled);
+  /// One iteration; false, with everything as before, where `cancel` has stopped it.
+  bool step(const CancelToken& cancel);
 
   /// Steps until one of the reasons holds. `progress` is told how far the curve has come, see progress.h, after each
   /// step, and 1 at the end, also where a step throws.
-  StopReason run(const std::function<bool()>& cancelled, const std::function<void(double)>& progress);
+  StopReason run(const CancelToken& cancel, const std::function<void(double)>& progress);
 
   /// Moves the surface: `vertices` are its own, as many as before; `map` names the caller's in errors.
   /// Nodes stay on their faces where they are, segments become straight again, and lengths mean the same
   /// in the caller's units. A curve that fills the surface goes on in the polish. Counts for run() as a
   /// new beginning. Throws Failure for what Surface::deformed refuses and for a surface that has become too small
-  /// or too large for the spacing; whatever it throws, all is then as it was.
-  void set_vertices(std::span<const double> vertices, const MeshMap* map = nullptr);
+  /// or too large for the spacing, and where `cancel` stops it; whatever it throws, all is then as it was.
+  void set_vertices(std::span<const double> vertices, const MeshMap* map = nullptr, const CancelToken& cancel = {});
 
   /// Asks for something else from here on: `settings` are those wanted on the present surface, `density` as for a new
   /// flow, null: as it is. What only a beginning needs (first loops, a wide start) and the number of threads stay.
   /// The curve goes on from where it is, see Convergence::revised; counts for run() as a new beginning. What asks for
   /// nothing else changes nothing. Whatever it throws, all is then as it was.
-  void revise(FlowSettings settings, const VertexData<double>* density = nullptr);
-
-  /// While it lives, what is called from here on throws Failure(FailureKind::kCancelled) soon after `cancelled`, which
-  /// has to outlive it, says so; all is then as it was.
-  ThreadPool::Watch watch(const std::function<bool()>& cancelled) { return {pool_, cancelled}; }
+  void revise(FlowSettings settings, const VertexData<double>* density = nullptr, const CancelToken& cancel = {});
 
   /// As it was given. The flow itself runs on it as it is at the scale of the spacing, see Domain; the curve is on both.
   const Surface& surface() const { return *state_.domain.given; }
@@ -91,17 +87,19 @@ class Flow {
     double spacing_factor;      ///< what r is multiplied by while the curve approaches its spacing
     ThreadPool& pool;
   };
-  /// Returns question(Present). Brings radii() up to date and changes nothing else; whatever is thrown, also by the
-  /// question, all is then as it was.
+  /// Returns question(Present). Brings radii() up to date and changes nothing else. Throws
+  /// Failure(FailureKind::kCancelled) where `cancel` stops it; whatever is thrown, also by the question, all is then as
+  /// it was.
   template <class Question>
-  auto ask(const Question& question) {
-    find_medial_axis(state_, {});
-    auto answer = question(Present{state_, medial_, plan(), approach_.factor(), pool_});
+  auto ask(const Question& question, const CancelToken& cancel = {}) {
+    ThreadPool pool = pool_.with(cancel);
+    find_medial_axis(state_, {}, pool);
+    auto answer = question(Present{state_, medial_, plan(), approach_.factor(), pool});
     keep_radii();
     return answer;
   }
   /// Brings radii() up to date and changes nothing else.
-  void update_radii();
+  void update_radii(const CancelToken& cancel = {});
 
  private:
   /// Of the tests: it spoils a curve that has moved, to see that this is found.
@@ -110,19 +108,19 @@ class Flow {
   IterationPlan plan() const {
     return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase());
   }
-  void iterate();
-  void start_full();
-  void find_medial_axis(FlowState& state, const AtRest& known, MedialPlan plan = {});
-  void find_medial_axis(const IterationPlan& plan);
+  void iterate(ThreadPool& pool);
+  void start_full(ThreadPool& pool);
+  void find_medial_axis(FlowState& state, const AtRest& known, ThreadPool& pool, MedialPlan plan = {});
+  void find_medial_axis(const IterationPlan& plan, ThreadPool& pool);
   /// Those of the last medial axis become radii(), once nothing can fail any more.
   void keep_radii() noexcept { state_.nodes.radii.swap(medial_.radii); }
-  IterationFigures figures_of(const NodeData<Vec2>& displacement);
-  IterationRecord record_of(const NodeData<Vec2>& displacement);
-  void remember(const IterationPlan& plan, const NodeData<Vec2>& displacement);
+  IterationFigures figures_of(const NodeData<Vec2>& displacement, ThreadPool& pool);
+  IterationRecord record_of(const NodeData<Vec2>& displacement, ThreadPool& pool);
+  void remember(const IterationPlan& plan, const NodeData<Vec2>& displacement, ThreadPool& pool);
   void move(const IterationPlan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures,
-            IterationRecord& record);
+            IterationRecord& record, ThreadPool& pool);
   void keep_promises() const;
-  void note(IterationFigures& figures);
+  void note(IterationFigures& figures, ThreadPool& pool);
   double progress() const;
   bool at_scale() const { return state_.domain.surface != state_.domain.given; }
 

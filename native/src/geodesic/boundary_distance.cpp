@@ -5,7 +5,6 @@
 #include <cmath>
 #include <queue>
 
-#include "base/cancel_poll.h"
 #include "base/point_tree.h"
 
 namespace meander {
@@ -18,7 +17,7 @@ constexpr uint32_t kPieces = 256;
 constexpr double kMostSamples = 1e7;
 
 /// Points along the boundary, no more than `step` apart.
-std::vector<Vec3> boundary_samples(const Surface& surface, double step, CancelPoll poll) {
+std::vector<Vec3> boundary_samples(const Surface& surface, double step, CancelToken poll) {
   std::vector<Vec3> samples;
   for (const HalfEdge e : surface.boundary()) {
     const Triangle& t = surface.face(face_of(e));
@@ -36,18 +35,18 @@ std::vector<Vec3> boundary_samples(const Surface& surface, double step, CancelPo
 }  // namespace
 
 BoundaryDistance::BoundaryDistance(const Surface& surface, double reach, double edge,
-                                   const std::function<bool()>& cancelled)
+                                   const CancelToken& cancel)
     : mesh_(surface) {
-  const PointTree boundary(boundary_samples(surface, edge, CancelPoll(cancelled, 64 * kPieces)));
-  refine(boundary, reach, edge, cancelled);
+  const PointTree boundary(boundary_samples(surface, edge, cancel.every(64 * kPieces)));
+  refine(boundary, reach, edge, cancel);
   front_ = FrontSearch(AllNodes(mesh_.vertex_count()));
-  march(reach + 2 * edge, cancelled);
+  march(reach + 2 * edge, cancel);
 }
 
 /// Longest edges first, so that an edge is the longest of its faces when it is split, and no angle becomes small
 /// (Rivara, "Algorithms for refining triangular grids suitable for adaptive and multigrid techniques", 1984).
 void BoundaryDistance::refine(const PointTree& boundary, double reach, double edge,
-                              const std::function<bool()>& cancelled) {
+                              const CancelToken& cancel) {
   struct Long {
     double length;
     HalfEdge half;  // the first of the edge's two
@@ -55,7 +54,7 @@ void BoundaryDistance::refine(const PointTree& boundary, double reach, double ed
       return length != other.length ? length < other.length : half > other.half;
     }
   };
-  CancelPoll poll(cancelled, kPieces);
+  CancelToken poll = cancel.every(kPieces);
   std::priority_queue<Long> queue;
   const auto consider = [&](HalfEdge h) {
     const double length = mesh_.length(h);
@@ -79,8 +78,8 @@ void BoundaryDistance::refine(const PointTree& boundary, double reach, double ed
   }
 }
 
-void BoundaryDistance::march(double last, const std::function<bool()>& cancelled) {
-  CancelPoll poll(cancelled, kPieces);
+void BoundaryDistance::march(double last, const CancelToken& cancel) {
+  CancelToken poll = cancel.every(kPieces);
   for (HalfEdge h = 0; h < 2 * mesh_.edge_count(); ++h) {
     if (mesh_.face(h) == kNone) front_.offer(mesh_.from(h), 0);
   }

@@ -3,8 +3,7 @@
 // The distance from the boundary along the surface, close to the boundary.
 #pragma once
 
-#include <functional>
-
+#include "base/cancel_token.h"
 #include "base/front_search.h"
 #include "mesh/halfedge_mesh.h"
 
@@ -20,17 +19,17 @@ class BoundaryDistance {
  public:
   /// Every edge that comes nearer to the boundary than `reach` is split until it is no longer than `edge`, and
   /// distances are known up to `reach` and a few edges more. Time and memory grow with (reach / edge^2) times
-  /// the length of the boundary. `cancelled` is asked every few hundred microseconds, on the caller's thread;
-  /// throws Failure(FailureKind::kCancelled) if it says so.
-  BoundaryDistance(const Surface& surface, double reach, double edge, const std::function<bool()>& cancelled);
+  /// the length of the boundary. `cancel` is asked every few hundred microseconds; throws
+  /// Failure(FailureKind::kCancelled) where it stops this.
+  BoundaryDistance(const Surface& surface, double reach, double edge, const CancelToken& cancel);
 
   const HalfedgeMesh& mesh() const { return mesh_; }
   /// Infinite where the front has not been.
   double at(uint32_t v) const { return front_.cost(v); }
 
  private:
-  void refine(const PointTree& boundary, double reach, double edge, const std::function<bool()>& cancelled);
-  void march(double last, const std::function<bool()>& cancelled);
+  void refine(const PointTree& boundary, double reach, double edge, const CancelToken& cancel);
+  void march(double last, const CancelToken& cancel);
   double across(uint32_t a, uint32_t b, uint32_t c) const;
 
   HalfedgeMesh mesh_;

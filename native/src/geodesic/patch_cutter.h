@@ -36,7 +36,7 @@ class SurfacePatches::Cutter {
   std::vector<Vec3> creases;                    // points on them, kCreaseStep apart
 
   void cut(ThreadPool& pool) {
-    const CancelPoll poll = pool.poll(1);
+    const CancelToken poll = pool.poll(1);
     lay_out_cells(pool);
     DisjointSets sets(cells_.size());
     join_in_grids(sets);

@@ -47,7 +47,7 @@ std::vector<HiddenSheet> hidden_sheets(const SurfacePatches& patches,
 }  // namespace
 
 std::vector<uint32_t> find_sheets(const SurfacePatches& patches, const std::vector<std::vector<uint32_t>>& hidden,
-                                  CancelPoll poll) {
+                                  CancelToken poll) {
   const std::vector<std::vector<uint32_t>> hidden_from = turned_round(hidden);
   std::vector<uint32_t> sheet(patches.count(), kNone), asked_by(patches.count(), kNone), front;
   for (uint32_t first = 0, number = 0; first < patches.count(); ++first) {

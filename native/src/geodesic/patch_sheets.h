@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 #include "geodesic/patch_search.h"
 
 namespace meander {
@@ -18,7 +18,7 @@ namespace meander {
 /// `hidden`  for each patch those that are hidden from it; maybe only for one of two
 /// `poll`    counts patches
 std::vector<uint32_t> find_sheets(const SurfacePatches& patches, const std::vector<std::vector<uint32_t>>& hidden,
-                                  CancelPoll poll);
+                                  CancelToken poll);
 
 /// For each patch that hides something on its side the sheets that are remote from it, see SurfacePatches::remote, in
 /// rising order: those of at least eight patches of which it hides anything, unless they come within `most` of it along

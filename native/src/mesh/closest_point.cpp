@@ -46,16 +46,16 @@ std::array<double, 3> nearest_weights(const Vec3& a, const Vec3& b, const Vec3& 
 
 }  // namespace
 
-ClosestPoint::ClosestPoint(const Surface& surface, const CancelPoll& poll)
+ClosestPoint::ClosestPoint(const Surface& surface, const CancelToken& poll)
     : ClosestPoint(surface, sample(surface, poll), poll) {}
 
-ClosestPoint::ClosestPoint(const Surface& surface, Samples&& samples, const CancelPoll& poll)
+ClosestPoint::ClosestPoint(const Surface& surface, Samples&& samples, const CancelToken& poll)
     : surface_(surface),
       face_(std::move(samples.face)),
       reach_(samples.reach),
       tree_(std::move(samples.points), poll) {}
 
-ClosestPoint::Samples ClosestPoint::sample(const Surface& surface, CancelPoll poll) {
+ClosestPoint::Samples ClosestPoint::sample(const Surface& surface, CancelToken poll) {
   Samples s;
   const double step = surface.mean_edge_length();
   for (uint32_t f = 0; f < surface.face_count(); ++f) {

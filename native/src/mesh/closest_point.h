@@ -14,7 +14,7 @@ namespace meander {
 class ClosestPoint {
  public:
   /// `poll` counts what is done while the samples and their tree are made, some nanoseconds each.
-  explicit ClosestPoint(const Surface& surface, const CancelPoll& poll = {});
+  explicit ClosestPoint(const Surface& surface, const CancelToken& poll = {});
 
   struct Result {
     SurfacePoint point;
@@ -28,8 +28,8 @@ class ClosestPoint {
     std::vector<uint32_t> face;
     double reach = 0;  // every point of a face is within this distance of one of its samples
   };
-  static Samples sample(const Surface& surface, CancelPoll poll);
-  ClosestPoint(const Surface& surface, Samples&& samples, const CancelPoll& poll);
+  static Samples sample(const Surface& surface, CancelToken poll);
+  ClosestPoint(const Surface& surface, Samples&& samples, const CancelToken& poll);
 
   const Surface& surface_;
   std::vector<uint32_t> face_;

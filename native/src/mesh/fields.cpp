@@ -36,7 +36,7 @@ CurvatureTensor curvature_tensor(const VertexGeometry& g) {
   const Surface& s = g.surface();
   const auto n = static_cast<Eigen::Index>(s.vertex_count());
   CurvatureTensor t{Functions::Zero(n), Lines::Zero(n)};
-  CancelPoll poll = g.poll();
+  CancelToken poll = g.poll();
   for (HalfEdge e = 0; e < 3 * s.face_count(); ++e) {
     poll();
     const HalfEdge other = s.twin(e);
@@ -114,11 +114,11 @@ void require_factors(const SparseFactors<Complex>& factors) {
 }  // namespace
 
 VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double radius,
-                             const std::function<bool()>& cancelled) {
-  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
+                             const CancelToken& cancel) {
+  const VertexGeometry g(surface, cancel.every(kPieces));
   Functions x = Functions::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
   if (kind == CurvatureKind::kGaussian || kind == CurvatureKind::kAbsoluteGaussian) {
-    CancelPoll poll = g.poll();
+    CancelToken poll = g.poll();
     for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
       poll();
       if (!g.used(v) || surface.on_boundary(v)) continue;
@@ -135,18 +135,18 @@ VertexData<double> curvature(const Surface& surface, CurvatureKind kind, double 
 }
 
 VertexData<Vec3> principal_directions(const Surface& surface, bool most, double radius,
-                                      const std::function<bool()>& cancelled) {
-  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
+                                      const CancelToken& cancel) {
+  const VertexGeometry g(surface, cancel.every(kPieces));
   const Lines least = least_bending(g, radius);
   // Where the surface bends equally in all directions only rounding would be left.
   constexpr double kNothing = 1e-7;
   return g.to_space(most ? Lines(-least) : least, kNothing * mean_size(least));
 }
 
-VertexData<Vec3> smoothest_directions(const Surface& surface, const std::function<bool()>& cancelled) {
+VertexData<Vec3> smoothest_directions(const Surface& surface, const CancelToken& cancel) {
   constexpr int kMostIterations = 100;
   constexpr double kSettled = 1e-6;  // change of a field of square mean 1
-  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
+  const VertexGeometry g(surface, cancel.every(kPieces));
   const std::vector<uint32_t> component = components(surface);
   const Functions area = relative_area(g, component);
   const size_t count = surface.component_count();
@@ -159,7 +159,7 @@ VertexData<Vec3> smoothest_directions(const Surface& surface, const std::functio
   normalise(x, area, component, count);
   constexpr double kAxis = 0.05, kNoise = 1e-3;
   uint64_t random = 1;
-  CancelPoll poll = g.poll();
+  CancelToken poll = g.poll();
   for (uint32_t v = 0; v < component.size(); ++v) {
     poll();
     if (component[v] == kNone) continue;
@@ -179,18 +179,18 @@ VertexData<Vec3> smoothest_directions(const Surface& surface, const std::functio
 }
 
 VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Stroke> strokes,
-                                     const std::function<bool()>& cancelled) {
+                                     const CancelToken& cancel) {
   // How much stiffer a stroke of the length of an edge is than the field around it.
   constexpr double kStiffness = 30;
   constexpr size_t kSearch = 256;  // pieces of work that a search for the nearest point counts for
-  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
+  const VertexGeometry g(surface, cancel.every(kPieces));
   const std::vector<uint32_t> component = components(surface);
   const ClosestPoint closest(surface, g.poll());
   const double pitch = 0.5 * surface.mean_edge_length();
   Lines wish = Lines::Zero(static_cast<Eigen::Index>(surface.vertex_count()));
   Functions weight = Functions::Zero(wish.size());
   std::vector<uint8_t> stroked(surface.component_count(), 0);
-  CancelPoll poll = g.poll();
+  CancelToken poll = g.poll();
   poll.now();
   for (const Stroke& stroke : strokes) {
     for (size_t k = 0; k + 1 < stroke.size(); ++k) {
@@ -227,7 +227,7 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
   return g.to_space(x, 1e-12);
 }
 
-VertexData<Vec3> boundary_directions(const Surface& surface, const std::function<bool()>& cancelled) {
+VertexData<Vec3> boundary_directions(const Surface& surface, const CancelToken& cancel) {
   std::vector<Vec3> ends;
   for (const HalfEdge e : surface.boundary()) {
     const Triangle& corners = surface.face(face_of(e));
@@ -236,12 +236,12 @@ VertexData<Vec3> boundary_directions(const Surface& surface, const std::function
   }
   std::vector<Stroke> strokes;
   for (size_t k = 0; k < ends.size(); k += 2) strokes.push_back(std::span(ends).subspan(k, 2));
-  return extended_directions(surface, strokes, cancelled);
+  return extended_directions(surface, strokes, cancel);
 }
 
 VertexData<Vec3> turned_directions(const Surface& surface, const VertexData<Vec3>& lines,
-                                   const VertexData<double>& angles, const std::function<bool()>& cancelled) {
-  const VertexGeometry g(surface, CancelPoll(cancelled, kPieces));
+                                   const VertexData<double>& angles, const CancelToken& cancel) {
+  const VertexGeometry g(surface, cancel.every(kPieces));
   Lines turned(static_cast<Eigen::Index>(surface.vertex_count()));
   // A line is kept as the square of its vector, so it turns twice as far.
   for (uint32_t v = 0; v < surface.vertex_count(); ++v) {

@@ -54,7 +54,7 @@ struct System {
 
 /// Joins every vertex to the neighbour that it is tied to most, if that one is free: at most half as many are left.
 /// Returns how many, and `group` of every vertex.
-uint32_t pair_up(const System& fine, std::vector<uint32_t>& group, CancelPoll& poll) {
+uint32_t pair_up(const System& fine, std::vector<uint32_t>& group, CancelToken& poll) {
   group.assign(fine.size(), kNone);
   uint32_t count = 0;
   for (uint32_t i = 0; i < fine.size(); ++i) {
@@ -75,7 +75,7 @@ uint32_t pair_up(const System& fine, std::vector<uint32_t>& group, CancelPoll& p
 }
 
 /// The system of groups that move as one (Galerkin's, with constants).
-System joined(const System& fine, const std::vector<uint32_t>& group, uint32_t count, CancelPoll& poll) {
+System joined(const System& fine, const std::vector<uint32_t>& group, uint32_t count, CancelToken& poll) {
   System coarse;
   coarse.excess.assign(count, 0);
   std::vector<std::array<uint32_t, 2>> members(count, {kNone, kNone});
@@ -119,7 +119,7 @@ bool is_stiff(const System& system) {
 class Multigrid {
  public:
   Multigrid(System finest, ThreadPool& pool) : pool_(pool) {
-    CancelPoll poll = pool.poll(1u << 16);
+    CancelToken poll = pool.poll(1u << 16);
     levels_.push_back({std::move(finest), {}, {}, {}, {}});
     while (is_stiff(levels_.back().system)) {
       const System& fine = levels_.back().system;
@@ -245,7 +245,7 @@ struct Equations {
   Points b, x;
 };
 
-Equations equations(const Surface& surface, const VertexData<double>& width, CancelPoll poll) {
+Equations equations(const Surface& surface, const VertexData<double>& width, CancelToken poll) {
   const auto n = static_cast<uint32_t>(surface.vertex_count());
   std::vector<double> area(n, 0);
   std::vector<uint32_t> row(n, kNone), degree;

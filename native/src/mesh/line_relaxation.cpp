@@ -47,7 +47,7 @@ struct Level {
 Vec2 squared(Vec2 v) { return v * v; }
 
 /// Per half-edge the number that carries the square of a line from its face to the one across; 0 at the boundary.
-std::vector<Vec2> carried_across(const Surface& s, CancelPoll& poll) {
+std::vector<Vec2> carried_across(const Surface& s, CancelToken& poll) {
   std::vector<Vec2> carried(3 * s.face_count());
   for (HalfEdge e = 0; e < carried.size(); ++e) {
     poll();
@@ -59,7 +59,7 @@ std::vector<Vec2> carried_across(const Surface& s, CancelPoll& poll) {
   return carried;
 }
 
-Level of_faces(const Surface& s, const std::vector<Vec2>& carried, CancelPoll& poll) {
+Level of_faces(const Surface& s, const std::vector<Vec2>& carried, CancelToken& poll) {
   Level level;
   level.start.reserve(s.face_count() + 1);
   level.neighbours.reserve(3 * s.face_count());
@@ -80,7 +80,7 @@ Level of_faces(const Surface& s, const std::vector<Vec2>& carried, CancelPoll& p
 }
 
 /// Joins every row with the neighbour that holds it most among those that are alone still. The number of pairs.
-uint32_t pair_up(Level& level, CancelPoll& poll) {
+uint32_t pair_up(Level& level, CancelToken& poll) {
   level.coarse.assign(level.size(), kAlone);
   level.carry.assign(level.size(), Vec2{1, 0});
   uint32_t count = 0;
@@ -105,7 +105,7 @@ uint32_t pair_up(Level& level, CancelPoll& poll) {
   return count;
 }
 
-Level coarser(const Level& fine, uint32_t count, CancelPoll& poll) {
+Level coarser(const Level& fine, uint32_t count, CancelToken& poll) {
   std::vector<std::pair<uint32_t, uint32_t>> members(count, {kAlone, kAlone});
   for (uint32_t i = 0; i < fine.size(); ++i) {
     auto& [first, second] = members[fine.coarse[i]];
@@ -139,7 +139,7 @@ Level coarser(const Level& fine, uint32_t count, CancelPoll& poll) {
   return level;
 }
 
-void relax(const Level& level, int sweeps, std::vector<Vec2>& lines, CancelPoll& poll) {
+void relax(const Level& level, int sweeps, std::vector<Vec2>& lines, CancelToken& poll) {
   const size_t count = level.size();
   std::vector<double> share(count, 0);
   for (size_t i = 0; i < count; ++i) {
@@ -160,7 +160,7 @@ void relax(const Level& level, int sweeps, std::vector<Vec2>& lines, CancelPoll&
 }
 
 /// Lines of faces, times their areas: along what bends least, by the difference of the squared curvatures.
-std::vector<Vec2> first_lines(const Surface& s, CancelPoll& poll) {
+std::vector<Vec2> first_lines(const Surface& s, CancelToken& poll) {
   std::vector<Vec2> along(s.face_count());
   VertexData<double> mean(s.vertex_count(), 0), area(s.vertex_count(), 0);
   for (uint32_t f = 0; f < s.face_count(); ++f) {
@@ -194,7 +194,7 @@ std::vector<Vec2> first_lines(const Surface& s, CancelPoll& poll) {
 
 /// Of the lines of faces, the mean around each corner, in the plane of its face.
 std::vector<Vec2> at_corners(const Surface& s, const std::vector<Vec2>& carried, const std::vector<Vec2>& lines,
-                             CancelPoll& poll) {
+                             CancelToken& poll) {
   std::vector<Vec2> corners(3 * s.face_count());
   VertexData<uint32_t> faces(s.vertex_count(), 0);
   for (uint32_t f = 0; f < s.face_count(); ++f) {
@@ -227,7 +227,7 @@ std::vector<Vec2> at_corners(const Surface& s, const std::vector<Vec2>& carried,
 
 }  // namespace
 
-LineField relaxed_field(const Surface& surface, CancelPoll poll) {
+LineField relaxed_field(const Surface& surface, CancelToken poll) {
   std::vector<Level> levels;
   const std::vector<Vec2> carried = carried_across(surface, poll);
   levels.push_back(of_faces(surface, carried, poll));

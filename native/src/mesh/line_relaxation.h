@@ -3,7 +3,7 @@
 // A smooth field of lines in a time that grows with the number of faces.
 #pragma once
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 #include "mesh/line_field.h"
 
 namespace meander {
@@ -19,6 +19,6 @@ namespace meander {
 /// carried by unfolding faces about their edges, so that not an angle has to be computed.
 ///
 /// `poll`  is called for every face, on every level
-LineField relaxed_field(const Surface& surface, CancelPoll poll);
+LineField relaxed_field(const Surface& surface, CancelToken poll);
 
 }  // namespace meander

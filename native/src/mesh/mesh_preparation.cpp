@@ -8,7 +8,6 @@
 
 #include <Eigen/Geometry>
 
-#include "base/cancel_poll.h"
 #include "base/disjoint_sets.h"
 #include "base/failure.h"
 #include "mesh/edge_splits.h"
@@ -45,8 +44,8 @@ uint64_t edge_key(uint32_t a, uint32_t b) { return (uint64_t{std::min(a, b)} << 
 class MeshPreparation {
  public:
   MeshPreparation(std::span<const double> vertices, std::span<const uint32_t> faces,
-                  const std::function<bool()>& cancelled)
-      : poll_(cancelled, 1 << 14), caller_vertices_(vertices.size() / 3), caller_faces_(faces.size() / 3) {
+                  const CancelToken& cancel)
+      : poll_(cancel.every(1 << 14)), caller_vertices_(vertices.size() / 3), caller_faces_(faces.size() / 3) {
     positions_.resize(caller_vertices_);
     origins_.resize(caller_vertices_);
     for (uint32_t v = 0; v < caller_vertices_; ++v) {
@@ -120,7 +119,7 @@ class MeshPreparation {
   /// Per edge, in order of the key: key and face.
   std::vector<std::pair<uint64_t, uint32_t>> edges() const;
 
-  mutable CancelPoll poll_;
+  mutable CancelToken poll_;
   size_t caller_vertices_, caller_faces_;
   std::vector<Vec3> positions_;
   std::vector<MeshMap::VertexOrigin> origins_;
@@ -648,8 +647,8 @@ PreparedMesh MeshPreparation::result() {
 }
 
 PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
-                          const PrepareSettings& settings, const std::function<bool()>& cancelled) {
-  MeshPreparation mesh(vertices, faces, cancelled);
+                          const PrepareSettings& settings, const CancelToken& cancel) {
+  MeshPreparation mesh(vertices, faces, cancel);
   mesh.ask();
   if (!settings.face_mask.empty()) {
     mesh.mask_faces(settings.face_mask);

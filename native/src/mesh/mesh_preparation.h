@@ -6,10 +6,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "base/cancel_token.h"
 #include "mesh/mesh_map.h"
 
 namespace meander {
@@ -60,9 +60,9 @@ struct PreparedMesh {
 /// The result is as strict a mesh as the settings allow; check_mesh finds what is left. Throws
 /// Failure(FailureKind::kInvalidMesh) when nothing is left.
 ///
-/// cancelled   or empty; asked before every step and now and then within the long ones: where it says yes,
-///             Failure(FailureKind::kCancelled) is thrown
+/// cancel      asked before every step and now and then within the long ones; throws
+///             Failure(FailureKind::kCancelled) where it stops them
 PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint32_t> faces,
-                          const PrepareSettings& settings, const std::function<bool()>& cancelled = {});
+                          const PrepareSettings& settings, const CancelToken& cancel = {});
 
 }  // namespace meander

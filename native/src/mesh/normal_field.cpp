@@ -24,7 +24,7 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
 
 }  // namespace
 
-void NormalField::find(CancelPoll& poll) const {
+void NormalField::find(CancelToken& poll) const {
   const Surface& surface = surface_;
   normals_.assign(surface.vertex_count(), Vec3::Zero());
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -50,7 +50,7 @@ void NormalField::find(CancelPoll& poll) const {
   }
 }
 
-void NormalField::prepare(CancelPoll poll) const {
+void NormalField::prepare(CancelToken poll) const {
   std::call_once(found_, [&] { find(poll); });
 }
 

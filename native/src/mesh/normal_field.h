@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 #include "mesh/surface.h"
 
 namespace meander {
@@ -24,13 +24,13 @@ class NormalField {
   NormalField(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
   /// Computes them now, so that blended() cannot fail. `poll` counts faces, some ten nanoseconds each.
-  void prepare(CancelPoll poll = {}) const;
+  void prepare(CancelToken poll = {}) const;
 
   /// The unit normal at the point of face f with these weights of its corners.
   Vec3 blended(uint32_t f, double w0, double w1, double w2) const;
 
  private:
-  void find(CancelPoll& poll) const;
+  void find(CancelToken& poll) const;
   /// The same on a face beside a crease; `smooth` is what its corners give.
   Vec3 beside_creases(uint32_t f, const std::array<double, 3>& w, const Vec3& smooth) const;
 

@@ -36,7 +36,7 @@ struct AngleSum {
 /// What one vertex adds: its area, its curvature, and that in absolute value.
 enum : size_t { kArea, kNet, kAbsolute, kSums };
 
-std::vector<std::array<double, kSums>> vertex_sums(const Surface& surface, CancelPoll& poll) {
+std::vector<std::array<double, kSums>> vertex_sums(const Surface& surface, CancelToken& poll) {
   const VertexData<double> defects = angle_defects(surface, poll);
   std::vector<std::array<double, kSums>> sums(surface.vertex_count(), {0, 0, 0});
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -52,7 +52,7 @@ std::vector<std::array<double, kSums>> vertex_sums(const Surface& surface, Cance
 
 }  // namespace
 
-VertexData<double> angle_defects(const Surface& surface, CancelPoll poll) {
+VertexData<double> angle_defects(const Surface& surface, CancelToken poll) {
   std::vector<AngleSum> turns(surface.vertex_count());
   std::vector<uint8_t> used(surface.vertex_count(), 0);
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
@@ -72,7 +72,7 @@ VertexData<double> angle_defects(const Surface& surface, CancelPoll poll) {
   return defects;
 }
 
-VertexData<double> roughness(const Surface& surface, const RadiusField& radius, double least, CancelPoll poll) {
+VertexData<double> roughness(const Surface& surface, const RadiusField& radius, double least, CancelToken poll) {
   const auto sums = vertex_sums(surface, poll);
   VertexData<double> rough(surface.vertex_count(), 0);
   const double widest = [&] {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 #include "mesh/radius_field.h"
 
 namespace meander {
@@ -131,7 +131,7 @@ class SpaceSums {
 /// `finish(sums)` is called once for all corners of a lattice, before any is read
 /// `read(v, sums, share)` is called once or twice a vertex, with shares whose sum is 1
 template <size_t Count, class Add, class Finish, class Read>
-void average_over_radius(const Surface& surface, const RadiusField& radius, double cubes_of_radius, CancelPoll poll,
+void average_over_radius(const Surface& surface, const RadiusField& radius, double cubes_of_radius, CancelToken poll,
                          const Add& add, const Finish& finish, const Read& read) {
   const auto n = static_cast<uint32_t>(surface.vertex_count());
   const double least = radius.least();

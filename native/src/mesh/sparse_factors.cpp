@@ -8,7 +8,7 @@
 namespace meander {
 
 template <class Number>
-SparseFactors<Number>::SparseFactors(const Matrix& matrix, CancelPoll poll) {
+SparseFactors<Number>::SparseFactors(const Matrix& matrix, CancelToken poll) {
   order(matrix, poll);
   Matrix upper(matrix.rows(), matrix.cols());
   upper.template selfadjointView<Eigen::Upper>() =
@@ -20,7 +20,7 @@ SparseFactors<Number>::SparseFactors(const Matrix& matrix, CancelPoll poll) {
 
 /// A permutation with which L has few numbers.
 template <class Number>
-void SparseFactors<Number>::order(const Matrix& matrix, CancelPoll& poll) {
+void SparseFactors<Number>::order(const Matrix& matrix, CancelToken& poll) {
   Matrix whole;
   whole = matrix.template selfadjointView<Eigen::Lower>();
   poll.now();
@@ -31,7 +31,7 @@ void SparseFactors<Number>::order(const Matrix& matrix, CancelPoll& poll) {
 
 /// The elimination tree, and how many numbers each column of L has.
 template <class Number>
-void SparseFactors<Number>::find_columns(const Matrix& upper, CancelPoll& poll) {
+void SparseFactors<Number>::find_columns(const Matrix& upper, CancelToken& poll) {
   const auto size = static_cast<int>(upper.rows());
   parent_.assign(static_cast<size_t>(size), -1);
   start_.assign(static_cast<size_t>(size) + 1, 0);
@@ -55,7 +55,7 @@ void SparseFactors<Number>::find_columns(const Matrix& upper, CancelPoll& poll) 
 
 /// One row of L after the other: each is the solution of a triangular system with the rows before it.
 template <class Number>
-void SparseFactors<Number>::factorize(const Matrix& upper, CancelPoll& poll) {
+void SparseFactors<Number>::factorize(const Matrix& upper, CancelToken& poll) {
   const auto size = static_cast<int>(upper.rows());
   std::vector<Index> end(start_.begin(), start_.end() - 1);  // of what each column has so far
   std::vector<Number> y(static_cast<size_t>(size));          // of the present row, all zero between two rows
@@ -97,7 +97,7 @@ void SparseFactors<Number>::factorize(const Matrix& upper, CancelPoll& poll) {
 }
 
 template <class Number>
-typename SparseFactors<Number>::Vector SparseFactors<Number>::solve(const Vector& b, CancelPoll poll) const {
+typename SparseFactors<Number>::Vector SparseFactors<Number>::solve(const Vector& b, CancelToken poll) const {
   Vector x = permutation_ * b;
   for (Index i = 0; i < x.size(); ++i) {
     const Number xi = x[i];

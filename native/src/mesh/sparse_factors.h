@@ -8,7 +8,7 @@
 
 #include <Eigen/SparseCore>
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 
 namespace meander {
 
@@ -27,19 +27,19 @@ class SparseFactors {
   using Vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
   /// `poll` counts what is added to the sums, about a nanosecond each. Throws Failure(FailureKind::kCancelled).
-  SparseFactors(const Matrix& matrix, CancelPoll poll);
+  SparseFactors(const Matrix& matrix, CancelToken poll);
 
   /// Whether there are factors. Without them, where a diagonal number was exactly 0, nothing can be solved.
   bool exist() const { return exist_; }
 
   /// x of A x = b. Throws as the constructor does.
-  Vector solve(const Vector& b, CancelPoll poll) const;
+  Vector solve(const Vector& b, CancelToken poll) const;
 
  private:
   using Index = Eigen::Index;
-  void order(const Matrix& matrix, CancelPoll& poll);
-  void find_columns(const Matrix& upper, CancelPoll& poll);
-  void factorize(const Matrix& upper, CancelPoll& poll);
+  void order(const Matrix& matrix, CancelToken& poll);
+  void find_columns(const Matrix& upper, CancelToken& poll);
+  void factorize(const Matrix& upper, CancelToken& poll);
 
   Eigen::PermutationMatrix<Eigen::Dynamic> permutation_, inverse_;
   std::vector<int> parent_;      // of each row in the elimination tree, -1 for roots

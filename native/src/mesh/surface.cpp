@@ -24,7 +24,7 @@ constexpr size_t kMade = size_t{1} << 16;
 
 /// Gives a table a length.
 template <class Values>
-void make(Values& values, size_t count, const CancelPoll& poll) {
+void make(Values& values, size_t count, const CancelToken& poll) {
   values.reserve(count);
   while (values.size() < count) {
     poll.now();
@@ -33,7 +33,7 @@ void make(Values& values, size_t count, const CancelPoll& poll) {
 }
 
 template <class Values>
-void copy(const Values& from, Values& to, const CancelPoll& poll) {
+void copy(const Values& from, Values& to, const CancelToken& poll) {
   to.reserve(from.size());
   while (to.size() < from.size()) {
     poll.now();
@@ -45,10 +45,9 @@ void copy(const Values& from, Values& to, const CancelPoll& poll) {
 }  // namespace
 
 Surface::Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads,
-                 const std::function<bool()>& cancelled)
+                 const CancelToken& cancel)
     : caller_(vertices.begin(), vertices.end()) {
-  ThreadPool pool(faces.size() / 3 > kMeshGrain ? threads : 1);
-  const ThreadPool::Watch watch(pool, cancelled);
+  ThreadPool pool = ThreadPool(faces.size() / 3 > kMeshGrain ? threads : 1).with(cancel);
   CheckedMesh mesh = check_mesh(vertices, faces, pool);
   faces_ = std::move(mesh.faces);
   flipped_ = std::move(mesh.flipped);
@@ -84,7 +83,7 @@ Surface Surface::with_positions(VertexData<Vec3> positions, ThreadPool& pool) co
 
 /// All that the places of the vertices have no say in.
 void Surface::keep_connections(const Surface& other, ThreadPool& pool) {
-  const CancelPoll poll = pool.poll(1);
+  const CancelToken poll = pool.poll(1);
   copy(other.faces_, faces_, poll);
   copy(other.flipped_, flipped_, poll);
   copy(other.component_, component_, poll);
@@ -129,7 +128,7 @@ double Surface::corner_angle(uint32_t f, uint32_t k) const {
 
 void Surface::lay_out(ThreadPool& pool) {
   const size_t n = faces_.size();
-  const CancelPoll poll = pool.poll(1);
+  const CancelToken poll = pool.poll(1);
   make(flat_, n, poll);
   make(x_axis_, n, poll);
   make(face_normal_, n, poll);

@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include "base/cancel_token.h"
 #include "base/large_pages.h"
 #include "base/plane.h"
 #include "mesh/mesh_check.h"
@@ -46,10 +47,10 @@ inline double settle(double x) {
 class Surface {
  public:
   /// Throws Failure(FailureKind::kInvalidMesh), see meander_surface_create. `threads` as of a ThreadPool; the
-  /// surface is the same for any number. Where `cancelled`, which may be empty, says so on the way it throws
-  /// Failure(FailureKind::kCancelled).
+  /// surface is the same for any number. Throws Failure(FailureKind::kCancelled) where
+  /// `cancel` stops it.
   Surface(std::span<const double> vertices, std::span<const uint32_t> faces, unsigned threads = 1,
-          const std::function<bool()>& cancelled = {});
+          const CancelToken& cancel = {});
 
   /// The same faces with their vertices in other places. The connectivity stays the same, so a point of a face,
   /// or of an edge, is one of the new surface too. The unit becomes the new

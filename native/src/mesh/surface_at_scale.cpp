@@ -32,7 +32,7 @@ double doubled_area(const Triangle& t, const VertexData<Vec3>& p) {
 }
 
 /// Takes the corners of faces that have lost their area back towards where they were, until none has.
-void keep_areas(const Surface& surface, VertexData<Vec3>& positions, CancelPoll poll) {
+void keep_areas(const Surface& surface, VertexData<Vec3>& positions, CancelToken poll) {
   constexpr int kHalvings = 40;
   for (int attempt = 0;; ++attempt) {
     std::vector<uint8_t> back(positions.size(), 0);
@@ -54,7 +54,7 @@ void keep_areas(const Surface& surface, VertexData<Vec3>& positions, CancelPoll 
 
 /// The root of the ratio of the areas around every vertex.
 VertexData<double> shrinkage_between(const Surface& given, const Surface& smoothed, const RadiusField& radius,
-                                     CancelPoll poll) {
+                                     CancelToken poll) {
   using Sums = std::array<double, 2>;
   const auto n = static_cast<uint32_t>(given.vertex_count());
   std::vector<Sums> areas(n, Sums{0, 0});
@@ -89,7 +89,7 @@ SurfaceAtScale at_scale(std::shared_ptr<const Surface> given, const RadiusField&
                         ThreadPool& pool) {
   SurfaceAtScale result{given, {}, {}};
   if (followed >= 1) return result;
-  const CancelPoll poll = pool.poll(kSmoothedPieces);
+  const CancelToken poll = pool.poll(kSmoothedPieces);
   const VertexData<double> rough = roughness(*given, radius, kSmooth, poll);
   if (rough.empty()) return result;
   VertexData<double> width(rough.size(), 0);  // in r

@@ -20,7 +20,7 @@ Eigen::Index index(uint32_t v) { return static_cast<Eigen::Index>(v); }
 
 template <class Number, class Vector>
 Vector diffused(Eigen::SparseMatrix<Number> matrix, const Functions& area, const Vector& x, double length,
-                const CancelPoll& poll) {
+                const CancelToken& poll) {
   matrix *= length * length;
   for (Eigen::Index v = 0; v < area.size(); ++v) {
     Number& diagonal = matrix.coeffRef(v, v);
@@ -36,12 +36,12 @@ Vector diffused(Eigen::SparseMatrix<Number> matrix, const Functions& area, const
 
 }  // namespace
 
-VertexGeometry::VertexGeometry(const Surface& surface, const CancelPoll& poll) : surface_(surface), poll_(poll) {
+VertexGeometry::VertexGeometry(const Surface& surface, const CancelToken& poll) : surface_(surface), poll_(poll) {
   const size_t n = surface.vertex_count();
   area_ = Functions::Zero(static_cast<Eigen::Index>(n));
   normal_.assign(n, Vec3::Zero());
   total_angle_.assign(n, 0);
-  CancelPoll ask = poll_;
+  CancelToken ask = poll_;
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     ask();
     for (uint32_t k = 0; k < 3; ++k) {
@@ -63,7 +63,7 @@ void VertexGeometry::find_angles() {
   angle_.assign(3 * surface_.face_count(), 0);
   // The first half-edge around each vertex: at the boundary the one that has no face on its right.
   std::vector<HalfEdge> start(n, kNone);
-  CancelPoll ask = poll_;
+  CancelToken ask = poll_;
   for (HalfEdge e = 0; e < 3 * surface_.face_count(); ++e) {
     ask();
     HalfEdge& s = start[surface_.face(face_of(e))[corner_of(e)]];
@@ -99,7 +99,7 @@ void VertexGeometry::find_edges() {
     const Vec2 u = surface_.corner(f, corner_of(e)) - p, w = surface_.corner(f, next_corner(corner_of(e))) - p;
     return dot(u, w) / cross(u, w);
   };
-  CancelPoll ask = poll_;
+  CancelToken ask = poll_;
   edges_.reserve((3 * surface_.face_count() + surface_.boundary().size()) / 2);
   for (HalfEdge e = 0; e < 3 * surface_.face_count(); ++e) {
     ask();
@@ -135,7 +135,7 @@ Complex VertexGeometry::line_along(uint32_t v, const Vec3& direction) const {
 
 VertexData<Vec3> VertexGeometry::to_space(const Lines& lines, double least) const {
   VertexData<Vec3> out(surface_.vertex_count(), Vec3::Zero());
-  CancelPoll ask = poll_;
+  CancelToken ask = poll_;
   for (uint32_t v = 0; v < out.size(); ++v) {
     ask();
     const Complex line = lines[index(v)];
@@ -163,7 +163,7 @@ Eigen::SparseMatrix<Complex> VertexGeometry::line_laplacian() const {
 /// Not from a list of triplets, which would be larger than the matrix and is sorted in one call that nothing ends.
 template <class Number, class Carry>
 Eigen::SparseMatrix<Number> VertexGeometry::laplacian_of(const Carry& carry) const {
-  CancelPoll ask = poll_;
+  CancelToken ask = poll_;
   Eigen::VectorXi counts = Eigen::VectorXi::Ones(area_.size());
   for (const Edge& e : edges_) {
     ask();

@@ -9,7 +9,7 @@
 
 #include <Eigen/SparseCore>
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 #include "base/elementary.h"
 #include "mesh/surface.h"
 #include "mesh/vertex_data.h"
@@ -35,11 +35,11 @@ class VertexGeometry {
  public:
   /// Everything here that goes over the whole surface calls `poll`, or a copy, for what it does with a face, an edge or
   /// a vertex, which takes some nanoseconds, and for less where systems are solved.
-  explicit VertexGeometry(const Surface& surface, const CancelPoll& poll = {});
+  explicit VertexGeometry(const Surface& surface, const CancelToken& poll = {});
 
   const Surface& surface() const { return surface_; }
   /// The constructor's, for what else is done with it.
-  const CancelPoll& poll() const { return poll_; }
+  const CancelToken& poll() const { return poll_; }
   /// A third of the area of the faces around each vertex.
   const Functions& area() const { return area_; }
   bool used(uint32_t v) const { return area_[v] > 0; }
@@ -79,7 +79,7 @@ class VertexGeometry {
   Eigen::SparseMatrix<Number> laplacian_of(const Carry& carry) const;
 
   const Surface& surface_;
-  CancelPoll poll_;
+  CancelToken poll_;
   Functions area_;
   std::vector<Vec3> normal_, axis_;
   std::vector<double> angle_;  // of each half-edge in the plane of its first vertex

@@ -31,7 +31,7 @@ void check_room(double vertices) {
 /// Distributes the curve over the faces of the surface and triangulates one after the other.
 class CutMesh::Builder {
  public:
-  Builder(CutMesh& mesh, const Curve& curve, double detail, CancelPoll& poll)
+  Builder(CutMesh& mesh, const Curve& curve, double detail, CancelToken& poll)
       : mesh_(mesh), surface_(mesh.surface_), curve_(curve), detail_(detail), poll_(poll) {}
 
   void run() {
@@ -240,7 +240,7 @@ class CutMesh::Builder {
   const Surface& surface_;
   const Curve& curve_;
   const double detail_;
-  CancelPoll& poll_;
+  CancelToken& poll_;
   std::vector<uint32_t> vertex_of_;  // per vertex of the surface
   std::vector<OnEdge> on_edges_;
   std::vector<FacePiece> pieces_;
@@ -249,7 +249,7 @@ class CutMesh::Builder {
   std::vector<uint32_t> vertices_;  // per point of the triangulation
 };
 
-CutMesh::CutMesh(const Surface& surface, const Curve& curve, double detail, CancelPoll poll) : surface_(surface) {
+CutMesh::CutMesh(const Surface& surface, const Curve& curve, double detail, CancelToken poll) : surface_(surface) {
   Builder(*this, curve, detail, poll).run();
   connect(poll);
 }
@@ -272,7 +272,7 @@ uint32_t CutMesh::add_vertex_on(uint32_t edge, double t) {
   return add_vertex({faces_[edge / 3].origin, at_share(edge, t)});
 }
 
-void CutMesh::replace_faces(std::vector<Face> faces, CancelPoll& poll) {
+void CutMesh::replace_faces(std::vector<Face> faces, CancelToken& poll) {
   faces_ = std::move(faces);
   connect(poll);
 }
@@ -296,7 +296,7 @@ uint32_t CutMesh::point_before(uint32_t strand, double along) const {
   return s.first + static_cast<uint32_t>(std::max<std::ptrdiff_t>(0, after - begin - 1));
 }
 
-void CutMesh::connect(CancelPoll& poll) {
+void CutMesh::connect(CancelToken& poll) {
   struct Ends {
     uint32_t low, high, edge;
     bool operator<(const Ends& other) const {

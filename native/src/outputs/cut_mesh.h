@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/cancel_poll.h"
+#include "base/cancel_token.h"
 #include "curve/curve.h"
 
 namespace meander {
@@ -40,7 +40,7 @@ class CutMesh {
   /// `detail` > 0: further vertices are added until edges are about so long at most, and vertices inside of faces
   /// about so far from one another; 0: only those that the curve calls for. Throws Failure(FailureKind::kInternal)
   /// where strands touch. `poll` is called for every vertex, edge and face, and for every comparison of them.
-  CutMesh(const Surface& surface, const Curve& curve, double detail, CancelPoll poll = {});
+  CutMesh(const Surface& surface, const Curve& curve, double detail, CancelToken poll = {});
 
   const Surface& surface() const { return surface_; }
   size_t vertex_count() const { return places_.size(); }
@@ -74,11 +74,11 @@ class CutMesh {
   /// Where the share t of an edge is in the face of the surface.
   Vec2 at_share(uint32_t edge, double t) const;
   /// Puts other faces in the place of all; they cover the same surface and leave the line's edges as they are.
-  void replace_faces(std::vector<Face> faces, CancelPoll& poll);
+  void replace_faces(std::vector<Face> faces, CancelToken& poll);
 
  private:
   class Builder;
-  void connect(CancelPoll& poll);
+  void connect(CancelToken& poll);
 
   const Surface& surface_;
   std::vector<Place> places_;

@@ -18,7 +18,7 @@ constexpr size_t kOutput = 16;
 CornerWeights weights_at(Vec2 b) { return {1 - b.x - b.y, b.x, b.y}; }
 
 void put_vertices(const Surface& surface, const MeshMap* map, const CutMesh& mesh, const LineDistance& distance,
-                  CutSurface& out, CancelPoll& poll) {
+                  CutSurface& out, CancelToken& poll) {
   // Where vectors grow all that is in them is moved, without an ask.
   out.positions.reserve(mesh.vertex_count());
   out.distances.reserve(mesh.vertex_count());
@@ -36,7 +36,7 @@ void put_vertices(const Surface& surface, const MeshMap* map, const CutMesh& mes
 }
 
 void put_faces(const Surface& surface, const MeshMap* map, const CutMesh& mesh, const LineFields& fields,
-               CutSurface& out, CancelPoll& poll) {
+               CutSurface& out, CancelToken& poll) {
   const size_t count = mesh.faces().size();
   out.faces.reserve(count);
   out.origins.reserve(count);
@@ -86,8 +86,8 @@ void put_line(const Surface& surface, const CutMesh& mesh, CutSurface& out) {
 }  // namespace
 
 CutSurface cut_surface(const Surface& surface, const MeshMap* map, const Curve& curve, double detail,
-                       bool middle_lines, const std::function<bool()>& cancelled) {
-  CancelPoll poll(cancelled, kPieces);
+                       bool middle_lines, const CancelToken& cancel) {
+  CancelToken poll = cancel.every(kPieces);
   CutMesh mesh(surface, curve, detail / surface.scale(), poll);
   LineDistance distance(mesh, poll);
   if (middle_lines) add_middle_lines(mesh, distance, poll);

@@ -5,9 +5,9 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "base/cancel_token.h"
 #include "curve/curve.h"
 #include "mesh/mesh_map.h"
 
@@ -34,9 +34,8 @@ struct CutSurface {
 };
 
 /// Cuts a surface along a curve. `detail`, in the caller's units, and `middle_lines`: see meander_flow_cut_surface.
-/// `map` may be null. `cancelled`, which may be empty, is asked all the while, on the caller's thread; throws
-/// Failure(FailureKind::kCancelled) if it says so.
+/// `map` may be null. `cancel` is asked all the while; throws Failure(FailureKind::kCancelled) where it stops this.
 CutSurface cut_surface(const Surface& surface, const MeshMap* map, const Curve& curve, double detail,
-                       bool middle_lines, const std::function<bool()>& cancelled = {});
+                       bool middle_lines, const CancelToken& cancel = {});
 
 }  // namespace meander

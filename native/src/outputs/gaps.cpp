@@ -87,7 +87,7 @@ Gap climb(const Emptiness& emptiness, Gap gap) {
 /// The largest first, without those whose centre is within `share` radii of a larger one, and
 /// with `along_surface` on a face that is turned to the same side.
 std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, double share, bool along_surface,
-                       CancelPoll poll) {
+                       CancelToken poll) {
   const auto face_each_other = [&](const Gap& a, const Gap& b) {
     return surface.face_normal(a.centre.face).dot(surface.face_normal(b.centre.face)) < 0;
   };
@@ -179,13 +179,13 @@ void leave_out_strip(const FlowState& state, double least_size, std::vector<Gap>
 
 }  // namespace
 
-std::vector<Gap> find_gaps(Flow& flow, double least_size) {
+std::vector<Gap> find_gaps(Flow& flow, double least_size, const CancelToken& cancel) {
   return flow.ask([&](const Flow::Present& present) {
     std::vector<Gap> gaps = emptiest_places(present, least_size);
     leave_out_strip(present.state, least_size, gaps);
     for (Gap& gap : gaps) gap.radius *= present.state.domain.stretch_at(gap.centre);
     return gaps;
-  });
+  }, cancel);
 }
 
 }  // namespace meander

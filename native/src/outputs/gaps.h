@@ -33,7 +33,8 @@ inline constexpr double kGapSize = 1.2;
 /// most 3 r from the curve.
 ///
 /// Where a strip along the boundary is to stay empty, only what lies farther from the curve than the strip asks for is
-/// a gap. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes.
-std::vector<Gap> find_gaps(Flow& flow, double least_size);
+/// a gap. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes, and
+/// for `cancel`.
+std::vector<Gap> find_gaps(Flow& flow, double least_size, const CancelToken& cancel = {});
 
 }  // namespace meander

@@ -32,14 +32,14 @@ double angle(const Vec3& u, const Vec3& v) { return elementary::atan2(u.cross(v)
 
 }  // namespace
 
-LineDistance::LineDistance(const CutMesh& mesh, CancelPoll poll) : mesh_(mesh), nearest_(mesh.vertex_count()) {
+LineDistance::LineDistance(const CutMesh& mesh, CancelToken poll) : mesh_(mesh), nearest_(mesh.vertex_count()) {
   find_corner_sides(poll);
   march(poll);
 }
 
 /// On which side of the line the corners of faces at it lie. No point of the line is on the boundary, so faces
 /// surround each of them.
-void LineDistance::find_corner_sides(CancelPoll& poll) {
+void LineDistance::find_corner_sides(CancelToken& poll) {
   const uint32_t edges = static_cast<uint32_t>(3 * mesh_.faces().size());
   corner_side_.assign(edges, 0);
   piece_face_.assign(mesh_.line_point_count(), kNone);
@@ -100,7 +100,7 @@ bool LineDistance::one_sheet(uint32_t corner, uint32_t other) const {
   return std::abs(between(a, b)) <= kFastest * length;
 }
 
-void LineDistance::march(CancelPoll& poll) {
+void LineDistance::march(CancelToken& poll) {
   // The corners of each vertex, vertex after vertex.
   std::vector<uint32_t> first(mesh_.vertex_count() + 1, 0), corners(3 * mesh_.faces().size());
   for (uint32_t c = 0; c < corners.size(); ++c) {
@@ -190,7 +190,7 @@ NearestOnLine LineDistance::beside(NearestOnLine other, const Vec3& x, uint32_t 
   return other;
 }
 
-void LineDistance::follow(const std::vector<NearestOnLine>& more, CancelPoll& poll) {
+void LineDistance::follow(const std::vector<NearestOnLine>& more, CancelToken& poll) {
   nearest_.insert(nearest_.end(), more.begin(), more.end());
   find_corner_sides(poll);
 }

@@ -25,7 +25,7 @@ struct NearestOnLine {
 class LineDistance {
  public:
   /// `poll` is called for every vertex and corner of a face.
-  explicit LineDistance(const CutMesh& mesh, CancelPoll poll = {});
+  explicit LineDistance(const CutMesh& mesh, CancelToken poll = {});
 
   const NearestOnLine& at(uint32_t v) const { return nearest_[v]; }
   /// The nearest place of a corner of a face, seen from inside that face: a vertex of the line has a side there.
@@ -39,14 +39,14 @@ class LineDistance {
   double wrapped(double along, const CutMesh::LineStrand& strand) const;
 
   /// Follows a mesh that has got more vertices, which have these nearest places, and other faces.
-  void follow(const std::vector<NearestOnLine>& more, CancelPoll& poll);
+  void follow(const std::vector<NearestOnLine>& more, CancelToken& poll);
   /// Do the nearest places of two corners of a face, next to one another, lie next to one another too?
   bool one_sheet(uint32_t corner, uint32_t other) const;
 
  private:
-  void find_corner_sides(CancelPoll& poll);
+  void find_corner_sides(CancelToken& poll);
   void mark(uint32_t leaving);
-  void march(CancelPoll& poll);
+  void march(CancelToken& poll);
   NearestOnLine across(uint32_t a, uint32_t b, uint32_t c) const;
   NearestOnLine by_edge(uint32_t a, uint32_t c) const;
   bool flat_from(uint32_t piece, const Vec3& normal) const;

@@ -11,7 +11,7 @@ constexpr size_t kPlace = 16;
 
 }  // namespace
 
-LineFields::LineFields(const CutMesh& mesh, const LineDistance& distance, CancelPoll poll)
+LineFields::LineFields(const CutMesh& mesh, const LineDistance& distance, CancelToken poll)
     : mesh_(mesh), faces_(mesh.faces().size()), parted_(mesh.surface().component_count(), 1) {
   find_places(distance, poll);
   find_regions(poll);
@@ -20,7 +20,7 @@ LineFields::LineFields(const CutMesh& mesh, const LineDistance& distance, Cancel
 
 /// A face belongs to the turn of its corner that is nearest to the line, but to that of a corner between turns only if
 /// it has no other one; what the other corners know of that turn follows from there.
-void LineFields::find_places(const LineDistance& distance, CancelPoll& poll) {
+void LineFields::find_places(const LineDistance& distance, CancelToken& poll) {
   for (uint32_t f = 0; f < faces_.size(); ++f) {
     poll(kPlace);
     const CutMesh::Face& face = mesh_.faces()[f];
@@ -53,7 +53,7 @@ void LineFields::find_places(const LineDistance& distance, CancelPoll& poll) {
   }
 }
 
-void LineFields::find_regions(CancelPoll& poll) {
+void LineFields::find_regions(CancelToken& poll) {
   DisjointSets joined(faces_.size());
   for (uint32_t e = 0; e < mesh_.twins().size(); ++e) {
     poll();
@@ -68,7 +68,7 @@ void LineFields::find_regions(CancelPoll& poll) {
 }
 
 /// Crosses the line from region to region and changes the side each time; the left of the first edge met is 1.
-void LineFields::find_sides(CancelPoll& poll) {
+void LineFields::find_sides(CancelToken& poll) {
   std::vector<std::vector<std::pair<uint32_t, uint32_t>>> beside(region_count_);  // regions, and the edge between
   for (uint32_t e = 0; e < mesh_.twins().size(); ++e) {
     poll();

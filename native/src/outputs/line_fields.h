@@ -25,7 +25,7 @@ struct FaceLine {
 class LineFields {
  public:
   /// `poll` is called for every face and edge.
-  LineFields(const CutMesh& mesh, const LineDistance& distance, CancelPoll poll = {});
+  LineFields(const CutMesh& mesh, const LineDistance& distance, CancelToken poll = {});
 
   const FaceLine& of_face(uint32_t f) const { return faces_[f]; }
   uint32_t region_count() const { return region_count_; }
@@ -34,9 +34,9 @@ class LineFields {
   bool sides_differ(uint32_t f) const { return parted_[mesh_.surface().component(mesh_.faces()[f].origin)] != 0; }
 
  private:
-  void find_places(const LineDistance& distance, CancelPoll& poll);
-  void find_regions(CancelPoll& poll);
-  void find_sides(CancelPoll& poll);
+  void find_places(const LineDistance& distance, CancelToken& poll);
+  void find_regions(CancelToken& poll);
+  void find_sides(CancelToken& poll);
 
   const CutMesh& mesh_;
   std::vector<FaceLine> faces_;

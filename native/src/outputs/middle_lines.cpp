@@ -18,7 +18,7 @@ constexpr size_t kDivision = 256;
 
 class MiddleLines {
  public:
-  MiddleLines(CutMesh& mesh, LineDistance& distance, CancelPoll& poll)
+  MiddleLines(CutMesh& mesh, LineDistance& distance, CancelToken& poll)
       : mesh_(mesh), distance_(distance), poll_(poll) {}
 
   void add() {
@@ -139,14 +139,14 @@ class MiddleLines {
 
   CutMesh& mesh_;
   LineDistance& distance_;
-  CancelPoll& poll_;
+  CancelToken& poll_;
   std::vector<uint32_t> divided_;  // per edge
   std::vector<NearestOnLine> more_;
 };
 
 }  // namespace
 
-void add_middle_lines(CutMesh& mesh, LineDistance& distance, CancelPoll poll) {
+void add_middle_lines(CutMesh& mesh, LineDistance& distance, CancelToken poll) {
   MiddleLines(mesh, distance, poll).add();
 }
 

@@ -11,6 +11,6 @@ namespace meander {
 /// between them, where the distance has its ridges. Every face then belongs to one turn and one side. Vertices stay,
 /// edges are divided, and `distance` follows. `poll` is called for every edge and face; where it throws, what is left
 /// of the two is of no use.
-void add_middle_lines(CutMesh& mesh, LineDistance& distance, CancelPoll poll = {});
+void add_middle_lines(CutMesh& mesh, LineDistance& distance, CancelToken poll = {});
 
 }  // namespace meander

@@ -79,7 +79,7 @@ double Statistics::evenness(double wanted) const {
   return first < last ? static_cast<double>(last - first) / static_cast<double>(spacing.size()) : 0;
 }
 
-Statistics statistics_of(Flow& flow) {
+Statistics statistics_of(Flow& flow, const CancelToken& cancel) {
   return flow.ask([&](const Flow::Present& present) {
     Statistics figures;
     count_strands(flow, figures);
@@ -90,7 +90,7 @@ Statistics statistics_of(Flow& flow) {
     CrossingTest test;
     figures.crossings = test.find(*present.state.domain.surface, present.state.curve, present.pool).size();
     return figures;
-  });
+  }, cancel);
 }
 
 }  // namespace meander

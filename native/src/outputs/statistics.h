@@ -28,7 +28,7 @@ struct Statistics {
   double evenness(double wanted) const;
 };
 
-/// Those of the curve as it is now. See Flow::ask for what that changes.
-Statistics statistics_of(Flow& flow);
+/// Those of the curve as it is now. See Flow::ask for what that changes, and for `cancel`.
+Statistics statistics_of(Flow& flow, const CancelToken& cancel = {});
 
 }  // namespace meander

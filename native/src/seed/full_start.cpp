@@ -53,7 +53,7 @@ std::vector<uint8_t> without_field(const Surface& surface, const LineField& fiel
 }
 
 /// The field, and the smoothest one on components without any.
-LineField completed(const Surface& surface, const LineField& field, const CancelPoll& ask) {
+LineField completed(const Surface& surface, const LineField& field, const CancelToken& ask) {
   const std::vector<uint8_t> without = without_field(surface, field);
   if (std::ranges::count(without, 1) == 0) return field;
   const LineField smooth = relaxed_field(surface, ask);
@@ -215,7 +215,7 @@ Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const
     spacing.full = kFullAlong;
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
-  const CancelPoll poll = pool.poll(kPieces);
+  const CancelToken poll = pool.poll(kPieces);
   draw_streamlines(completed(surface, field, poll), radius, spacing, network, poll, lines);
   const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, network, poll);
 

@@ -59,7 +59,7 @@ struct Candidate {
 class Joiner {
  public:
   Joiner(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds, LineNetwork& network,
-         CancelPoll poll)
+         CancelToken poll)
       : lines_(lines), network_(network), s_(network.surface()), poll_(poll), trees_(lines.size()),
         shortener_(network.surface()), index_(network.nodes().size(), kNone), tangent_(network.nodes().size()),
         trunk_(lines.size(), 0), held_(network.nodes().size(), 0), used_(lines.size()) {
@@ -285,7 +285,7 @@ class Joiner {
   const std::vector<Streamline>& lines_;
   LineNetwork& network_;
   const Surface& s_;
-  CancelPoll poll_;
+  CancelToken poll_;
   DisjointSets trees_;
   PathShortener shortener_;
   std::vector<uint32_t> index_;  // per node: its place in its line
@@ -300,7 +300,7 @@ class Joiner {
 }  // namespace
 
 std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
-                                 LineNetwork& network, CancelPoll poll) {
+                                 LineNetwork& network, CancelToken poll) {
   return Joiner(lines, holds, network, poll).join();
 }
 

@@ -26,6 +26,6 @@ namespace meander {
 /// Returns for every line the number of its tree, that of one of its lines. Source of the search: Kruskal's minimum
 /// spanning tree.
 std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
-                                 LineNetwork& network, CancelPoll poll);
+                                 LineNetwork& network, CancelToken poll);
 
 }  // namespace meander

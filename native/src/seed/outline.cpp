@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/cancel_poll.h"
 #include "base/point_tree.h"
 #include "geodesic/boundary_distance.h"
 
@@ -31,7 +30,7 @@ class LevelLines {
   LevelLines(const BoundaryDistance& distance, double level)
       : distance_(distance), mesh_(distance.mesh()), level_(level) {}
 
-  std::vector<Loop> find(CancelPoll poll) const {
+  std::vector<Loop> find(CancelToken poll) const {
     std::vector<Loop> loops;
     std::vector<uint8_t> visited(mesh_.face_count(), 0);
     const auto first_visit = [&](HalfEdge h) { return !std::exchange(visited[mesh_.face(h)], uint8_t{1}); };
@@ -69,7 +68,7 @@ class LevelLines {
     // Clear of the vertices, so that points do not coincide.
     constexpr double kOffVertices = 1e-3;
     const double t = (level_ - distance_.at(a)) / (distance_.at(b) - distance_.at(a));
-    const double share = std::clamp(t, kOffVertices, 1 - kClear);
+    const double share = std::clamp(t, kOffVertices, 1 - kOffVertices);
     loop.points.push_back(mesh_.position(a) + share * (mesh_.position(b) - mesh_.position(a)));
     loop.caller.push_back(mesh_.caller_position(a) + share * (mesh_.caller_position(b) - mesh_.caller_position(a)));
   }
@@ -105,7 +104,7 @@ Loop resampled(const Loop& loop, const std::vector<double>& until, size_t count)
 }
 
 /// Per loop and point whether no other stretch comes nearer than a radius.
-std::vector<std::vector<uint8_t>> points_with_room(const std::vector<Loop>& loops, double radius, CancelPoll poll) {
+std::vector<std::vector<uint8_t>> points_with_room(const std::vector<Loop>& loops, double radius, CancelToken poll) {
   std::vector<Vec3> all;
   std::vector<std::pair<uint32_t, uint32_t>> where;
   for (uint32_t i = 0; i < loops.size(); ++i) {
@@ -160,11 +159,11 @@ void add_stretches(const Loop& loop, const std::vector<uint8_t>& free, Outlines&
 }  // namespace
 
 Outlines find_outlines(const Surface& surface, double distance, double radius,
-                       const std::function<bool()>& cancelled) {
+                       const CancelToken& cancel) {
   Outlines result;
   if (surface.boundary().empty()) return result;
-  const CancelPoll poll(cancelled, kOutlinePieces);
-  const BoundaryDistance field(surface, distance, distance / kFineness, cancelled);
+  const CancelToken poll = cancel.every(kOutlinePieces);
+  const BoundaryDistance field(surface, distance, distance / kFineness, cancel);
   std::vector<Loop> loops;
   for (const Loop& level_line : LevelLines(field, distance).find(poll)) {
     const std::vector<double> until = arc_lengths(level_line.points);

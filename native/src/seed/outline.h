@@ -4,9 +4,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "base/cancel_token.h"
 #include "mesh/surface.h"
 
 namespace meander {
@@ -27,9 +27,7 @@ struct Outlines {
 /// are a quarter of the distance; the lines, being level sets, never cross. Time and memory grow with the
 /// length of the boundary over `distance`.
 ///
-/// `cancelled` is asked at least every few milliseconds, on the caller's thread; throws
-/// Failure(FailureKind::kCancelled) if it says so.
-Outlines find_outlines(const Surface& surface, double distance, double radius,
-                       const std::function<bool()>& cancelled);
+/// `cancel` is asked at least every few milliseconds; throws Failure(FailureKind::kCancelled) where it stops this.
+Outlines find_outlines(const Surface& surface, double distance, double radius, const CancelToken& cancel);
 
 }  // namespace meander

@@ -33,7 +33,7 @@ bool same(const SurfacePoint& a, const SurfacePoint& b) {
 
 /// Any sequence of edges from one face to another, by A* over face centres: near enough to a short
 /// path for PathShortener to make it one. Empty optional when they are on different components.
-bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to, Path& path, CancelPoll& poll) {
+bool connect_faces(const Surface& surface, uint32_t from, const SurfacePoint& to, Path& path, CancelToken& poll) {
   path.clear();
   if (from == to.face) return true;
   if (surface.component(from) != surface.component(to.face)) return false;
@@ -138,7 +138,7 @@ void lead_around_guides(const Surface& surface, const RadiusField& radius, Threa
   }
   led.link();
   PathShortener shortener(surface);
-  CancelPoll poll = pool.poll(kSeedPieces);
+  CancelToken poll = pool.poll(kSeedPieces);
   for (uint32_t i = 0, s = 0; i < led.size(); ++i) {
     while (i >= led.strands[s].end()) ++s;
     const uint32_t j = led.next(i);
@@ -153,7 +153,7 @@ void lead_around_guides(const Surface& surface, const RadiusField& radius, Threa
 
 /// Appends what of one strand of the seed the surface has near to it.
 void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, const RadiusField& radius,
-                    const ClosestPoint& closest, CancelPoll& poll, Curve& curve, std::vector<size_t>& point_of_node,
+                    const ClosestPoint& closest, CancelToken& poll, Curve& curve, std::vector<size_t>& point_of_node,
                     SeedFit& fit) {
   const bool closed = seed.closed[s] != 0, guide = !seed.guides.empty() && seed.guides[s];
   Strand strand{curve.size(), 0, closed, guide};
@@ -213,7 +213,7 @@ void note_jump(const Surface& surface, const SeedStrands& seed, const RadiusFiel
 
 /// Joins the nodes of all strands by shortest paths.
 void join_nodes(const Surface& surface, const SeedStrands& seed, const RadiusField& radius,
-                const std::vector<size_t>& point_of_node, CancelPoll& poll, Curve& curve, SeedFit& fit) {
+                const std::vector<size_t>& point_of_node, CancelToken& poll, Curve& curve, SeedFit& fit) {
   PathShortener shortener(surface);
   for (uint32_t i = 0, s = 0; i < curve.size(); ++i) {
     while (i >= curve.strands[s].end()) ++s;
@@ -255,7 +255,7 @@ void refuse_crossings(const Surface& surface, const Curve& curve, const std::vec
 Curve lay_seed(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, ThreadPool& pool,
                SeedFit* wanted_fit) {
   SeedFit fit;
-  CancelPoll poll = pool.poll(kSeedPieces);
+  CancelToken poll = pool.poll(kSeedPieces);
   const ClosestPoint closest(surface, poll);
   Curve curve;
   std::vector<size_t> point_of_node;

@@ -56,7 +56,7 @@ constexpr uint32_t kMostRows = 256;
 class Drawer {
  public:
   Drawer(const LineField& field, const RadiusField& radius, const LineSpacing& spacing, LineNetwork& network,
-         CancelPoll poll, std::vector<Streamline>& lines)
+         CancelToken poll, std::vector<Streamline>& lines)
       : field_(field), radius_(radius), spacing_(spacing), network_(network), s_(network.surface()), poll_(poll),
         lines_(lines), trunks_(lines.size()), drawn_(s_.component_count(), 0), wanted_(s_.component_count(), 0),
         crowded_(network.patch_count()) {
@@ -276,7 +276,7 @@ class Drawer {
   const LineSpacing& spacing_;
   LineNetwork& network_;
   const Surface& s_;
-  CancelPoll poll_;
+  CancelToken poll_;
   double apart_ = 0, shortest_ = 0;  // of the lines that are drawn
   std::vector<Streamline>& lines_;
   size_t trunks_;                       // the first of them
@@ -292,7 +292,7 @@ class Drawer {
 }  // namespace
 
 void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
-                      LineNetwork& network, CancelPoll poll, std::vector<Streamline>& lines) {
+                      LineNetwork& network, CancelToken poll, std::vector<Streamline>& lines) {
   if (!field.empty()) Drawer(field, radius, spacing, network, poll, lines).draw();
 }
 

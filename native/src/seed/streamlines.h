@@ -44,6 +44,6 @@ struct LineSpacing {
 /// `radius`  r, which may vary
 /// `poll`    is called for every node
 void draw_streamlines(const LineField& field, const RadiusField& radius, const LineSpacing& spacing,
-                      LineNetwork& network, CancelPoll poll, std::vector<Streamline>& lines);
+                      LineNetwork& network, CancelToken poll, std::vector<Streamline>& lines);
 
 }  // namespace meander

@@ -146,7 +146,7 @@ struct Corner {
 /// Makes the stops of one walk after another.
 class Stops {
  public:
-  Stops(const LineNetwork& network, const Ways& ways, double offset, CancelPoll poll)
+  Stops(const LineNetwork& network, const Ways& ways, double offset, CancelToken poll)
       : network_(network), ways_(ways), offset_(offset), poll_(poll) {}
 
   Walk round_tree(uint32_t root) {
@@ -277,7 +277,7 @@ class Stops {
   const LineNetwork& network_;
   const Ways& ways_;
   double offset_;
-  CancelPoll poll_;
+  CancelToken poll_;
   Walk walk_;
   std::vector<Corner> corners_;  // after each way
 };
@@ -406,7 +406,7 @@ class Laying {
   ThreadPool& pool_;
   PathShortener shortener_;
   CrossingTest test_;
-  CancelPoll poll_;
+  CancelToken poll_;
   Curve curve_;
   std::vector<Stop*> stop_of_;     // per node of the curve
   std::vector<uint32_t> walk_of_;  // likewise
