@@ -17,10 +17,10 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "addon"))
 
 from meander import core
-from meander.model import mesh_files
 from meander.model.bundle import read_bundle
+from meander.model.files import obj
+from meander.model.files.whole import FileError
 from meander.model.problem import open_flow
-from meander.model.whole_files import FileError
 
 
 def main() -> int:
@@ -31,7 +31,7 @@ def main() -> int:
     try:
         bundle = read_bundle(arguments.bundle)
         if arguments.curve is not None and bundle.curve is not None:
-            mesh_files.write_obj_curve(arguments.curve, bundle.curve)
+            obj.write_obj_curve(arguments.curve, bundle.curve)
     except (FileError, core.MeanderError) as refusal:
         print(refusal, file=sys.stderr)
         return 2

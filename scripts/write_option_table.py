@@ -17,9 +17,9 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "addon"))
 
 from meander import core  # noqa: E402
-from meander.model import export_options  # noqa: E402
-from meander.model.option import Option  # noqa: E402
-from meander.model.options import TABLE  # noqa: E402
+from meander.model.options import export  # noqa: E402
+from meander.model.options.option import Option  # noqa: E402
+from meander.model.options.table import TABLE  # noqa: E402
 
 DOCS = ROOT / "docs"
 # From top to bottom, as in the sidebar.
@@ -139,7 +139,7 @@ def main() -> int:
     arguments = parser.parse_args()
     pages = {
         "options": table(TABLE, OF_OPTIONS),
-        "export": table(export_options.ROWS, OF_EXPORT),
+        "export": table(export.ROWS, OF_EXPORT),
         "settings": artists_table(),
     }
     return max(

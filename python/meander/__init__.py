@@ -64,7 +64,7 @@ from .core import (
 )
 from .core import VERSION as __version__
 from .files import read_curve, read_mesh, write_curve, write_cut
-from .model.whole_files import FileError
+from .model.files.whole import FileError
 
 __all__ = [
     "ABI_VERSION",

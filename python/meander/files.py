@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .core import CutSurface, Flow, Seed, library_version
-from .model import cut_files, export, surface_files, toolpath
-from .model.drawing import VIEWS, axes_of, seen_along
-from .model.export_options import ROWS
-from .model.mesh_files import read_obj_curve, write_obj_curve
-from .model.option import Option
-from .model.whole_files import FileError, whole_file
+from .model import cut_files, export
+from .model.files import meshes
+from .model.files.obj import read_obj_curve, write_obj_curve
+from .model.files.whole import FileError, whole_file
+from .model.options.export import ROWS
+from .model.options.option import Option
+from .model.toolpaths import toolpath
+from .model.toolpaths.drawing import VIEWS, axes_of, seen_along
 
 # What write_curve takes, by its suffix.
 _CURVES = (".obj", *toolpath.SUFFIXES, *export.SUFFIXES)
@@ -34,7 +36,7 @@ def read_mesh(path: str | Path) -> tuple[NDArray[np.float64], NDArray[np.uint32]
 
     Raises FileError: the file cannot be read, is of another kind or malformed, has no faces.
     """
-    return surface_files.read_mesh(path)
+    return meshes.read_mesh(path)
 
 
 def read_curve(path: str | Path) -> Seed:

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from mathutils import Matrix
 from meander import core
-from meander.model import option, options
 from meander.model.alignment import Alignment
+from meander.model.options import option, table
 from meander.run.plan import plan_run
 from meander.scene import alignment as scene_alignment
 from meander.scene import attributes
@@ -150,7 +150,7 @@ def test_alignments_and_terms_go_into_settings_and_out_again():
 
 def test_options_survive_the_settings_of_an_object():
     settings = sphere().meander
-    untouched = option.chosen(options.TABLE, settings)
+    untouched = option.chosen(table.TABLE, settings)
     assert untouched["length_weight"] is untouched["segment_share"] is untouched["reach"] is None
     assert untouched["start_spacing_factor"] == 1.0 and untouched["preset"] == "even"
     assert untouched["medial_axis"] == "preset"
@@ -173,11 +173,11 @@ def test_options_survive_the_settings_of_an_object():
             "motion": "stick",
         },
     ):
-        option.store(options.TABLE, values, settings)
-        found = option.chosen(options.TABLE, settings)
+        option.store(table.TABLE, values, settings)
+        found = option.chosen(table.TABLE, settings)
         assert {name: found[name] for name in values} == values
-    option.store(options.TABLE, {}, settings)
-    again = option.chosen(options.TABLE, settings)
+    option.store(table.TABLE, {}, settings)
+    again = option.chosen(table.TABLE, settings)
     assert again["length_weight"] is again["reach"] is again["merge_distance"] is None
     assert again["border_distance"] == 0.75  # what is not named stays
 

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from meander import batch
-from meander.model import mesh_files
+from meander.model.files import obj
 from scenes import grid
 
 
@@ -30,7 +30,7 @@ def run(tmp_path, capsys):
         errors = capsys.readouterr().err
         if code:
             return code, errors, None, None
-        return code, errors, mesh_files.read_obj_curve(output), json.loads(record.read_text())
+        return code, errors, obj.read_obj_curve(output), json.loads(record.read_text())
 
     return call
 

@@ -150,7 +150,7 @@ sys.path.insert(0, {addon!r})
 import bpy
 from pathlib import Path
 from meander.headless import scene_output
-from meander.model.whole_files import whole_file
+from meander.model.files.whole import whole_file
 bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
 bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4)
 print("saving", flush=True)

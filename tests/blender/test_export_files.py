@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 import scenes
 from meander import batch
-from meander.model import embroidery, export
+from meander.model import export
+from meander.model.toolpaths import embroidery
 
 SVG = "{http://www.w3.org/2000/svg}"
 

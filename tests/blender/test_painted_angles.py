@@ -9,8 +9,8 @@ import bpy
 import numpy as np
 import pytest
 from meander import batch, core
-from meander.model import mesh_files
 from meander.model.alignment import Alignment
+from meander.model.files import obj
 from meander.scene import alignment as scene_alignment
 from scenes import fill, grid, refused, world_splines, world_triangles
 
@@ -113,7 +113,7 @@ def run(tmp_path, capsys):
         if code:
             assert not output.exists()
             return code, errors, None, None
-        return code, errors, mesh_files.read_obj_curve(output).points, json.loads(
+        return code, errors, obj.read_obj_curve(output).points, json.loads(
             record.read_text()
         )
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from meander.model import surface_files
+from meander.model.files import meshes
 
 COUNT = 40
 Polygon = np.ndarray  # (n, 3)
@@ -135,7 +135,7 @@ def test_a_polygon_has_the_area_that_it_has_in_blender(kind, suffix, tmp_path):
     write = {".obj": obj_of, ".ply": ply_of}[suffix]
     for number, polygon in enumerate(polygons_of(kind)):
         path.write_bytes(write([polygon]))
-        ours = surface_files.read(path)
+        ours = meshes.read(path)
         area = float(area_of(ours.vertices, ours.faces).sum())
         assert area == pytest.approx(areas_in_blender(path), rel=2e-5), f"polygon {number}"
         assert len(ours.faces) <= len(polygon) - 2
@@ -146,7 +146,7 @@ def test_many_polygons_in_one_file(suffix, tmp_path):
     polygons = [polygon for kind in KINDS for polygon in polygons_of(kind)]
     path = tmp_path / f"mesh{suffix}"
     path.write_bytes({".obj": obj_of, ".ply": ply_of}[suffix](polygons))
-    ours = surface_files.read(path)
+    ours = meshes.read(path)
     area = float(area_of(ours.vertices, ours.faces).sum())
     assert area == pytest.approx(areas_in_blender(path), rel=2e-5)
     assert sorted(set(ours.polygons.tolist())) == list(range(len(polygons)))
@@ -165,7 +165,7 @@ def test_vertices_that_a_bridge_passes_twice(tmp_path):
         path = tmp_path / "mesh.obj"
         text = "".join(f"v {x!r} {y!r} 0\n" for x, y in np.float32(places).tolist())
         path.write_text(text + "f " + " ".join(map(str, numbers)) + "\n")
-        ours = surface_files.read(path)
+        ours = meshes.read(path)
         area = float(area_of(ours.vertices, ours.faces).sum())
         assert area == pytest.approx(areas_in_blender(path), rel=2e-5)
 
@@ -186,7 +186,7 @@ def test_a_file_that_blender_writes_is_the_surface_in_blender(tmp_path):
     triangles = np.array([t.vertices[:] for t in cube.data.loop_triangles])
     path = tmp_path / "cube.obj"
     bpy.ops.wm.obj_export(filepath=str(path))
-    ours = surface_files.read(path)
+    ours = meshes.read(path)
     assert max(len(polygon.vertices) for polygon in cube.data.polygons) > 4
     assert area_of(ours.vertices, ours.faces).sum() == pytest.approx(
         area_of(places, triangles).sum(), rel=1e-4

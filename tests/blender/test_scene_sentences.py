@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 from meander import core
 from meander.model.density import Choice
+from meander.model.geometry.simplification import Light
 from meander.model.preparation import Mask
-from meander.model.simplification import Light
 from meander.model.strands import Part
 from meander.scene import (
     attributes,

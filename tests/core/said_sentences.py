@@ -27,9 +27,10 @@ FINDERS = re.compile(
 OF_THE_COMMAND = (
     *sorted((PACKAGE / "cli").glob("*.py")),
     *(PACKAGE / "model" / f"{name}.py" for name in (
-        "mesh_files", "ply_files", "stl_files", "surface_files", "file_text", "drawing",
-        "embroidery", "export", "gcode", "toolpath", "parts_by_length", "polygons", "least_bend",
-        "surface_crossings", "mirror", "mirror_images", "mirror_whole",
+        "files/meshes", "files/obj", "files/ply", "files/polygons", "files/stl", "files/text",
+        "geometry/surface_crossings", "toolpaths/drawing", "toolpaths/embroidery",
+        "toolpaths/gcode", "toolpaths/parts", "toolpaths/toolpath", "export", "least_bend",
+        "mirror", "mirror_images", "mirror_whole",
     )),
 )  # fmt: skip
 OF_JOBS = tuple(sorted((PACKAGE / "jobs").glob("*.py")))

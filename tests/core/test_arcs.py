@@ -11,12 +11,12 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model import toolpath
-from meander.model.arcs import fitted
-from meander.model.drawing import Drawing
-from meander.model.dxf import dxf_text
-from meander.model.gcode import Motion, gcode_text
-from meander.model.svg import svg_text
+from meander.model.geometry.arcs import fitted
+from meander.model.toolpaths import toolpath
+from meander.model.toolpaths.drawing import Drawing
+from meander.model.toolpaths.dxf import dxf_text
+from meander.model.toolpaths.gcode import Motion, gcode_text
+from meander.model.toolpaths.svg import svg_text
 
 UP = [0.0, 0.0, 1.0]
 

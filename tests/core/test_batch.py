@@ -16,7 +16,8 @@ from meander import batch, core
 from meander.binding import abi
 from meander.cli import command
 from meander.cli.place import Place
-from meander.model import mesh_files, report
+from meander.model import report
+from meander.model.files import obj
 from sentences import assert_sentence
 
 
@@ -115,7 +116,7 @@ def test_report_has_every_key(run, square: Path, tmp_path: Path) -> None:
 def test_output_is_the_curve(run, square: Path, tmp_path: Path) -> None:
     code, *_ = run(square, "--spacing", "0.15")
     assert code == 0
-    curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    curve = obj.read_obj_curve(tmp_path / "out.obj")
     found = json.loads((tmp_path / "out.json").read_text())
     assert curve.closed.tolist() == [1]
     length = geometry.curve_length(curve.points, curve.offsets, curve.closed)
@@ -137,7 +138,7 @@ def test_report_names_the_worst_gaps(run, square: Path, tmp_path: Path) -> None:
     assert code == 0
     found = json.loads((tmp_path / "out.json").read_text())
     assert len(found["gaps"]) == report.MOST_GAPS < found["gap_count"]
-    curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    curve = obj.read_obj_curve(tmp_path / "out.obj")
     samples = geometry.samples_of(curve.points, curve.offsets, curve.closed, gap=0.0005)
     positions = np.array([gap["position"] for gap in found["gaps"]])
     radii = [gap["radius"] for gap in found["gaps"]]
@@ -202,7 +203,7 @@ def test_seed_file_is_used(run, square: Path, tmp_path: Path) -> None:
     seed = write_lines(tmp_path / "seed.obj", [[(0.2, 0.3, 0), (0.8, 0.3, 0)]])
     code, *_ = run(square, "--spacing", "0.2", "--iterations", "5", "--seed", str(seed), "--quiet")
     assert code == 0
-    assert mesh_files.read_obj_curve(tmp_path / "out.obj").closed.tolist() == [0]
+    assert obj.read_obj_curve(tmp_path / "out.obj").closed.tolist() == [0]
 
 
 def test_as_a_script(square: Path, tmp_path: Path) -> None:
@@ -298,7 +299,7 @@ def test_directions_start_full_unless_growth_is_asked_for(
         given = ("--spacing", "0.08", "--direction", "y", "--alignment", "2", *extra)
         code, _out, err = run(square, *given, "--quiet")
         assert code == 0, err
-        curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+        curve = obj.read_obj_curve(tmp_path / "out.obj")
         chord = np.diff(curve.points, axis=0)
         length = np.linalg.norm(chord, axis=1)
         along = length[np.abs(chord[:, 1]) > 0.966 * length].sum() / length.sum()
@@ -324,7 +325,7 @@ def test_directions_on_a_mesh_file(run, square: Path, tmp_path: Path) -> None:
     for extra in ((), ("--across",)):
         code, _out, err = run(square, *GOOD, "--alignment", "2", "--direction", "x", *extra)
         assert code == 0, err
-        curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+        curve = obj.read_obj_curve(tmp_path / "out.obj")
         pieces = np.abs(np.diff(curve.points, axis=0))
         shares.append(pieces[:, 0].sum() / pieces.sum())
     assert shares[0] > 0.6 and shares[1] < 0.4

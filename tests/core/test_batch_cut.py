@@ -10,7 +10,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model import mesh_files
+from meander.model.files import obj
 from sentences import assert_sentence
 
 SPACING = 0.5
@@ -75,7 +75,7 @@ def test_ply_has_the_fields(ball: Path, tmp_path: Path) -> None:
     assert record["cut"] == {"vertices": len(vertices), "faces": len(faces), "regions": 2}
     assert record["options"]["cut_detail"] == 0.1
     # The curve is among the edges, and the distance is 0 there and about r between.
-    curve = mesh_files.read_obj_curve(tmp_path / "curve.obj")
+    curve = obj.read_obj_curve(tmp_path / "curve.obj")
     points = np.array([[row["x"], row["y"], row["z"]] for row in vertices])
     distance = np.array([row["distance"] for row in vertices])
     on_line = sorted({row["vertex1"] for row in edges})

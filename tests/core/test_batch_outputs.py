@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 from meander import batch
-from meander.model import mesh_files, report
+from meander.model import report
+from meander.model.files import obj
 from sentences import assert_sentence
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
@@ -70,7 +71,7 @@ def test_a_link_is_written_through(square: Path, tmp_path: Path, there: bool) ->
     output, written = tmp_path / "curve.obj", tmp_path / "report.json"
     assert run(square, output, "--report", written) == 0
     assert output.is_symlink() and written.is_symlink()
-    assert len(mesh_files.read_obj_curve(folder / "real-curve.obj").points) > 3
+    assert len(obj.read_obj_curve(folder / "real-curve.obj").points) > 3
     assert json.loads((folder / "real-report.json").read_text())["iterations"] == 2
     assert names(folder) == ["real-curve.obj", "real-report.json"]
 

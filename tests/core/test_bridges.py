@@ -8,8 +8,8 @@ import itertools
 import numpy as np
 import pytest
 from meander import core
-from meander.model import bridges
-from meander.model.nearest_places import closest_pair, spanning_tree
+from meander.model.geometry.nearest_places import closest_pair, spanning_tree
+from meander.model.toolpaths import bridges
 
 SPACING = 0.2
 

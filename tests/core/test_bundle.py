@@ -17,9 +17,10 @@ import numpy as np
 import pytest
 from conftest import REPOSITORY
 from meander import batch, core
-from meander.model import bundle, mesh_files
+from meander.model import bundle
+from meander.model.files import obj
+from meander.model.files.whole import FileError
 from meander.model.problem import Problem, open_flow
-from meander.model.whole_files import FileError
 
 SENTENCE = "In iteration 8 a point would have left its face; please report this."
 BROKEN = core.MeanderError(SENTENCE, core.Status.INTERNAL)
@@ -137,4 +138,4 @@ def test_the_batch_command_leaves_one_beside_the_output(
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert SENTENCE in done.stdout and "8 iterations, and nothing fails" in done.stdout
-    assert len(mesh_files.read_obj_curve(good).points) == len(read.curve.positions)
+    assert len(obj.read_obj_curve(good).points) == len(read.curve.positions)

@@ -9,9 +9,9 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pytest
 from meander.model.camera_page import CameraPage, Page
-from meander.model.clipped_mesh import Triangles
-from meander.model.svg import page_text
-from meander.model.toolpath import strand_of
+from meander.model.geometry.clipped_mesh import Triangles
+from meander.model.toolpaths.svg import page_text
+from meander.model.toolpaths.toolpath import strand_of
 
 A4 = Page(210.0, 297.0, 10.0)
 

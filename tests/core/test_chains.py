@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
-from meander.model.chains import Chain, branching, chains_of
+from meander.model.geometry.chains import Chain, branching, chains_of
 
 
 def sides_of(chain: Chain) -> list[tuple[int, int]]:

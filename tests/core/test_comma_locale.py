@@ -28,7 +28,7 @@ sys.path[:0] = [sys.argv[1], sys.argv[2]]
 import geometry
 import numpy as np
 from meander import core
-from meander.model import surface_files
+from meander.model.files import meshes
 
 locale.setlocale(locale.LC_NUMERIC, sys.argv[4])
 text = ctypes.create_string_buffer(32)
@@ -71,7 +71,7 @@ corners = "".join(
     + "".join("vertex {!r} {!r} {!r}\\n".format(*vertices[v].tolist()) for v in face)
     + "endloop\\nendfacet\\n" for face in faces)
 (folder / "a.stl").write_text("solid a\\n" + corners + "endsolid a\\n")
-read = [surface_files.read(folder / name).vertices for name in ("a.obj", "a.stl")]
+read = [meshes.read(folder / name).vertices for name in ("a.obj", "a.stl")]
 print(json.dumps({
     "printf": text.value.decode(), "said": said, "same": bool((read[0] == vertices).all()),
     "bounds": [float(read[1].min()), float(read[1].max()), len(np.unique(read[1][:, 0]))],

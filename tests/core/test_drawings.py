@@ -10,10 +10,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
-from meander.model import export, toolpath
-from meander.model.drawing import VIEWS, drawing_of, seen_along
-from meander.model.gcode import Motion, gcode_text
-from meander.model.whole_files import FileError
+from meander.model import export
+from meander.model.files.whole import FileError
+from meander.model.toolpaths import toolpath
+from meander.model.toolpaths.drawing import VIEWS, drawing_of, seen_along
+from meander.model.toolpaths.gcode import Motion, gcode_text
 
 MM_OF = {"mm": 1.0, "cm": 10.0, "in": 25.4}
 

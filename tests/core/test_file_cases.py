@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from file_cases import CASES, Case
 from meander import batch
-from meander.model import surface_files, whole_files
+from meander.model.files import meshes, whole
 from sentences import assert_sentence
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -37,12 +37,12 @@ def area_of(vertices: np.ndarray, faces: np.ndarray) -> float:
 
 def test_a_file_is_read_or_refused_as_the_page_says(case: Case, path: Path) -> None:
     if not case.area:
-        with pytest.raises(whole_files.FileError) as caught:
-            surface_files.read(path)
+        with pytest.raises(whole.FileError) as caught:
+            meshes.read(path)
         assert_sentence(str(caught.value))
         assert str(caught.value) == f"{path}{case.said}"
         return
-    mesh = surface_files.read(path)
+    mesh = meshes.read(path)
     assert area_of(mesh.vertices, mesh.faces) == pytest.approx(case.area, rel=1e-6)
     assert [remark.removeprefix(str(path)) for remark in mesh.remarks] == (
         [case.said] if case.said else []
@@ -70,11 +70,11 @@ import resource, sys, time
 sys.path.insert(0, sys.argv[1])
 import conftest
 from meander import core
-from meander.model import surface_files
+from meander.model.files import meshes
 core.library_version()
 before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 started = time.process_time()
-mesh = surface_files.read(sys.argv[2])
+mesh = meshes.read(sys.argv[2])
 seconds = time.process_time() - started
 more = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
 print(len(mesh.faces), seconds, 1024 * more)

@@ -10,7 +10,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model import mesh_files, whole_files
+from meander.model.files import obj, whole
 from sentences import assert_sentence
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
@@ -27,7 +27,7 @@ def file_of(tmp_path: Path):
 
 
 def complaint(call, *arguments) -> str:
-    with pytest.raises(whole_files.FileError) as caught:
+    with pytest.raises(whole.FileError) as caught:
         call(*arguments)
     assert_sentence(str(caught.value))
     return str(caught.value)
@@ -53,7 +53,7 @@ def complaint(call, *arguments) -> str:
     ],
 )
 def test_faces(file_of, face: str, triangles: list) -> None:
-    vertices, faces = mesh_files.read_obj_mesh(file_of(SQUARE + face + "\n"))
+    vertices, faces = obj.read_obj_mesh(file_of(SQUARE + face + "\n"))
     assert faces.tolist() == triangles
     assert vertices.tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     assert (vertices.dtype, faces.dtype) == (np.float64, np.uint32)
@@ -64,18 +64,18 @@ def test_everything_else_in_a_file_is_ignored(file_of) -> None:
         "# comment\r\nmtllib a.mtl\r\no thing\r\nv 0 0 0 1.0\r\n\tv 1e0 0 0 0.5 0.5 0.5\r\n"
         "v +1 1 -0\r\nvt 0 0\r\nvn 0 0 1\r\n\r\ns off\r\nusemtl x\r\nf 1 2 3\r\nl 1 2\r\n"
     )
-    vertices, faces = mesh_files.read_obj_mesh(file_of(text))
+    vertices, faces = obj.read_obj_mesh(file_of(text))
     assert vertices.tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0]]
     assert faces.tolist() == [[0, 1, 2]]
 
 
 def test_vertices_may_follow_the_faces(file_of) -> None:
-    vertices, faces = mesh_files.read_obj_mesh(file_of("f 1 2 3\n" + SQUARE))
+    vertices, faces = obj.read_obj_mesh(file_of("f 1 2 3\n" + SQUARE))
     assert len(vertices) == 4 and faces.tolist() == [[0, 1, 2]]
 
 
 def test_not_a_number_is_left_to_the_library(file_of) -> None:
-    vertices, _ = mesh_files.read_obj_mesh(file_of("v nan 0 0\nv 1 0 inf\nv 1 1 0\nf 1 2 3\n"))
+    vertices, _ = obj.read_obj_mesh(file_of("v nan 0 0\nv 1 0 inf\nv 1 1 0\nf 1 2 3\n"))
     assert np.isnan(vertices[0, 0]) and np.isinf(vertices[1, 2])
 
 
@@ -100,17 +100,17 @@ def test_not_a_number_is_left_to_the_library(file_of) -> None:
 )
 def test_malformed_mesh(file_of, text: str) -> None:
     path = file_of(text)
-    assert str(path) in complaint(mesh_files.read_obj_mesh, path)
+    assert str(path) in complaint(obj.read_obj_mesh, path)
 
 
 def test_malformed_line_is_named(file_of) -> None:
-    assert "line 5" in complaint(mesh_files.read_obj_mesh, file_of(SQUARE + "f 0 1 2\n"))
+    assert "line 5" in complaint(obj.read_obj_mesh, file_of(SQUARE + "f 0 1 2\n"))
 
 
 def test_missing_file(tmp_path: Path) -> None:
-    complaint(mesh_files.read_obj_mesh, tmp_path / "nothing.obj")
-    complaint(mesh_files.read_obj_curve, tmp_path / "nothing.obj")
-    complaint(mesh_files.read_obj_mesh, tmp_path)
+    complaint(obj.read_obj_mesh, tmp_path / "nothing.obj")
+    complaint(obj.read_obj_curve, tmp_path / "nothing.obj")
+    complaint(obj.read_obj_mesh, tmp_path)
 
 
 def test_reading_is_fast(tmp_path: Path) -> None:
@@ -120,7 +120,7 @@ def test_reading_is_fast(tmp_path: Path) -> None:
     lines += ["f {}/{} {}/{} {}/{}".format(*np.repeat(face + 1, 2)) for face in mesh.faces]
     path.write_text("\n".join(lines), encoding="ascii")
     started = time.perf_counter()
-    vertices, faces = mesh_files.read_obj_mesh(path)
+    vertices, faces = obj.read_obj_mesh(path)
     # A tenth of that on an idle machine.
     assert time.perf_counter() - started < 2.0
     assert np.array_equal(vertices, mesh.vertices) and np.array_equal(faces, mesh.faces)
@@ -146,7 +146,7 @@ def test_reading_is_fast(tmp_path: Path) -> None:
     ],
 )
 def test_strands(file_of, lines: str, strands: list, closed: list) -> None:
-    seed = mesh_files.read_obj_curve(file_of(SQUARE + lines + "\n"))
+    seed = obj.read_obj_curve(file_of(SQUARE + lines + "\n"))
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
     assert seed.points.tolist() == corners[np.concatenate(strands)].tolist()
     assert seed.offsets.tolist() == np.cumsum([0] + [len(s) for s in strands]).tolist()
@@ -160,7 +160,7 @@ def test_strands(file_of, lines: str, strands: list, closed: list) -> None:
 
 
 def test_same_place_at_both_ends_is_closed(file_of) -> None:
-    seed = mesh_files.read_obj_curve(file_of(SQUARE + "v 0 0 0\nl 1 2 3 4 5\n"))
+    seed = obj.read_obj_curve(file_of(SQUARE + "v 0 0 0\nl 1 2 3 4 5\n"))
     assert seed.closed.tolist() == [1] and len(seed.points) == 4
 
 
@@ -182,7 +182,7 @@ def test_same_place_at_both_ends_is_closed(file_of) -> None:
     ],
 )
 def test_malformed_curve(file_of, text: str) -> None:
-    complaint(mesh_files.read_obj_curve, file_of(text))
+    complaint(obj.read_obj_curve, file_of(text))
 
 
 def some_curve() -> core.Polylines:
@@ -199,8 +199,8 @@ def some_curve() -> core.Polylines:
 def test_curve_survives_a_file(tmp_path: Path) -> None:
     curve = some_curve()
     path = tmp_path / "curve.obj"
-    mesh_files.write_obj_curve(path, curve)
-    seed = mesh_files.read_obj_curve(path)
+    obj.write_obj_curve(path, curve)
+    seed = obj.read_obj_curve(path)
     assert seed.points.tobytes() == curve.positions.tobytes()
     assert seed.offsets.tolist() == curve.offsets.tolist()
     assert seed.closed.tolist() == curve.closed.tolist()
@@ -210,19 +210,19 @@ def test_curve_survives_a_file(tmp_path: Path) -> None:
 def test_failed_writing_leaves_all_as_it_was(tmp_path: Path) -> None:
     path = tmp_path / "kept.obj"
     path.write_text("before")
-    with pytest.raises(RuntimeError), whole_files.whole_file(path) as temporary:
+    with pytest.raises(RuntimeError), whole.whole_file(path) as temporary:
         temporary.write_text("half")
         raise RuntimeError
     assert path.read_text() == "before"
     assert [item.name for item in tmp_path.iterdir()] == ["kept.obj"]
-    complaint(mesh_files.write_obj_curve, tmp_path / "no" / "folder.obj", some_curve())
+    complaint(obj.write_obj_curve, tmp_path / "no" / "folder.obj", some_curve())
 
 
 def test_who_starts_a_process_names_its_temporary_files(tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setenv(whole_files.TEMPORARY_NAMES, "ours-")
+    monkeypatch.setenv(whole.TEMPORARY_NAMES, "ours-")
     names = set()
     for _ in range(2):
-        with whole_files.whole_file(tmp_path / "out.obj") as temporary:
+        with whole.whole_file(tmp_path / "out.obj") as temporary:
             names.add(temporary.name)
             temporary.write_text("x")
     assert all(name.startswith(".ours-") and name.endswith(".tmp.obj") for name in names)

@@ -14,9 +14,10 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch, core
-from meander.model import export, toolpath
-from meander.model.drawing import Drawing
-from meander.model.gcode import MACHINES, TOOLS, Motion, gcode_text
+from meander.model import export
+from meander.model.toolpaths import toolpath
+from meander.model.toolpaths.drawing import Drawing
+from meander.model.toolpaths.gcode import MACHINES, TOOLS, Motion, gcode_text
 
 
 def words_of(line: str) -> list[tuple[str, dict[str, float]]]:

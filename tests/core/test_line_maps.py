@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from meander import core
 from meander.model import line_maps
-from meander.model.exr import exr
+from meander.model.files.exr import exr
 from meander.model.line_maps import Mapped, Style, Tile
 
 SPACING = 0.1

@@ -12,8 +12,8 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch, core
-from meander.model.closest_faces import closest_places
-from meander.model.half_mesh import above, section
+from meander.model.geometry.closest_faces import closest_places
+from meander.model.geometry.half_mesh import above, section
 from meander.model.mirror_plane import Mirror, mirror_of
 from meander.model.mirror_whole import whole_of
 from meander.model.problem import Problem, open_flow

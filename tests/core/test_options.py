@@ -19,9 +19,9 @@ from meander.cli.flags import flow_options
 from meander.cli.place import Place
 from meander.jobs import options as items
 from meander.jobs.job_file import JobError
-from meander.model.export_options import ROWS
-from meander.model.option import OF_PRESET, Option, apply, chosen, store
-from meander.model.options import BY_SETTING, OF_THE_FLOW, TABLE
+from meander.model.options.export import ROWS
+from meander.model.options.option import OF_PRESET, Option, apply, chosen, store
+from meander.model.options.table import BY_SETTING, OF_THE_FLOW, TABLE
 from meander.model.problem import Problem, begin_along_directions
 
 PARSER = parser(Place("test", print))

@@ -11,8 +11,8 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model import toolpath
-from meander.model.parts_by_length import parted
+from meander.model.toolpaths import toolpath
+from meander.model.toolpaths.parts import parted
 
 
 def ring(count: int = 400) -> toolpath.Strand:

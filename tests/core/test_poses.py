@@ -11,7 +11,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model import poses, toolpath
+from meander.model.toolpaths import poses, toolpath
 
 
 def matrices(quaternions: np.ndarray) -> np.ndarray:

@@ -21,7 +21,8 @@ from meander import batch, core
 from meander.cli import command, limits
 from meander.cli.place import Place
 from meander.cli.values import BadInput
-from meander.model import drawing, embroidery, gcode, surface_files, toolpath, whole_files
+from meander.model.files import meshes, whole
+from meander.model.toolpaths import drawing, embroidery, gcode, toolpath
 from said_sentences import OF_THE_COMMAND, missing, sentences
 from sentences import assert_sentence
 
@@ -157,7 +158,7 @@ def said_of(call: Callable[[], object]) -> str:
     with contextlib.redirect_stderr(stream):
         try:
             call()
-        except (BadInput, core.MeanderError, whole_files.FileError) as refusal:
+        except (BadInput, core.MeanderError, whole.FileError) as refusal:
             stream.write(str(refusal))
     return stream.getvalue().strip()
 
@@ -191,7 +192,7 @@ class NoScene:
 def reading(folder: Path, name: str, data: bytes) -> str:
     path = folder / name
     path.write_bytes(data)
-    return said_of(lambda: surface_files.read(path))
+    return said_of(lambda: meshes.read(path))
 
 
 def others(folder: Path) -> list[str]:

@@ -10,8 +10,9 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch, core
-from meander.model import mesh_files, simplification, thinning
-from meander.model.simplification import Light
+from meander.model.files import obj
+from meander.model.geometry import simplification, thinning
+from meander.model.geometry.simplification import Light
 
 
 def curve_of(strands, closed):
@@ -179,9 +180,9 @@ def test_the_command_writes_light_curves(tmp_path):
     record = run("light.obj", "--light", "0.02")
     assert record["options"]["light"] == 0.02
     assert record["points"]["written"] < 0.4 * record["points"]["all"]
-    light = mesh_files.read_obj_curve(tmp_path / "light.obj")
+    light = obj.read_obj_curve(tmp_path / "light.obj")
     assert len(light.points) == record["points"]["written"]
-    every = {tuple(point) for point in mesh_files.read_obj_curve(tmp_path / "whole.obj").points}
+    every = {tuple(point) for point in obj.read_obj_curve(tmp_path / "whole.obj").points}
     assert {tuple(point) for point in light.points} <= every
     few = run("few.json", "--point-limit", "200")
     assert few["points"]["written"] <= 200

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from conftest import grow, without_blender
 from meander import batch, core
-from meander.model import mesh_files, strands
+from meander.model import strands
+from meander.model.files import obj
 from sentences import assert_sentence
 
 BAR = [[0.2, 0.5, 0.0], [0.8, 0.55, 0.0]]
@@ -328,7 +329,7 @@ def test_batch_draws_a_stroke_between_points_or_vertices(run, tmp_path: Path) ->
     mesh = geometry.grid(6)
     code, _out, err = run(mesh, "--from", -0.01, 0, 0, "--to-vertex", len(mesh.vertices) - 1)
     assert (code, err) == (0, "")
-    curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    curve = obj.read_obj_curve(tmp_path / "out.obj")
     assert curve.closed.tolist() == [0]
     assert np.abs(curve.points[0]).max() < 1e-8
     assert np.abs(curve.points[-1] - mesh.vertices[-1]).max() < 1e-8
@@ -340,14 +341,14 @@ def test_batch_keeps_guides_or_leaves_them_out(run, tmp_path: Path) -> None:
     guides = write_lines(tmp_path / "guides.obj", BAR)
     code, _out, err = run(geometry.grid(6), "--guides", guides, "--iterations", 20)
     assert (code, err) == (0, "")
-    curve = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    curve = obj.read_obj_curve(tmp_path / "out.obj")
     assert curve.closed.tolist() == [0, 1]
     assert np.abs(curve.points[0] - BAR[0]).max() < 1e-8
     found = report_of(tmp_path)
     assert (found["guides"], found["strands"], found["crossings"]) == (1, 2, 0)
     code, _out, err = run(geometry.grid(6), "--guides", guides, "--leave-out-guides")
     assert (code, err) == (0, "")
-    assert mesh_files.read_obj_curve(tmp_path / "out.obj").closed.tolist() == [1]
+    assert obj.read_obj_curve(tmp_path / "out.obj").closed.tolist() == [1]
 
 
 def test_batch_tells_of_parts_on_which_nothing_grows(run, tmp_path: Path) -> None:
@@ -370,7 +371,7 @@ def test_batch_joins_parts_by_bridges(run, tmp_path: Path) -> None:
     assert report["bridges"]["count"] == 2 and report["options"]["bridge"] is True
     # The spheres are 1 apart.
     assert 2.0 < report["bridges"]["length"] < 2.5
-    joined = mesh_files.read_obj_curve(tmp_path / "out.obj")
+    joined = obj.read_obj_curve(tmp_path / "out.obj")
     assert joined.closed.tolist() == [1]
     code, _out, _err = run(mesh, *settings, "--output", tmp_path / "out.csv")
     table = np.genfromtxt(tmp_path / "out.csv", delimiter=",", names=True)

@@ -12,7 +12,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model.surface_crossings import crossings
+from meander.model.geometry.surface_crossings import crossings
 
 
 def written(path: Path, mesh: geometry.Mesh) -> Path:

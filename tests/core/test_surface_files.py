@@ -14,7 +14,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model import surface_files, whole_files
+from meander.model.files import meshes, whole
 from sentences import assert_sentence
 
 CORNERS = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.25), (1.0, 1.0, 0.0), (0.0, 1.0, -0.5), (2.0, 0.5, 0.125)]
@@ -24,8 +24,8 @@ ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
 def complaint(path: Path) -> str:
-    with pytest.raises(whole_files.FileError) as caught:
-        surface_files.read_mesh(path)
+    with pytest.raises(whole.FileError) as caught:
+        meshes.read_mesh(path)
     assert_sentence(str(caught.value))
     assert str(path) in str(caught.value)
     assert str(caught.value).isprintable()
@@ -96,7 +96,7 @@ def crowded(form: str) -> bytes:
 def test_a_ply_file(tmp_path: Path, form: str, make, triangles: list) -> None:
     path = tmp_path / "mesh.PLY"
     path.write_bytes(make(form))
-    vertices, faces = surface_files.read_mesh(path)
+    vertices, faces = meshes.read_mesh(path)
     assert vertices.tolist() == [list(corner) for corner in CORNERS]
     assert faces.tolist() == triangles
     assert (vertices.dtype, faces.dtype) == (np.float64, np.uint32)
@@ -106,7 +106,7 @@ def test_a_ply_file(tmp_path: Path, form: str, make, triangles: list) -> None:
 def test_what_is_wrong_with_the_mesh_is_left_to_the_library(tmp_path: Path, form: str) -> None:
     path = tmp_path / "mesh.ply"
     path.write_bytes(plain(form, [(0, 1, 1), (0, 1, 77)]))
-    assert surface_files.read_mesh(path)[1].tolist() == [[0, 1, 1], [0, 1, 77]]
+    assert meshes.read_mesh(path)[1].tolist() == [[0, 1, 1], [0, 1, 77]]
 
 
 WHOLE = plain("binary_little_endian", POLYGONS)
@@ -195,7 +195,7 @@ IN_ORDER = [CORNERS[vertex] for vertex in (0, 1, 2, 3, 4)]
 def test_an_stl_file(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "mesh.stl"
     path.write_bytes(data)
-    vertices, faces = surface_files.read_mesh(path)
+    vertices, faces = meshes.read_mesh(path)
     assert vertices.tolist() == [list(corner) for corner in IN_ORDER]
     assert faces.tolist() == TRIANGLES
     assert (vertices.dtype, faces.dtype) == (np.float64, np.uint32)
@@ -205,7 +205,7 @@ def test_zero_has_no_sign(tmp_path: Path) -> None:
     path = tmp_path / "mesh.stl"
     here, there = [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(-0.0, 0, -0.0), (0, 1, 0), (-1, 0, 0)]
     path.write_bytes(stl([here, there]))
-    vertices, faces = surface_files.read_mesh(path)
+    vertices, faces = meshes.read_mesh(path)
     assert len(vertices) == 4
     assert faces.tolist() == [[0, 1, 2], [0, 2, 3]]
 
@@ -235,7 +235,7 @@ def test_a_file_of_another_kind(tmp_path: Path) -> None:
     assert ".obj, .ply or .stl" in complaint(tmp_path / "mesh.fbx")
 
 
-@pytest.mark.parametrize("suffix", surface_files.SUFFIXES)
+@pytest.mark.parametrize("suffix", meshes.SUFFIXES)
 def test_a_file_that_is_not_there(tmp_path: Path, suffix: str) -> None:
     complaint(tmp_path / f"nothing{suffix}")
 
@@ -265,8 +265,8 @@ def test_whatever_is_in_a_file_it_is_a_mesh_or_a_sentence(tmp_path: Path, suffix
     for number in range(600):
         path.write_bytes(corrupted(wholes[number % len(wholes)], rng))
         try:
-            vertices, faces = surface_files.read_mesh(path)
-        except whole_files.FileError as refusal:
+            vertices, faces = meshes.read_mesh(path)
+        except whole.FileError as refusal:
             refused += 1
             assert "\n" not in str(refusal)
         else:
@@ -313,7 +313,7 @@ def test_reading_is_fast(tmp_path: Path, suffix: str) -> None:
         rows += [("Biii", (3, *face)) for face in sheet.faces[2:].tolist()]
         path.write_bytes(ply("binary_little_endian", head, rows))
     begin = time.process_time()
-    vertices, faces = surface_files.read_mesh(path)
+    vertices, faces = meshes.read_mesh(path)
     assert time.process_time() - begin < 5.0
     assert len(faces) == len(sheet.faces)
     assert len(vertices) == len(sheet.vertices)
@@ -339,7 +339,7 @@ def test_the_command_fills_the_same_mesh_from_every_kind_of_file(tmp_path: Path)
     rows += [("Biii", (3, *face)) for face in faces.tolist()]
     (tmp_path / "mesh.ply").write_bytes(ply("binary_big_endian", head, rows))
     curves = []
-    for suffix in surface_files.SUFFIXES:
+    for suffix in meshes.SUFFIXES:
         out = tmp_path / f"curve_{suffix[1:]}.obj"
         given = ["--input", str(tmp_path / f"mesh{suffix}"), "--output", str(out), "--quiet"]
         assert batch.main([*given, "--spacing", "0.2"]) == 0

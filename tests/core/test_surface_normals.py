@@ -7,7 +7,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model.surface_normals import normals_at
+from meander.model.geometry.surface_normals import normals_at
 
 SPACING = 0.25
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from meander import core
-from meander.model import thinning
+from meander.model.geometry import thinning
 
 
 def polylines(strands: list[np.ndarray], closed: list[bool]) -> core.Polylines:

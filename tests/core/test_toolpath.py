@@ -10,7 +10,8 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model import toolpath, whole_files
+from meander.model.files import whole as whole_files
+from meander.model.toolpaths import toolpath
 
 
 def _polylines():

@@ -7,9 +7,10 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model import simplification, toolpath, unrolling
-from meander.model.simplification import Light
-from meander.model.thinning import with_points
+from meander.model.geometry import simplification
+from meander.model.geometry.simplification import Light
+from meander.model.geometry.thinning import with_points
+from meander.model.toolpaths import toolpath, unrolling
 
 SIDES, ROWS = 24, 10
 

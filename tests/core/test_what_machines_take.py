@@ -11,9 +11,9 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch
-from meander.model import embroidery, toolpath
-from meander.model.drawing import drawing_of
-from meander.model.flat_crossings import crossings, segments_of
+from meander.model.geometry.flat_crossings import crossings, segments_of
+from meander.model.toolpaths import embroidery, toolpath
+from meander.model.toolpaths.drawing import drawing_of
 from sentences import assert_sentence
 
 
@@ -250,7 +250,7 @@ def test_options_that_do_nothing_are_refused(plate: Path, extra, words, capsys) 
 
 
 def test_pairs_are_the_same_curve(tmp_path: Path) -> None:
-    from meander.model.mesh_files import read_obj_curve
+    from meander.model.files.obj import read_obj_curve
 
     ball = written(tmp_path / "ball.obj", geometry.two_spheres())
     assert run(ball, "a.obj", spacing=0.4) == 0

@@ -21,7 +21,9 @@ import numpy as np
 import pytest
 from conftest import PACKAGE
 from meander import batch, core
-from meander.model import export, mesh_files, report, toolpath, whole_files
+from meander.model import export, report
+from meander.model.files import obj, whole
+from meander.model.toolpaths import toolpath
 from sentences import assert_sentence
 
 resource = pytest.importorskip("resource", reason="of POSIX systems")
@@ -134,7 +136,7 @@ def test_what_takes_a_name_is_on_the_disk(tmp_path: Path, monkeypatch) -> None:
 
     monkeypatch.setattr(os, "fsync", noted_flush)
     monkeypatch.setattr(os, "replace", noted_move)
-    with whole_files.whole_file(path) as temporary:
+    with whole.whole_file(path) as temporary:
         temporary.write_text("all of it")
     number = path.stat().st_ino
     moved = done.index(("move", number, 9))
@@ -207,7 +209,7 @@ def write_report(path: Path, points: int) -> None:
 
 
 WRITERS: dict[str, Callable[[Path, int], None]] = {
-    "obj": lambda path, points: mesh_files.write_obj_curve(path, lines_of(points)),
+    "obj": lambda path, points: obj.write_obj_curve(path, lines_of(points)),
     "json": write_report,
     "csv": lambda path, points: toolpath.write(path, strands_of(points), "0"),
     "svg": partial(write_drawing, "svg"),
@@ -381,7 +383,7 @@ def test_a_protected_file_is_not_replaced_by_an_export(open_folder: Path) -> Non
                 os.setgid(NOBODY)
                 os.setuid(NOBODY)
             write_drawing("svg", kept, 10)
-        except whole_files.FileError as refusal:
+        except whole.FileError as refusal:
             assert_sentence(str(refusal))
             code = 0
         finally:
@@ -396,7 +398,7 @@ def test_root_leaves_a_file_to_its_owner(tmp_path: Path) -> None:
     path.write_text("earlier")
     os.chown(path, 1234, 2345)
     path.chmod(0o640)
-    with whole_files.whole_file(path) as temporary:
+    with whole.whole_file(path) as temporary:
         temporary.write_text("later")
     status = path.stat()
     assert (status.st_uid, status.st_gid, status.st_mode & 0o777) == (1234, 2345, 0o640)

@@ -43,25 +43,25 @@ def import_package() -> None:
 def readers() -> list[tuple[str, Callable[[Path], object], type[Exception]]]:
     """Of each: the suffix of its files, what reads them, and what it raises."""
     from meander.jobs import job_file
-    from meander.model import mesh_files, surface_files, whole_files
+    from meander.model.files import meshes, obj, whole
 
     def read_mesh(path: Path) -> None:
-        vertices, faces = surface_files.read_mesh(path)
+        vertices, faces = meshes.read_mesh(path)
         assert vertices.dtype == "float64" and vertices.ndim == 2 and vertices.shape[1] == 3
         assert faces.dtype == "uint32" and faces.ndim == 2 and faces.shape[1] == 3
         assert len(faces)
 
     def read_curve(path: Path) -> None:
-        seed = mesh_files.read_obj_curve(path)
+        seed = obj.read_obj_curve(path)
         assert len(seed.points) == seed.offsets[-1] and seed.offsets[0] == 0
         assert len(seed.closed) == len(seed.offsets) - 1
         assert (seed.offsets[1:] - seed.offsets[:-1] >= 2).all()
 
     return [
-        (".ply", read_mesh, whole_files.FileError),
-        (".stl", read_mesh, whole_files.FileError),
-        (".obj", read_mesh, whole_files.FileError),
-        (".obj", read_curve, whole_files.FileError),
+        (".ply", read_mesh, whole.FileError),
+        (".stl", read_mesh, whole.FileError),
+        (".obj", read_mesh, whole.FileError),
+        (".obj", read_curve, whole.FileError),
         (".toml", job_file.read, job_file.JobError),
     ]
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import geometry
 import pytest
 from conftest import FARM
-from meander.model import mesh_files
+from meander.model.files import obj
 from test_running import sentence_of, until
 
 SCENE = """
@@ -55,7 +55,7 @@ def test_meshes_with_one_that_is_malformed(job):
     assert len(set(curves)) == 1 and len(curves[0]) > 1000
     report = json.loads((job.results / "a.report.json").read_text())
     assert report["stop_reason"] == "converged" and report["crossings"] == 0
-    curve = mesh_files.read_obj_curve(job.results / "a.obj")
+    curve = obj.read_obj_curve(job.results / "a.obj")
     assert geometry.off_surface(geometry.grid(6), curve.points).max() < 1e-9
 
 

@@ -33,8 +33,8 @@ def test_the_rooms_are_in_order(bpy_python: Path) -> None:
     [
         # The rooms, one step the wrong way each.
         ("binding/seed.py", "from .. import core", "A room uses only the rooms below it"),
-        ("core.py", "from .model import thinning", "A room uses only the rooms below it"),
-        ("model/thinning.py", "from ..scene import ramp", "A room uses only the rooms below it"),
+        ("core.py", "from .model.geometry import thinning", "A room uses only the rooms below it"),
+        ("model/bundle.py", "from ..scene import ramp", "A room uses only the rooms below it"),
         ("scene/ramp.py", "from ..run import pace", "A room uses only the rooms below it"),
         ("run/plan.py", "from ..ui import settings", "A room uses only the rooms below it"),
         ("run/plan.py", "from ..cli import values", "A room uses only the rooms below it"),
@@ -48,7 +48,7 @@ def test_the_rooms_are_in_order(bpy_python: Path) -> None:
             "A room uses only the rooms below it",
         ),
         ("ui/panels.py", "from ..headless import host", "A room uses only the rooms below it"),
-        ("model/thinning.py", "import bpy", "The Python package knows nothing of Blender"),
+        ("model/geometry/thinning.py", "import bpy", "The Python package knows nothing of Blender"),
         ("cli/reading.py", "import bpy", "The Python package knows nothing of Blender"),
         ("jobs/items.py", "import bpy", "The Python package knows nothing of Blender"),
         # The layers alone would let these two pass.
@@ -67,7 +67,7 @@ def test_the_rooms_are_in_order(bpy_python: Path) -> None:
             "def _late():\n    import mathutils",
             "The Python package knows nothing of Blender",
         ),
-        ("model/thinning.py", "import ctypes", "Only the binding knows ctypes"),
+        ("model/geometry/thinning.py", "import ctypes", "Only the binding knows ctypes"),
         ("core.py", "import ctypes", "Only the binding knows ctypes"),
         ("ui/panels.py", "from ctypes import c_int", "Only the binding knows ctypes"),
         ("run/plan.py", "from ..binding import flow", "Only core knows the binding"),

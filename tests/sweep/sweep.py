@@ -24,7 +24,7 @@ sys.path += [str(ROOT / "tests" / "core"), str(ROOT / "addon")]
 
 from geometry import Mesh  # noqa: E402
 from inputs import seed_of, write_input  # noqa: E402
-from meander.model.surface_files import SUFFIXES, read_mesh  # noqa: E402
+from meander.model.files.meshes import SUFFIXES, read_mesh  # noqa: E402
 from meshes_at_the_limit import FAULTY  # noqa: E402
 from rows import (  # noqa: E402
     FACTORS,

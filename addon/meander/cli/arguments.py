@@ -10,8 +10,8 @@ from pathlib import Path
 
 from .. import core
 from ..model.export import SUFFIXES as EXPORTED
-from ..model.surface_files import SUFFIXES as MESHES
-from ..model.toolpath import SUFFIXES
+from ..model.files.meshes import SUFFIXES as MESHES
+from ..model.toolpaths.toolpath import SUFFIXES
 from . import (
     blender_flags,
     cut,

@@ -12,11 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import bridges, bundle, last_run, report, strands, surface_files
+from ..model import bundle, last_run, report, strands
 from ..model.bend_radius import sharpest_bend
+from ..model.files import meshes
+from ..model.files.whole import FileError
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
-from ..model.whole_files import FileError
+from ..model.toolpaths import bridges
 from . import cut, least_bend, limits, maps, mirror, preparation, target_length
 from .arguments import check_arguments, parser
 from .exit_code import exit_code_of
@@ -179,7 +181,7 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
         if given.surface_object is not None and place.host is not None:
             named = place.host.in_polygons(refusal, given.surface_object)
         if given.mesh_file is not None:
-            named = surface_files.in_file(refusal, given.mesh_file)
+            named = meshes.in_file(refusal, given.mesh_file)
         raise strands.explained(named, given.parts) from refusal
 
 

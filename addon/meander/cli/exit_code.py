@@ -8,7 +8,7 @@ import traceback
 from collections.abc import Callable
 
 from .. import core
-from ..model.whole_files import FileError
+from ..model.files.whole import FileError
 from .any_letters import print_any_letters
 from .values import BadInput
 

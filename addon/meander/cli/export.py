@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from .. import core
-from ..model import embroidery, export, toolpath
-from ..model.drawing import UNITS, Drawing, axes_of, seen_along
-from ..model.export_options import GROUP, ROWS
+from ..model import export
+from ..model.options.export import GROUP, ROWS
+from ..model.toolpaths import embroidery, toolpath
+from ..model.toolpaths.drawing import UNITS, Drawing, axes_of, seen_along
 from . import flags
 from .input import Input
 from .place import Place

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from .. import core
-from ..model.option import Flag, Option, apply
-from ..model.options import OF_THE_FLOW, TABLE
+from ..model.options.option import Flag, Option, apply
+from ..model.options.table import OF_THE_FLOW, TABLE
 from . import values
 
 FLAGGED: tuple[tuple[Option, Flag], ...] = tuple(

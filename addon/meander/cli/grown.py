@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model import bridges, strands, thinning, toolpath
+from ..model import strands
+from ..model.geometry import thinning
+from ..model.geometry.simplification import Light, light_points
 from ..model.problem import Opened, Problem
-from ..model.simplification import Light, light_points
+from ..model.toolpaths import bridges, toolpath
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from typing import Any
 from ..model import strands
 from ..model.alignment import Alignment
 from ..model.density import Choice
-from ..model.polygons import MeshOfFile
+from ..model.files.polygons import MeshOfFile
 from ..model.preparation import Mask, Repair
 from ..model.problem import Problem
 

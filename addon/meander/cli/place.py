@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model import bridges, toolpath
+from ..model.toolpaths import bridges, toolpath
 from .grown import Grown
 from .input import Input
 from .values import BadInput

@@ -6,9 +6,10 @@ from __future__ import annotations
 import argparse
 
 from .. import core
-from ..model import mesh_files, strands, surface_files
+from ..model import strands
 from ..model.density import Choice, curvature_density
-from ..model.option import OF_PRESET
+from ..model.files import meshes, obj
+from ..model.options.option import OF_PRESET
 from ..model.problem import Problem, begin_along_directions
 from . import density, mirror, preparation, terms
 from . import strands as strand_options
@@ -24,12 +25,12 @@ def read_input(
 
     options   of the flow, into which the weight of the alignment is put
 
-    Raises BadInput, mesh_files.FileError, core.MeanderError.
+    Raises BadInput, files.whole.FileError, core.MeanderError.
     """
     if arguments.input.suffix.lower() == ".blend":
         given = place.blender(arguments.input).read_scene(arguments, options)
     else:
-        mesh = surface_files.read(arguments.input)
+        mesh = meshes.read(arguments.input)
         given = Input(Problem(mesh.vertices, mesh.faces, options), mesh_file=mesh)
         given.warnings += mesh.remarks
         mirror.reflect(given.problem, arguments)
@@ -52,7 +53,7 @@ def read_input(
 def _put_seed_together(given: Input, arguments: argparse.Namespace) -> None:
     """Seed, stroke and guides: those of the scene, which are there already, and those of files."""
     if arguments.seed is not None:
-        seed = mesh_files.read_obj_curve(arguments.seed)
+        seed = obj.read_obj_curve(arguments.seed)
         given.parts.insert(0, strands.Part(str(arguments.seed), seed))
     given.stroke = strand_options.stroke_of(arguments, given.problem.vertices)
     if isinstance(given.stroke, str):
@@ -60,7 +61,7 @@ def _put_seed_together(given: Input, arguments: argparse.Namespace) -> None:
     if given.stroke is not None:
         given.parts.insert(0, strands.Part("the stroke", strands.stroke(*given.stroke)))
     if arguments.guides is not None:
-        guides = mesh_files.read_obj_curve(arguments.guides)
+        guides = obj.read_obj_curve(arguments.guides)
         given.parts.append(strands.Part(str(arguments.guides), guides, guide=True))
     most = strands.max_distance_of(given.problem.vertices)
     given.problem.seed = strands.assembled(given.parts, arguments.fill_every_part, most)

@@ -12,7 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model import export, parts_by_length, poses, surface_crossings, thinning, toolpath
+from ..model import export
+from ..model.geometry import surface_crossings, thinning
+from ..model.toolpaths import parts, poses, toolpath
 from . import export as export_options
 from . import flags
 from .grown import Grown
@@ -161,7 +163,7 @@ def write(
     if arguments.part_length is not None:
         mesh = None if drawn else toolpath.Mesh(given.problem.vertices, given.problem.faces)
         overlap = arguments.part_overlap or 0.0
-        strands = parts_by_length.parted(strands, arguments.part_length, overlap, mesh)
+        strands = parts.parted(strands, arguments.part_length, overlap, mesh)
     if drawn:
         done = export_options.write(path, arguments, strands, given, place, spacing, in_space)
         return *done, None

@@ -12,9 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from ..model import bridges, last_run, mesh_files, report, surface_crossings, thinning
-from ..model.simplification import light_of
-from ..model.whole_files import naming, whole_files
+from ..model import last_run, report
+from ..model.files import obj
+from ..model.files.whole import naming, whole_files
+from ..model.geometry import surface_crossings, thinning
+from ..model.options.input import light_of
+from ..model.toolpaths import bridges
 from . import cut, density, export, flags, maps, motion, preparation, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown, bridge_figures, bridged, lightened
@@ -132,7 +135,7 @@ def _write_curve(
     if toolpath_options.is_wanted(arguments.output):
         count, drawing, places = toolpath_options.write(path, arguments, given, grown, place)
         return Written(count, grown.line, places, drawing)
-    mesh_files.write_obj_curve(path, grown.curve, pairs=arguments.lines == "pairs")
+    obj.write_obj_curve(path, grown.curve, pairs=arguments.lines == "pairs")
     places = None
     if light is not None:
         spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)

@@ -18,8 +18,8 @@ from .. import core
 from ..cli.grown import Grown
 from ..cli.input import Input
 from ..cli.values import BadInput
-from ..model import bridges, toolpath
-from ..model.drawing import axes_of
+from ..model.toolpaths import bridges, toolpath
+from ..model.toolpaths.drawing import axes_of
 
 
 class Blender:

@@ -15,11 +15,13 @@ from ..cli import flags
 from ..cli.grown import Grown, bridged
 from ..cli.input import Input
 from ..cli.values import BadInput
-from ..model import bridges, surface_crossings, thinning, toolpath
-from ..model.option import store
-from ..model.options import TABLE
+from ..model.geometry import surface_crossings, thinning
+from ..model.geometry.simplification import result_points
+from ..model.options.input import light_of
+from ..model.options.option import store
+from ..model.options.table import TABLE
 from ..model.problem import Problem
-from ..model.simplification import light_of, result_points
+from ..model.toolpaths import bridges, toolpath
 from ..run import baking
 from ..scene import point_attributes
 from ..scene import strands as scene_strands

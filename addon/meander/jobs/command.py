@@ -14,7 +14,7 @@ from pathlib import Path
 
 from ..cli.any_letters import print_any_letters
 from ..cli.values import BadInput, Parser, reader
-from ..model.whole_files import FileError
+from ..model.files.whole import FileError
 from . import engine
 from .folder import Folder
 from .items import Item, items_of, shard_of

@@ -19,7 +19,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from .. import core
-from ..model.whole_files import whole_file
+from ..model.files.whole import whole_file
 from . import options
 from .child import end_group
 from .items import Item

@@ -9,7 +9,7 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from ..model.whole_files import whole_file
+from ..model.files.whole import whole_file
 from .job_file import JobError
 
 _SCRIPT = Path(__file__).resolve().parents[1] / "headless" / "list_objects.py"

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..model.whole_files import whole_file
+from ..model.files.whole import whole_file
 from .items import Item
 
 

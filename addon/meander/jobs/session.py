@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
 
-from ..model.whole_files import TEMPORARY_NAMES
+from ..model.files.whole import TEMPORARY_NAMES
 from . import engine
 from .child import Child
 from .folder import Claim, Folder

@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 
 from .. import core
+from .files.whole import FileError, whole_file
 from .problem import Problem
-from .whole_files import FileError, whole_file
 
 SUFFIX = ".npz"
 _FORMAT = 1

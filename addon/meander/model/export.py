@@ -10,16 +10,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from . import embroidery
-from .drawing import VIEWS, Drawing, drawing_of
-from .dxf import dxf_text
-from .export_options import ROWS
-from .file_text import read_plain
-from .gcode import Motion, gcode_text
-from .option import Values
-from .svg import svg_text
-from .toolpath import Strand
-from .whole_files import whole_file
+from .files.text import read_plain
+from .files.whole import whole_file
+from .options.export import ROWS
+from .options.option import Values
+from .toolpaths import embroidery
+from .toolpaths.drawing import VIEWS, Drawing, drawing_of
+from .toolpaths.dxf import dxf_text
+from .toolpaths.gcode import Motion, gcode_text
+from .toolpaths.svg import svg_text
+from .toolpaths.toolpath import Strand
 
 # No plotter, laser or mill is wider, in millimetres.
 _WIDEST = 10_000.0
@@ -43,7 +43,7 @@ class Format:
 
     name, label, tip   as Blender lists it
     suffixes           the first one is added to names without any
-    options            the settings of export_options.ROWS that it takes
+    options            the settings of options.export.ROWS that it takes
     flat               everything in it lies in a plane
     """
 
@@ -111,7 +111,7 @@ def prepared(
     """The drawing that a file of a format holds.
 
     strands   as they are laid: in scene units, at z = 0 where the layout is flat
-    values    of export_options.ROWS, by setting; not those of which lacks_plane() is true
+    values    of options.export.ROWS, by setting; not those of which lacks_plane() is true
     metres    the length of a scene unit
     spacing   the least spacing of neighbouring strands, in scene units; 0: it is not known
 

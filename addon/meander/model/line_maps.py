@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from .. import core
 from .cut import along_shares
-from .exr import exr
+from .files.exr import exr
 
 # What an image can show; docs/making.md says what its values mean.
 KINDS = ("mask", "distance", "height", "normal", "side", "along", "color")

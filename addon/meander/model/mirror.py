@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from .. import core
 from .estimate import cost_of
 from .field import evaluated
-from .half_mesh import HalfMesh, above
+from .geometry.half_mesh import HalfMesh, above
 from .mirror_images import Images, images_of
 from .mirror_plane import Mirror
 from .mirror_seed import half_of_seed

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .bridge_places import Strand
+from .geometry.bridge_places import Strand
 
 # A strand runs beside the plane where it is at most so many spacings from it; it is half of one
 # away where the surface is filled well.

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from .closest_faces import Places, closest_places
+from .geometry.closest_faces import Places, closest_places
 from .mirror_plane import AXES, Mirror
 
 if TYPE_CHECKING:

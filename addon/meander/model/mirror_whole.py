@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import core
-from .bridge_places import Strand
-from .half_mesh import section
+from .geometry.bridge_places import Strand
+from .geometry.half_mesh import section
+from .geometry.thinning import kept_points, with_points
 from .mirror import Half, at_rest
 from .mirror_crossings import Crossings, Side
 from .mirror_plane import Mirror
-from .thinning import kept_points, with_points
 
 # Points nearer to the last one than this, in spacings, are left out. A strand through a vertex has
 # several in all but one place there, whose images may lie in another order.

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core import Gaps
-from .whole_files import whole_file
+from .files.whole import whole_file
 
 _SURFACE_KEYS = ("vertices", "faces", "components", "boundary_loops", "area")
 _HISTORY_KEYS = ("iteration", "nodes", "length", "mean_step", "energy", "seconds")

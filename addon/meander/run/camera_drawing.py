@@ -17,12 +17,12 @@ import numpy as np
 
 from .. import core
 from ..model.camera_page import CameraPage
-from ..model.drawing import Drawing
+from ..model.files.whole import naming, whole_files
 from ..model.problem import Problem
 from ..model.report import write_report
-from ..model.svg import page_text
-from ..model.toolpath import Strand, resampled, strand_of, strands_of
-from ..model.whole_files import naming, whole_files
+from ..model.toolpaths.drawing import Drawing
+from ..model.toolpaths.svg import page_text
+from ..model.toolpaths.toolpath import Strand, resampled, strand_of, strands_of
 from ..scene.camera_view import Sight, seen_by
 from ..scene.errors import DataError
 from ..scene.visible import seen_parts

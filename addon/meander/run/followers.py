@@ -16,10 +16,10 @@ import numpy as np
 
 from .. import core
 from ..model import strands
+from ..model.geometry.simplification import result_points
+from ..model.geometry.thinning import least_spacing, with_points
 from ..model.problem import open_flow
 from ..model.profile import radius_factors
-from ..model.simplification import result_points
-from ..model.thinning import least_spacing, with_points
 from ..scene.curve_reader import strands_of_curve
 from ..scene.errors import DataError
 from ..scene.evaluated import is_evaluated

@@ -16,7 +16,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model.options import OF_THE_FLOW
+from ..model.options.table import OF_THE_FLOW
 from ..scene.alignment import alignment_of
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError

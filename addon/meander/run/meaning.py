@@ -9,7 +9,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from ..model.options import in_panel
+from ..model.options.table import in_panel
 from ..scene import ramp
 from ..scene.changes import shape_count
 from ..scene.identity import number_of

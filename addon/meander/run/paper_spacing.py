@@ -15,8 +15,8 @@ import numpy as np
 
 from .. import core
 from ..model.camera_page import CameraPage
-from ..model.clipped_mesh import Triangles
 from ..model.field import FieldOn, evaluated
+from ..model.geometry.clipped_mesh import Triangles
 from ..model.problem import Problem, begin_along_directions
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.camera_view import Seen

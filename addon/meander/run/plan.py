@@ -14,12 +14,13 @@ import numpy as np
 
 from .. import core
 from ..model import strands
+from ..model.geometry.simplification import Light
 from ..model.mirror_plane import mirror_of
-from ..model.option import OF_PRESET, chosen
-from ..model.options import in_panel
+from ..model.options.input import light_of
+from ..model.options.option import OF_PRESET, chosen
+from ..model.options.table import in_panel
 from ..model.preparation import Mask
 from ..model.problem import Problem, begin_along_directions
-from ..model.simplification import Light, light_of
 from ..scene import point_attributes, results
 from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of

@@ -10,12 +10,13 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import bridges, strands, toolpath
+from ..model import strands
+from ..model.geometry.simplification import result_points
+from ..model.geometry.thinning import least_spacing, with_points
 from ..model.last_run import GAP_THAT_MATTERS, why_lines
 from ..model.preparation import described, mended
 from ..model.profile import radius_factors
-from ..model.simplification import result_points
-from ..model.thinning import least_spacing, with_points
+from ..model.toolpaths import bridges, toolpath
 from ..scene import look, mesh_faults, point_attributes, results
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve

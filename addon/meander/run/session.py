@@ -18,9 +18,10 @@ from typing import Any
 import bpy
 
 from .. import core
-from ..model import bridges, strands
+from ..model import strands
 from ..model.estimate import Estimate
 from ..model.remaining import Remaining, in_words, told
+from ..model.toolpaths import bridges
 from ..scene.errors import DataError
 from ..scene.identity import Key, number_of
 from ..scene.lengths import length_text

@@ -20,11 +20,11 @@ import numpy as np
 from .. import core
 from ..model import bundle
 from ..model.bend_radius import sharpest_bend
+from ..model.files.whole import FileError
 from ..model.least_bend import Stiffening
 from ..model.mirror import Half
 from ..model.mirror_whole import whole_of
 from ..model.problem import Problem, open_flow
-from ..model.whole_files import FileError
 
 # A watched run keeps its curve whenever that has grown by this share of what it is going to be, as
 # long as those copies have no more points than this, which take 100 MB.

@@ -12,7 +12,7 @@ from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
 from ..model.camera_page import CameraPage, Page
-from ..model.clipped_mesh import Triangles
+from ..model.geometry.clipped_mesh import Triangles
 from .errors import DataError
 from .fillable import is_result
 from .identity import Key

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model.chains import branching, chains_of
+from ..model.geometry.chains import branching, chains_of
 from .errors import DataError
 from .evaluated import evaluated_copy, is_evaluated, matrix_of, mesh_of
 from .look_modifier import shaping_modifiers

@@ -6,8 +6,8 @@ from __future__ import annotations
 import bpy
 
 from .. import core
-from ..model.option import apply, chosen
-from ..model.options import OF_THE_FLOW, in_panel
+from ..model.options.option import apply, chosen
+from ..model.options.table import OF_THE_FLOW, in_panel
 from .preferences import preferred
 
 # The switch of the settings that say how strands are shaped.

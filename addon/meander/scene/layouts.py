@@ -9,8 +9,8 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from ..model import toolpath
-from ..model.unrolling import unrolled
+from ..model.toolpaths import toolpath
+from ..model.toolpaths.unrolling import unrolled
 from .attributes import uv_layer_of
 from .errors import DataError
 from .evaluated import surface_mesh

@@ -9,8 +9,8 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import bridges
-from ..model.simplification import Light, light_points
+from ..model.geometry.simplification import Light, light_points
+from ..model.toolpaths import bridges
 from . import point_attributes
 from .errors import DataError
 from .transforms import to_world, world_matrix

@@ -8,7 +8,7 @@ import numpy as np
 
 from .. import core
 from ..model.maze import Doors, wall, wall_pieces
-from ..model.toolpath import resampled_by_tolerance, strand_of
+from ..model.toolpaths.toolpath import resampled_by_tolerance, strand_of
 from .curve_writer import new_curve_object, place_beside, write_splines
 from .transforms import to_local
 

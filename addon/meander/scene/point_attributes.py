@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import toolpath
+from ..model.toolpaths import toolpath
 from .blender_versions import make_poly
 from .curve_writer import place_beside
 from .errors import DataError

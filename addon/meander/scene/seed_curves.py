@@ -6,7 +6,7 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
-from ..model.chains import Chain, branching, chains_of
+from ..model.geometry.chains import Chain, branching, chains_of
 from .curve_writer import new_curve_object
 from .errors import DataError
 from .evaluated import surface_mesh

@@ -9,7 +9,8 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import bridges, strands
+from ..model import strands
+from ..model.toolpaths import bridges
 from .curve_reader import ends_of, has_strands, point_numbers, strands_of_curve
 from .errors import DataError
 from .fillable import is_result

@@ -10,8 +10,8 @@ import numpy as np
 from mathutils.bvhtree import BVHTree
 
 from .. import core
-from ..model import toolpath
-from ..model.surface_normals import normals_at
+from ..model.geometry.surface_normals import normals_at
+from ..model.toolpaths import toolpath
 from . import point_attributes
 from .curve_reader import strands_of_curve
 from .evaluated import matrix_of

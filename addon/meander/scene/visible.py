@@ -9,8 +9,8 @@ import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
-from ..model.drawing import ring
-from ..model.toolpath import Strand, strand_of
+from ..model.toolpaths.drawing import ring
+from ..model.toolpaths.toolpath import Strand, strand_of
 
 # Shares of the diagonal of the surface's box. So far a point is moved towards the eye before it is
 # asked what hides it, or rounding would let it hide itself.

@@ -12,7 +12,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 from .. import core
 from ..model.camera_page import PAPERS, CameraPage, Page
 from ..model.estimate import Estimate, described
-from ..model.whole_files import FileError
+from ..model.files.whole import FileError
 from ..run import session
 from ..run.camera_drawing import CameraDrawing
 from ..run.drawing_estimate import DrawingEstimate

@@ -9,8 +9,8 @@ from typing import Any
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from ..model.option import Option
-from ..model.options import BY_SETTING, in_panel
+from ..model.options.option import Option
+from ..model.options.table import BY_SETTING, in_panel
 from ..scene.settings import IN_SPACINGS
 
 

@@ -12,10 +12,12 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
-from ..model import embroidery, export, surface_crossings, toolpath
-from ..model.drawing import Drawing, axes_of, drawing_of, seen_along
-from ..model.export_options import ROWS
-from ..model.whole_files import FileError
+from ..model import export
+from ..model.files.whole import FileError
+from ..model.geometry import surface_crossings
+from ..model.options.export import ROWS
+from ..model.toolpaths import embroidery, toolpath
+from ..model.toolpaths.drawing import Drawing, axes_of, drawing_of, seen_along
 from ..scene.errors import DataError
 from ..scene.layouts import axes_of_view, has_map, metres_of, unrolled_strands
 from ..scene.meshes import triangles_of

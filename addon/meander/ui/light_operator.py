@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import bpy
 
-from ..model import surface_crossings
-from ..model.option import chosen
-from ..model.options import in_panel
-from ..model.simplification import light_of
+from ..model.geometry import surface_crossings
+from ..model.options.input import light_of
+from ..model.options.option import chosen
+from ..model.options.table import in_panel
 from ..scene.errors import DataError
 from ..scene.light_curve import least_spacing, make_light
 from ..scene.surface_points import polylines_of

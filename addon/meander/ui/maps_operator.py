@@ -9,7 +9,7 @@ import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
 from ..model import line_maps
-from ..model.whole_files import naming, whole_files
+from ..model.files.whole import naming, whole_files
 from ..run.cutting import cut_result
 from ..scene import look_material
 from ..scene.errors import DataError

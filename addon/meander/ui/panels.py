@@ -8,7 +8,7 @@ from bpy.props import FloatProperty
 
 from ..model import last_run
 from ..model.estimate import described
-from ..model.options import in_panel
+from ..model.options.table import in_panel
 from ..run import estimates, gap_marks, session
 from ..run.queue import objects_of
 from ..scene.blender_versions import draw_progress

@@ -8,7 +8,7 @@ from bpy.props import IntProperty
 
 from .. import core
 from ..model.estimate import Estimate
-from ..model.options import in_panel
+from ..model.options.table import in_panel
 from ..scene.preferences import PACKAGE, preferred
 from .declared import declared
 from .declared import row as row_of

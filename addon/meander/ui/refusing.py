@@ -12,7 +12,7 @@ from collections.abc import Callable
 import bpy
 
 from .. import core
-from ..model.whole_files import FileError
+from ..model.files.whole import FileError
 from ..run import notes
 from ..scene.errors import DataError
 from ..scene.identity import Key

@@ -5,7 +5,7 @@ A class either takes its annotations from the table or writes its own: from Pyth
 do both.
 """
 
-from ..model.options import TABLE, in_panel
+from ..model.options.table import TABLE, in_panel
 from ..run import following
 from ..scene.linked_settings import owner_of
 from .declared import declared

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What an option is, and how what a user has chosen reaches the flow; no bpy.
 
-`options` has the table. The setting on an object, the flag of the batch command, the entry in its
+`table` has the rows. The setting on an object, the flag of the batch command, the entry in its
 report, the row in a panel and the line in the documents are all made from it.
 """
 
@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from .. import core
+from ... import core
 
 # By the name of the setting: None is the preset's own value, and so is what is not there.
 Values = Mapping[str, Any]

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core import PointData, Polylines, Seed
-from .bridge_places import GAP, End, Join, Strand, between, joined_ends, joins_of
+from ...core import PointData, Polylines, Seed
+from ..geometry.bridge_places import GAP, End, Join, Strand, between, joined_ends, joins_of
 from .toolpath import Mesh, holding
 
 

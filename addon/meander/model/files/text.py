@@ -6,8 +6,8 @@ from __future__ import annotations
 import codecs
 from pathlib import Path
 
-from .. import core
-from .whole_files import FileError, read_bytes
+from ... import core
+from .whole import FileError, read_bytes
 
 # The beginning of a file, and what that makes it. What is read under its own suffix only is no
 # business of this table.

@@ -18,10 +18,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import core
+from ... import core
 from . import thinning
 from .near_chords import pairs_within
-from .option import Values
 
 # A strand is first divided into parts of this many points. That bounds the time of what could take
 # out one row of a zigzag after another, and leaves one point in a thousand too many.
@@ -42,14 +41,6 @@ class Light:
 
     share: float = DEFAULT_SHARE
     limit: int = 0
-
-
-def light_of(values: Values) -> Light | None:
-    """What the rows of the table say; None: all points stay."""
-    share, limit = values.get("light_tolerance"), values.get("point_limit")
-    if share is None and limit is None:
-        return None
-    return Light(DEFAULT_SHARE if share is None else share, limit or 0)
 
 
 def result_points(

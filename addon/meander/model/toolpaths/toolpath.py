@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core import PointData, Polylines
-from .simplification import kept_within
-from .whole_files import FileError, whole_file
+from ...core import PointData, Polylines
+from ..files.whole import FileError, whole_file
+from ..geometry.simplification import kept_within
 
 SUFFIXES = (".csv", ".json")
 

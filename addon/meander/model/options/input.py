@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from .option import Flag, Option
-from .simplification import DEFAULT_SHARE, GREATEST_SHARE
+from ..geometry.simplification import DEFAULT_SHARE, GREATEST_SHARE, Light
+from .option import Flag, Option, Values
 
 _DENSITY, _DIRECTION, _STRANDS = "Density", "Direction", "Seed and Strands"
 _REGION, _REPAIR, _MOTION = "Region", "Mesh Repair", "Motion"
@@ -390,3 +390,11 @@ ROWS: tuple[Option, ...] = (
         ),
     ),
 )
+
+
+def light_of(values: Values) -> Light | None:
+    """What the rows of the table say; None: all points stay."""
+    share, limit = values.get("light_tolerance"), values.get("point_limit")
+    if share is None and limit is None:
+        return None
+    return Light(DEFAULT_SHARE if share is None else share, limit or 0)

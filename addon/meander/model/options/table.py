@@ -2,15 +2,16 @@
 """The table of the options: every row is a setting, a flag, an entry and a line in the documents.
 
 A new option of the flow is a field in the library, a line for editors in binding.flow_options and a
-row in flow_options here. docs/options.md is made from the table by scripts/write_option_table.py.
+row in flow.py here. docs/options.md is made from the table by scripts/write_option_table.py.
 """
 
 from __future__ import annotations
 
-from . import flow_options, input_options
+from .flow import ROWS as FLOW_ROWS
+from .input import ROWS as INPUT_ROWS
 from .option import Option
 
-TABLE: tuple[Option, ...] = flow_options.ROWS + input_options.ROWS
+TABLE: tuple[Option, ...] = FLOW_ROWS + INPUT_ROWS
 
 BY_SETTING: dict[str, Option] = {option.setting: option for option in TABLE}
 

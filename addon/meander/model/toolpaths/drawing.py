@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .arcs import Moves, fitted
-from .flat_crossings import crossings, segments_of
+from ..files.whole import FileError
+from ..geometry.arcs import Moves, fitted
+from ..geometry.flat_crossings import crossings, segments_of
 from .toolpath import Strand, strand_of
-from .whole_files import FileError
 
 # Metres, and the name that files use.
 UNITS = {"mm": 0.001, "cm": 0.01, "in": 0.0254}

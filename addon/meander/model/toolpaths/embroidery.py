@@ -16,9 +16,9 @@ from typing import Any
 
 import numpy as np
 
+from ..files.whole import FileError
 from .drawing import Drawing, ring
 from .toolpath import Strand, resampled_by_step, strand_of
-from .whole_files import FileError
 
 PACKAGE = "pyembroidery"
 SUFFIXES = (".dst", ".pes")

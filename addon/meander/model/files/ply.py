@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import core
-from .file_text import read_plain, told_apart
+from ... import core
 from .polygons import MeshOfFile, left_out, triangles_of
-from .whole_files import FileError
+from .text import read_plain, told_apart
+from .whole import FileError
 
 # Both generations of names.
 _TYPES = {

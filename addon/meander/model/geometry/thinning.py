@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import core
+from ... import core
 
 # Points nearer to each other than this share of the spacing become one: 0.02 r.
 MERGED_SHARE = 0.01

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..files.whole import FileError
 from .toolpath import Mesh, Strand, holding
-from .whole_files import FileError
 
 # More parts are a mistake in the unit.
 _MOST_PARTS = 100_000

@@ -6,8 +6,8 @@ They are not settings of an object but of one export: of the operator, and flags
 
 from __future__ import annotations
 
-from .embroidery import LONGEST_STITCH
-from .gcode import MACHINES, TOOLS, Motion
+from ..toolpaths.embroidery import LONGEST_STITCH
+from ..toolpaths.gcode import MACHINES, TOOLS, Motion
 from .option import Flag, Option
 
 PANEL = "File > Export"

@@ -13,8 +13,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ..geometry.flat_crossings import crossings, segments_of
 from .drawing import ring
-from .flat_crossings import crossings, segments_of
 from .toolpath import Mesh, Strand, strand_of
 
 # The triangle nearest to each point and the weights of its corners.

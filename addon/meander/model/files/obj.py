@@ -17,11 +17,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import core
-from ..core import Polylines, Seed
-from .file_text import in_file, read_plain, told_apart
+from ... import core
+from ...core import Polylines, Seed
 from .polygons import MeshOfFile, left_out, triangles_of
-from .whole_files import FileError, whole_file
+from .text import in_file, read_plain, told_apart
+from .whole import FileError, whole_file
 
 
 def read_obj(path: Path) -> MeshOfFile:

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arcs import Moves
+from ..files.whole import FileError
+from ..geometry.arcs import Moves
 from .drawing import Drawing, number, ring
-from .whole_files import FileError
 
 _UNIT_WORDS = {"mm": "G21 ; millimetres", "in": "G20 ; inches"}
 _DECIMALS = {"mm": 4, "in": 6}

@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import core
-from .file_text import read_plain
-from .mesh_files import read_obj
-from .ply_files import read_ply
+from ... import core
+from .obj import read_obj
+from .ply import read_ply
 from .polygons import MeshOfFile
-from .stl_files import read_stl
-from .whole_files import FileError
+from .stl import read_stl
+from .text import read_plain
+from .whole import FileError
 
 _READERS = {".obj": read_obj, ".ply": read_ply, ".stl": read_stl}
 SUFFIXES = tuple(_READERS)

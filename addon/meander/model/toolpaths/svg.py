@@ -9,7 +9,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from .arcs import Moves
+from ..geometry.arcs import Moves
 from .drawing import Drawing, number
 from .toolpath import Strand
 

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import core
-from .file_text import in_file, read_plain, told_apart
+from ... import core
 from .polygons import MeshOfFile, left_out, triangles_of
-from .whole_files import FileError
+from .text import in_file, read_plain, told_apart
+from .whole import FileError
 
 _HEAD = 84  # bytes before the first triangle of a binary file: 80 for people, then the number
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])

@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ..files.whole import whole_file
 from .toolpath import Strand
-from .whole_files import whole_file
 
 KINDS = ("approach", "curve", "retreat")
 _COLUMNS = "strand,kind,x,y,z,qx,qy,qz,qw,nx,ny,nz,tx,ty,tz,arc_length"

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core import Polylines
+from ...core import Polylines
 from .flat_crossings import crossing_shares
 from .near_chords import pairs_within
 
