@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+OF_MODEL = "A part of the model uses only the parts below it"
 
 
 def lint(bpy_python: Path, parent: Path) -> subprocess.CompletedProcess:
@@ -33,6 +34,12 @@ def test_the_rooms_are_in_order(bpy_python: Path) -> None:
     [
         # The rooms, one step the wrong way each.
         ("binding/seed.py", "from .. import core", "A room uses only the rooms below it"),
+        # The parts of the model likewise.
+        ("model/geometry/thinning.py", "from ..files import whole", OF_MODEL),
+        ("model/files/whole.py", "from ..geometry import thinning", OF_MODEL),
+        ("model/geometry/thinning.py", "from ..toolpaths import drawing", OF_MODEL),
+        ("model/toolpaths/drawing.py", "from ..options import option", OF_MODEL),
+        ("model/options/option.py", "from .. import export", OF_MODEL),
         ("core.py", "from .model.geometry import thinning", "A room uses only the rooms below it"),
         ("model/bundle.py", "from ..scene import ramp", "A room uses only the rooms below it"),
         ("scene/ramp.py", "from ..run import pace", "A room uses only the rooms below it"),
