@@ -11,10 +11,11 @@ from types import SimpleNamespace
 import bpy
 import meander
 import pytest
-from meander.run import estimates, session
+from meander.run import estimate, session
 from meander.run.lasting import lasting
 from meander.run.plan import plan_run
-from meander.ui import look_panel, panels, run_operators, strand_panel, term_panels
+from meander.ui import fill as run_operators
+from meander.ui import look, panels, strands, terms
 from scenes import activate, cube, fill, poly_curve, sphere
 from watched_runs import begin, tick_until
 
@@ -114,7 +115,7 @@ def test_panel_without_a_mesh_says_what_to_do():
     assert draw(panels.MEANDER_PT_main) == ["Select a mesh to fill"]
     activate(poly_curve("Any", [[(0, 0, 0), (1, 0, 0)]], False))
     assert draw(panels.MEANDER_PT_main)[:2] == ["'Any' has no faces; give", "it a bevel or an"]
-    assert draw(term_panels.MEANDER_PT_density) is None
+    assert draw(terms.MEANDER_PT_density) is None
 
 
 def test_panel_on_a_mesh():
@@ -123,10 +124,10 @@ def test_panel_on_a_mesh():
     assert {"Cube", "Spacing", "Fill with Curve"} <= set(shown)
     assert draw(panels.MEANDER_PT_figures) is None
     # What is greyed says why.
-    assert {"Group", "No vertex groups"} <= set(draw(term_panels.MEANDER_PT_density))
+    assert {"Group", "No vertex groups"} <= set(draw(terms.MEANDER_PT_density))
     assert "Quality" in draw(panels.MEANDER_PT_advanced)
-    assert "Seed" in draw(strand_panel.MEANDER_PT_strands)
-    assert {"Thickness", "Profile"} <= set(draw(look_panel.MEANDER_PT_look))
+    assert "Seed" in draw(strands.MEANDER_PT_strands)
+    assert {"Thickness", "Profile"} <= set(draw(look.MEANDER_PT_look))
 
 
 def test_density_panel_shows_what_its_source_needs():
@@ -139,15 +140,15 @@ def test_density_panel_shows_what_its_source_needs():
         ("CURVATURE", "Smoothing"),
     ):
         settings.density_source = source
-        shown = draw(term_panels.MEANDER_PT_density)
+        shown = draw(terms.MEANDER_PT_density)
         assert {"Source", label, "Of the spacing", "At Low", "At High", "Ramp"} <= set(shown)
     settings.density_source = "NONE"
-    assert draw(term_panels.MEANDER_PT_density) == ["Source"]
+    assert draw(terms.MEANDER_PT_density) == ["Source"]
 
 
 def test_alignment_panel_shows_what_its_source_needs():
     settings = cube().meander
-    assert draw(term_panels.MEANDER_PT_alignment) == ["Along"]
+    assert draw(terms.MEANDER_PT_alignment) == ["Along"]
     for source, label in (
         ("AXIS", "Space"),
         ("CURVATURE", "Smoothing"),
@@ -157,15 +158,15 @@ def test_alignment_panel_shows_what_its_source_needs():
         ("ATTRIBUTE", "Attribute"),
     ):
         settings.alignment_source = source
-        assert {label, "Strength", "Across"} <= set(draw(term_panels.MEANDER_PT_alignment))
+        assert {label, "Strength", "Across"} <= set(draw(terms.MEANDER_PT_alignment))
 
 
 def test_weights_panel_warns_of_what_is_seldom_meant():
     settings = cube().meander
-    quiet = draw(term_panels.MEANDER_PT_weights)
+    quiet = draw(terms.MEANDER_PT_weights)
     assert {"Custom", "Stiffness", "Detail", "Sight", "Start Wide"} <= set(quiet)
     settings.segment_share = 0.9
-    warned = draw(term_panels.MEANDER_PT_weights)
+    warned = draw(terms.MEANDER_PT_weights)
     assert len(warned) > len(quiet)
     assert all(len(line) <= 36 for line in warned)
     assert "0.45 of the spacing" in " ".join(warned) and warned[-1].endswith("0.2.")
@@ -178,16 +179,16 @@ def test_panel_on_a_result():
     shown = draw(panels.MEANDER_PT_figures)
     assert shown[0] == "One closed line" and shown[1] == "Even" and shown[2].endswith(" %")
     live = {"Profile", "Radius", "Resolution", "Lift", "By Spacing", "Solid View"}
-    assert live <= set(draw(look_panel.MEANDER_PT_look))
+    assert live <= set(draw(look.MEANDER_PT_look))
     result = activate(bpy.context.active_object)
     surface = activate(result.meander.surface)
     assert {"Fill Again", "New Curve"} <= set(draw(panels.MEANDER_PT_main))
-    assert live | {""} <= set(draw(look_panel.MEANDER_PT_look))
+    assert live | {""} <= set(draw(look.MEANDER_PT_look))
     activate(result).modifiers.clear()
-    assert {"Radius", "Add Live Look"} <= set(draw(look_panel.MEANDER_PT_look))
+    assert {"Radius", "Add Live Look"} <= set(draw(look.MEANDER_PT_look))
     bpy.data.objects.remove(result)
     activate(surface)
-    assert "Thickness" in draw(look_panel.MEANDER_PT_look)
+    assert "Thickness" in draw(look.MEANDER_PT_look)
 
 
 @pytest.mark.parametrize("system", ["NONE", "METRIC", "IMPERIAL"])
@@ -250,7 +251,7 @@ def test_three_verbs_say_what_they_keep(windowed):
 def test_panel_says_what_to_expect():
     surface = cube()
     surface.meander.spacing = 0.1
-    estimates.measure(surface)
+    estimate.measure(surface)
     (line,) = (text for text in draw(panels.MEANDER_PT_main) if "points" in text)
     assert re.fullmatch(r"[\d,]+ points, \d+ \w+, \d+ MB", line), line
     # The sidebar of Blender's default width has room for so many characters.

@@ -13,7 +13,7 @@ from dataclasses import replace
 import bpy
 from meander import core
 from meander.model.remaining import Remaining
-from meander.run import estimates
+from meander.run import estimate
 from meander.ui.panels import MEANDER_PT_main
 from panel_layout import drawn, panels
 from scenes import activate, cube, fill
@@ -78,7 +78,7 @@ def test_every_text_fits_while_a_curve_grows(windowed):
     surface = cube()
     surface.meander.spacing = 0.0
     found = list(excesses("automatic spacing"))
-    estimates.measure(surface)
+    estimate.measure(surface)
     running = begin(surface, 0.05)
     for phase in core.PHASES:
         tick_until(running, lambda: running.shown_points > 0)
@@ -151,7 +151,7 @@ def test_several_objects_are_counted():
     other.location.x = 5.0
     activate(surface)
     assert "Automatic" in texts_of_main() and "2 objects" not in texts_of_main()
-    estimates.measure(surface)
+    estimate.measure(surface)
     assert any(text.startswith("Automatic: ") for text in texts_of_main())
     other.select_set(True)
     assert "2 objects" in texts_of_main() and "Automatic for each" in texts_of_main()

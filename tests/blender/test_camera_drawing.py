@@ -20,11 +20,11 @@ import scenes
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 from meander.headless import draw
-from meander.model.camera_page import PAPERS, Page
-from meander.run.camera_drawing import CameraDrawing
+from meander.model.camera import PAPERS, Page
+from meander.run.camera import CameraDrawing
 from meander.run.drawing_estimate import DrawingEstimate
-from meander.scene.camera_view import camera_page
-from meander.ui import camera_operator
+from meander.scene.camera import camera_page
+from meander.ui import camera as camera_operator
 from panel_layout import Layout
 
 SVG = "{http://www.w3.org/2000/svg}"

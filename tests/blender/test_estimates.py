@@ -8,10 +8,11 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from meander.model.estimate import Estimate
-from meander.run import estimates
+from meander.run import estimate as estimates
 from meander.run.plan import plan_run
 from meander.run.queue import Queue, objects_of
-from meander.ui import preferences, run_operators
+from meander.ui import fill as run_operators
+from meander.ui import preferences
 from scenes import activate, cube, fill, grid, sphere
 
 

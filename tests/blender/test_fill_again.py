@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from meander.scene.results import last_result
-from meander.ui.look_panel import MEANDER_PT_look
+from meander.ui.look import MEANDER_PT_look
 from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
 from panel_layout import drawn
 from scenes import (

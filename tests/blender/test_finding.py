@@ -8,13 +8,14 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from meander.model.remaining import in_words
-from meander.run import estimates, live
+from meander.run import estimate as estimates
+from meander.run import live
 from meander.scene import flow_options, preferences
 from meander.scene.lengths import length_text
-from meander.ui import run_operators
-from meander.ui.cut_panel import MEANDER_PT_make
+from meander.ui import fill as run_operators
+from meander.ui.cut import MEANDER_PT_make
 from meander.ui.panels import MEANDER_PT_advanced, MEANDER_PT_figures, MEANDER_PT_main
-from meander.ui.points_panel import MEANDER_PT_points
+from meander.ui.points import MEANDER_PT_points
 from meander.ui.preferences import MeanderPreferences
 from panel_layout import Layout, drawn, panels
 from scenes import activate, cube, fill, grid

@@ -6,7 +6,7 @@ from __future__ import annotations
 import bpy
 import numpy as np
 import pytest
-from meander.run import estimates, live
+from meander.run import estimate, live
 from meander.run.plan import plan_of
 from scenes import (
     activate,
@@ -66,8 +66,8 @@ def test_what_blender_makes_a_mesh_of_is_filled(build):
     assert curve.meander.surface == thing
     assert farthest_from(thing, curve) < 1e-3
     assert 0.7 < packing(thing, curve) < 1.2
-    estimates.measure(thing)
-    assert estimates.shown([thing]) is not None
+    estimate.measure(thing)
+    assert estimate.shown([thing]) is not None
     # Filled again it is updated, and from the curve it goes on.
     assert fill(activate(thing), 0.12) in (thing, curve)
     activate(curve)

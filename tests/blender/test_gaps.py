@@ -6,10 +6,11 @@ from __future__ import annotations
 import bpy
 import numpy as np
 import pytest
-from meander.run import gap_marks
+from meander.run import gaps as gap_marks
 from meander.run import result as result_of_run
 from meander.run.lasting import lasting
-from meander.ui import gaps_operator, panels
+from meander.ui import gaps as gaps_operator
+from meander.ui import panels
 from scenes import activate, cube, fill, grid, matrix_of, poly_curve, sphere, world_splines
 from test_addon import draw
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from meander import core
 from meander.model.alignment import Alignment
-from meander.run import baking
+from meander.run import bake
 from meander.scene import alignment, curve_reader, density, evaluated, meshes
 from meander.scene.errors import DataError
 from scenes import activate, circle_points, counts, fill, poly_curve, sphere, world_splines
@@ -250,7 +250,7 @@ def test_frames_of_a_hidden_surface_are_baked_as_those_of_a_shown_one():
     for hidden in (False, True):
         at_frame(1)
         surface.hide_viewport = hidden
-        baking.bake_motion(result, bpy.context, 1, FRAME)
+        bake.bake_motion(result, bpy.context, 1, FRAME)
         at_frame()
         baked = result.meander.bake.objects[0]
         places.append(curve_reader.strands_of_curve(baked, depsgraph()).points)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import bpy
 import meander
 import pytest
-from meander.run import estimates, gap_marks, notes
+from meander.run import estimate, gaps, notes
 from meander.run.lasting import Lasting, lasting
 from meander.ui import events, seed_drawing
 from scenes import activate, circle_points, fill, grid, poly_curve, sphere
@@ -65,7 +65,7 @@ def previewed() -> None:
 
 
 def marked() -> None:
-    gap_marks.show(fill(sphere(), 0.3, iteration_limit=3))
+    gaps.show(fill(sphere(), 0.3, iteration_limit=3))
     assert lasting.gap_marks is not None
 
 
@@ -85,8 +85,8 @@ def following() -> None:
 def noted() -> None:
     surface = grid(8)
     notes.keep(surface, "No")
-    estimates.measure(surface)
-    assert notes.of(surface) and estimates._measured
+    estimate.measure(surface)
+    assert notes.of(surface) and estimate._measured
 
 
 STATES = (growing, suspended, live, previewed, marked, drawing, following, noted)
@@ -96,7 +96,7 @@ def nothing_lasts() -> None:
     left = {name: value for name, value in vars(lasting).items() if value}
     assert left == {} and vars(lasting).keys() == vars(Lasting()).keys()
     assert seed_drawing._drawing is None
-    assert not meander.run.following._followers and not notes._notes and not estimates._measured
+    assert not meander.run.following._followers and not notes._notes and not estimate._measured
 
 
 @pytest.mark.parametrize("state", STATES)

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from meander.model.remaining import in_words
-from meander.run import estimates, live, session, suspended
+from meander.run import estimate, live, session, suspended
 from meander.run.lasting import lasting
 from meander.run.plan import Plan
 from scenes import activate, counts, fill, grid, sphere
@@ -159,7 +159,7 @@ def test_a_run_takes_spacing_and_paint_while_it_goes():
 
 
 def seconds_of(plan: Plan) -> float:
-    return estimates.of_plan(plan).seconds
+    return estimate.of_plan(plan).seconds
 
 
 @pytest.mark.usefixtures("windowed")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import scenes
 from mathutils.interpolate import poly_3d_calc
-from meander.model import line_maps
+from meander.model import maps
 from meander.scene import look_material
 from test_batch_scene import run_batch
 
@@ -83,7 +83,7 @@ def test_all_kinds_are_written_and_a_second_time_replaced(tmp_path: Path) -> Non
     ball()
     for size in (32, 64):
         assert bpy.ops.meander.maps(filepath=str(tmp_path / "a.png"), size=size) == {"FINISHED"}
-    assert len(list(tmp_path.iterdir())) == len(line_maps.KINDS)
+    assert len(list(tmp_path.iterdir())) == len(maps.KINDS)
     assert pixels(tmp_path / "a_normal.png").shape == (64, 64, 4)
     normal = pixels(tmp_path / "a_normal.png")[:, :, :3] * 2.0 - 1.0
     lengths = np.linalg.norm(normal, axis=2)
@@ -94,8 +94,8 @@ def test_exr_files_hold_the_same_in_floats(tmp_path: Path) -> None:
     ball()
     for name in ("a.png", "a.exr"):
         assert bpy.ops.meander.maps(filepath=str(tmp_path / name), size=64) == {"FINISHED"}
-    assert len(list(tmp_path.iterdir())) == 2 * len(line_maps.KINDS)
-    for kind in line_maps.KINDS:
+    assert len(list(tmp_path.iterdir())) == 2 * len(maps.KINDS)
+    for kind in maps.KINDS:
         exact, rounded = (pixels(tmp_path / f"a_{kind}{end}") for end in (".exr", ".png"))
         assert exact.shape == rounded.shape == (64, 64, 4)
         if kind == "color":
@@ -125,7 +125,7 @@ def test_colours_are_those_of_the_look(tmp_path: Path) -> None:
     result = ball()
     assert len(result.data.splines) == 1 and result.data.splines[0].use_cyclic_u
     # What a new curve begins with is what the command has without asking Blender.
-    stops = zip(*line_maps.RAMP, strict=True)
+    stops = zip(*maps.RAMP, strict=True)
     places, colours = next(stops), np.array(next(stops))
     begun = look_material.ramp_colours(result)
     shares = np.linspace(0.0, 1.0, len(begun))

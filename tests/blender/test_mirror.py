@@ -11,7 +11,8 @@ import bpy
 import numpy as np
 import pytest
 from meander import batch, core
-from meander.run import cutting, live, seed_preview, session, suspended
+from meander.run import cut as cutting
+from meander.run import live, seeds, session, suspended
 from scenes import (
     activate,
     circle_points,
@@ -35,7 +36,7 @@ def nothing_kept() -> Iterator[None]:
     session.end_current()
     suspended.drop()
     live.drop()
-    seed_preview.hide()
+    seeds.hide()
 
 
 def suzanne() -> bpy.types.Object:
@@ -204,7 +205,7 @@ def test_guides_of_one_side_are_known_on_both():
 def test_the_seed_is_shown_on_both_sides():
     surface = sphere()
     surface.meander.spacing, surface.meander.mirror = 0.3, "X"
-    found = seed_preview.show(activate(surface), bpy.context)
+    found = seeds.show(activate(surface), bpy.context)
     assert found.strands == 2
 
 

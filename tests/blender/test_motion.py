@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import scenes
 from mathutils.bvhtree import BVHTree
-from meander.ui.motion_panel import MEANDER_PT_motion
+from meander.ui.motion import MEANDER_PT_motion
 from panel_layout import drawn
 
 # Points that nearly coincide are one in what is written: half a hundredth of the spacing, and some.

@@ -8,10 +8,10 @@ from collections.abc import Iterator
 import bpy
 import numpy as np
 import pytest
-from meander.run import estimates, live, session, suspended
+from meander.run import estimate, live, session, suspended
 from meander.run.queue import Queue
 from meander.scene.surface_points import bind
-from meander.ui import live_operator
+from meander.ui import live as live_operator
 from scenes import activate, counts, fill, grid, sphere
 from watched_runs import begin, tick_until
 
@@ -180,7 +180,7 @@ def test_others_take_the_choices_of_the_active_one_also_after_the_question():
     asked = queue.estimate_of_rest(bpy.context, first)
     second = queue.next_plan(bpy.context)
     assert second.surface.find() == large and second.spacing == pytest.approx(0.1)
-    both = estimates.of_plan(first).points + estimates.of_plan(second).points
+    both = estimate.of_plan(first).points + estimate.of_plan(second).points
     assert asked.points == pytest.approx(both, rel=0.05)
 
 

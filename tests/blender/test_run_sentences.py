@@ -14,9 +14,9 @@ import pytest
 from meander import batch, core
 from meander.cli.values import BadInput
 from meander.headless import scene_output
-from meander.run import cutting, estimates, followers, live
+from meander.run import cut, estimate, followers, live
 from meander.run.plan import plan_run
-from meander.scene import point_attributes
+from meander.scene import points
 from meander.scene.errors import DataError
 from scenes import activate, circle_points, cube, fill, grid, poly_curve, refused, sphere
 from watched_runs import begin, tick_until
@@ -106,7 +106,7 @@ def of_growing(said: Said) -> None:
 def of_live(said: Said) -> None:
     surface = cube()
     running = begin(surface, 0.5)
-    most = 2 * estimates.of_plan(running.plan).points
+    most = 2 * estimate.of_plan(running.plan).points
     running.is_large = lambda estimate: estimate.points > most
     surface.meander.live, surface.meander.spacing = True, 0.1
     assert not running.find_wish(bpy.context, surface)
@@ -132,14 +132,14 @@ def of_motion(said: Said) -> None:
     result.meander.figures.bridges = ""
     surface.data.transform(np.diag([0.01, 0.01, 1.0, 1.0]))
     said.by(lambda: followers.follower_of(result, bpy.context.scene, depsgraph()))
-    said.by(lambda: cutting.cut_result(result, bpy.context.scene, depsgraph()))
+    said.by(lambda: cut.cut_result(result, bpy.context.scene, depsgraph()))
 
 
 def of_cuts(said: Said) -> None:
     result = fill(grid(), 0.4)
     figures = result.meander.figures
     figures.first_guide, figures.guides = 0, figures.strands
-    said.by(lambda: cutting.cut_result(result, bpy.context.scene, depsgraph()))
+    said.by(lambda: cut.cut_result(result, bpy.context.scene, depsgraph()))
 
 
 def of_the_command(said: Said) -> None:
@@ -166,7 +166,7 @@ def of_points(said: Said, monkeypatch: pytest.MonkeyPatch) -> None:
         raise DataError("hair curves need Blender 4.2; choose a mesh")  # in this one or in that
 
     with monkeypatch.context() as patched:
-        patched.setattr(point_attributes, "refuse", refuse)
+        patched.setattr(points, "refuse", refuse)
         said.by(lambda: scene_output.refuse_points("curves"))
 
 

@@ -23,12 +23,14 @@ from meander.scene import (
     curve_reader,
     density,
     layouts,
-    light_curve,
     look_upgrade,
     mesh_faults,
     preparation,
-    seed_curves,
+    seeds,
     strands,
+)
+from meander.scene import (
+    light as light_curve,
 )
 from meander.scene.alignment import angle_source_of
 from meander.scene.errors import DataError
@@ -158,14 +160,14 @@ def of_seeds(said: Said) -> None:
     said.by(lambda: curve_reader.strands_of_curve(forked, depsgraph()))
     for edge in thing.data.edges:
         edge.select = False
-    said.by(lambda: seed_curves.strands_of_edges(thing, depsgraph(), branches=False))
+    said.by(lambda: seeds.strands_of_edges(thing, depsgraph(), branches=False))
     for edge in thing.data.edges:
         edge.select = True
-    said.by(lambda: seed_curves.strands_of_edges(thing, depsgraph(), branches=False))
-    said.by(lambda: seed_curves.strands_of_boundary(cube(), depsgraph(), selected=False))
+    said.by(lambda: seeds.strands_of_edges(thing, depsgraph(), branches=False))
+    said.by(lambda: seeds.strands_of_boundary(cube(), depsgraph(), selected=False))
     corners = [(0, 0, 0), (1, 1, 0), (1, -1, 0), (-1, 1, 0), (-1, -1, 0)]
     bow = mesh_object("Bow", corners, [(0, 1, 2), (0, 3, 4)])
-    said.by(lambda: seed_curves.strands_of_boundary(bow, depsgraph(), selected=False))
+    said.by(lambda: seeds.strands_of_boundary(bow, depsgraph(), selected=False))
     said.filling(thing, stroke_from=empty)
     said.filling(thing, guide_collection=bpy.data.collections.new("No Curves"))
     said.filling(thing, use_outline=True, border_distance=0.05)

@@ -8,7 +8,7 @@ import re
 import bpy
 import numpy as np
 import pytest
-from meander.run import seed_preview
+from meander.run import seeds
 from meander.ui import seed_drawing
 from scenes import (
     activate,
@@ -203,7 +203,7 @@ def test_strokes_are_shown_and_what_a_run_would_refuse_is_said():
     for turn, shown in ((0.0, True), (1.0, False)):
         bpy.ops.curve.primitive_bezier_curve_add(radius=0.4, rotation=(0.0, 0.0, turn))
         seed_drawing._show_strokes(drawing, curve)
-        assert seed_preview.is_shown(surface)
+        assert seeds.is_shown(surface)
         assert bool(drawing.problem) != shown
     assert "crosses or touches itself" in drawing.problem
     bpy.ops.meander.end_seed()
@@ -213,22 +213,22 @@ def test_the_preview_shows_what_a_run_starts_from_until_that_changes(capfd):
     surface = grid(8)
     assert bpy.ops.meander.preview_seed() == {"FINISHED"}
     assert "Starts from one strand" in capfd.readouterr().out
-    assert seed_preview.is_shown(surface)
+    assert seeds.is_shown(surface)
     surface.meander.guides = poly_curve("Wall", [[(0, -1, 0), (0, 1, 0)]], False)
-    assert not seed_preview.is_shown(surface)
+    assert not seeds.is_shown(surface)
     assert bpy.ops.meander.preview_seed() == {"FINISHED"}
     assert "Starts from 2 strands and one guide" in capfd.readouterr().out
     assert bpy.ops.meander.preview_seed() == {"FINISHED"}  # no longer
-    assert not seed_preview.is_shown(surface)
+    assert not seeds.is_shown(surface)
     # A seed that is refused is shown as drawn, with the places marked.
     bow = [(-0.8, -0.5, 0.1), (-0.2, 0.5, 0.1), (-0.8, 0.5, 0.2), (-0.2, -0.5, 0.2)]
     surface.meander.seed = poly_curve("Bow", [bow], False)
     with pytest.raises(RuntimeError, match="just after points 1 and 3 of spline 1 of 'Bow'"):
         bpy.ops.meander.preview_seed()
-    assert seed_preview.is_shown(surface)
+    assert seeds.is_shown(surface)
     surface.meander.seed = None
     fill(surface, 0.3)
-    assert not seed_preview.is_shown(surface)
+    assert not seeds.is_shown(surface)
 
 
 def test_points_of_a_bezier_curve_are_told_by_its_control_points():

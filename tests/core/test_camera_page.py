@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
-from meander.model.camera_page import CameraPage, Page
+from meander.model.camera import CameraPage, Page
 from meander.model.geometry.clipped_mesh import Triangles
 from meander.model.toolpaths.svg import page_text
 from meander.model.toolpaths.toolpath import strand_of

@@ -12,9 +12,9 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model import line_maps
+from meander.model import maps
 from meander.model.files.exr import exr
-from meander.model.line_maps import Mapped, Style, Tile
+from meander.model.maps import Mapped, Style, Tile
 
 SPACING = 0.1
 SIZE = 200
@@ -138,12 +138,12 @@ def test_tiles_are_counted_as_udim_counts() -> None:
     mapped = Mapped(None, corners + np.array([[[0, 0]], [[1, 0]], [[0, 1]]]), 1.0)
     assert mapped.tiles() == [(0, 0), (0, 1), (1, 0)]
     path = Path("folder/line.png")
-    assert line_maps.file_of(path, "mask", (0, 0), False) == Path("folder/line_mask.png")
-    assert line_maps.file_of(path, "mask", (1, 2), True) == Path("folder/line_mask.1022.png")
-    assert line_maps.problem_of_tiles(mapped.tiles()) is None
+    assert maps.file_of(path, "mask", (0, 0), False) == Path("folder/line_mask.png")
+    assert maps.file_of(path, "mask", (1, 2), True) == Path("folder/line_mask.1022.png")
+    assert maps.problem_of_tiles(mapped.tiles()) is None
     many = [(0, k) for k in range(101)]
     for wrong, word in (([], "no area"), ([(-1, 0)], "UDIM"), (many, "101")):
-        assert word in line_maps.problem_of_tiles(wrong)
+        assert word in maps.problem_of_tiles(wrong)
 
 
 def test_tiles_that_lie_beside_each_other_share_the_image(sheet: Mapped) -> None:
@@ -158,7 +158,7 @@ def test_png_holds_what_was_put_in() -> None:
     rng = np.random.default_rng(1)
     for shape in ((5, 7), (4, 6, 3)):
         image = rng.integers(0, 2**16, shape, dtype=np.uint16)
-        data = line_maps.png(image)
+        data = maps.png(image)
         assert data[:8] == b"\x89PNG\r\n\x1a\n"
         chunks, at = {}, 8
         while at < len(data):
@@ -262,6 +262,6 @@ def test_colours_of_an_open_line_end_where_it_ends(sheet: Mapped) -> None:
     opened = replace(sheet, cut=replace(sheet.cut, closed=np.zeros_like(sheet.cut.closed)))
     tile = Tile(opened, (0, 0), Style(SIZE, 0))
     colour, along = tile.values("color"), tile.values("along")
-    for share, colours in ((0.0, line_maps.RAMP[0][1]), (1.0, line_maps.RAMP[-1][1])):
+    for share, colours in ((0.0, maps.RAMP[0][1]), (1.0, maps.RAMP[-1][1])):
         there = np.abs(along - share) < 0.004
         assert there.sum() > 5 and np.abs(colour[there] - colours).max() < 0.005

@@ -66,7 +66,7 @@ def test_the_rooms_are_in_order(bpy_python: Path) -> None:
         ),
         (
             "cli/writing.py",
-            "from ..run import baking",
+            "from ..run import bake",
             "The Python package knows nothing of Blender",
         ),
         (

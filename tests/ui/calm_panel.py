@@ -18,7 +18,7 @@ ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
 from meander.model.remaining import PHASE_TEXTS  # noqa: E402
-from meander.run import gap_marks, session  # noqa: E402
+from meander.run import gaps, session  # noqa: E402
 from stage import (  # noqa: E402
     FINEST_THAT_ENDS,
     RESULT,
@@ -133,7 +133,7 @@ def gaps_are_marked() -> Generator[float, None, None]:
     before = state()
     with bpy.context.temp_override(**window_override()):
         assert bpy.ops.meander.show_gaps() == {"FINISHED"}
-    assert gap_marks.shown_of(result) and state() == before and bpy.context.mode == "OBJECT"
+    assert gaps.shown_of(result) and state() == before and bpy.context.mode == "OBJECT"
     yield 0.7
     picture("9_gaps")
     assert changed_share("9_limit", "9_gaps") > 0.002

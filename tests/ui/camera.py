@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.ui import camera_operator  # noqa: E402
+from meander.ui import camera as camera_operator  # noqa: E402
 from stage import (  # noqa: E402
     PICTURES,
     assert_no_python_thread,

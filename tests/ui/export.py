@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.ui import cut_panel, panels  # noqa: E402
+from meander.ui import cut, panels  # noqa: E402
 from stage import (  # noqa: E402
     PICTURES,
     click,
@@ -31,7 +31,7 @@ from stage import (  # noqa: E402
 )
 
 # Open from the start, and what is above it closed, so that it is in the pictures.
-panels.MEANDER_PT_output.bl_options = cut_panel.MEANDER_PT_make.bl_options = set()
+panels.MEANDER_PT_output.bl_options = cut.MEANDER_PT_make.bl_options = set()
 panels.MEANDER_PT_figures.bl_options = {"DEFAULT_CLOSED"}
 
 FILES = PICTURES / "exported"

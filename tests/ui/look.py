@@ -16,7 +16,7 @@ ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
 from meander.scene import look_material, look_modifier  # noqa: E402
-from meander.ui import look_panel, panels  # noqa: E402
+from meander.ui import look, panels  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
     RESULT,
@@ -128,6 +128,6 @@ def story() -> Iterator[float]:
 
 
 # Open, to be seen, and what is above it closed.
-look_panel.MEANDER_PT_look.bl_options = look_panel.MEANDER_PT_look_color.bl_options = set()
+look.MEANDER_PT_look.bl_options = look.MEANDER_PT_look_color.bl_options = set()
 panels.MEANDER_PT_figures.bl_options = {"DEFAULT_CLOSED"}
 tell(story())

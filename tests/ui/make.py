@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.ui import cut_panel, panels  # noqa: E402
+from meander.ui import cut, panels  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
     RESULT,
@@ -179,5 +179,5 @@ def story() -> Iterator[float]:
 
 
 panels.MEANDER_PT_output.bl_options = set()  # open, to be seen
-cut_panel.MEANDER_PT_make.bl_options = set()
+cut.MEANDER_PT_make.bl_options = set()
 tell(story())

@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.run import estimates, plan, session, suspended  # noqa: E402
+from meander.run import estimate, plan, session, suspended  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
     FINE,
@@ -93,8 +93,8 @@ def window_opens() -> Iterator[float]:
     yield from show_panel()
     choose_spacing(COARSE)
     surfaces = [bpy.context.active_object]
-    yield from until(lambda: estimates.shown(surfaces) is not None, "an estimate")
-    measured = estimates.shown(surfaces)
+    yield from until(lambda: estimate.shown(surfaces) is not None, "an estimate")
+    measured = estimate.shown(surfaces)
     yield 0.5
     picture("5_estimate")
     press_run()

@@ -17,7 +17,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.run import seed_preview, session  # noqa: E402
+from meander.run import seeds, session  # noqa: E402
 from meander.ui import seed_drawing  # noqa: E402
 from stage import (  # noqa: E402
     changed_share,
@@ -99,7 +99,7 @@ def window_opens() -> Iterator[float]:
 def strokes_are_orange() -> bool:
     """Whether a line as wide as the preview's is on all of both strokes."""
     picture("seeds_2_drawn")
-    return coloured("seeds_2_drawn", (1.0, 0.5, 0.05)) > 2 * 120 * seed_preview.WIDTH / 2
+    return coloured("seeds_2_drawn", (1.0, 0.5, 0.05)) > 2 * 120 * seeds.WIDTH / 2
 
 
 def drawing() -> Iterator[float]:
@@ -116,7 +116,7 @@ def drawing() -> Iterator[float]:
     yield from drag((x - 70, y - 40), (x + 70, y - 40))
     yield from drag((x - 70, y + 40), (x + 70, y + 40))
     yield from until(lambda: len(curve.data.splines) == 2, "two strokes")
-    yield from until(lambda: seed_preview.is_shown(surface()), "the strokes on the surface")
+    yield from until(lambda: seeds.is_shown(surface()), "the strokes on the surface")
     tries = 0
     yield 0.3
     while not strokes_are_orange():  # a picture takes a while to draw, and longer to be taken
@@ -130,7 +130,7 @@ def drawing() -> Iterator[float]:
     picture("seeds_2_crossing")
     key("Z", view_center(), ctrl=True)
     yield from until(lambda: len(curve.data.splines) == 2, "the stroke undone")
-    yield from until(lambda: seed_preview.is_shown(surface()), "the strokes on the surface")
+    yield from until(lambda: seeds.is_shown(surface()), "the strokes on the surface")
     assert not drawing_panel_says()
     assert status_texts[-1] is not None and "Draw on the surface" in status_texts[-1]
     assert press("end_seed") == {"FINISHED"}
@@ -144,30 +144,30 @@ def drawing() -> Iterator[float]:
 
 def previewing() -> Iterator[float]:
     step("what a run would start from is shown, and hidden when it changes")
-    assert seed_preview.is_shown(surface()), "the strokes are still shown"
+    assert seeds.is_shown(surface()), "the strokes are still shown"
     press("preview_seed")
-    assert not seed_preview.is_shown(surface())
+    assert not seeds.is_shown(surface())
     yield 0.3
     picture("seeds_3_before")
     assert press("preview_seed") == {"FINISHED"}
-    assert seed_preview.is_shown(surface())
+    assert seeds.is_shown(surface())
     yield 0.5
     picture("seeds_4_preview")
     seen = changed_share("seeds_3_before", "seeds_4_preview")
     assert seen > 0.0005, seen
     surface().meander.spacing = 0.3
     yield 0.3
-    assert not seed_preview.is_shown(surface())
+    assert not seeds.is_shown(surface())
     picture("seeds_5_stale")
     assert changed_share("seeds_3_before", "seeds_5_stale") < seen / 4
     press("preview_seed")
-    assert seed_preview.is_shown(surface())
+    assert seeds.is_shown(surface())
 
 
 def filling() -> Iterator[float]:
     step("the drawn strands are filled from, and the preview goes")
     press_run()
-    assert not seed_preview.is_shown(surface())
+    assert not seeds.is_shown(surface())
     yield from until(ended, "the end of the run")
     yield 0.3
     result = bpy.data.objects["Sphere Seed Meander"]

@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import line_maps
+from ..model import maps
 from .input import Input
 from .place import Place
 from .values import BadInput, one_of_several, reader
 from .watching import interruptible
 
-_DEFAULT = line_maps.Style()
+_DEFAULT = maps.Style()
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -30,11 +30,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     add(
         "--map-kinds",
-        type=one_of_several(line_maps.KINDS),
+        type=one_of_several(maps.KINDS),
         metavar="LIST",
-        help=f"some of {','.join(line_maps.KINDS)}; default: all of them",
+        help=f"some of {','.join(maps.KINDS)}; default: all of them",
     )
-    least, most = line_maps.SIZES
+    least, most = maps.SIZES
     add("--map-size", type=reader(int, least, most), metavar="N", help="pixels; default: 2048")
     add(
         "--map-margin",
@@ -52,8 +52,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
             if getattr(arguments, option) is not None:
                 return f"--{option.replace('_', '-')} needs --maps FILE"
         return None
-    if arguments.maps.suffix.lower() not in line_maps.SUFFIXES:
-        return f"--maps {arguments.maps} is no {' or '.join(line_maps.SUFFIXES)} file"
+    if arguments.maps.suffix.lower() not in maps.SUFFIXES:
+        return f"--maps {arguments.maps} is no {' or '.join(maps.SUFFIXES)} file"
     if arguments.input.suffix.lower() != ".blend":
         return "--maps needs a UV map; give a .blend as --input"
     return None
@@ -66,7 +66,7 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
     style = _style(arguments)
     return {
         "maps": str(arguments.maps),
-        "map_kinds": list(arguments.map_kinds or line_maps.KINDS),
+        "map_kinds": list(arguments.map_kinds or maps.KINDS),
         "map_size": style.size,
         "map_margin": style.margin,
         "map_uv": arguments.map_uv,
@@ -83,24 +83,24 @@ def images_of(
     if arguments.maps is None:
         return {}
     corners = place.blender("--maps").map_corners(given, arguments.map_uv or "")
-    detail = line_maps.DETAIL * arguments.spacing
+    detail = maps.DETAIL * arguments.spacing
     cut = interruptible(lambda context: core.cut_surface(flow, detail, True, context))
-    mapped = line_maps.Mapped.of(cut, corners, arguments.spacing)
+    mapped = maps.Mapped.of(cut, corners, arguments.spacing)
     try:
-        images, overlap = line_maps.images(
-            mapped, arguments.maps, arguments.map_kinds or line_maps.KINDS, _style(arguments)
+        images, overlap = maps.images(
+            mapped, arguments.maps, arguments.map_kinds or maps.KINDS, _style(arguments)
         )
-    except line_maps.NoPlace as problem:
+    except maps.NoPlace as problem:
         raise BadInput(f"--maps is not possible here: the UV map {problem}") from problem
-    warning = line_maps.overlap_warning(overlap)
+    warning = maps.overlap_warning(overlap)
     if warning:
         place.warn(warning)
     return images
 
 
-def _style(arguments: argparse.Namespace) -> line_maps.Style:
+def _style(arguments: argparse.Namespace) -> maps.Style:
     size, margin = arguments.map_size, arguments.map_margin
-    return line_maps.Style(
+    return maps.Style(
         size=_DEFAULT.size if size is None else size,
         margin=_DEFAULT.margin if margin is None else margin,
     )

@@ -16,11 +16,11 @@ from ..cli.exit_code import exit_code_of
 from ..cli.limits import add_options as add_limits
 from ..cli.limits import refuse_large
 from ..cli.values import BadInput, Parser, index, reader
-from ..model.camera_page import PAPERS, Page
+from ..model.camera import PAPERS, Page
 from ..model.estimate import described
-from ..run.camera_drawing import CameraDrawing
+from ..run.camera import CameraDrawing
 from ..run.stepper import Stepper
-from ..scene.camera_view import camera_page
+from ..scene.camera import camera_page
 from ..scene.errors import DataError
 from .saved_settings import saved_settings
 

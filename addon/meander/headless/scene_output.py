@@ -22,12 +22,12 @@ from ..model.options.option import store
 from ..model.options.table import TABLE
 from ..model.problem import Problem
 from ..model.toolpaths import bridges, toolpath
-from ..run import baking
-from ..scene import point_attributes
+from ..run import bake
+from ..scene import points as point_attributes
 from ..scene import strands as scene_strands
 from ..scene.alignment import store_alignment
 from ..scene.curve_writer import write_curve
-from ..scene.cut_object import keep_shading, skin_of, write_cut
+from ..scene.cut import keep_shading, skin_of, write_cut
 from ..scene.density import store_choice
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
@@ -164,7 +164,7 @@ def _bake(arguments: argparse.Namespace, curve_object: bpy.types.Object) -> None
     if arguments.bake_frames is None:
         return
     try:
-        baking.bake_motion(curve_object, bpy.context, *arguments.bake_frames)
+        bake.bake_motion(curve_object, bpy.context, *arguments.bake_frames)
     except DataError as refusal:
         raise BadInput(f"the frames cannot be baked: {refusal}") from refusal
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 from .. import core
 from ..model.estimate import Estimate, estimated, together
 from ..model.problem import Problem
-from . import estimates
+from . import estimate
 
 
 class DrawingEstimate:
@@ -25,7 +25,7 @@ class DrawingEstimate:
         self._parts: list[tuple[core.Extent, core.FlowOptions]] = []
         for problem in problems:
             try:
-                self._parts.append((estimates.extent_of_problem(problem), problem.options))
+                self._parts.append((estimate.extent_of_problem(problem), problem.options))
             except core.MeanderError:  # its run will report why, and leaves it out
                 continue
 
@@ -34,7 +34,7 @@ class DrawingEstimate:
         larger = width / spacing / self._spacings
         return together(
             [
-                estimated(_magnified(extent, larger), options, False, estimates.speeds)
+                estimated(_magnified(extent, larger), options, False, estimate.speeds)
                 for extent, options in self._parts
             ]
         )

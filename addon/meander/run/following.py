@@ -8,7 +8,7 @@ from typing import Any
 import bpy
 
 from .. import core
-from ..scene import baked_frames
+from ..scene import bake
 from ..scene.errors import DataError
 from ..scene.meshes import surface_now
 from . import session
@@ -68,7 +68,7 @@ def on_frame(scene: bpy.types.Scene, depsgraph: Any = None) -> None:
             if key not in _followers:
                 _followers[key] = follower_of(result, scene, depsgraph)
             curve = _followers[key].moved(vertices, faces)
-            baked_frames.write(result, result.data, curve, matrix, _followers[key].factors)
+            bake.write(result, result.data, curve, matrix, _followers[key].factors)
             _problems.pop(key, None)
         except (DataError, core.MeanderError) as error:
             # A handler has nobody to report to; the panel shows it.

@@ -10,10 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .gap_marks import Marks
+    from .gaps import Marks
     from .live import Kept
     from .meaning import Meaning
-    from .seed_preview import Shown
+    from .seeds import Shown
     from .session import Session
     from .suspended import SuspendedRun
 

@@ -14,12 +14,12 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model.camera_page import CameraPage
+from ..model.camera import CameraPage
 from ..model.field import FieldOn, evaluated
 from ..model.geometry.clipped_mesh import Triangles
 from ..model.problem import Problem, begin_along_directions
 from ..scene.alignment import alignment_of, directions_of
-from ..scene.camera_view import Seen
+from ..scene.camera import Seen
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.flow_options import options_of

@@ -21,7 +21,7 @@ from ..model.options.option import OF_PRESET, chosen
 from ..model.options.table import in_panel
 from ..model.preparation import Mask
 from ..model.problem import Problem, begin_along_directions
-from ..scene import point_attributes, results
+from ..scene import points, results
 from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import chosen_density, density_of, unused_paint
@@ -62,7 +62,7 @@ class Plan:
     density_group: str = ""  # the vertex group that the spacing follows
     region: np.ndarray | None = None  # polygons of the mesh, selected in Edit Mode; None: all
     remark: str = ""  # on what the run leaves out, for its one line
-    points_as: str = "NONE"  # a second object of all points: one of point_attributes.KINDS
+    points_as: str = "NONE"  # a second object of all points: one of points.KINDS
     bridges: bool = False  # all that has grown becomes one line
     light: Light | None = None  # which points the result has; None: all
 
@@ -95,7 +95,7 @@ def plan_of(
             f"The surface '{surface.name}' is not in this scene any more; choose a mesh to fill"
         )
     settings = settings_of(active)
-    point_attributes.refuse(settings.points_as)
+    points.refuse(settings.points_as)
     core.library_version()  # before anything is read, a missing library is reported
     vertices, faces = triangles_of(surface, depsgraph)
     # As stored, so that a run that proposes its spacing and one that is given it are the same.

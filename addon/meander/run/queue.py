@@ -16,7 +16,7 @@ from ..scene.identity import Key
 from ..scene.linked_settings import settings_of, settings_to_change
 from ..scene.region import selected_faces
 from ..scene.settings import adopt, is_untouched, surface_of
-from . import estimates
+from . import estimate
 from .plan import Plan, plan_of
 
 
@@ -78,7 +78,7 @@ class Queue:
                     spacing = plan.spacing if self._each_its_own else first.spacing
                     options = options_of(settings, spacing)
                     plan = replace(plan, problem=replace(plan.problem, options=options))
-                found.append(estimates.of_plan(plan))
+                found.append(estimate.of_plan(plan))
             except (DataError, core.MeanderError):  # which its run will report
                 continue
         return together(found)

@@ -17,7 +17,8 @@ from ..model.last_run import GAP_THAT_MATTERS, why_lines
 from ..model.preparation import described, mended
 from ..model.profile import radius_factors
 from ..model.toolpaths import bridges, toolpath
-from ..scene import look, mesh_faults, point_attributes, results
+from ..scene import look, mesh_faults, results
+from ..scene import points as point_attributes
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
 from ..scene.flow_options import keep_shape, options_of

@@ -28,7 +28,7 @@ from ..scene.lengths import length_text
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons
 from ..scene.results import is_present
-from . import edit_mode, estimates, live, refused_mesh, seed_preview, suspended
+from . import edit_mode, estimate, live, refused_mesh, seeds, suspended
 from .lasting import lasting
 from .meaning import meaning_of
 from .plan import Plan, with_looks
@@ -60,7 +60,7 @@ def _leave_one(options: core.FlowOptions) -> None:
 def _estimate_of(plan: Plan) -> Estimate | None:
     """What a run comes to; None where it will report why not."""
     try:
-        return estimates.of_plan(plan)
+        return estimate.of_plan(plan)
     except core.MeanderError:
         return None
 
@@ -124,15 +124,15 @@ class Session:
 
     def _expected(self) -> float | None:
         """The seconds that the run is thought to take; what goes on has the rest before it."""
-        seconds = estimates.expected(self.plan.settings.find())
+        seconds = estimate.expected(self.plan.settings.find())
         if seconds is None:
-            estimate = _estimate_of(self.plan)
-            seconds = None if estimate is None else estimate.seconds
+            found = _estimate_of(self.plan)
+            seconds = None if found is None else found.seconds
         return None if seconds is None else seconds * (1.0 - self.progress())
 
     def _take_the_place(self) -> None:
         """A run that begins takes the place of the one before it, and of what is drawn."""
-        seed_preview.hide()
+        seeds.hide()
         live.drop()
         suspended.drop()
 
@@ -373,7 +373,7 @@ class Session:
         usual = self.plan.from_surface and self.whole and self.plan.problem.mirror is None
         if stop_reason == "converged" and usual:
             options = self.plan.problem.options
-            estimates.speeds.learn(options, figures["nodes"], figures["seconds_total"])
+            estimate.speeds.learn(options, figures["nodes"], figures["seconds_total"])
         return result, figures
 
     def remarks(

@@ -6,7 +6,7 @@ from __future__ import annotations
 import bpy
 
 from ..model.profile import radius_factors
-from . import point_attributes
+from . import points
 from .errors import DataError
 from .look import Look, add_modifier
 from .look_modifier import modifier_of
@@ -43,6 +43,6 @@ def add_look(result: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> None:
     add_modifier(result, Look(share, follows=settings.radius_follows and varies), spacing)
     curve.bevel_depth = 0.0
     curve.twist_mode = "Z_UP"
-    radii = point_attributes.medial_radii_of(result, len(polylines.positions), matrix)
+    radii = points.medial_radii_of(result, len(polylines.positions), matrix)
     factors = None if radii is None else radius_factors(radii, settings.spacing / 2.0)
     set_tilt_and_radius(curve, polylines, matrix, factors)

@@ -12,7 +12,7 @@ from mathutils.bvhtree import BVHTree
 from .. import core
 from ..model.geometry.surface_normals import normals_at
 from ..model.toolpaths import toolpath
-from . import point_attributes
+from . import points as point_attributes
 from .curve_reader import strands_of_curve
 from .evaluated import matrix_of
 from .meshes import triangles_of

@@ -13,12 +13,12 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..run import (
-    estimates,
+    estimate,
     following,
-    gap_marks,
+    gaps,
     live,
     notes,
-    seed_preview,
+    seeds,
     session,
     suspended,
 )
@@ -31,26 +31,27 @@ from ..scene import (
     made_objects,
     solid_view,
 )
-from . import live_operator, seed_drawing
+from . import live as live_operator
+from . import seed_drawing
 
 # What is called at which event, in this order: first what other functions of the row look at.
 _READ_BACK = (identity.on_undo, changes.on_undo_end, after_undo.end)
-_UNDONE = (live.drop, seed_preview.hide, following.forget, live_operator.forget)
+_UNDONE = (live.drop, seeds.hide, following.forget, live_operator.forget)
 _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
     "load_pre": (
         session.end_current,
         suspended.drop,
         live.drop,
         notes.forget,
-        seed_preview.hide,
+        seeds.hide,
         following.forget,
-        gap_marks.hide,
+        gaps.hide,
         seed_drawing.before_load,
     ),
     "load_post": (
         changes.on_load,
         solid_view.forget,
-        estimates.forget,
+        estimate.forget,
         following.on_load,
         live_operator.forget,
     ),
@@ -74,7 +75,7 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
 _EVALUATED = frozenset({"depsgraph_update_post", "frame_change_post"})
 
 # Timers that are begun where something is to be waited for; none outlasts the add-on.
-_TIMERS = (live_operator.tick, estimates.measure_ordered, seed_drawing.watch)
+_TIMERS = (live_operator.tick, estimate.measure_ordered, seed_drawing.watch)
 
 # What ends with the add-on, the running curve first.
 _ENDED = (
@@ -82,12 +83,12 @@ _ENDED = (
     suspended.drop,
     live.drop,
     seed_drawing.give_back,
-    seed_preview.hide,
-    gap_marks.hide,
+    seeds.hide,
+    gaps.hide,
     live_operator.forget,
     notes.forget,
     following.forget,
-    estimates.forget,
+    estimate.forget,
     solid_view.forget,
     changes.on_load,
 )

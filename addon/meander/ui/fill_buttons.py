@@ -9,7 +9,7 @@ from ..run import suspended
 from ..scene.fillable import is_result
 from ..scene.results import last_result
 from ..scene.settings import surface_of
-from .run_operators import MEANDER_OT_resume, MEANDER_OT_run
+from .fill import MEANDER_OT_resume, MEANDER_OT_run
 
 
 def draw_fill_buttons(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:

@@ -9,7 +9,9 @@ from bpy.props import FloatProperty
 from ..model import last_run
 from ..model.estimate import described
 from ..model.options.table import in_panel
-from ..run import estimates, gap_marks, session
+from ..run import estimate as estimates
+from ..run import gaps as gap_marks
+from ..run import session
 from ..run.queue import objects_of
 from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
@@ -19,15 +21,15 @@ from ..scene.made_objects import made_from
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, rows, switch
+from .fill import MEANDER_OT_stop
 from .fill_buttons import draw_fill_buttons
-from .gaps_operator import MEANDER_OT_show_gaps, wide_gaps
+from .gaps import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
 from .made_operators import draw_hidden, draw_made
 from .on_result import LINKED, is_linked
 from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
-from .preparation_panels import draw_faults
+from .preparation import draw_faults
 from .presets import MEANDER_PT_presets, active_name
-from .run_operators import MEANDER_OT_stop
 from .seed_drawing import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, GUIDANCE, ORDER, OUTPUT, Sidebar, SubPanel, columns, notice

@@ -16,7 +16,7 @@ from ..model.files.whole import FileError
 from ..run import notes
 from ..scene.errors import DataError
 from ..scene.identity import Key
-from .run_operators import sentence_of
+from .fill import sentence_of
 
 Execute = Callable[[bpy.types.Operator, bpy.types.Context], set[str]]
 

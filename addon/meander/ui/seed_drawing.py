@@ -16,7 +16,7 @@ from typing import Any
 import bpy
 
 from .. import core
-from ..run import seed_preview, session
+from ..run import seeds, session
 from ..run.window import redraw
 from ..scene import linked_settings
 from ..scene.blender_versions import settings_of
@@ -24,10 +24,10 @@ from ..scene.changes import shape_count
 from ..scene.errors import DataError
 from ..scene.fillable import why_not
 from ..scene.identity import Key
-from ..scene.seed_curves import new_seed
+from ..scene.seeds import new_seed
 from ..scene.settings import surface_of
+from .fill import sentence_of
 from .refusing import refusing
-from .run_operators import sentence_of
 from .sidebar import Sidebar, notice
 
 _DRAW_TOOL = "builtin.draw"
@@ -165,10 +165,10 @@ def _show_strokes(drawing: _Drawing, curve: bpy.types.Object) -> None:
     drawing.problem = ""
     begin = time.perf_counter()
     if surface is None or not any(_points(spline) > 1 for spline in curve.data.splines):
-        seed_preview.hide()
+        seeds.hide()
     else:
         try:
-            seed_preview.show(surface, bpy.context)
+            seeds.show(surface, bpy.context)
         except (DataError, core.MeanderError) as error:
             drawing.problem = sentence_of(error)
     drawing.shows = time.perf_counter() - begin < _QUICK
@@ -284,10 +284,10 @@ class MEANDER_OT_preview_seed(bpy.types.Operator):
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
         active = context.active_object
-        if seed_preview.is_shown(active):
-            seed_preview.hide()
+        if seeds.is_shown(active):
+            seeds.hide()
             return {"FINISHED"}
-        found = seed_preview.show(active, context)
+        found = seeds.show(active, context)
         if found.warning:
             self.report({"WARNING"}, found.warning)
         counts = "one strand" if found.strands == 1 else f"{found.strands} strands"

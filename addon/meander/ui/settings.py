@@ -22,8 +22,8 @@ from ..scene.curve_reader import has_strands
 from ..scene.fillable import has_faces, is_result
 from ..scene.linked_settings import owner_of
 from ..scene.shared_settings import watched
-from .alignment_settings import AlignmentSettings
-from .density_settings import DensitySettings
+from .alignment import AlignmentSettings
+from .density import DensitySettings
 from .motion_settings import FollowSettings
 from .preparation_settings import MeanderProblem, PreparationSettings
 from .result_settings import PointSettings, ProfileSettings

@@ -9,7 +9,8 @@ import bpy
 import numpy as np
 
 from .. import core
-from . import assets, point_attributes
+from . import assets
+from . import points as point_attributes
 from .blender_versions import fcurves, shape_key_points
 from .curve_writer import write_splines
 from .linked_settings import settings_of

@@ -8,8 +8,9 @@ from typing import Any
 import bpy
 from bpy.props import IntProperty
 
-from ..run import baking, following, session
-from ..scene import baked_frames
+from ..run import bake as baking
+from ..run import following, session
+from ..scene import bake as baked_frames
 from ..scene.fillable import is_result
 from .declared import switch
 from .on_result import OnOwnResult

@@ -8,11 +8,11 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ..model.maze import Doors, Maze, NoMaze
-from ..run.cutting import CutResult
+from ..run.cut import CutResult
 from ..scene.errors import DataError
-from ..scene.maze_object import write_walls, write_way
+from ..scene.maze import write_walls, write_way
 from ..scene.transforms import mean_scale
-from .cut_panel import Cut, hide_originals
+from .cut import Cut, hide_originals
 
 # Of the way's tube, in spacings.
 _WAY = 0.08

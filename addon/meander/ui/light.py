@@ -10,11 +10,11 @@ from ..model.options.input import light_of
 from ..model.options.option import chosen
 from ..model.options.table import in_panel
 from ..scene.errors import DataError
-from ..scene.light_curve import least_spacing, make_light
+from ..scene.light import least_spacing, make_light
 from ..scene.surface_points import polylines_of
+from .fill import sentence_of
 from .on_result import OnOwnResult
 from .refusing import refusing
-from .run_operators import sentence_of
 
 
 class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):

@@ -6,7 +6,8 @@ from __future__ import annotations
 import bpy
 
 from ..model.last_run import GAP_THAT_MATTERS
-from ..run import gap_marks, session
+from ..run import gaps as gap_marks
+from ..run import session
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .settings import MeanderFigures

@@ -24,9 +24,9 @@ from ..scene.meshes import triangles_of
 from ..scene.surface_points import strands_of_result
 from ..scene.visible import visible_strands
 from .declared import declared
+from .fill import sentence_of
 from .on_result import OnResult
 from .refusing import refusing
-from .run_operators import sentence_of
 
 _TABLES = {"CSV": ".csv", "JSON": ".json"}
 _SUFFIXES = _TABLES | {kind.name: kind.suffixes[0] for kind in export.FORMATS}

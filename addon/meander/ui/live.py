@@ -14,7 +14,7 @@ from dataclasses import replace
 import bpy
 
 from .. import core
-from ..run import estimates, live, session
+from ..run import estimate, live, session
 from ..run.lasting import lasting
 from ..run.meaning import meaning_of
 from ..run.plan import Plan, plan_of
@@ -23,7 +23,7 @@ from ..scene.identity import number_of
 from ..scene.linked_settings import settings_of
 from ..scene.results import last_result
 from ..scene.settings import surface_of
-from .run_operators import MEANDER_OT_run, Watched, fits, poll_run
+from .fill import MEANDER_OT_run, Watched, fits, poll_run
 
 # Of the timer, in seconds, while a curve grows and while none does.
 _GROWING, WAITING = 0.07, 0.15
@@ -64,7 +64,7 @@ class MEANDER_OT_live(Watched, bpy.types.Operator):
         plan = replace(plan, from_surface=True)  # which leaves alone what is active
         plan = wish.applied(plan) if wish is not None else plan
         points = result.meander.figures.whole_points
-        if not fits(plan) and estimates.of_plan(plan).points > 2 * points:
+        if not fits(plan) and estimate.of_plan(plan).points > 2 * points:
             raise DataError(session.VERY_LARGE)
         return plan
 

@@ -8,15 +8,15 @@ from pathlib import Path
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from ..model import line_maps
+from ..model import maps
 from ..model.files.whole import naming, whole_files
-from ..run.cutting import cut_result
+from ..run.cut import cut_result
 from ..scene import look_material
 from ..scene.errors import DataError
 from ..scene.layouts import map_of
+from .fill import sentence_of
 from .on_result import OnResult
 from .refusing import refusing
-from .run_operators import sentence_of
 
 _TIPS = {
     "mask": "White line on black",
@@ -27,9 +27,9 @@ _TIPS = {
     "along": "Black where the line begins, white where it ends",
     "color": "The colors of the look along the line",
 }
-_KINDS = tuple((kind.upper(), kind.capitalize(), _TIPS[kind]) for kind in line_maps.KINDS)
+_KINDS = tuple((kind.upper(), kind.capitalize(), _TIPS[kind]) for kind in maps.KINDS)
 _ALL = {name for name, _label, _tip in _KINDS}
-_SUFFIXES = {suffix[1:].upper(): suffix for suffix in line_maps.SUFFIXES}
+_SUFFIXES = {suffix[1:].upper(): suffix for suffix in maps.SUFFIXES}
 
 
 class MEANDER_OT_maps(OnResult, bpy.types.Operator):
@@ -60,8 +60,8 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         name="Size",
         description="Of a side, in pixels",
         default=2048,
-        min=line_maps.SIZES[0],
-        max=line_maps.SIZES[1],
+        min=maps.SIZES[0],
+        max=maps.SIZES[1],
         subtype="PIXEL",
     )
     margin: IntProperty(
@@ -109,12 +109,12 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
 
     def _take_format_of_name(self) -> None:
         suffix = Path(self.filepath).suffix.lower()
-        if suffix in line_maps.SUFFIXES:
+        if suffix in maps.SUFFIXES:
             self.file_format = suffix[1:].upper()
 
     def _with_suffix(self) -> Path:
         path, wanted = Path(self.filepath), _SUFFIXES[self.file_format]
-        known = path.suffix.lower() in line_maps.SUFFIXES
+        known = path.suffix.lower() in maps.SUFFIXES
         return path.with_suffix(wanted) if known else path.with_name(path.name + wanted)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -127,7 +127,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        kinds = [kind for kind in line_maps.KINDS if kind.upper() in self.kinds]
+        kinds = [kind for kind in maps.KINDS if kind.upper() in self.kinds]
         if not kinds:
             raise DataError("No image is chosen; choose at least one under Images")
         if not self.filepath:
@@ -139,20 +139,20 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         surface = result.meander.surface
         corners = map_of(surface, depsgraph, self.uv_map)
         # Details of a cut are in half spacings.
-        cut = cut_result(result, context.scene, depsgraph, 2.0 * line_maps.DETAIL, True)
+        cut = cut_result(result, context.scene, depsgraph, 2.0 * maps.DETAIL, True)
         ramp = look_material.ramp_colours(result)
-        style = line_maps.Style(self.size, self.margin, self.line_width, self.depth, ramp)
-        mapped = line_maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
+        style = maps.Style(self.size, self.margin, self.line_width, self.depth, ramp)
+        mapped = maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
         path = Path(bpy.path.abspath(str(self._with_suffix())))
         try:
-            images, overlap = line_maps.images(mapped, path, kinds, style)
-        except line_maps.NoPlace as problem:
+            images, overlap = maps.images(mapped, path, kinds, style)
+        except maps.NoPlace as problem:
             raise DataError(f"The UV map of '{surface.name}' {problem}") from problem
         with whole_files(list(images)) as temporary:
             for image, (place, data) in zip(temporary, images.items(), strict=True):
                 with naming(place):
                     image.write_bytes(data)
-        warning = line_maps.overlap_warning(overlap)
+        warning = maps.overlap_warning(overlap)
         if warning:
             self.report({"WARNING"}, sentence_of(warning))
         files = "1 image" if len(images) == 1 else f"{len(images)} images"

@@ -11,7 +11,7 @@ import numpy as np
 from .. import core
 from ..model.geometry.simplification import Light, light_points
 from ..model.toolpaths import bridges
-from . import point_attributes
+from . import points as point_attributes
 from .errors import DataError
 from .transforms import to_world, world_matrix
 

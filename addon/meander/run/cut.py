@@ -11,7 +11,7 @@ import numpy as np
 from .. import core
 from ..model import cut as cuts
 from ..model.problem import open_flow
-from ..scene.cut_object import Skin, keep_shading, skin_of, write_cut
+from ..scene.cut import Skin, keep_shading, skin_of, write_cut
 from ..scene.errors import DataError
 from .plan import Plan, plan_of
 

@@ -16,14 +16,14 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model.camera_page import CameraPage
+from ..model.camera import CameraPage
 from ..model.files.whole import naming, whole_files
 from ..model.problem import Problem
 from ..model.report import write_report
 from ..model.toolpaths.drawing import Drawing
 from ..model.toolpaths.svg import page_text
 from ..model.toolpaths.toolpath import Strand, resampled, strand_of, strands_of
-from ..scene.camera_view import Sight, seen_by
+from ..scene.camera import Sight, seen_by
 from ..scene.errors import DataError
 from ..scene.visible import seen_parts
 from .drawing_estimate import DrawingEstimate

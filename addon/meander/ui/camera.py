@@ -10,22 +10,22 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
-from ..model.camera_page import PAPERS, CameraPage, Page
+from ..model.camera import PAPERS, CameraPage, Page
 from ..model.estimate import Estimate, described
 from ..model.files.whole import FileError
 from ..run import session
-from ..run.camera_drawing import CameraDrawing
+from ..run.camera import CameraDrawing
 from ..run.drawing_estimate import DrawingEstimate
 from ..run.stepper import Stepper
 from ..run.window import Window
 from ..scene.blender_versions import ask
-from ..scene.camera_view import camera_page
+from ..scene.camera import camera_page
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.settings import surface_of
+from .fill import draw_question, over_view, sentence_of
 from .preferences import is_large
 from .refusing import refuse, refusing
-from .run_operators import draw_question, over_view, sentence_of
 
 KEYS = "Esc: Cancel"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..scene import look, point_attributes
+from ..scene import look, points
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
 from ..scene.fillable import is_result
@@ -13,14 +13,14 @@ from ..scene.linked_settings import settings_of
 from ..scene.made_objects import name_curve
 from ..scene.surface_points import strands_of_result
 from ..scene.transforms import mean_scale
-from .camera_operator import MEANDER_OT_draw_camera
+from .camera import MEANDER_OT_draw_camera
 from .declared import rows
-from .export_operator import MEANDER_OT_export_toolpath
-from .light_operator import MEANDER_OT_make_light
-from .maps_operator import MEANDER_OT_maps
+from .export import MEANDER_OT_export_toolpath
+from .fill import sentence_of
+from .light import MEANDER_OT_make_light
+from .maps import MEANDER_OT_maps
 from .on_result import OnResult
 from .refusing import refusing
-from .run_operators import sentence_of
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
 
@@ -33,11 +33,11 @@ class _PointsToObject(OnResult):
         result = context.active_object
         surface = result.meander.surface
         depsgraph = context.evaluated_depsgraph_get()
-        point_attributes.refuse(self.kind)
+        points.refuse(self.kind)
         strands = strands_of_result(result, depsgraph)
         matrix = matrix_of(surface, depsgraph)
         thickness = look.radius_of(result) * mean_scale(matrix)
-        thing = point_attributes.make(
+        thing = points.make(
             self.kind, f"{result.name} Points", strands, surface, matrix, thickness
         )
         name_curve([thing], result)
@@ -74,7 +74,7 @@ class MEANDER_OT_points_to_curves(_PointsToObject, bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         try:
-            point_attributes.refuse(cls.kind)
+            points.refuse(cls.kind)
         except DataError as refusal:
             cls.poll_message_set(sentence_of(refusal))
             return False

@@ -11,7 +11,7 @@ from bpy.props import BoolProperty
 from ..run import session
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_to_change
-from ..scene.seed_curves import new_seed, strands_of_boundary, strands_of_edges
+from ..scene.seeds import new_seed, strands_of_boundary, strands_of_edges
 from .refusing import refusing
 
 

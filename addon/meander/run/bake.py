@@ -9,8 +9,8 @@ from contextlib import contextmanager
 import bpy
 
 from ..model.stages import stages_of
-from ..scene import baked_frames
-from ..scene.baked_frames import Frames
+from ..scene import bake
+from ..scene.bake import Frames
 from ..scene.evaluated import matrix_of
 from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
@@ -28,7 +28,7 @@ def _all_or_nothing(
     try:
         yield manager.progress_update
     except BaseException:
-        baked_frames.clear(result)
+        bake.clear(result)
         raise
     finally:
         manager.progress_end()

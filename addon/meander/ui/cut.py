@@ -9,9 +9,9 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ..model.cut import light_colours, one_side
 from ..run import session
-from ..run.cutting import CutResult, cut_result, paint, paint_sides
+from ..run.cut import CutResult, cut_result, paint, paint_sides
 from ..scene import assets
-from ..scene.cut_object import UV_MAP, sharpen_line, take_place
+from ..scene.cut import UV_MAP, sharpen_line, take_place
 from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from ..scene.identity import Key
@@ -20,7 +20,7 @@ from ..scene.made_objects import name_curve
 from ..scene.solid_view import colour_corners, show_colours
 from ..scene.transforms import mean_scale
 from .on_result import NO_RESULT, OnResult
-from .points_panel import draw_light_and_points
+from .points import draw_light_and_points
 from .refusing import refusing
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 

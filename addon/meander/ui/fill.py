@@ -17,7 +17,8 @@ from bpy.props import BoolProperty, StringProperty
 from .. import core
 from ..model import last_run, strands
 from ..model.estimate import described
-from ..run import estimates, notes, session, suspended
+from ..run import estimate as estimates
+from ..run import notes, session, suspended
 from ..run.edit_mode import push_undo
 from ..run.plan import Plan, plan_run
 from ..run.queue import Queue

@@ -11,7 +11,7 @@ import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
-from ..model.camera_page import CameraPage, Page
+from ..model.camera import CameraPage, Page
 from ..model.geometry.clipped_mesh import Triangles
 from .errors import DataError
 from .fillable import is_result

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import bpy
 
-from ..run import seed_preview
+from ..run import seeds
 from ..scene.linked_settings import settings_of
 from .declared import switch
 from .seed_drawing import MEANDER_OT_draw_seed, MEANDER_OT_preview_seed
-from .seed_operators import (
+from .seeds import (
     MEANDER_OT_seed_from_boundary,
     MEANDER_OT_seed_from_edges,
     MEANDER_OT_stroke_from_vertices,
@@ -34,7 +34,7 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         layout.operator(
             MEANDER_OT_preview_seed.bl_idname,
             icon="HIDE_OFF",
-            depress=seed_preview.is_shown(active),
+            depress=seeds.is_shown(active),
         )
         if active.type == "MESH":
             _draw_makers(layout.column(align=True), active)
