@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .core import CutSurface, Flow, Seed, library_version
-from .model import cut_files, export
+from .model import cut as cut_files
+from .model import export
 from .model.files import meshes
 from .model.files.obj import read_obj_curve, write_obj_curve
 from .model.files.whole import FileError, whole_file

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import bpy
 from meander import core
-from meander.model.remaining import Remaining
+from meander.model.estimate import Remaining
 from meander.run import estimate
 from meander.ui.panels import MEANDER_PT_main
 from panel_layout import drawn, panels

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from meander.model.remaining import in_words
+from meander.model.estimate import in_words
 from meander.run import estimate as estimates
 from meander.run import live
 from meander.scene import flow_options, preferences

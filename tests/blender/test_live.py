@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import bpy
 import numpy as np
 import pytest
-from meander.model.remaining import in_words
+from meander.model.estimate import in_words
 from meander.run import estimate, live, session, suspended
 from meander.run.lasting import lasting
 from meander.run.plan import Plan

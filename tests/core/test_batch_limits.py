@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from meander import batch
 from meander.cli import limits
-from meander.model.available_memory import available_memory
+from meander.model.estimate import available_memory
 from sentences import assert_sentence
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"

@@ -10,7 +10,7 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch, core
-from meander.model.bend_radius import sharpest_bend
+from meander.model.least_bend import sharpest_bend
 
 
 def polylines(*ways: np.ndarray, closed: bool) -> core.Polylines:

@@ -10,7 +10,7 @@ import pytest
 from geometry import icosphere
 from meander import core
 from meander.model import last_run
-from meander.model.remaining import Remaining, in_words, told
+from meander.model.estimate import Remaining, in_words, told
 
 
 def test_a_roughness_that_changes_nothing_is_not_told():

@@ -14,7 +14,7 @@ import pytest
 from meander import batch, core
 from meander.model.geometry.closest_faces import closest_places
 from meander.model.geometry.half_mesh import above, section
-from meander.model.mirror_plane import Mirror, mirror_of
+from meander.model.mirror_images import Mirror, mirror_of
 from meander.model.mirror_whole import whole_of
 from meander.model.problem import Problem, open_flow
 from sentences import assert_sentence

@@ -7,7 +7,6 @@ import geometry
 import numpy as np
 import pytest
 from meander import core
-from meander.model import faults as words
 from meander.model import preparation
 from meander.model.preparation import Repair, Share, seam_width
 
@@ -91,15 +90,15 @@ def test_strict_refuses_and_all_faults_are_named_in_words() -> None:
     with pytest.raises(core.MeanderError):
         grow(vertices, faces, Repair(strict=True))
     found = core.find_faults(vertices, faces, seam_width(vertices, RADIUS))
-    text = words.described(found)
+    text = preparation.faults_in_words(found)
     assert text.startswith("6 faces without area, ")
     assert "places where more than two faces share an edge" in text and " and " in text
     assert not any(word in text for word in ("vertex 1", "index", "manifold"))
-    assert "turn off Strict" in words.refusal("Ball", found, strict=True)
+    assert "turn off Strict" in preparation.refusal("Ball", found, strict=True)
     # Faults that Strict refuses are those without which it does not.
     clean = geometry.icosphere(2)
     none = core.find_faults(clean[0], clean[1], seam_width(np.asarray(clean[0]), RADIUS))
-    assert not len(none.kinds) and words.described(none) == ""
+    assert not len(none.kinds) and preparation.faults_in_words(none) == ""
 
 
 def test_there_may_be_more_faults_than_room_is_offered_at_first() -> None:

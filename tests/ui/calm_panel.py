@@ -17,7 +17,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.model.remaining import PHASE_TEXTS  # noqa: E402
+from meander.model.estimate import PHASE_TEXTS  # noqa: E402
 from meander.run import gaps, session  # noqa: E402
 from stage import (  # noqa: E402
     FINEST_THAT_ENDS,

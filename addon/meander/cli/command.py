@@ -13,9 +13,9 @@ from typing import Any
 
 from .. import core
 from ..model import bundle, last_run, report, strands
-from ..model.bend_radius import sharpest_bend
 from ..model.files import meshes
 from ..model.files.whole import FileError
+from ..model.least_bend import sharpest_bend
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.toolpaths import bridges

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import cut_files
+from ..model import cut as cut_files
 from .input import Input
 from .place import Place
 from .values import positive

@@ -7,8 +7,7 @@ import argparse
 
 from .. import core
 from ..model import strands
-from ..model.bend_radius import Bend, sharpest_bend
-from ..model.least_bend import Stiffening
+from ..model.least_bend import Bend, Stiffening, sharpest_bend
 from ..model.problem import Opened
 from .place import Place
 from .values import BadInput

@@ -6,8 +6,7 @@ from __future__ import annotations
 import argparse
 
 from .. import core
-from ..model.available_memory import available_memory
-from ..model.estimate import BYTES_PER_POINT, cost_in_words, size_in_words
+from ..model.estimate import BYTES_PER_POINT, available_memory, cost_in_words, size_in_words
 from . import values
 from .values import BadInput
 

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from .. import core
-from ..model.mirror_plane import mirror_of
+from ..model.mirror_images import mirror_of
 from ..model.mirror_whole import whole_of
 from ..model.problem import Opened, Problem
 

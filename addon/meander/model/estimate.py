@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run is going to cost: points, time and memory, before it begins; no bpy.
+"""What a run costs: points, time and memory before it begins, and what is left of them; no bpy.
 
 What the curve comes to is the library's own estimate: core.estimate_cost. Here stand what holds the
-curve afterwards, how fast this machine is, and the words.
+curve afterwards, how fast this machine is, how much memory it still gives, and the words.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass, replace
+from pathlib import Path, PurePosixPath
 
 import numpy as np
 from numpy.typing import NDArray
@@ -220,3 +221,128 @@ def _size(size: float) -> str:
     if size >= 1e12:
         return f"{size / 1e12:,g} TB"
     return f"{_rounded(size / 1e6)} MB" if size < 1e9 else f"{size / 1e9:,g} GB"
+
+
+# What a run is about, as a user reads it, by core.Context.phase.
+PHASE_TEXTS = {
+    "none": "Preparing",
+    "growth": "Growing",
+    "hairpin_removal": "Removing hairpins",
+    "polish": "Evening out",
+}
+# Seconds and share of the work before which a guess would jump about.
+_LEAST_SECONDS = 0.5
+_LEAST_SHARE = 0.05
+
+
+class Remaining:
+    """The seconds that a run will still take.
+
+    note() whenever there is news. A run that goes on after a pause, or whose work has become more
+    meanwhile, is measured from there on.
+    """
+
+    def __init__(self, expected: float | None = None) -> None:
+        """expected   what the whole run was thought to take, which counts until more is known"""
+        self._expected = expected
+        self._begin: tuple[float, float] | None = None
+        self._latest = (0.0, 0.0)
+
+    def note(self, now: float, progress: float) -> None:
+        """now   seconds of any clock that does not go back
+        progress   the share of the work that is done, in [0, 1]
+        """
+        if self._begin is None or progress < self._latest[1]:
+            self._begin = (now, progress)
+        self._latest = (now, progress)
+
+    def seconds(self) -> float | None:
+        """None while too little is known."""
+        if self._begin is None:
+            return self._expected
+        spent = self._latest[0] - self._begin[0]
+        done = self._latest[1] - self._begin[1]
+        if spent < _LEAST_SECONDS or done < _LEAST_SHARE:
+            return None if self._expected is None else max(0.0, self._expected - spent)
+        return spent / done * (1.0 - self._latest[1])
+
+
+def told(phase: str, seconds: float | None) -> str:
+    """Such as "Growing, 12 s left"; without the seconds where they are not known.
+
+    Rounded up to two digits, so that the last second is not "0 s".
+    """
+    text = PHASE_TEXTS[phase]
+    return text if seconds is None else f"{text}, {in_words(seconds)} left"
+
+
+def in_words(seconds: float) -> str:
+    """Such as "12 s" and "3 min", never less than "1 s"."""
+    for limit, unit, name in ((90.0, 1.0, "s"), (5400.0, 60.0, "min")):
+        if seconds < limit:
+            return f"{max(1, round(seconds / unit))} {name}"
+    return f"{max(1, round(seconds / 3600.0)):,} h"
+
+
+_PROC = Path("/proc")
+_GROUPS = Path("/sys/fs/cgroup")
+
+
+def available_memory(proc: Path = _PROC, groups: Path = _GROUPS) -> int | None:
+    """Bytes: what is free on the machine, or less in a container or a job with a limit of its own.
+
+    On Linux what the kernel calls available, and the limits of the control groups (version 2) that
+    the process is in; elsewhere all memory of the machine; None: it cannot be known.
+
+    proc, groups   where the kernel tells of processes and of control groups
+    """
+    found = [_of_machine(proc), *_of_groups(proc, groups)]
+    known = [size for size in found if size is not None]
+    return min(known) if known else None
+
+
+def _of_machine(proc: Path) -> int | None:
+    for line in _lines(proc / "meminfo"):
+        if line.startswith("MemAvailable:"):
+            return 1024 * int(line.split()[1])
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, ValueError, OSError):  # Windows
+        return None
+
+
+def _of_groups(proc: Path, groups: Path) -> list[int]:
+    """What is left in the process's group, and in each that holds it."""
+    left = []
+    for line in _lines(proc / "self" / "cgroup"):
+        number, _controllers, name = line.split(":", 2)
+        if number != "0":  # of version 1
+            continue
+        inside = PurePosixPath(name.strip().lstrip("/"))
+        for part in (inside, *inside.parents):
+            folder = groups / part
+            limit, used = _number(folder / "memory.max"), _number(folder / "memory.current")
+            if limit is not None and used is not None:
+                # Files that are kept in memory make room.
+                left.append(max(0, limit - used + _kept_files(folder)))
+    return left
+
+
+def _kept_files(folder: Path) -> int:
+    for line in _lines(folder / "memory.stat"):
+        if line.startswith("inactive_file "):
+            return int(line.split()[1])
+    return 0
+
+
+def _number(path: Path) -> int | None:
+    """The number in a file; None: there is none, or no limit."""
+    text = "".join(_lines(path)).strip()
+    return int(text) if text.isdigit() else None
+
+
+def _lines(path: Path) -> list[str]:
+    try:
+        return path.read_text(encoding="ascii", errors="replace").splitlines()
+    except OSError:
+        return []

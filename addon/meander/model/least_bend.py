@@ -1,18 +1,88 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A radius of bending that no turn of a curve is to fall short of: more stiffness, until it holds.
+"""How sharply a curve bends, and a radius that no turn of it is to fall short of; no bpy.
 
 Turns get wider with the stiffness, but not by a rule: the sharpest of hundreds is what counts, and
 where the surface itself bends, or the spacing is too small, no stiffness helps. So the curve that
-has grown gets stiffer in steps, and is measured after each. No bpy.
+has grown gets stiffer in steps, until the radius holds, and is measured after each.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from .. import core
-from .bend_radius import Bend
+from ..core import Polylines
+
+# Bends are measured over an arc of half a radius: what is shorter is smoothed by any thread.
+_ARC = 0.5
+# Places that are looked at, for each such arc.
+_PER_ARC = 4
+
+
+class Bend(NamedTuple):
+    """The sharpest bend of a curve.
+
+    radius   of the circle through three points of it, in its units; infinite where it is straight
+    place    (3,), the point in the middle
+    strand   the strand that has it
+    """
+
+    radius: float
+    place: NDArray[np.float64]
+    strand: int
+
+
+def sharpest_bend(polylines: Polylines, radius: float) -> Bend | None:
+    """The least radius of bending in space, over arcs of half of `radius`, which is half the
+    spacing; None for a curve that has no such arc.
+    """
+    best: Bend | None = None
+    half = _ARC * radius / 2.0
+    offsets = np.asarray(polylines.offsets, dtype=np.int64).tolist()
+    for number, (begin, end, closed) in enumerate(
+        zip(offsets[:-1], offsets[1:], polylines.closed, strict=True)
+    ):
+        points = np.asarray(polylines.positions[begin:end], dtype=np.float64)
+        if closed:
+            points = np.vstack([points, points[:1]])
+        steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+        arcs = np.concatenate([[0.0], np.cumsum(steps)])
+        length = float(arcs[-1])
+        if not length > 2.0 * half:
+            continue
+        count = int(np.ceil(_PER_ARC * length / (2.0 * half)))
+        if closed:
+            middles = np.linspace(0.0, length, count, endpoint=False)
+        else:
+            middles = np.linspace(half, length - half, count)
+
+        def at(places: np.ndarray, points=points, arcs=arcs, length=length, closed=closed):
+            places = places % length if closed else np.clip(places, 0.0, length)
+            return np.column_stack([np.interp(places, arcs, points[:, axis]) for axis in range(3)])
+
+        radii = _radii(at(middles - half), at(middles), at(middles + half))
+        sharpest = int(np.argmin(radii))
+        if best is None or radii[sharpest] < best.radius:
+            best = Bend(float(radii[sharpest]), at(middles[sharpest : sharpest + 1])[0], number)
+    return best
+
+
+def _radii(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
+    """Of the circles through three points each."""
+    u, v = b - a, c - a
+    area = np.linalg.norm(np.cross(u, v), axis=1)
+    sides = np.prod([np.linalg.norm(side, axis=1) for side in (u, v, c - b)], axis=0)
+    # Three points of which two are one: the curve turns back on itself.
+    flat = area <= 1e-12 * np.maximum(sides, np.finfo(float).tiny) ** (2.0 / 3.0)
+    back = (u * (c - b)).sum(axis=1) < 0.0
+    radii = np.divide(sides, 2.0 * area, out=np.full(len(a), np.inf), where=~flat)
+    return np.where(flat & back, 0.0, radii)
+
 
 # Up to where a curve still turns at the spacing; beyond twice as much the library warns.
 STIFFNESSES = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
@@ -33,7 +103,7 @@ class Stiffening:
     def following(self, bend: Bend | None, options: core.FlowOptions) -> core.FlowOptions | None:
         """The options with which a curve is to go on; None: it holds, or nothing helps.
 
-        bend      its sharpest one, of bend_radius.sharpest_bend()
+        bend      its sharpest one, of sharpest_bend()
         options   with which it grew
         """
         self.held = bend is None or bend.radius >= self.least

@@ -12,7 +12,7 @@ import numpy as np
 from .. import core
 from .field import FieldOn, evaluated
 from .mirror import Half, halved
-from .mirror_plane import Mirror
+from .mirror_images import Mirror
 from .preparation import outlined
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from .. import core
-from ..model.faults import refusal
+from ..model.preparation import refusal
 from ..scene.errors import DataError
 from ..scene.mesh_faults import remember_problem
 from .plan import Plan

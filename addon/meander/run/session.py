@@ -19,8 +19,7 @@ import bpy
 
 from .. import core
 from ..model import strands
-from ..model.estimate import Estimate
-from ..model.remaining import Remaining, in_words, told
+from ..model.estimate import Estimate, Remaining, in_words, told
 from ..model.toolpaths import bridges
 from ..scene.errors import DataError
 from ..scene.identity import Key, number_of

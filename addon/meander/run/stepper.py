@@ -19,9 +19,8 @@ import numpy as np
 
 from .. import core
 from ..model import bundle
-from ..model.bend_radius import sharpest_bend
 from ..model.files.whole import FileError
-from ..model.least_bend import Stiffening
+from ..model.least_bend import Stiffening, sharpest_bend
 from ..model.mirror import Half
 from ..model.mirror_whole import whole_of
 from ..model.problem import Problem, open_flow

@@ -6,7 +6,7 @@ from __future__ import annotations
 import bpy
 
 from .. import core
-from ..model import faults
+from ..model.preparation import faults_in_words
 from ..run import notes, session
 from ..scene import mesh_faults
 from ..scene.linked_settings import settings_of
@@ -75,7 +75,7 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
         bpy.ops.mesh.select_mode(type=located.mode)
         if core.FAULTS.index("not_finite") not in located.faults.kinds:
             _view_selected(context)
-        self.report({"INFO"}, f"{surface.name}: {faults.described(located.faults)}")
+        self.report({"INFO"}, f"{surface.name}: {faults_in_words(located.faults)}")
         return {"FINISHED"}
 
 
