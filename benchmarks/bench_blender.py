@@ -60,9 +60,8 @@ sys.path.insert(0, os.environ.get("MEANDER_ADDON_PARENT", str(ROOT / "addon")))
 import meander  # noqa: E402
 from meander import core  # noqa: E402
 from meander.run import session  # noqa: E402
-from meander.run.growing_curve import GrowingCurve  # noqa: E402
 from meander.run.plan import plan_run  # noqa: E402
-from meander.run.preview import Preview  # noqa: E402
+from meander.run.preview import GrowingCurve, Preview  # noqa: E402
 from meander.run.stepper import Stepper  # noqa: E402
 from meander.scene import curve_writer, transforms  # noqa: E402
 

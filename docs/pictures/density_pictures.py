@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "addon"))
 
 import meander  # noqa: E402  (the path comes first)
-from meander.scene import ramp  # noqa: E402
+from meander.scene import density  # noqa: E402
 
 SIZE = (360, 270)
 
@@ -51,7 +51,7 @@ def shaped_sheet() -> bpy.types.Object:
     """The same with a ramp that is least a third of the way along, and low again at the end."""
     sheet = ramp_sheet()
     sheet.meander.density_interpolation = "FREE"
-    sheet.meander.density_ramp = ramp.ramp_of(
+    sheet.meander.density_ramp = density.ramp_of(
         ((0.0, 0.0), (0.35, 1.0), (0.7, 0.0), (1.0, 0.6))
     )
     return sheet

@@ -17,8 +17,7 @@ import numpy as np
 import studio
 from meander import core
 from meander.scene import curve_writer
-from meander.scene.look_material import ramp_node_of
-from meander.scene.look_modifier import modifier_of, set_value
+from meander.scene.look import modifier_of, ramp_node_of, set_value
 
 DARK = (0.012, 0.016, 0.028)
 PALE = (0.78, 0.76, 0.72)

@@ -18,7 +18,7 @@ sys.path[:0] = [str(ROOT / "addon"), str(ROOT / "docs" / "pictures")]
 
 import meander  # noqa: E402  (the path comes first)
 import studio  # noqa: E402
-from meander.scene import look_modifier  # noqa: E402
+from meander.scene import look  # noqa: E402
 
 SPACING = 0.17
 SIZE = (840, 240)
@@ -35,17 +35,17 @@ def ball(place: float, profile: str, radius: float, lift: float) -> None:
     assert bpy.ops.meander.run() == {"FINISHED"}
     result = bpy.context.active_object
     result.meander.shown_profile = profile
-    modifier = look_modifier.modifier_of(result)
-    look_modifier.set_value(modifier, "Radius", radius)
-    look_modifier.set_value(modifier, "Lift", lift)
+    modifier = look.modifier_of(result)
+    look.set_value(modifier, "Radius", radius)
+    look.set_value(modifier, "Lift", lift)
 
 
 def main() -> None:
     arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     folder = Path(arguments[0]) if arguments else ROOT / "docs" / "images"
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    for number, look in enumerate(LOOKS):
-        ball(2.6 * (number - 1.5), *look)
+    for number, given in enumerate(LOOKS):
+        ball(2.6 * (number - 1.5), *given)
     studio.add_lights(1.6)
     studio.add_floor(-1.1, (0.5, 0.52, 0.55))
     studio.add_camera((0.0, -19.0, 6.0), (0.0, 0.0, -0.1), 65.0)

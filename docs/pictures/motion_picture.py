@@ -16,7 +16,7 @@ from mathutils import Vector
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "addon"))
 
 from meander import core  # noqa: E402
-from meander.run import followers  # noqa: E402
+from meander.run import motion  # noqa: E402
 from meander.scene import curve_writer  # noqa: E402
 
 SPACING, HEIGHT, FRAMES, STEPS = 0.3, 4.0, 24, 3
@@ -79,7 +79,7 @@ def main(picture: str) -> None:
         flow = core.Flow(surface, options)
     flow.run()
     start = flow.polylines()
-    sticking = followers.StickingFollower(
+    sticking = motion.StickingFollower(
         start.positions, start.offsets, start.closed, None, vertices, faces
     )
     for frame in range(FRAMES + 1):

@@ -9,8 +9,8 @@ from pathlib import Path
 import bpy
 import pytest
 from meander.scene import assets
+from meander.scene.assets import structure_of
 from meander.scene.errors import DataError
-from meander.scene.node_structure import structure_of
 from scenes import counts
 
 ROOT = Path(__file__).resolve().parents[2]

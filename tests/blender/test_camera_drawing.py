@@ -21,8 +21,7 @@ from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 from meander.headless import draw
 from meander.model.camera import PAPERS, Page
-from meander.run.camera import CameraDrawing
-from meander.run.drawing_estimate import DrawingEstimate
+from meander.run.camera import CameraDrawing, DrawingEstimate
 from meander.scene.camera import camera_page
 from meander.ui import camera as camera_operator
 from panel_layout import Layout

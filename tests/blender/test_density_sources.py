@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from meander.model.density import Choice
 from meander.run.plan import plan_run
-from meander.scene import attributes, ramp
+from meander.scene import attributes
+from meander.scene import density as ramp
 from meander.scene import density as scene_density
 from scenes import activate, fill, grid, mesh_object, poly_curve, refused, sphere, world_splines
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from mathutils import Vector
 from meander import core
-from meander.run.growing_curve import GrowingCurve, _nearer, segments_of
+from meander.run.preview import GrowingCurve, _nearer, segments_of
 from scenes import sphere
 
 

@@ -10,7 +10,7 @@ import meander
 import pytest
 from meander.run import estimate, gaps, notes
 from meander.run.lasting import Lasting, lasting
-from meander.ui import events, seed_drawing
+from meander.ui import events, seeds
 from scenes import activate, circle_points, fill, grid, poly_curve, sphere
 from watched_runs import begin, tick_until
 
@@ -72,14 +72,14 @@ def marked() -> None:
 def drawing() -> None:
     activate(grid(8))
     assert bpy.ops.meander.draw_seed() == {"FINISHED"}
-    assert seed_drawing._drawing is not None
+    assert seeds._drawing is not None
 
 
 def following() -> None:
     result = fill(sphere(), 0.5, iteration_limit=20)
     result.meander.follow = True
     bpy.context.scene.frame_set(2)
-    assert result.name_full in meander.run.following._followers
+    assert result.name_full in meander.run.motion._followers
 
 
 def noted() -> None:
@@ -95,8 +95,8 @@ STATES = (growing, suspended, live, previewed, marked, drawing, following, noted
 def nothing_lasts() -> None:
     left = {name: value for name, value in vars(lasting).items() if value}
     assert left == {} and vars(lasting).keys() == vars(Lasting()).keys()
-    assert seed_drawing._drawing is None
-    assert not meander.run.following._followers and not notes._notes and not estimate._measured
+    assert seeds._drawing is None
+    assert not meander.run.motion._followers and not notes._notes and not estimate._measured
 
 
 @pytest.mark.parametrize("state", STATES)

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from mathutils.kdtree import KDTree
-from meander.scene import assets, curve_reader, look, look_material, look_modifier
+from meander.scene import assets, curve_reader, look
 from meander.scene.results import last_result
 from scenes import activate, circle_points, cube, fill, poly_curve, sphere, world_splines
 
@@ -33,19 +33,19 @@ def heights(thing: bpy.types.Object) -> np.ndarray:
 
 
 def choose(thing: bpy.types.Object, **values) -> bpy.types.Object:
-    modifier = look_modifier.modifier_of(thing)
+    modifier = look.modifier_of(thing)
     for name, value in values.items():
-        look_modifier.set_value(modifier, name.replace("_", " "), value)
+        look.set_value(modifier, name.replace("_", " "), value)
     return thing
 
 
 def values_of(thing: bpy.types.Object) -> dict[str, object]:
-    modifier = look_modifier.modifier_of(thing)
+    modifier = look.modifier_of(thing)
     names = (
         *("Radius", "Profile", "Resolution", "Lift", "Radius Follows Spacing", "Material"),
         *("Plies", "Twist", "Fuzz", "Ends", "Ends Material"),
     )
-    return {name: look_modifier.value_of(modifier, name) for name in names}
+    return {name: look.value_of(modifier, name) for name in names}
 
 
 # A line on facets of a sphere lies below it by so much at most, and so does its body.
@@ -57,7 +57,7 @@ def test_a_new_result_has_a_live_body_in_a_dark_colour():
     found = heights(result)
     assert found.max() == pytest.approx(1.0 + 0.1 * SPACING, abs=SAG)
     assert found.min() == pytest.approx(1.0 - 0.1 * SPACING, abs=SAG)
-    material = look_material.material_of(result)
+    material = look.material_of(result)
     assert result.data.materials[:] == [material] and assets.is_asset(material, look.LINE)
     assert [slot.name for slot in body_of(result).materials if slot] == [look.LINE]
     assert max(material.diffuse_color[:3]) < 0.2, "surfaces are .8 grey"
@@ -132,7 +132,7 @@ def test_thickness_follows_the_spacing():
 
     def thickness(above: bool) -> float:
         mesh = body_of(result)
-        sides = look_modifier.value_of(look_modifier.modifier_of(result), "Resolution")
+        sides = look.value_of(look.modifier_of(result), "Resolution")
         rings = np.array([vertex.co[:] for vertex in mesh.vertices]).reshape(-1, sides, 3)
         middles = rings.mean(axis=1)
         sizes = np.linalg.norm(rings - middles[:, None], axis=2).mean(axis=1)
@@ -310,8 +310,8 @@ def test_no_run_touches_the_look():
     mine = bpy.data.materials.new("Mine")
     choose(result, Radius=0.4, Profile=4, Resolution=5, Lift=0.5, Material=mine)
     choose(result, Plies=4, Twist=0.5, Fuzz=0.1, Ends=2)
-    modifier = look_modifier.modifier_of(result)
-    owner, path = look_modifier.place_of(modifier, "Radius")
+    modifier = look.modifier_of(result)
+    owner, path = look.place_of(modifier, "Radius")
     if path.startswith("["):
         subtype = owner.id_properties_ui(path.strip('[]"')).as_dict()["subtype"]
     else:
@@ -325,12 +325,12 @@ def test_no_run_touches_the_look():
         assert bpy.ops.meander.run(**options) == {"FINISHED"}
         assert values_of(result) == chosen and result.modifiers.keys() == modifiers
     # The group is the user's as well.
-    group = look_modifier.modifier_of(result).node_group
+    group = look.modifier_of(result).node_group
     group.nodes.remove(next(n for n in group.nodes if n.bl_idname == "GeometryNodeSetPosition"))
     activate(surface)
     assert bpy.ops.meander.run() == {"FINISHED"}
-    assert look_modifier.modifier_of(result).node_group == group
-    assert len(group.nodes) < len(assets.node_group(look_modifier.GROUP).nodes)
+    assert look.modifier_of(result).node_group == group
+    assert len(group.nodes) < len(assets.node_group(look.GROUP).nodes)
 
 
 def test_thickness_is_a_share_of_the_spacing_until_somebody_sets_that():
@@ -367,7 +367,7 @@ def test_strands_with_materials_of_their_own_have_a_bevel():
         seed.data.materials.append(bpy.data.materials.new(name))
     seed.data.splines[1].material_index = 1
     result = fill(surface, SPACING, seed=seed, iteration_limit=20)
-    assert look_modifier.modifier_of(result) is None and result.data.bevel_depth > 0.0
+    assert look.modifier_of(result) is None and result.data.bevel_depth > 0.0
     assert [spline.material_index for spline in result.data.splines] == [0, 1]
     assert [material.name for material in result.data.materials] == ["Red", "Blue"]
     seed.data.splines[1].material_index = 0
@@ -375,13 +375,13 @@ def test_strands_with_materials_of_their_own_have_a_bevel():
     activate(surface)
     assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
     single = last_result(surface, bpy.context.scene)
-    assert look_material.material_of(single).name == "Red"
+    assert look.material_of(single).name == "Red"
 
 
 def test_a_line_is_kept_when_the_file_of_the_add_on_is_missing(monkeypatch, tmp_path):
     monkeypatch.setattr(assets, "FILE", tmp_path / "meander.blend")
     result = small()
-    assert len(result.data.splines) == 1 and look_modifier.modifier_of(result) is None
+    assert len(result.data.splines) == 1 and look.modifier_of(result) is None
     assert result.data.bevel_depth == pytest.approx(0.2 * SPACING)
 
 
@@ -393,7 +393,7 @@ def test_a_result_of_an_earlier_version_keeps_its_bevel_and_may_get_a_look():
         spline.points.foreach_set("tilt", np.zeros(len(spline.points), dtype=np.float32))
     activate(result)
     assert bpy.ops.meander.run() == {"FINISHED"}
-    assert data.bevel_depth == pytest.approx(0.05) and look_modifier.modifier_of(result) is None
+    assert data.bevel_depth == pytest.approx(0.05) and look.modifier_of(result) is None
     assert bpy.ops.meander.add_look() == {"FINISHED"}
     assert data.bevel_depth == 0.0 and look.radius_of(result) == pytest.approx(0.05)
     assert heights(choose(result, Lift=1.0)).min() == pytest.approx(1.0, abs=SAG)
@@ -405,15 +405,15 @@ def test_the_material_is_the_first_slots_wherever_it_is_chosen():
     first, second = (bpy.data.materials.new(name) for name in ("First", "Second"))
     result.data.materials[0] = first
     bpy.context.view_layer.update()
-    assert look_material.material_of(result) == first
+    assert look.material_of(result) == first
     assert [slot.name for slot in body_of(result).materials if slot] == ["First"]
     result.material_slots[0].link = "OBJECT"
     result.material_slots[0].material = second
     bpy.context.view_layer.update()
-    assert look_material.material_of(result) == second
+    assert look.material_of(result) == second
     # One that was chosen in the modifier stays.
     choose(result, Material=first)
     result.material_slots[0].material = None
     bpy.context.view_layer.update()
-    assert look_material.material_of(result) == first
-    assert look_material.is_chosen_in_modifier(result)
+    assert look.material_of(result) == first
+    assert look.is_chosen_in_modifier(result)

@@ -11,7 +11,7 @@ import pytest
 import scenes
 from mathutils.interpolate import poly_3d_calc
 from meander.model import maps
-from meander.scene import look_material
+from meander.scene import look
 from test_batch_scene import run_batch
 
 SPACING, SIZE = 0.5, 128
@@ -127,11 +127,11 @@ def test_colours_are_those_of_the_look(tmp_path: Path) -> None:
     # What a new curve begins with is what the command has without asking Blender.
     stops = zip(*maps.RAMP, strict=True)
     places, colours = next(stops), np.array(next(stops))
-    begun = look_material.ramp_colours(result)
+    begun = look.ramp_colours(result)
     shares = np.linspace(0.0, 1.0, len(begun))
     expected = np.stack([np.interp(shares, places, colours[:, k]) for k in range(3)], axis=1)
     assert begun == pytest.approx(expected, abs=1e-4)
-    ramp = look_material.ramp_node_of(look_material.material_of(result)).color_ramp
+    ramp = look.ramp_node_of(look.material_of(result)).color_ramp
     for element, colour in zip(ramp.elements, ((0, 0, 1, 1), (0, 1, 0, 1), (1, 0, 0, 1))):
         element.color = colour
     bpy.ops.meander.maps(
@@ -149,7 +149,7 @@ def test_colours_are_those_of_the_look(tmp_path: Path) -> None:
     result.data.materials.clear()
     result.data.materials.append(bpy.data.materials.new("Plain"))
     bpy.context.view_layer.update()
-    assert look_material.ramp_colours(result) is None
+    assert look.ramp_colours(result) is None
     bpy.ops.meander.maps(filepath=str(tmp_path / "b.exr"), size=SIZE, kinds={"COLOR"}, margin=0)
     plain = pixels(tmp_path / "b_color.exr")[:, :, :3][drawn]
     assert plain.min(axis=0) == pytest.approx(np.min(expected, axis=0), abs=0.01)

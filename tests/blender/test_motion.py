@@ -78,7 +78,7 @@ def test_follow_keeps_the_spacing_and_the_surface(
     assert len(result.data.splines) == strands
     assert scenes.length_of(result) > 1.3 * before
     # What a file keeps is the switch; the rest begins again from the curve as it is.
-    from meander.run import following
+    from meander.run import motion as following
 
     following.forget()
     bpy.context.scene.frame_set(7)
@@ -125,7 +125,7 @@ def test_follow_can_stick(tube: bpy.types.Object, result: bpy.types.Object) -> N
 def test_a_mesh_that_changes_is_a_sentence_in_the_panel(
     tube: bpy.types.Object, result: bpy.types.Object
 ) -> None:
-    from meander.run import following
+    from meander.run import motion as following
 
     result.meander.follow = True
     bpy.context.scene.frame_set(2)
@@ -143,7 +143,7 @@ def test_a_mesh_that_changes_is_a_sentence_in_the_panel(
 def test_other_faces_between_as_many_vertices_are_a_sentence(
     tube: bpy.types.Object, result: bpy.types.Object, motion: str
 ) -> None:
-    from meander.run import following
+    from meander.run import motion as following
 
     result.meander.motion = motion
     result.meander.follow = True

@@ -14,7 +14,7 @@ import pytest
 from meander import batch, core
 from meander.cli.values import BadInput
 from meander.headless import scene_output
-from meander.run import cut, estimate, followers, live
+from meander.run import cut, estimate, live, motion
 from meander.run.plan import plan_run
 from meander.scene import points
 from meander.scene.errors import DataError
@@ -123,15 +123,15 @@ def of_live(said: Said) -> None:
 def of_motion(said: Said) -> None:
     surface = sphere()
     result = fill(surface, 0.3)
-    said.by(lambda: followers._same_faces(np.zeros((2, 3)), np.zeros((3, 3))))
+    said.by(lambda: motion._same_faces(np.zeros((2, 3)), np.zeros((3, 3))))
     faces = np.array([[0, 1, 2], [2, 1, 3]])
-    said.by(lambda: followers._same_faces(faces + 9, faces))
+    said.by(lambda: motion._same_faces(faces + 9, faces))
     result.meander.motion, result.meander.figures.bridges = "EVEN", "some"
-    said.by(lambda: followers.follower_of(result, bpy.context.scene, depsgraph()))
+    said.by(lambda: motion.follower_of(result, bpy.context.scene, depsgraph()))
     said.by(lambda: scene_output._bake(argparse.Namespace(bake_frames=(1, 2)), result))
     result.meander.figures.bridges = ""
     surface.data.transform(np.diag([0.01, 0.01, 1.0, 1.0]))
-    said.by(lambda: followers.follower_of(result, bpy.context.scene, depsgraph()))
+    said.by(lambda: motion.follower_of(result, bpy.context.scene, depsgraph()))
     said.by(lambda: cut.cut_result(result, bpy.context.scene, depsgraph()))
 
 

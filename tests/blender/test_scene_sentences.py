@@ -24,7 +24,6 @@ from meander.scene import (
     density,
     layouts,
     look_upgrade,
-    mesh_faults,
     preparation,
     seeds,
     strands,
@@ -32,9 +31,12 @@ from meander.scene import (
 from meander.scene import (
     light as light_curve,
 )
+from meander.scene import (
+    preparation as mesh_faults,
+)
 from meander.scene.alignment import angle_source_of
+from meander.scene.density import pixels_of
 from meander.scene.errors import DataError
-from meander.scene.images import pixels_of
 from meander.scene.meshes import triangles_of, vertex_group_weights
 from meander.scene.surface_points import strands_of_result
 from scenes import cube, fill, grid, mesh_object, poly_curve, refused

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import panel_layout
 import pytest
-from meander.run import following
+from meander.run import motion
 from meander.ui.panels import MEANDER_PT_figures
 from scenes import (
     activate,
@@ -276,7 +276,7 @@ def test_parts_are_bridged_to_one_line_and_come_apart_to_go_on(capfd):
     assert bpy.ops.meander.run() == {"FINISHED"}
     result.meander.motion = "EVEN"
     result.meander.follow = True
-    assert "has bridges" in following.problem_of(result)
+    assert "has bridges" in motion.problem_of(result)
     result.meander.follow = False
     # Without the guides as splines the line is the first one.
     result.meander.keep_guides = False

@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
-from meander.scene import look_material, look_modifier  # noqa: E402
+from meander.scene import look as looks  # noqa: E402
 from meander.ui import look, panels  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
@@ -40,8 +40,8 @@ WIDE = 2.5 * COARSE
 
 
 def values() -> list[float]:
-    modifier = look_modifier.modifier_of(bpy.data.objects[RESULT])
-    return [look_modifier.value_of(modifier, name) for name in ("Radius", "Profile", "Spacing")]
+    modifier = looks.modifier_of(bpy.data.objects[RESULT])
+    return [looks.value_of(modifier, name) for name in ("Radius", "Profile", "Spacing")]
 
 
 def activate(name: str) -> None:
@@ -69,7 +69,7 @@ def looks_act_at_once() -> Iterator[float]:
     result.select_set(False)
     yield 0.3
     picture("7_look_before")
-    look_modifier.set_value(look_modifier.modifier_of(result), "Radius", 0.45)
+    looks.set_value(looks.modifier_of(result), "Radius", 0.45)
     result.meander.shown_profile = "RIBBON"
     bpy.ops.ed.undo_push(message="Radius")
     yield 0.5
@@ -85,13 +85,13 @@ def looks_act_at_once() -> Iterator[float]:
 def material_of_the_slot() -> Iterator[float]:
     step("a material in the first slot is that of the look, after undo and redo too")
     made = bpy.data.materials.new("Mine")
-    first = look_material.material_of(bpy.data.objects[RESULT]).name
+    first = looks.material_of(bpy.data.objects[RESULT]).name
     bpy.ops.ed.undo_push(message="New Material")
     bpy.data.objects[RESULT].material_slots[0].material = made
     bpy.ops.ed.undo_push(message="Material")
 
     def seen(name: str) -> bool:
-        return look_material.material_of(bpy.data.objects[RESULT]).name == name
+        return looks.material_of(bpy.data.objects[RESULT]).name == name
 
     yield from until(lambda: seen("Mine"), "the material of the slot")
     key("Z", ctrl=True)
@@ -112,7 +112,7 @@ def filling_again() -> Iterator[float]:
     assert latter != former and f"{RESULT}.001" not in bpy.data.objects
     assert bpy.context.view_layer.objects.active.name == SURFACE
     assert values()[:2] == chosen[:2] and abs(values()[2] * WIDE / COARSE / chosen[2] - 1) < 1e-5
-    assert look_material.material_of(bpy.data.objects[RESULT]).name == "Mine"
+    assert looks.material_of(bpy.data.objects[RESULT]).name == "Mine"
     key("Z", ctrl=True)
     yield from until(lambda: splines_of(RESULT) == former, "the former line")
     assert values() == chosen

@@ -23,7 +23,7 @@ ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
 import meander  # noqa: E402
-from meander.scene import look, ramp  # noqa: E402
+from meander.scene import density, look  # noqa: E402
 from stage import (  # noqa: E402
     COARSE,
     FINE,
@@ -70,7 +70,7 @@ def shaped_ramp() -> Iterator[float]:
     settings = bpy.context.view_layer.objects.active.meander
     settings.density_group = bpy.context.active_object.vertex_groups.new(name="Fine").name
     settings.density_interpolation = "FREE"
-    mapping = ramp.node_of(settings.density_ramp).mapping
+    mapping = density.node_of(settings.density_ramp).mapping
     mapping.curves[0].points.new(0.35, 0.8)
     mapping.update()
     yield 0.5

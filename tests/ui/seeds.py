@@ -18,7 +18,7 @@ ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
 sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
 from meander.run import seeds, session  # noqa: E402
-from meander.ui import seed_drawing  # noqa: E402
+from meander.ui import seeds as seed_drawing  # noqa: E402
 from stage import (  # noqa: E402
     changed_share,
     choose_spacing,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a command ends: what it prints on stderr, and its exit code."""
+"""How a command ends: what it prints, whatever its letters are, and its exit code; no bpy."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from collections.abc import Callable
 
 from .. import core
 from ..model.files.whole import FileError
-from .any_letters import print_any_letters
 from .values import BadInput
 
 
@@ -37,3 +36,13 @@ def exit_code_of(work: Callable[[], None], *refusals: type[Exception]) -> int:
         traceback.print_exc()
         return 1
     return 0
+
+
+def print_any_letters() -> None:
+    """Has letters that the output does not know printed as numbers, instead of an exception.
+
+    Names of files and objects hold any letters, on Linux also bytes that are none.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):  # not what hosts put in their place
+            stream.reconfigure(errors="backslashreplace")

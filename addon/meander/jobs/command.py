@@ -12,7 +12,7 @@ import traceback
 from collections.abc import Sequence
 from pathlib import Path
 
-from ..cli.any_letters import print_any_letters
+from ..cli.exit_code import print_any_letters
 from ..cli.values import BadInput, Parser, reader
 from ..model.files.whole import FileError
 from . import engine

@@ -14,7 +14,7 @@ from ..scene.bake import Frames
 from ..scene.evaluated import matrix_of
 from ..scene.meshes import triangles_of
 from ..scene.transforms import to_local
-from .followers import GrownCurve, follower_of
+from .motion import GrownCurve, follower_of
 from .plan import plan_of
 
 

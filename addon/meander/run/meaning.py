@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from ..model.options.table import in_panel
-from ..scene import ramp
+from ..scene import density
 from ..scene.changes import shape_count
 from ..scene.identity import number_of
 from ..scene.linked_settings import settings_of
@@ -82,7 +82,7 @@ def _value(settings: bpy.types.PropertyGroup, name: str) -> Any:
     """A setting as something that can be kept and compared."""
     value = getattr(settings, name)
     if isinstance(value, bpy.types.NodeTree):
-        return ramp.stops_of(value) if settings.density_interpolation == "FREE" else ()
+        return density.stops_of(value) if settings.density_interpolation == "FREE" else ()
     if isinstance(value, bpy.types.Object):
         return number_of(value), shape_count(value)
     if isinstance(value, bpy.types.Collection):

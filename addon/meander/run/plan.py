@@ -34,8 +34,13 @@ from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
 from ..scene.look import Look
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
-from ..scene.preparation import mask_of, repair_of, surface_options
-from ..scene.region import selected_faces, triangles_of_region
+from ..scene.preparation import (
+    mask_of,
+    repair_of,
+    selected_faces,
+    surface_options,
+    triangles_of_region,
+)
 from ..scene.settings import surface_of
 
 

@@ -14,7 +14,7 @@ from ..scene.flow_options import options_of
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of, settings_to_change
-from ..scene.region import selected_faces
+from ..scene.preparation import selected_faces
 from ..scene.settings import adopt, is_untouched, surface_of
 from . import estimate
 from .plan import Plan, plan_of

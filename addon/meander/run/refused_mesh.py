@@ -8,7 +8,7 @@ import numpy as np
 from .. import core
 from ..model.preparation import refusal
 from ..scene.errors import DataError
-from ..scene.mesh_faults import remember_problem
+from ..scene.preparation import remember_problem
 from .plan import Plan
 
 

@@ -17,16 +17,16 @@ from ..model.last_run import GAP_THAT_MATTERS, why_lines
 from ..model.preparation import described, mended
 from ..model.profile import radius_factors
 from ..model.toolpaths import bridges, toolpath
-from ..scene import look, mesh_faults, results
+from ..scene import look, preparation, results
 from ..scene import points as point_attributes
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
 from ..scene.flow_options import keep_shape, options_of
 from ..scene.linked_settings import settings_of, settings_to_change
-from ..scene.look_modifier import modifier_of
+from ..scene.look import modifier_of
 from ..scene.made_objects import name_curve
+from ..scene.preparation import store_region
 from ..scene.profile import set_tilt_and_radius
-from ..scene.region import store_region
 from ..scene.settings import copy_settings
 from ..scene.shared_settings import share
 from ..scene.transforms import mean_scale, to_local
@@ -66,7 +66,7 @@ def write_result(
     """
     snapshot, statistics, stop_reason = outcome
     surface = plan.surface.find()
-    mesh_faults.remember_problem(surface, "")
+    preparation.remember_problem(surface, "")
     radius = plan.problem.options.radius
     spacing = least_spacing(radius, stepper.density)
     curve, radii, guides, line = _shown(plan, stepper, snapshot.polylines, spacing)

@@ -18,10 +18,10 @@ from ..model.problem import open_flow
 from ..scene.identity import Key
 from ..scene.lengths import length_text
 from ..scene.meshes import in_polygons
-from .growing_curve import GrowingCurve
 from .lasting import lasting
 from .meaning import Meaning, meaning_of
 from .plan import Plan, plan_of
+from .preview import GrowingCurve
 from .window import redraw
 
 # How far in front of the surface it is drawn, in spacings, and how wide, in pixels.

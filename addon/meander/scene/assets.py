@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Node groups and materials of the file that comes with the add-on, brought into the open one.
 
-Each comes once. It is used again as long as nobody has changed it; one that was changed is its
-user's, and whoever asks next gets a fresh one beside it.
+Each comes once. It is used again as long as nobody has changed it, which the structure of its node
+tree in plain values tells; one that was changed is its user's, and whoever asks next gets a fresh
+one beside it.
 """
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
+from typing import Any
 
 import bpy
 
+from .blender_versions import group_sockets
 from .errors import DataError
-from .node_structure import fingerprint
 
 FILE = Path(__file__).resolve().parents[1] / "assets" / "meander.blend"
 # One more whenever what is in the file changes what it does; earlier copies stay as they are.
@@ -76,3 +79,72 @@ def _appended(collection: str, name: str) -> bpy.types.ID:
     block[_NAME] = name
     block[_AS_IT_CAME] = _state_of(block)
     return block
+
+
+# Settings of nodes that change only how they are drawn.
+_DRAWN = frozenset(bpy.types.Node.bl_rna.properties.keys()) - {"mute"}
+_VALUES = ("default_value", "min_value", "max_value", "description", "hide_value")
+
+
+def structure_of(tree: bpy.types.NodeTree) -> dict[str, Any]:
+    """The sockets, nodes and links of a tree, as what JSON can hold."""
+    return {
+        "kind": tree.bl_idname,
+        "inputs": [_declared(socket) for socket in group_sockets(tree, "INPUT")],
+        "outputs": [_declared(socket) for socket in group_sockets(tree, "OUTPUT")],
+        "nodes": {node.name: _node(node) for node in tree.nodes},
+        "links": sorted(
+            [
+                link.from_node.name,
+                link.from_socket.identifier,
+                link.to_node.name,
+                link.to_socket.identifier,
+            ]
+            for link in tree.links
+        ),
+    }
+
+
+def fingerprint(tree: bpy.types.NodeTree) -> str:
+    """A short text that is another one when the tree is, in the same Blender."""
+    return hashlib.sha256(repr(structure_of(tree)).encode()).hexdigest()[:16]
+
+
+def _declared(socket: Any) -> list[Any]:
+    kind = getattr(socket, "socket_type", None) or socket.bl_socket_idname
+    return [socket.name, kind, *(_plain(getattr(socket, name, None)) for name in _VALUES)]
+
+
+def _node(node: bpy.types.Node) -> dict[str, Any]:
+    settings = {
+        name: _plain(getattr(node, name))
+        for name, prop in node.bl_rna.properties.items()
+        if name not in _DRAWN and (not prop.is_readonly or prop.type == "POINTER")
+    }
+    linked = {socket.identifier for socket in node.inputs if socket.is_linked}
+    values = {
+        socket.identifier: _plain(getattr(socket, "default_value", None))
+        for socket in node.inputs
+        if socket.identifier not in linked
+    }
+    return {"kind": node.bl_idname, "settings": settings, "values": values}
+
+
+def _plain(value: Any) -> Any:
+    """A value as numbers, texts and lists; data-blocks by their names."""
+    if isinstance(value, float):
+        return float(f"{value:.6g}")
+    if isinstance(value, (str, int, type(None))):
+        return value
+    if isinstance(value, bpy.types.ID):
+        return value.name
+    if isinstance(value, bpy.types.ColorRamp):
+        return [
+            value.interpolation,
+            *([_plain(element.position), _plain(element.color)] for element in value.elements),
+        ]
+    if isinstance(value, bpy.types.CurveMapping):
+        return [[_plain(point.location) for point in curve.points] for curve in value.curves]
+    if isinstance(value, bpy.types.bpy_struct):  # part of Blender, such as the group's interface
+        return None
+    return [_plain(item) for item in value]

@@ -14,8 +14,7 @@ from . import points as point_attributes
 from .blender_versions import fcurves, shape_key_points
 from .curve_writer import write_splines
 from .linked_settings import settings_of
-from .look import copy_look
-from .look_modifier import place_of, set_value
+from .look import copy_look, place_of, set_value
 from .profile import set_tilt_and_radius
 
 GROWTH = "Meander Growth"

@@ -10,7 +10,7 @@ from .. import core
 from ..model.geometry.chains import branching, chains_of
 from .errors import DataError
 from .evaluated import evaluated_copy, is_evaluated, matrix_of, mesh_of
-from .look_modifier import shaping_modifiers
+from .look import shaping_modifiers
 from .transforms import to_world, world_matrix
 
 

@@ -2,15 +2,19 @@
 """Where the spacing varies: what the settings say, and the values that they name.
 
 Weights, attributes, colours and images give a value per vertex of the evaluated mesh; a Ramp turns
-it into the density.
+it into the density. One that is shaped by hand is Blender's curve widget: as add-ons are given no
+curve property, every object that wants one has a node group of its own that holds a Float Curve and
+is used for nothing else.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import bpy
 import numpy as np
+from numpy.typing import NDArray
 
 from ..model.density import (
     FREE,
@@ -21,9 +25,9 @@ from ..model.density import (
     luminance,
     mean_at_vertices,
     sample_repeated,
+    srgb_luminance,
 )
 from ..model.field import FieldOn
-from . import ramp
 from .attributes import (
     is_color,
     is_point_float,
@@ -33,7 +37,6 @@ from .attributes import (
 )
 from .errors import DataError
 from .evaluated import surface_mesh
-from .images import pixels_of
 from .meshes import vertex_group_weights
 
 
@@ -118,7 +121,7 @@ def unused_paint(
 def _stops_of(settings: bpy.types.PropertyGroup) -> Stops:
     if settings.density_interpolation != FREE.upper():
         return ()
-    return ramp.stops_of(settings.density_ramp)
+    return stops_of(settings.density_ramp)
 
 
 def store_choice(choice: Choice, settings: bpy.types.PropertyGroup) -> None:
@@ -135,8 +138,8 @@ def store_choice(choice: Choice, settings: bpy.types.PropertyGroup) -> None:
     if choice.value_range is not None:
         settings.density_low, settings.density_high = choice.value_range
     settings.factor_0, settings.factor_1 = choice.factors
-    if choice.stops and choice.stops != ramp.stops_of(settings.density_ramp):
-        settings.density_ramp = ramp.ramp_of(choice.stops)
+    if choice.stops and choice.stops != stops_of(settings.density_ramp):
+        settings.density_ramp = ramp_of(choice.stops)
     settings.density_interpolation = choice.interpolation.upper()
     settings.density_smoothing = choice.smoothing
 
@@ -242,3 +245,82 @@ _READERS = {
     "COLOR": _color_values,
     "IMAGE": _image_values,
 }
+
+
+# The dot keeps it out of Blender's lists.
+_NAME = ".Meander Ramp"
+# The least number of stops: the widget's curves are smooth.
+_SAMPLES = 65
+
+
+def new_ramp() -> bpy.types.NodeTree:
+    """A node group with the curve from (0, 0) to (1, 1)."""
+    tree = bpy.data.node_groups.new(_NAME, "ShaderNodeTree")
+    tree.nodes.new("ShaderNodeFloatCurve")
+    return tree
+
+
+def node_of(tree: bpy.types.NodeTree | None) -> bpy.types.Node | None:
+    """The node whose curve is the ramp; None where somebody has taken it away."""
+    if tree is None:
+        return None
+    found = (node for node in tree.nodes if node.bl_idname == "ShaderNodeFloatCurve")
+    return next(found, None)
+
+
+def stops_of(tree: bpy.types.NodeTree | None) -> Stops:
+    """What the widget shows, as stops between which the ramp is straight; () without a curve."""
+    node = node_of(tree)
+    if node is None:
+        return ()
+    mapping = node.mapping
+    mapping.initialize()
+    curve = mapping.curves[0]
+    shares = np.linspace(0.0, 1.0, _SAMPLES).tolist()
+    shares += [point.location.x for point in curve.points if 0.0 < point.location.x < 1.0]
+    shares = sorted({round(share, 6) for share in shares})
+    heights = [mapping.evaluate(curve, share) for share in shares]
+    return tuple(
+        (share, min(max(float(height), 0.0), 1.0)) for share, height in zip(shares, heights)
+    )
+
+
+def ramp_of(stops: Stops) -> bpy.types.NodeTree:
+    """A node group whose curve goes straight from stop to stop."""
+    tree = new_ramp()
+    mapping = node_of(tree).mapping
+    points = mapping.curves[0].points
+    while len(points) < len(stops):
+        points.new(0.5, 0.5)
+    while len(points) > len(stops):
+        points.remove(points[-2])
+    for point, (share, height) in zip(points, stops):
+        point.location = (share, height)
+        point.handle_type = "VECTOR"
+    mapping.update()
+    return tree
+
+
+def pixels_of(name: str) -> tuple[NDArray[np.float32], Callable[[NDArray], Values]]:
+    """An image's pixels (height, width, channels), first row at the bottom, and their brightness.
+
+    The brightness is what an Image Texture and RGB to BW give: 8-bit pixels of an sRGB image are
+    made linear; data and linear images are taken as they are, and so are float images, which
+    Blender makes linear when it opens them.
+    """
+    image = bpy.data.images.get(name)
+    if image is None:
+        raise DataError(f"There is no image '{name}' in this file; open it, or choose another")
+    if image.source not in {"FILE", "GENERATED"}:
+        kind = {"TILED": "tiled (UDIM)", "VIEWER": "a render result"}.get(image.source, "a movie")
+        raise DataError(f"The image '{name}' is {kind}; only a single still image serves")
+    width, height = image.size
+    if not width or not height or not len(image.pixels):
+        raise DataError(
+            f"The image '{name}' has no pixels, as its file cannot be found; find it by File > "
+            "External Data, or open it again"
+        )
+    pixels = np.empty(width * height * image.channels, dtype=np.float32)
+    image.pixels.foreach_get(pixels)
+    is_srgb = not image.is_float and "sRGB" in image.colorspace_settings.name
+    return pixels.reshape(height, width, image.channels), srgb_luminance if is_srgb else luminance

@@ -3,18 +3,80 @@
 
 A run gives it to a new curve. From then on runs write splines only, and, where they have not been
 changed by hand, the spacing of which the thickness is a share and whether it follows a density.
+
+The modifier has to be told the material: before Blender 4 what it makes of a curve has none of the
+curve's. So it gets what is in the first slot, where users look for it, whenever that changes. One
+that somebody has chosen in the modifier itself stays.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import bpy
+import numpy as np
 
-from . import assets, look_material
+from . import assets
+from .blender_versions import group_sockets, input_place, input_value, set_input_value
 from .errors import DataError
-from .look_modifier import GROUP, copy_values, modifier_of, set_value, value_of
+
+GROUP = "Meander Look"
+
+
+def modifier_of(thing: bpy.types.Object) -> bpy.types.NodesModifier | None:
+    """The modifier that gives a curve its look; None where there is none."""
+    return next((other for other in thing.modifiers if _is_look(other)), None)
+
+
+def shaping_modifiers(thing: bpy.types.Object) -> list[bpy.types.Modifier]:
+    """Those that change the line itself: what comes before its look, of which a body is made."""
+    shaping = []
+    for modifier in thing.modifiers:
+        if _is_look(modifier):
+            break
+        shaping.append(modifier)
+    return shaping
+
+
+def _is_look(modifier: bpy.types.Modifier) -> bool:
+    return modifier.type == "NODES" and assets.is_asset(modifier.node_group, GROUP)
+
+
+def place_of(modifier: bpy.types.NodesModifier, name: str) -> tuple[Any, str] | None:
+    """What holds an input of the group, and the property's name there, as layouts want it; None:
+    the user's group has no such input any more."""
+    identifier = _identifier(modifier, name)
+    return None if identifier is None else input_place(modifier, identifier)
+
+
+def value_of(modifier: bpy.types.NodesModifier, name: str) -> Any:
+    """What an input of the group is set to; None where there is no such input."""
+    identifier = _identifier(modifier, name)
+    return None if identifier is None else input_value(modifier, identifier)
+
+
+def set_value(modifier: bpy.types.NodesModifier, name: str, value: Any) -> None:
+    """Sets an input of the group; nothing happens where there is no such input."""
+    identifier = _identifier(modifier, name)
+    if identifier is not None:
+        set_input_value(modifier, identifier, value)
+
+
+def copy_values(source: bpy.types.NodesModifier, target: bpy.types.NodesModifier) -> None:
+    """Sets all inputs of a modifier to what another one of the same group has."""
+    for socket in group_sockets(source.node_group, "INPUT"):
+        if input_place(source, socket.identifier) is not None:
+            set_input_value(target, socket.identifier, input_value(source, socket.identifier))
+
+
+def _identifier(modifier: bpy.types.NodesModifier, name: str) -> str | None:
+    for socket in group_sockets(modifier.node_group, "INPUT"):
+        if socket.name == name and input_place(modifier, socket.identifier) is not None:
+            return socket.identifier
+    return None
+
 
 LINE, ENDS = "Meander Line", "Meander Ends"
 # Inputs that a run tells the look, and what keeps them, to tell them from what the user has set.
@@ -71,7 +133,7 @@ def add_modifier(curve_object: bpy.types.Object, look: Look, spacing: float) -> 
     modifier.node_group = group
     for name, value in (("Radius", look.radius), ("Profile", look.profile)):
         set_value(modifier, name, value)
-    look_material.write(curve_object, modifier)
+    write(curve_object, modifier)
     for name, value in (("Spacing", spacing), ("Radius Follows Spacing", float(look.follows))):
         _tell(curve_object, modifier, name, value)
 
@@ -127,3 +189,82 @@ def copy_look(source: bpy.types.Object, target: bpy.types.Object) -> None:
     copy.node_group = modifier.node_group
     copy.show_viewport, copy.show_render = modifier.show_viewport, modifier.show_render
     copy_values(modifier, copy)
+
+
+_INPUT = "Material"
+# A ramp's colours at so many places.
+_SAMPLES = 513
+
+
+def material_of(curve_object: bpy.types.Object) -> bpy.types.Material | None:
+    """The material that a result is seen with: that of its look, or of its first slot."""
+    modifier = modifier_of(curve_object)
+    return _in_slot(curve_object) if modifier is None else value_of(modifier, _INPUT)
+
+
+def is_chosen_in_modifier(curve_object: bpy.types.Object) -> bool:
+    """Whether the modifier has a material of its own, and not that of the first slot."""
+    modifier = modifier_of(curve_object)
+    return modifier is not None and value_of(modifier, _INPUT) != _in_slot(curve_object)
+
+
+def ramp_node_of(material: bpy.types.Material) -> bpy.types.Node | None:
+    """The node that colours a line along its length, where the material is of the add-on's kind."""
+    if material.node_tree is None:
+        return None
+    nodes = material.node_tree.nodes
+    if not any(node.bl_idname == "ShaderNodeAttribute" for node in nodes):
+        return None
+    return next((node for node in nodes if node.bl_idname == "ShaderNodeValToRGB"), None)
+
+
+def ramp_colours(curve_object: bpy.types.Object) -> np.ndarray | None:
+    """The colours along a result, (k, 3), linear, at equal steps; None where its material has no
+    such ramp."""
+    material = material_of(curve_object)
+    node = None if material is None else ramp_node_of(material)
+    if node is None:
+        return None
+    shares = np.linspace(0.0, 1.0, _SAMPLES).tolist()
+    return np.array([node.color_ramp.evaluate(share)[:3] for share in shares])
+
+
+def write(curve_object: bpy.types.Object, modifier: bpy.types.NodesModifier) -> None:
+    """Tells a modifier the material of the first slot."""
+    material = _in_slot(curve_object)
+    set_value(modifier, _INPUT, material)
+    curve_object.meander.figures.look_material = material
+
+
+def _in_slot(curve_object: bpy.types.Object) -> bpy.types.Material | None:
+    slots = curve_object.material_slots
+    return slots[0].material if len(slots) else None
+
+
+def _follow_slot(thing: bpy.types.Object) -> None:
+    if thing.type != "CURVE" or thing.library is not None:
+        return
+    modifier = modifier_of(thing)
+    if modifier is None:
+        return
+    written = thing.meander.figures.look_material
+    if _in_slot(thing) != written and value_of(modifier, _INPUT) == written:
+        write(thing, modifier)
+
+
+def on_update(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph | None = None) -> None:
+    if depsgraph is None:
+        return
+    blocks = [update.id.original for update in depsgraph.updates]
+    curves = [block for block in blocks if isinstance(block, bpy.types.Curve)]
+    things = [block for block in blocks if isinstance(block, bpy.types.Object)]
+    if curves:
+        things += [thing for thing in scene.objects if thing.data in curves]
+    for thing in things:
+        _follow_slot(thing)
+
+
+def on_output() -> None:
+    """What a script has changed since the last evaluation, which may be none of this scene's."""
+    for thing in bpy.data.objects:
+        _follow_slot(thing)

@@ -14,7 +14,7 @@ import bpy
 
 from .fillable import is_result
 from .linked_settings import is_from_file, owner_of, settings_of
-from .region import is_region
+from .preparation import is_region
 from .results import is_present, is_result_of, updated_next
 from .settings import copied, is_copied
 

@@ -14,8 +14,7 @@ from ..model.camera import PAPERS, CameraPage, Page
 from ..model.estimate import Estimate, described
 from ..model.files.whole import FileError
 from ..run import session
-from ..run.camera import CameraDrawing
-from ..run.drawing_estimate import DrawingEstimate
+from ..run.camera import CameraDrawing, DrawingEstimate
 from ..run.stepper import Stepper
 from ..run.window import Window
 from ..scene.blender_versions import ask

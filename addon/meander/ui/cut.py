@@ -15,7 +15,7 @@ from ..scene.cut import UV_MAP, sharpen_line, take_place
 from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from ..scene.identity import Key
-from ..scene.look_modifier import set_value
+from ..scene.look import set_value
 from ..scene.made_objects import name_curve
 from ..scene.solid_view import colour_corners, show_colours
 from ..scene.transforms import mean_scale

@@ -5,15 +5,15 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
 
 from ..model.density import FREE
-from ..scene import ramp
+from ..scene import density
 from ..scene.attributes import attribute_names, color_names
 
 
 def _shape_chosen(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
     """Gives an object the curve that the panel shows for a free ramp."""
     if settings.density_interpolation == FREE.upper():
-        if ramp.node_of(settings.density_ramp) is None:
-            settings.density_ramp = ramp.new_ramp()
+        if density.node_of(settings.density_ramp) is None:
+            settings.density_ramp = density.new_ramp()
 
 
 class DensitySettings:

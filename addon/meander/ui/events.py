@@ -12,31 +12,14 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from ..run import (
-    estimate,
-    following,
-    gaps,
-    live,
-    notes,
-    seeds,
-    session,
-    suspended,
-)
-from ..scene import (
-    after_undo,
-    changes,
-    identity,
-    linked_settings,
-    look_material,
-    made_objects,
-    solid_view,
-)
+from ..run import estimate, gaps, live, motion, notes, seeds, session, suspended
+from ..scene import after_undo, changes, identity, linked_settings, look, made_objects, solid_view
 from . import live as live_operator
-from . import seed_drawing
+from . import seeds as seed_drawing
 
 # What is called at which event, in this order: first what other functions of the row look at.
 _READ_BACK = (identity.on_undo, changes.on_undo_end, after_undo.end)
-_UNDONE = (live.drop, seeds.hide, following.forget, live_operator.forget)
+_UNDONE = (live.drop, seeds.hide, motion.forget, live_operator.forget)
 _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
     "load_pre": (
         session.end_current,
@@ -44,7 +27,7 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         live.drop,
         notes.forget,
         seeds.hide,
-        following.forget,
+        motion.forget,
         gaps.hide,
         seed_drawing.before_load,
     ),
@@ -52,10 +35,10 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         changes.on_load,
         solid_view.forget,
         estimate.forget,
-        following.on_load,
+        motion.on_load,
         live_operator.forget,
     ),
-    "save_pre": (linked_settings.before_save, made_objects.before_save, look_material.on_output),
+    "save_pre": (linked_settings.before_save, made_objects.before_save, look.on_output),
     "undo_pre": (changes.on_undo_begin, after_undo.begin),
     "undo_post": (*_READ_BACK, solid_view.give_back, *_UNDONE),
     "redo_pre": (changes.on_undo_begin, after_undo.begin),
@@ -63,13 +46,13 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
     "depsgraph_update_post": (
         changes.on_update,
         after_undo.on_update,
-        look_material.on_update,
+        look.on_update,
         solid_view.give_back,
     ),
-    "frame_change_post": (changes.on_frame, following.on_frame),
-    "render_init": (look_material.on_output, following.on_render),
-    "render_complete": (following.on_render_end,),
-    "render_cancel": (following.on_render_end,),
+    "frame_change_post": (changes.on_frame, motion.on_frame),
+    "render_init": (look.on_output, motion.on_render),
+    "render_complete": (motion.on_render_end,),
+    "render_cancel": (motion.on_render_end,),
 }
 # Events of which a function is told the scene and what was evaluated.
 _EVALUATED = frozenset({"depsgraph_update_post", "frame_change_post"})
@@ -87,7 +70,7 @@ _ENDED = (
     gaps.hide,
     live_operator.forget,
     notes.forget,
-    following.forget,
+    motion.forget,
     estimate.forget,
     solid_view.forget,
     changes.on_load,

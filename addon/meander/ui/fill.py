@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that grow a curve: Fill with Curve, the question before a large run, Continue, Stop
-Filling.
+"""The buttons that grow a curve, alike in panel and menu; what a large run asks.
 
 In a window, filling is modal: the native library runs on a thread of its own, where no Python is,
 and a timer shows how the curve grows. execute() is the same run without a window, for scripts and
@@ -411,3 +410,27 @@ def unregister() -> None:
     bpy.types.VIEW3D_MT_curve_add.remove(_add_menu)
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)
+
+
+def draw_fill_buttons(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """Fill with Curve, or what goes on with the curve that is there."""
+    active = context.active_object
+    run = MEANDER_OT_run.bl_idname
+    if active is None or surface_of(active) is None:
+        layout.operator(run, icon="PLAY")
+        return
+    kept = suspended.run_of(active)
+    if kept is not None:
+        # What has its whole length is still being made even.
+        text = f"Continue at {min(100.0 * kept.progress, 99.0):.0f} %"
+        layout.operator(MEANDER_OT_resume.bl_idname, text=text, icon="PLAY")
+    if is_result(active):
+        if kept is None:
+            layout.operator(run, text="Continue", icon="PLAY")
+        layout.operator(run, text="Fill Again", icon="FILE_REFRESH").restart = True
+    elif last_result(active, context.scene) is None:
+        layout.operator(run, icon="PLAY")
+        return
+    else:
+        layout.operator(run, text="Fill Again", icon="FILE_REFRESH")
+    layout.operator(run, text="New Curve", icon="ADD").beside = True

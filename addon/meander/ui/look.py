@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..scene import look_material, look_modifier
+from ..scene import look
 from ..scene.linked_settings import settings_of
 from ..scene.look_upgrade import add_look
 from ..scene.results import shown_result
@@ -31,7 +31,7 @@ class MEANDER_OT_add_look(OnOwnResult, bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         if not super().poll(context):
             return False
-        if look_modifier.modifier_of(context.active_object) is not None:
+        if look.modifier_of(context.active_object) is not None:
             cls.poll_message_set("The curve has a live look")
             return False
         return True
@@ -64,7 +64,7 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
                 whole.prop(settings, "last_result", text="", icon="CURVE_DATA")
             else:  # the one that it names has been deleted
                 whole.label(text=result.name, icon="CURVE_DATA")
-        modifier = look_modifier.modifier_of(result)
+        modifier = look.modifier_of(result)
         if modifier is None:
             _draw_bevel(layout, result)
         else:
@@ -95,7 +95,7 @@ def _draw_look(
     layout: bpy.types.UILayout, result: bpy.types.Object, modifier: bpy.types.NodesModifier
 ) -> None:
     def row(name: str, text: str = "") -> None:
-        place = look_modifier.place_of(modifier, name)
+        place = look.place_of(modifier, name)
         if place is not None:
             layout.prop(*place, text=text or name)
 
@@ -119,8 +119,8 @@ def _draw_colour(
     modifier: bpy.types.NodesModifier | None,
 ) -> None:
     """The colours of the material, where it has the ramp of the add-on's."""
-    if look_material.is_chosen_in_modifier(result):
-        place = look_modifier.place_of(modifier, "Material")
+    if look.is_chosen_in_modifier(result):
+        place = look.place_of(modifier, "Material")
         layout.prop_search(*place, bpy.data, "materials", text="Material")
     else:
         column = layout.column()
@@ -129,7 +129,7 @@ def _draw_colour(
             column.template_ID(result, "active_material", new="material.new")
         else:  # its name has all the room
             column.prop(result, "active_material", text="", icon="MATERIAL")
-    material = look_material.material_of(result)
+    material = look.material_of(result)
     if material is None:
         return
     layout.prop(material, "diffuse_color", text="Solid View")
@@ -153,10 +153,10 @@ class MEANDER_PT_look_color(SubPanel, bpy.types.Panel):
 def _ramp_shown(context: bpy.types.Context) -> bpy.types.Node | None:
     """The colours along the line of the result that is active, or is of the mesh that is."""
     result = shown_result(context.active_object, context.scene)
-    if result is None or look_modifier.modifier_of(result) is None:
+    if result is None or look.modifier_of(result) is None:
         return None
-    material = look_material.material_of(result)
-    return None if material is None else look_material.ramp_node_of(material)
+    material = look.material_of(result)
+    return None if material is None else look.ramp_node_of(material)
 
 
 _CLASSES = (MEANDER_OT_add_look, MEANDER_PT_look, MEANDER_PT_look_color)

@@ -11,7 +11,7 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 from ..model import maps
 from ..model.files.whole import naming, whole_files
 from ..run.cut import cut_result
-from ..scene import look_material
+from ..scene import look
 from ..scene.errors import DataError
 from ..scene.layouts import map_of
 from .fill import sentence_of
@@ -140,7 +140,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         corners = map_of(surface, depsgraph, self.uv_map)
         # Details of a cut are in half spacings.
         cut = cut_result(result, context.scene, depsgraph, 2.0 * maps.DETAIL, True)
-        ramp = look_material.ramp_colours(result)
+        ramp = look.ramp_colours(result)
         style = maps.Style(self.size, self.margin, self.line_width, self.depth, ramp)
         mapped = maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
         path = Path(bpy.path.abspath(str(self._with_suffix())))

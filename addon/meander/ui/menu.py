@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import bpy
 
-from .fill_buttons import draw_fill_buttons
+from .fill import draw_fill_buttons
 
 # Operators in groups. They have the labels of the buttons, so each label says enough by itself.
 _ENTRIES: tuple[tuple[str, ...], ...] = (

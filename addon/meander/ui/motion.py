@@ -9,7 +9,7 @@ import bpy
 from bpy.props import IntProperty
 
 from ..run import bake as baking
-from ..run import following, session
+from ..run import motion, session
 from ..scene import bake as baked_frames
 from ..scene.fillable import is_result
 from .declared import switch
@@ -26,7 +26,7 @@ class _OnResult(OnOwnResult):
         result = context.active_object
         collection = bake(result, context, *arguments)
         _activate_surface(context, result)
-        following.forget()
+        motion.forget()
         count = len(collection.objects)
         frames = "1 object" if count == 1 else f"{count} objects"
         self.report({"INFO"}, f"{collection.name}: {frames}; {result.name} is hidden")
@@ -112,7 +112,7 @@ class MEANDER_OT_animate_growth(_OnResult, bpy.types.Operator):
         last = first + self.frames - 1
         collection, stages = baking.animate_growth(result, context, first, last)
         _activate_surface(context, result)
-        following.forget()
+        motion.forget()
         made = collection.objects[0].name
         self.report({"INFO"}, f"{made}: {stages} stages in one object; {result.name} is hidden")
         return {"FINISHED"}
@@ -178,7 +178,7 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
         row.active = settings.motion == "EVEN"
         row.prop(settings, "motion_steps")
         switch(layout, settings, "follow")
-        problem = following.problem_of(result) if settings.follow else None
+        problem = motion.problem_of(result) if settings.follow else None
         if problem:
             notice(layout, problem, "ERROR")
         elif settings.follow and not context.scene.render.use_lock_interface:

@@ -4,12 +4,12 @@
 import bpy
 from bpy.props import BoolProperty, PointerProperty
 
-from ..run import following
+from ..run import motion
 
 
 def _begin_again(settings: bpy.types.PropertyGroup, context: bpy.types.Context) -> None:
     """What follows was made for the settings as they were."""
-    following.begin(settings.id_data, context)
+    motion.begin(settings.id_data, context)
 
 
 class FollowSettings:

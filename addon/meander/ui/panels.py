@@ -21,8 +21,7 @@ from ..scene.made_objects import made_from
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, rows, switch
-from .fill import MEANDER_OT_stop
-from .fill_buttons import draw_fill_buttons
+from .fill import MEANDER_OT_stop, draw_fill_buttons
 from .gaps import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
 from .made_operators import draw_hidden, draw_made
@@ -30,7 +29,7 @@ from .on_result import LINKED, is_linked
 from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation import draw_faults
 from .presets import MEANDER_PT_presets, active_name
-from .seed_drawing import surface_drawn_on
+from .seeds import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, GUIDANCE, ORDER, OUTPUT, Sidebar, SubPanel, columns, notice
 

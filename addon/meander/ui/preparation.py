@@ -8,7 +8,7 @@ import bpy
 from .. import core
 from ..model.preparation import faults_in_words
 from ..run import notes, session
-from ..scene import mesh_faults
+from ..scene import preparation
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.results import shown_result
@@ -58,7 +58,7 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
         if not spacing:
             depsgraph = context.evaluated_depsgraph_get()
             spacing = proposed_spacing(*triangles_of(surface, depsgraph))
-        mesh_faults.locate_faults(surface, spacing / 2.0)
+        preparation.locate_faults(surface, spacing / 2.0)
         for other in list(context.selected_objects):
             other.select_set(False)
         surface.select_set(True)
@@ -69,8 +69,8 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
         bpy.ops.mesh.select_all(action="DESELECT")
         bpy.ops.object.mode_set(mode="OBJECT")
         # Only now: switching modes recreates the elements of the mesh.
-        located = mesh_faults.locate_faults(surface, spacing / 2.0)
-        mesh_faults.select_located(surface.data, located)
+        located = preparation.locate_faults(surface, spacing / 2.0)
+        preparation.select_located(surface.data, located)
         bpy.ops.object.mode_set(mode="EDIT")
         bpy.ops.mesh.select_mode(type=located.mode)
         if core.FAULTS.index("not_finite") not in located.faults.kinds:

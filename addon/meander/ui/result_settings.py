@@ -4,7 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ..scene import look, look_modifier
+from ..scene import look
 
 # The cross sections that the look of a curve has, by the numbers that its modifier keeps.
 PROFILES = (
@@ -26,19 +26,19 @@ ENDS = (
 def _modifier_of(settings: bpy.types.PropertyGroup) -> bpy.types.Modifier | None:
     """That of the look; settings of a linked surface are the scene's, which has none."""
     thing = settings.id_data
-    return look_modifier.modifier_of(thing) if isinstance(thing, bpy.types.Object) else None
+    return look.modifier_of(thing) if isinstance(thing, bpy.types.Object) else None
 
 
 def _shown(settings: bpy.types.PropertyGroup, name: str, count: int) -> int:
     modifier = _modifier_of(settings)
-    number = None if modifier is None else look_modifier.value_of(modifier, name)
+    number = None if modifier is None else look.value_of(modifier, name)
     return min(max(int(number or 0), 0), count - 1)
 
 
 def _choose(settings: bpy.types.PropertyGroup, name: str, number: int) -> None:
     modifier = _modifier_of(settings)
     if modifier is not None:
-        look_modifier.set_value(modifier, name, number)
+        look.set_value(modifier, name, number)
 
 
 def _choose_ends(settings: bpy.types.PropertyGroup, number: int) -> None:

@@ -1,18 +1,38 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Buttons that make a seed of what a mesh has: selected edges, boundaries, two vertices."""
+"""Seeds made of what a mesh has, or drawn on it with Blender's own draw tool and looked at.
+
+While a seed is drawn, the tool of Edit Mode and the settings of curve painting are borrowed. They
+are given back by End Drawing, and also when the user leaves Edit Mode by himself or the curve goes.
+Blender fits a smooth curve to every stroke, which cuts through a surface that bends; so what the
+strokes come to is shown on the surface after each.
+"""
 
 from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from typing import Any
 
 import bmesh
 import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from ..run import session
+from .. import core
+from ..run import seeds, session
+from ..run.window import redraw
+from ..scene import linked_settings
+from ..scene.blender_versions import settings_of
+from ..scene.changes import shape_count
 from ..scene.errors import DataError
+from ..scene.fillable import why_not
+from ..scene.identity import Key
 from ..scene.linked_settings import settings_to_change
 from ..scene.seeds import new_seed, strands_of_boundary, strands_of_edges
+from ..scene.settings import surface_of
+from .fill import sentence_of
 from .refusing import refusing
+from .sidebar import Sidebar, notice
 
 
 def _poll(
@@ -154,7 +174,312 @@ class MEANDER_OT_stroke_from_vertices(bpy.types.Operator):
         return {"FINISHED"}
 
 
+_DRAW_TOOL = "builtin.draw"
+# What makes a stroke lie on what is seen under the mouse; Blender without one of them goes without.
+_PAINT = {
+    "curve_type": "BEZIER",
+    "depth_mode": "SURFACE",
+    "surface_offset": 0.0,
+    "use_offset_absolute": False,
+    "use_stroke_endpoints": False,
+    "use_project_only_selected": False,
+}
+_STATUS = "Draw on the surface: drag with the left button    Tab or End Drawing: end"
+# How often it is looked for new strokes, and whether the user has left Edit Mode, in seconds.
+_INTERVAL = 0.1
+# Strokes on a surface where showing one takes longer than this, in seconds, are not shown: the next
+# one would have to wait. The curve itself is in front.
+_QUICK = 0.7
+
+
+@dataclass
+class _Drawing:
+    """A seed that is being drawn, and what was borrowed for it."""
+
+    curve: Key
+    surface: Key
+    scene: Key
+    earlier_seed: Key | None
+    paint: dict[str, Any]
+    tool: str | None
+    workspaces: list[Key] = field(default_factory=list)
+    shown: int | None = None  # the curve's shape_count() when it was shown last
+    shows: bool = True  # whether that is quick enough
+    problem: str = ""  # why a run would refuse what is drawn, a sentence
+
+
+_drawing: _Drawing | None = None
+
+
+def surface_drawn_on(active: bpy.types.Object | None) -> bpy.types.Object | None:
+    """The surface for which the active curve is being drawn; None: it is no such curve."""
+    if _drawing is None or active is None or active.mode != "EDIT":
+        return None
+    return _drawing.surface.find() if _drawing.curve.find() == active else None
+
+
+# ------------------------------------------------------------------------------------------------
+# Borrowing
+
+
+def _borrow(context: bpy.types.Context, curve: bpy.types.Object, surface: bpy.types.Object) -> None:
+    """Sets up the draw tool. Edit Mode of the curve is on."""
+    global _drawing
+    paint = context.tool_settings.curve_paint_settings
+    before = settings_of(paint, _PAINT)
+    for name in before:
+        setattr(paint, name, _PAINT[name])
+    earlier = linked_settings.settings_of(surface).seed
+    _drawing = _Drawing(
+        Key(curve),
+        Key(surface),
+        Key(context.scene),
+        None if earlier is None else Key(earlier),
+        before,
+        None,
+    )
+    if context.area is not None and context.area.type == "VIEW_3D":
+        tool = context.workspace.tools.from_space_view3d_mode("EDIT_CURVE", create=False)
+        _drawing.tool = "builtin.select_box" if tool is None else tool.idname
+        bpy.ops.wm.tool_set_by_id(name=_DRAW_TOOL)
+        _drawing.workspaces.append(Key(context.workspace))
+        context.workspace.status_text_set(_STATUS)
+    if not bpy.app.background and not bpy.app.timers.is_registered(watch):
+        bpy.app.timers.register(watch, first_interval=_INTERVAL)
+
+
+def give_back() -> None:
+    """Returns what was borrowed. Does nothing when nothing was."""
+    global _drawing
+    drawing, _drawing = _drawing, None
+    if drawing is None:
+        return
+    scene, curve = drawing.scene.find(), drawing.curve.find()
+    if scene is not None:
+        paint = scene.tool_settings.curve_paint_settings
+        for name, value in drawing.paint.items():
+            setattr(paint, name, value)
+    _clear_status(drawing)
+    if drawing.tool is not None:
+        # Where the curve has gone by undo, any other has the same tools.
+        curves = (thing for thing in bpy.data.objects if thing.type == "CURVE")
+        _choose_tool(drawing.tool, curve or next(curves, None))
+
+
+def _clear_status(drawing: _Drawing) -> None:
+    for key in drawing.workspaces:
+        workspace = key.find()
+        if workspace is not None:
+            with bpy.context.temp_override(workspace=workspace):
+                workspace.status_text_set(None)
+
+
+def _choose_tool(name: str, curve: bpy.types.Object | None) -> None:
+    """Chooses the tool that Edit Mode of curves has, whatever mode it is now."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type != "VIEW_3D":
+                continue
+            region = next(region for region in area.regions if region.type == "WINDOW")
+            with bpy.context.temp_override(
+                window=window, area=area, region=region, edit_object=curve
+            ):
+                if bpy.context.mode == "EDIT_CURVE":
+                    bpy.ops.wm.tool_set_by_id(name=name, space_type="VIEW_3D")
+            return
+
+
+def watch() -> float | None:
+    """Whether the curve is still being drawn; a timer asks."""
+    if _drawing is None:
+        return None
+    curve = _drawing.curve.find()
+    if curve is not None and curve.mode == "EDIT":
+        if _drawing.shows and _drawing.shown != shape_count(curve):
+            _show_strokes(_drawing, curve)
+        return _INTERVAL
+    give_back()
+    return None
+
+
+def _show_strokes(drawing: _Drawing, curve: bpy.types.Object) -> None:
+    """Shows what a run would start from, or where it would refuse to."""
+    surface = drawing.surface.find()
+    curve.update_from_editmode()
+    drawing.problem = ""
+    begin = time.perf_counter()
+    if surface is None or not any(_points(spline) > 1 for spline in curve.data.splines):
+        seeds.hide()
+    else:
+        try:
+            seeds.show(surface, bpy.context)
+        except (DataError, core.MeanderError) as error:
+            drawing.problem = sentence_of(error)
+    drawing.shows = time.perf_counter() - begin < _QUICK
+    drawing.shown = shape_count(curve)
+    redraw("UI")
+
+
+def _points(spline: bpy.types.Spline) -> int:
+    return len(spline.points) + len(spline.bezier_points)
+
+
+def before_load() -> None:
+    """Lets go of the seed that is being drawn, whose settings and tool go with the file."""
+    global _drawing
+    if _drawing is not None:
+        _clear_status(_drawing)
+    _drawing = None
+
+
+# ------------------------------------------------------------------------------------------------
+# Operators
+
+
+class MEANDER_OT_draw_seed(bpy.types.Operator):
+    """Draw the seed on the surface with the mouse"""
+
+    bl_idname = "meander.draw_seed"
+    bl_label = "Draw Seed"
+    bl_description = (
+        "Draw the seed on the surface with the mouse: makes a curve, the seed of this mesh, and "
+        "sets up Blender's draw tool for it. Every stroke becomes a strand; End Drawing ends"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif active is None or active.type != "MESH":
+            cls.poll_message_set("Choose the mesh to draw on")
+        elif not active.visible_get():
+            cls.poll_message_set("The mesh is hidden, so there is nothing to draw on")
+        else:
+            return True
+        return False
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        give_back()
+        surface = context.active_object
+        if context.mode != "OBJECT":
+            bpy.ops.object.mode_set(mode="OBJECT")
+        curve = new_seed(surface, f"{surface.name} Seed", [])
+        _activate(context, curve)
+        bpy.ops.object.mode_set(mode="EDIT")
+        _borrow(context, curve, surface)
+        linked_settings.settings_to_change(surface).seed = curve
+        return {"FINISHED"}
+
+
+class MEANDER_OT_end_seed(bpy.types.Operator):
+    """Leave Edit Mode and go back to the surface, with what was drawn as its seed"""
+
+    bl_idname = "meander.end_seed"
+    bl_label = "End Drawing"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if surface_drawn_on(context.active_object) is None:
+            cls.poll_message_set("No seed is being drawn")
+            return False
+        return True
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        drawing, curve = _drawing, context.active_object
+        surface = surface_drawn_on(curve)
+        give_back()
+        bpy.ops.object.mode_set(mode="OBJECT")
+        _activate(context, surface)
+        strokes = len(curve.data.splines)
+        if not strokes:
+            earlier = drawing.earlier_seed.find() if drawing.earlier_seed is not None else None
+            linked_settings.settings_to_change(surface).seed = earlier
+            bpy.data.batch_remove([curve, curve.data])
+            self.report({"INFO"}, "Nothing was drawn; the seed is what it was")
+            return {"FINISHED"}
+        count = "one strand" if strokes == 1 else f"{strokes} strands"
+        self.report({"INFO"}, f"{curve.name}, {count}, is the seed of {surface.name}")
+        return {"FINISHED"}
+
+
+class MEANDER_OT_preview_seed(bpy.types.Operator):
+    """Show on the surface what a run would start from, or show it no longer"""
+
+    bl_idname = "meander.preview_seed"
+    bl_label = "Preview Seed"
+    bl_description = (
+        "Show what a run would start from, laid on the surface: strands in orange, guides in blue, "
+        "the loops of a mesh without a seed. Again: show it no longer"
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        if session.current() is not None:
+            cls.poll_message_set("A curve is growing")
+        elif surface_of(context.active_object) is None:
+            cls.poll_message_set(why_not(context.active_object))
+        else:
+            return True
+        return False
+
+    @refusing
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        active = context.active_object
+        if seeds.is_shown(active):
+            seeds.hide()
+            return {"FINISHED"}
+        found = seeds.show(active, context)
+        if found.warning:
+            self.report({"WARNING"}, found.warning)
+        counts = "one strand" if found.strands == 1 else f"{found.strands} strands"
+        if found.guides:
+            counts += " and one guide" if found.guides == 1 else f" and {found.guides} guides"
+        self.report({"INFO"}, "; ".join(filter(None, (f"Starts from {counts}", found.remark))))
+        return {"FINISHED"}
+
+
+def _activate(context: bpy.types.Context, object: bpy.types.Object) -> None:
+    for other in list(context.selected_objects):
+        other.select_set(False)
+    object.select_set(True)
+    context.view_layer.objects.active = object
+
+
+# ------------------------------------------------------------------------------------------------
+# Panel
+
+
+class MEANDER_PT_drawing(Sidebar, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_drawing"
+    bl_label = "Draw Seed"
+    bl_parent_id = "MEANDER_PT_main"
+    bl_options = {"HIDE_HEADER"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return surface_drawn_on(context.active_object) is not None
+
+    def draw(self, context: bpy.types.Context) -> None:
+        column = self.layout.column(align=True)
+        surface = surface_drawn_on(context.active_object)
+        column.label(text=f"Draw on {surface.name}", icon="GREASEPENCIL")
+        if _drawing.problem:
+            notice(column, _drawing.problem, "ERROR")
+        else:
+            column.label(text="Each stroke is a strand", icon="BLANK1")
+        row = column.row()
+        row.scale_y = 1.4
+        row.operator(MEANDER_OT_end_seed.bl_idname, icon="CHECKMARK")
+
+
 _CLASSES = (
+    MEANDER_OT_draw_seed,
+    MEANDER_OT_end_seed,
+    MEANDER_OT_preview_seed,
+    MEANDER_PT_drawing,
     MEANDER_OT_seed_from_edges,
     MEANDER_OT_seed_from_boundary,
     MEANDER_OT_stroke_from_vertices,

@@ -6,6 +6,8 @@ surfaces with the scene: see scene.linked_settings. A result is a curve object w
 its surface.
 """
 
+
+
 import bpy
 from bpy.props import (
     BoolProperty,
@@ -17,18 +19,35 @@ from bpy.props import (
     StringProperty,
 )
 
+from ..model.options.table import TABLE, in_panel
+from ..run import motion
 from ..scene import results
 from ..scene.curve_reader import has_strands
 from ..scene.fillable import has_faces, is_result
 from ..scene.linked_settings import owner_of
 from ..scene.shared_settings import watched
 from .alignment import AlignmentSettings
+from .declared import declared
 from .density import DensitySettings
 from .motion_settings import FollowSettings
 from .preparation_settings import MeanderProblem, PreparationSettings
 from .result_settings import PointSettings, ProfileSettings
 from .strand_settings import StrandSettings
-from .table_settings import MotionSettings, TableSettings
+
+
+class TableSettings:
+    """The part of MeanderSettings that the table declares."""
+
+    __annotations__ = declared(option for option in TABLE if option.panel != "Motion")
+
+
+class MotionSettings:
+    """The settings of a result that follows its surface, which starts again when they change."""
+
+    __annotations__ = declared(
+        in_panel("Motion"),
+        update=lambda settings, context: motion.begin(owner_of(settings), context),
+    )
 
 
 def _is_surface(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:

@@ -8,8 +8,9 @@ import bpy
 from ..run import seeds
 from ..scene.linked_settings import settings_of
 from .declared import switch
-from .seed_drawing import MEANDER_OT_draw_seed, MEANDER_OT_preview_seed
 from .seeds import (
+    MEANDER_OT_draw_seed,
+    MEANDER_OT_preview_seed,
     MEANDER_OT_seed_from_boundary,
     MEANDER_OT_seed_from_edges,
     MEANDER_OT_stroke_from_vertices,

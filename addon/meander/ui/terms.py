@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..scene import ramp
+from ..scene import density
 from ..scene.density import active_group, choice_of
 from ..scene.flow_options import warnings_of
 from ..scene.linked_settings import owner_of, settings_of
@@ -77,7 +77,7 @@ class MEANDER_PT_density(SubPanel, bpy.types.Panel):
         column.prop(settings, "factor_1", text="At High")
         layout.prop(settings, "density_interpolation", text="Ramp")
         if settings.density_interpolation == "FREE":
-            node = ramp.node_of(settings.density_ramp)
+            node = density.node_of(settings.density_ramp)
             if node is not None:
                 layout.template_curve_mapping(node, "mapping")
         layout.column(heading="Range").prop(settings, "use_density_range", text="Custom")
