@@ -14,8 +14,8 @@ import pytest
 from meander.run import estimate, session
 from meander.run.lasting import lasting
 from meander.run.plan import plan_run
+from meander.ui import alignment, density, look, panels, strands, terms
 from meander.ui import fill as run_operators
-from meander.ui import look, panels, strands, terms
 from scenes import activate, cube, fill, poly_curve, sphere
 from watched_runs import begin, tick_until
 
@@ -115,7 +115,7 @@ def test_panel_without_a_mesh_says_what_to_do():
     assert draw(panels.MEANDER_PT_main) == ["Select a mesh to fill"]
     activate(poly_curve("Any", [[(0, 0, 0), (1, 0, 0)]], False))
     assert draw(panels.MEANDER_PT_main)[:2] == ["'Any' has no faces; give", "it a bevel or an"]
-    assert draw(terms.MEANDER_PT_density) is None
+    assert draw(density.MEANDER_PT_density) is None
 
 
 def test_panel_on_a_mesh():
@@ -124,7 +124,7 @@ def test_panel_on_a_mesh():
     assert {"Cube", "Spacing", "Fill with Curve"} <= set(shown)
     assert draw(panels.MEANDER_PT_figures) is None
     # What is greyed says why.
-    assert {"Group", "No vertex groups"} <= set(draw(terms.MEANDER_PT_density))
+    assert {"Group", "No vertex groups"} <= set(draw(density.MEANDER_PT_density))
     assert "Quality" in draw(panels.MEANDER_PT_advanced)
     assert "Seed" in draw(strands.MEANDER_PT_strands)
     assert {"Thickness", "Profile"} <= set(draw(look.MEANDER_PT_look))
@@ -140,15 +140,15 @@ def test_density_panel_shows_what_its_source_needs():
         ("CURVATURE", "Smoothing"),
     ):
         settings.density_source = source
-        shown = draw(terms.MEANDER_PT_density)
+        shown = draw(density.MEANDER_PT_density)
         assert {"Source", label, "Of the spacing", "At Low", "At High", "Ramp"} <= set(shown)
     settings.density_source = "NONE"
-    assert draw(terms.MEANDER_PT_density) == ["Source"]
+    assert draw(density.MEANDER_PT_density) == ["Source"]
 
 
 def test_alignment_panel_shows_what_its_source_needs():
     settings = cube().meander
-    assert draw(terms.MEANDER_PT_alignment) == ["Along"]
+    assert draw(alignment.MEANDER_PT_alignment) == ["Along"]
     for source, label in (
         ("AXIS", "Space"),
         ("CURVATURE", "Smoothing"),
@@ -158,7 +158,7 @@ def test_alignment_panel_shows_what_its_source_needs():
         ("ATTRIBUTE", "Attribute"),
     ):
         settings.alignment_source = source
-        assert {label, "Strength", "Across"} <= set(draw(terms.MEANDER_PT_alignment))
+        assert {label, "Strength", "Across"} <= set(draw(alignment.MEANDER_PT_alignment))
 
 
 def test_weights_panel_warns_of_what_is_seldom_meant():

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which direction the strands follow, as settings on an object."""
+"""Which direction the strands follow: settings on an object, and the panel "Direction"."""
 
 import bpy
 from bpy.props import EnumProperty, PointerProperty, StringProperty
 
 from ..scene.attributes import attribute_names, color_names, vector_names
+from ..scene.linked_settings import settings_of
+from ..scene.settings import surface_of
+from .declared import row
+from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
 
 
 def _is_curve(_settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
@@ -144,3 +148,74 @@ class AlignmentSettings:
         description="UV map that lays the image on the surface. Empty: the active one",
         options=set(),
     )
+
+
+class MEANDER_PT_alignment(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_alignment"
+    bl_label = "Direction"
+    bl_parent_id = GUIDANCE
+    bl_order = GUIDANCE_ORDER["direction"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout)
+        active = context.active_object
+        settings: bpy.types.PropertyGroup = settings_of(active)
+        layout.prop(settings, "alignment_source")
+        source = settings.alignment_source
+        if source == "NONE":
+            return
+        if source == "AXIS":
+            layout.prop(settings, "alignment_axis")
+            layout.row().prop(settings, "alignment_space", expand=True)
+        elif source == "CURVATURE":
+            layout.row().prop(settings, "alignment_curvature", expand=True)
+            row(layout, settings, "alignment_smoothing")
+        elif source == "STROKES":
+            layout.prop(settings, "alignment_strokes", icon="CURVE_DATA")
+        elif source == "UV":
+            layout.row().prop(settings, "alignment_uv", expand=True)
+            surface = surface_of(active)
+            if surface.type == "MESH":
+                layout.prop_search(settings, "alignment_uv_map", surface.data, "uv_layers")
+        elif source == "ATTRIBUTE":
+            layout.prop(settings, "alignment_attribute", icon="SPREADSHEET")
+        self._draw_angle(layout, settings, surface_of(active))
+        row(layout, settings, "alignment_weight")
+        row(layout, settings, "align_across")
+
+    def _draw_angle(
+        self,
+        layout: bpy.types.UILayout,
+        settings: bpy.types.PropertyGroup,
+        surface: bpy.types.Object,
+    ) -> None:
+        layout.prop(settings, "alignment_angle")
+        source = settings.alignment_angle
+        if source == "GROUP":
+            layout.prop_search(
+                settings, "alignment_angle_group", surface, "vertex_groups", text="Group"
+            )
+        elif source == "ATTRIBUTE":
+            layout.prop(settings, "alignment_angle_attribute", icon="SPREADSHEET")
+        elif source == "COLOR":
+            layout.prop(settings, "alignment_angle_color", text="Color", icon="GROUP_VCOL")
+        elif source == "IMAGE":
+            layout.template_ID(settings, "alignment_angle_image", open="image.open", text="Image")
+            if surface.type == "MESH":
+                layout.prop_search(
+                    settings, "alignment_angle_uv_map", surface.data, "uv_layers"
+                )
+
+_CLASSES = (MEANDER_PT_alignment,)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

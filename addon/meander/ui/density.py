@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the spacing varies, as settings on an object."""
+"""Where the spacing varies: the settings on an object, and the panel "Density"."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty, StringProperty
@@ -7,6 +7,11 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, PointerProperty
 from ..model.density import FREE
 from ..scene import density
 from ..scene.attributes import attribute_names, color_names
+from ..scene.density import active_group, choice_of
+from ..scene.linked_settings import owner_of, settings_of
+from ..scene.settings import surface_of
+from .declared import row
+from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns, notice
 
 
 def _shape_chosen(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
@@ -162,3 +167,79 @@ class DensitySettings:
         description="Holds the curve of the ramp; made when Curve is chosen",
         options=set(),
     )
+
+
+class MEANDER_PT_density(SubPanel, bpy.types.Panel):
+    bl_idname = "MEANDER_PT_density"
+    bl_label = "Density"
+    bl_parent_id = GUIDANCE
+    bl_order = GUIDANCE_ORDER["density"]
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        columns(layout, live=True)
+        active = context.active_object
+        settings: bpy.types.PropertyGroup = settings_of(active)
+        layout.prop(settings, "density_source")
+        source = settings.density_source
+        if source == "NONE":
+            return
+        surface = surface_of(active)
+        if source == "GROUP":
+            layout.prop_search(settings, "density_group", surface, "vertex_groups", text="Group")
+            if not settings.density_group:
+                self._draw_taken(layout, surface, active_group(settings, surface))
+        elif source == "ATTRIBUTE":
+            layout.prop(settings, "density_attribute", icon="SPREADSHEET")
+        elif source == "COLOR":
+            layout.prop(settings, "density_color", text="Color", icon="GROUP_VCOL")
+        elif source == "IMAGE":
+            layout.template_ID(settings, "density_image", open="image.open", text="Image")
+            if surface.type == "MESH":
+                layout.prop_search(settings, "density_uv_map", surface.data, "uv_layers")
+        else:
+            layout.prop(settings, "density_curvature")
+            row(layout, settings, "density_smoothing")
+        self._draw_ramp(layout.column(), settings)
+
+    def _draw_taken(
+        self, layout: bpy.types.UILayout, surface: bpy.types.Object, group: str
+    ) -> None:
+        """Which group a run takes where none is named: paint is never left out in silence."""
+        if len(surface.vertex_groups):
+            notice(layout, f"Active: {group}" if group else "None: even spacing")
+        else:
+            notice(layout, "No vertex groups")
+
+    def _draw_ramp(self, layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+        taken = active_group(settings, surface_of(owner_of(settings)))
+        layout.active = choice_of(settings).varies or bool(taken)
+        column = layout.column(align=True)
+        unit = column.split(factor=0.4)
+        unit.label(text="")  # the fields' own labels are below
+        unit.label(text="Of the spacing")
+        column.prop(settings, "factor_0", text="At Low")
+        column.prop(settings, "factor_1", text="At High")
+        layout.prop(settings, "density_interpolation", text="Ramp")
+        if settings.density_interpolation == "FREE":
+            node = density.node_of(settings.density_ramp)
+            if node is not None:
+                layout.template_curve_mapping(node, "mapping")
+        layout.column(heading="Range").prop(settings, "use_density_range", text="Custom")
+        column = layout.column(align=True)
+        column.active = settings.use_density_range
+        column.prop(settings, "density_low", text="From")
+        column.prop(settings, "density_high", text="To")
+
+_CLASSES = (MEANDER_PT_density,)
+
+
+def register() -> None:
+    for cls in _CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister() -> None:
+    for cls in reversed(_CLASSES):
+        bpy.utils.unregister_class(cls)

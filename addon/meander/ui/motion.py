@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sub-panel "Motion": Follow, Bake Motion, Bake Growth, Animate Growth."""
-
-from __future__ import annotations
+"""The sub-panel "Motion": Follow, Bake Motion, Bake Growth, Animate Growth, and its settings."""
 
 from typing import Any
 
 import bpy
-from bpy.props import IntProperty
+from bpy.props import BoolProperty, IntProperty, PointerProperty
 
 from ..run import bake as baking
 from ..run import motion, session
@@ -15,8 +13,33 @@ from ..scene.fillable import is_result
 from .declared import switch
 from .on_result import OnOwnResult
 from .refusing import refusing
-from .settings import MeanderSettings
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
+
+
+def _begin_again(settings: bpy.types.PropertyGroup, context: bpy.types.Context) -> None:
+    """What follows was made for the settings as they were."""
+    motion.begin(settings.id_data, context)
+
+
+class FollowSettings:
+    """Settings on a result, mixed into MeanderSettings."""
+
+    follow: BoolProperty(
+        name="Follow",
+        description=(
+            "Update the curve whenever the frame changes. It needs this add-on: bake the frames "
+            "for files that render elsewhere"
+        ),
+        default=False,
+        options=set(),
+        update=_begin_again,
+    )
+    bake: PointerProperty(
+        type=bpy.types.Collection,
+        name="Baked Frames",
+        description="The collection of the frames that were baked from this curve",
+        options=set(),
+    )
 
 
 class _OnResult(OnOwnResult):
@@ -172,7 +195,7 @@ class MEANDER_PT_motion(SubPanel, bpy.types.Panel):
             notice(layout, f"{baked_frames.baked_result(result).name} is hidden")
             layout.operator(MEANDER_OT_clear_bake.bl_idname, icon="TRASH")
             return
-        settings: MeanderSettings = result.meander
+        settings: bpy.types.PropertyGroup = result.meander
         layout.prop(settings, "motion")
         row = layout.row()
         row.active = settings.motion == "EVEN"

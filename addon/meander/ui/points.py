@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The sub-panel "Export"; for that of "Make", what is known of every point as an object."""
 
-from __future__ import annotations
-
 import bpy
+from bpy.props import EnumProperty
 
 from ..scene import look, points
 from ..scene.errors import DataError
@@ -22,6 +21,25 @@ from .maps import MEANDER_OT_maps
 from .on_result import OnResult
 from .refusing import refusing
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
+
+
+class PointSettings:
+    """What a run makes beside its curve, mixed into MeanderSettings."""
+
+    points_as: EnumProperty(
+        name="Points As",
+        description=(
+            "Make a second object of all points of the curve, with arc length, surface normal, "
+            "tangent, r+, r-, triangle and weights as attributes, for Geometry Nodes and materials"
+        ),
+        items=(
+            ("NONE", "None", "Only the curve"),
+            ("MESH", "Mesh", "A mesh of points and edges"),
+            ("CURVES", "Hair Curves", "A curve with attributes; Blender 4.2 or later"),
+        ),
+        default="NONE",
+        options=set(),
+    )
 
 
 class _PointsToObject(OnResult):

@@ -1,21 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels for the part to fill, its boundary and faults of the mesh; the button Show Faults."""
-
-from __future__ import annotations
+"""The part to fill, its boundary and faults of the mesh: settings, panels, Show Faults."""
 
 import bpy
+from bpy.props import EnumProperty, StringProperty
 
 from .. import core
 from ..model.preparation import faults_in_words
 from ..run import notes, session
 from ..scene import preparation
+from ..scene.attributes import mask_names
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import proposed_spacing, triangles_of
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, switch
 from .refusing import refusing
-from .settings import MeanderSettings
 from .sidebar import (
     ADVANCED,
     ADVANCED_ORDER,
@@ -25,6 +24,47 @@ from .sidebar import (
     columns,
     notice,
 )
+
+
+class PreparationSettings:
+    """The part of MeanderSettings that says what is done to the mesh, and which part is filled."""
+
+    mask_source: EnumProperty(
+        name="Fill",
+        description="Which part of the mesh the curve fills; its edge acts as a boundary",
+        items=(
+            ("NONE", "Whole Mesh", "All faces"),
+            ("MATERIAL", "Material", "The faces that have a material"),
+            ("ATTRIBUTE", "Face Attribute", "The faces for which an attribute is true or not 0"),
+            ("GROUP", "Vertex Group", "Where the weight is high enough, also across faces"),
+        ),
+        default="NONE",
+        options=set(),
+    )
+    mask_material: StringProperty(
+        name="Material", description="Only faces with this material are filled", options=set()
+    )
+    mask_attribute: StringProperty(
+        name="Attribute",
+        description=(
+            "Boolean or integer attribute of faces, or a face map in Blender before 4.0; faces "
+            "where it is false or 0 are left out"
+        ),
+        search=mask_names,
+        search_options={"SUGGESTION"},
+        options=set(),
+    )
+    mask_group: StringProperty(
+        name="Group",
+        description="Vertex group; what has less than the threshold is left out",
+        options=set(),
+    )
+
+
+class MeanderProblem(bpy.types.PropertyGroup):
+    """Why the mesh was refused last."""
+
+    sentence: StringProperty(name="Sentence", options=set())  # empty: it was not
 
 
 class MEANDER_OT_select_problem(bpy.types.Operator):
@@ -124,7 +164,7 @@ class MEANDER_PT_mask(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
-        settings: MeanderSettings = settings_of(active)
+        settings: bpy.types.PropertyGroup = settings_of(active)
         in_edit_mode = active.type == "MESH" and active.mode == "EDIT"
         selected = active.data.total_face_sel if in_edit_mode else 0
         if selected:
@@ -158,7 +198,7 @@ class MEANDER_PT_repair(SubPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         columns(layout)
-        settings: MeanderSettings = settings_of(context.active_object)
+        settings: bpy.types.PropertyGroup = settings_of(context.active_object)
         switch(layout, settings, "strict")
         switch(layout, settings, "use_merge")
         column = layout.column()

@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 from . import (
+    alignment,
     camera,
     cut,
+    density,
     events,
     export,
     fill,
@@ -44,6 +46,8 @@ _MODULES = (
     presets,
     panels,
     look,
+    density,
+    alignment,
     terms,
     motion,
     cut,

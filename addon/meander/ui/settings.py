@@ -29,10 +29,11 @@ from ..scene.shared_settings import watched
 from .alignment import AlignmentSettings
 from .declared import declared
 from .density import DensitySettings
-from .motion_settings import FollowSettings
-from .preparation_settings import MeanderProblem, PreparationSettings
-from .result_settings import PointSettings, ProfileSettings
-from .strand_settings import StrandSettings
+from .look import ProfileSettings
+from .motion import FollowSettings
+from .points import PointSettings
+from .preparation import MeanderProblem, PreparationSettings
+from .strands import StrandSettings
 
 
 class TableSettings:

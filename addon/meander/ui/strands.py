@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sub-panel "Seed and Strands": the seed, a stroke, guides, and parts that they leave out."""
-
-from __future__ import annotations
+"""The sub-panel "Seed and Strands": seed, stroke, guides, parts they leave out; its settings."""
 
 import bpy
+from bpy.props import BoolProperty, PointerProperty
 
 from ..run import seeds
-from ..scene.linked_settings import settings_of
+from ..scene.curve_reader import has_strands
+from ..scene.linked_settings import owner_of, settings_of
 from .declared import switch
 from .seeds import (
     MEANDER_OT_draw_seed,
@@ -15,8 +15,59 @@ from .seeds import (
     MEANDER_OT_seed_from_edges,
     MEANDER_OT_stroke_from_vertices,
 )
-from .settings import MeanderSettings
 from .sidebar import GUIDANCE, GUIDANCE_ORDER, SubPanel, columns
+
+
+def _is_another(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return object != owner_of(settings)
+
+
+def _is_another_curve(settings: bpy.types.PropertyGroup, object: bpy.types.Object) -> bool:
+    return has_strands(object) and object != owner_of(settings)
+
+
+class StrandSettings:
+    """The part of MeanderSettings that says what else there is beside the seed."""
+
+    stroke_from: PointerProperty(
+        type=bpy.types.Object,
+        name="From",
+        description=(
+            "Without a seed: begin one open strand at the origin of this object, on or close to "
+            "the surface. Its ends stay there, so that one stroke fills the surface"
+        ),
+        poll=_is_another,
+        options=set(),
+    )
+    stroke_to: PointerProperty(
+        type=bpy.types.Object,
+        name="To",
+        description="End that strand at the origin of this object",
+        poll=_is_another,
+        options=set(),
+    )
+    guides: PointerProperty(
+        type=bpy.types.Object,
+        name="Guides",
+        description=(
+            "Curve or text that stays as drawn, moved to the surface, while the others keep the "
+            "spacing from it. Its splines may cross and touch each other"
+        ),
+        poll=_is_another_curve,
+        options=set(),
+    )
+    guide_collection: PointerProperty(
+        type=bpy.types.Collection,
+        name="Collection",
+        description="All curves and texts in this collection are guides as well",
+        options=set(),
+    )
+    keep_guides: BoolProperty(
+        name="Keep Guides",
+        description="Write the guides into the result, as splines of their own",
+        default=True,
+        options=set(),
+    )
 
 
 class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
@@ -30,7 +81,7 @@ class MEANDER_PT_strands(SubPanel, bpy.types.Panel):
         layout = self.layout
         columns(layout)
         active = context.active_object
-        settings: MeanderSettings = settings_of(active)
+        settings: bpy.types.PropertyGroup = settings_of(active)
         layout.prop(settings, "seed", icon="CURVE_DATA")
         layout.operator(
             MEANDER_OT_preview_seed.bl_idname,
