@@ -21,8 +21,8 @@ if __name__ == "__main__":
     batch = runpy.run_path(str(Path(__file__).with_name("batch.py")), run_name="batch")
     __package__ = batch["__package__"]
 
+    from .headless.camera import main
     from .headless.command import arguments_of_process, hear_interruptions
-    from .headless.draw import main
 
     hear_interruptions()
     batch["end"](main(arguments_of_process()))

@@ -19,7 +19,7 @@ import pytest
 import scenes
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
-from meander.headless import draw
+from meander.headless import camera as draw
 from meander.model.camera import PAPERS, Page
 from meander.run.camera import CameraDrawing, DrawingEstimate
 from meander.scene.camera import camera_page

@@ -13,7 +13,7 @@ from meander import core
 from meander.run import session, stepper
 from meander.run.preview import Preview
 from meander.scene import errors, look
-from meander.scene.flow_options import options_of
+from meander.scene.options import options_of
 from scenes import (
     activate,
     area_of,

@@ -10,7 +10,8 @@ import pytest
 from meander.model.estimate import in_words
 from meander.run import estimate as estimates
 from meander.run import live
-from meander.scene import flow_options, preferences
+from meander.scene import options as flow_options
+from meander.scene import preferences
 from meander.scene.lengths import length_text
 from meander.ui import fill as run_operators
 from meander.ui.cut import MEANDER_PT_make

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from meander.run import estimate, live, session, suspended
 from meander.run.queue import Queue
-from meander.scene.surface_points import bind
+from meander.scene.points import bind
 from meander.ui import live as live_operator
 from scenes import activate, counts, fill, grid, sphere
 from watched_runs import begin, tick_until

@@ -38,7 +38,7 @@ from meander.scene.alignment import angle_source_of
 from meander.scene.density import pixels_of
 from meander.scene.errors import DataError
 from meander.scene.meshes import triangles_of, vertex_group_weights
-from meander.scene.surface_points import strands_of_result
+from meander.scene.points import strands_of_result
 from scenes import cube, fill, grid, mesh_object, poly_curve, refused
 
 HERE = Path(__file__).parent

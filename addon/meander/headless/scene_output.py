@@ -31,8 +31,8 @@ from ..scene.cut import keep_shading, skin_of, write_cut
 from ..scene.density import store_choice
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
-from ..scene.flow_options import keep_shape
 from ..scene.linked_settings import settings_of
+from ..scene.options import keep_shape
 from ..scene.preparation import store_mask, store_repair
 from ..scene.settings import copy_settings
 from .saved_settings import saved_settings

@@ -36,9 +36,9 @@ from ..scene.alignment import alignment_of, directions_of
 from ..scene.camera import Seen, Sight, seen_by
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
-from ..scene.flow_options import options_of
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import triangles_of
+from ..scene.options import options_of
 from ..scene.settings import is_untouched
 from ..scene.visible import seen_parts
 from . import estimate

@@ -19,10 +19,10 @@ from ..model.field import evaluated
 from ..model.problem import Problem
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
-from ..scene.flow_options import options_of
 from ..scene.identity import Key, number_of
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import area_of, spacing_for, triangles_of
+from ..scene.options import options_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import is_untouched, surface_of
 from .meaning import Meaning, meaning_of

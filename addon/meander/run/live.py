@@ -20,9 +20,9 @@ from ..model.options.table import OF_THE_FLOW
 from ..scene.alignment import alignment_of
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
-from ..scene.flow_options import options_of
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
+from ..scene.options import options_of
 from ..scene.results import is_present
 from ..scene.settings import surface_of
 from .lasting import lasting

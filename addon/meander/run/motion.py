@@ -26,7 +26,7 @@ from ..scene.errors import DataError
 from ..scene.evaluated import is_evaluated
 from ..scene.look import modifier_of
 from ..scene.meshes import surface_now, triangles_of
-from ..scene.surface_points import bind
+from ..scene.points import bind
 from . import session
 from .plan import Plan, plan_of
 

@@ -28,12 +28,12 @@ from ..scene.density import chosen_density, density_of, unused_paint
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
 from ..scene.fillable import shows_instances, why_not
-from ..scene.flow_options import options_of
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
 from ..scene.look import Look
 from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
+from ..scene.options import options_of
 from ..scene.preparation import (
     mask_of,
     repair_of,

@@ -10,10 +10,10 @@ import bpy
 from .. import core
 from ..model.estimate import Estimate, together
 from ..scene.errors import DataError
-from ..scene.flow_options import options_of
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of, settings_to_change
+from ..scene.options import options_of
 from ..scene.preparation import selected_faces
 from ..scene.settings import adopt, is_untouched, surface_of
 from . import estimate

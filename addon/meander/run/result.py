@@ -21,10 +21,10 @@ from ..scene import look, preparation, results
 from ..scene import points as point_attributes
 from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
-from ..scene.flow_options import keep_shape, options_of
 from ..scene.linked_settings import settings_of, settings_to_change
 from ..scene.look import modifier_of
 from ..scene.made_objects import name_curve
+from ..scene.options import keep_shape, options_of
 from ..scene.preparation import store_region
 from ..scene.profile import set_tilt_and_radius
 from ..scene.settings import copy_settings

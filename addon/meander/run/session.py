@@ -16,18 +16,21 @@ from dataclasses import replace
 from typing import Any
 
 import bpy
+import numpy as np
 
 from .. import core
 from ..model import strands
 from ..model.estimate import Estimate, Remaining, in_words, told
+from ..model.preparation import refusal
 from ..model.toolpaths import bridges
 from ..scene.errors import DataError
 from ..scene.identity import Key, number_of
 from ..scene.lengths import length_text
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons
+from ..scene.preparation import remember_problem
 from ..scene.results import is_present
-from . import edit_mode, estimate, live, refused_mesh, seeds, suspended
+from . import edit_mode, estimate, live, seeds, suspended
 from .lasting import lasting
 from .meaning import meaning_of
 from .plan import Plan, with_looks
@@ -349,7 +352,7 @@ class Session:
         try:
             outcome = self.stepper.result()
         except core.MeanderError as error:
-            refused_mesh.explain(self.plan, error)
+            explain_refusal(self.plan, error)
             named = in_polygons(error, self.plan.surface.find(), context.evaluated_depsgraph_get())
             raise strands.explained(
                 named, self.plan.parts, lambda value: length_text(context.scene, value)
@@ -438,3 +441,24 @@ def end_current() -> None:
     """Ends the running session, if there is one."""
     if lasting.session is not None:
         lasting.session.end()
+
+
+def explain_refusal(plan: Plan, error: core.MeanderError) -> None:
+    """Raises DataError with the faults of the mesh that a run was refused for, in words.
+
+    The sentence stays with the surface, for the panel. Returns where the error has another reason.
+    """
+    surface, options = plan.surface.find(), plan.problem.surface_options
+    if error.status != core.Status.INVALID_MESH or surface is None or options is None:
+        return
+    faces = plan.problem.faces
+    if options.face_mask is not None:
+        faces = faces[np.asarray(options.face_mask, dtype=bool)]
+    if not len(faces):
+        return
+    faults = core.find_faults(plan.problem.vertices, faces)
+    if not len(faults.kinds):
+        return
+    sentence = refusal(surface.name, faults, strict=not options.make_manifold)
+    remember_problem(surface, sentence)
+    raise DataError(sentence) from error

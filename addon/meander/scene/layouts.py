@@ -15,7 +15,7 @@ from .attributes import uv_layer_of
 from .errors import DataError
 from .evaluated import surface_mesh
 from .meshes import triangles_of
-from .surface_points import nearest_on
+from .points import nearest_on
 
 
 def metres_of(scene: bpy.types.Scene) -> float:

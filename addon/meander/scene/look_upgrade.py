@@ -9,8 +9,8 @@ from ..model.profile import radius_factors
 from . import points
 from .errors import DataError
 from .look import Look, add_modifier, modifier_of
+from .points import polylines_of
 from .profile import set_tilt_and_radius
-from .surface_points import polylines_of
 from .transforms import mean_scale, world_matrix
 
 

@@ -15,7 +15,7 @@ from .curve_reader import ends_of, has_strands, point_numbers, strands_of_curve
 from .errors import DataError
 from .fillable import is_result
 from .linked_settings import settings_of
-from .surface_points import farthest
+from .points import farthest
 from .transforms import world_matrix
 
 # Points of a part that tell whether it lies on its surface.

@@ -21,7 +21,7 @@ from ..model.toolpaths.drawing import Drawing, axes_of, drawing_of, seen_along
 from ..scene.errors import DataError
 from ..scene.layouts import axes_of_view, has_map, metres_of, unrolled_strands
 from ..scene.meshes import triangles_of
-from ..scene.surface_points import strands_of_result
+from ..scene.points import strands_of_result
 from ..scene.visible import visible_strands
 from .declared import declared
 from .fill import sentence_of

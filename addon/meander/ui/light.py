@@ -11,7 +11,7 @@ from ..model.options.option import chosen
 from ..model.options.table import in_panel
 from ..scene.errors import DataError
 from ..scene.light import least_spacing, make_light
-from ..scene.surface_points import polylines_of
+from ..scene.points import polylines_of
 from .fill import sentence_of
 from .on_result import OnOwnResult
 from .refusing import refusing

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import bpy
 
-from ..scene.flow_options import warnings_of
 from ..scene.linked_settings import settings_of
+from ..scene.options import warnings_of
 from .declared import rows
 from .settings import MeanderSettings
 from .sidebar import (
