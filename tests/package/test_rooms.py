@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which module of the add-on may import which: the rule of .importlinter, and that it bites."""
+"""What may import what in the add-on, as .importlinter says, and that it bites; how the files of a
+feature are called."""
 
 from __future__ import annotations
 
@@ -112,3 +113,36 @@ def test_one_module_knows_the_versions_of_blender() -> None:
         if re.search(r"app\.version\b|app\.version_file", path.read_text(encoding="utf-8"))
     }
     assert asking == {"scene/blender_versions.py"}
+
+
+# Symmetry is too long for one file. What upgrades a look reads curves, and these know the look.
+SEVERAL_FILES = {
+    "binding/flow_options.py", "model/mirror_images.py", "model/mirror_whole.py",
+    "scene/look_upgrade.py",
+}  # fmt: skip
+
+
+def smeared(addon: Path) -> set[str]:
+    """The files that are called after a feature, but have not its very name.
+
+    A feature is what files of one name in two rooms are about.
+    """
+    files = [path.relative_to(addon) for path in addon.rglob("*.py") if "__" not in path.name]
+    rooms: dict[str, set[str]] = {}
+    for file in files:
+        rooms.setdefault(file.stem, set()).add(file.parts[0])
+    features = "|".join(f"{name.rstrip('s')}s?" for name in rooms if len(rooms[name]) > 1)
+    return {file.as_posix() for file in files if re.match(rf"({features})_", file.stem)}
+
+
+def test_a_feature_is_one_word_in_every_room() -> None:
+    found = smeared(ROOT / "addon/meander")
+    assert found - SEVERAL_FILES == set(), "a feature has one file of its name in each room"
+    assert found == SEVERAL_FILES, "no exception is left over"
+
+
+def test_a_second_file_of_a_feature_is_found(tmp_path: Path) -> None:
+    for name in ("run/seeds.py", "ui/seeds.py", "ui/seed_drawing.py", "ui/cut_panel.py"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    assert smeared(tmp_path) == {"ui/seed_drawing.py"}
