@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+import json
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import bpy
@@ -47,3 +48,25 @@ def windowed(monkeypatch: pytest.MonkeyPatch) -> None:
     from watched_runs import FakeWindow
 
     monkeypatch.setattr(session, "Window", FakeWindow)
+
+
+@pytest.fixture
+def run_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> Callable:
+    """Saves the scene and runs the batch command on its object: exit code, standard error, and
+    where it does not refuse, curve and report.
+    """
+    from meander import batch
+    from meander.model.files import obj
+
+    def call(*extra: str) -> tuple:
+        scene, output, record = (tmp_path / name for name in ("scene.blend", "out.obj", "out.json"))
+        bpy.ops.wm.save_as_mainfile(filepath=str(scene))
+        given = ["--input", scene, "--output", output, "--report", record, "--spacing", "0.15"]
+        code = batch.main([str(a) for a in (*given, "--iterations", "150", "--quiet", *extra)])
+        errors = capsys.readouterr().err
+        if code:
+            assert not output.exists()
+            return code, errors, None, None
+        return code, errors, obj.read_obj_curve(output), json.loads(record.read_text())
+
+    return call

@@ -82,10 +82,8 @@ def as_written(path: Path) -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize("lines", LINES)
 @pytest.mark.parametrize("curve", WRITTEN, ids=lambda curve: curve.title)
 def test_blender_reads_all_of_a_curve(tmp_path: Path, curve: Written, lines: str) -> None:
-    text = ["v {!r} {!r} {!r}".format(*place) for place in curve.mesh.vertices.tolist()]
-    text += ["f {} {} {}".format(*(face + 1)) for face in curve.mesh.faces]
-    mesh, out, report = tmp_path / "mesh.obj", tmp_path / "out.obj", tmp_path / "report.json"
-    mesh.write_text("\n".join(text) + "\n")
+    mesh = geometry.write_obj(tmp_path / "mesh.obj", curve.mesh)
+    out, report = tmp_path / "out.obj", tmp_path / "report.json"
     given = ["--input", mesh, "--output", out, "--report", report, "--spacing", curve.spacing]
     given += ["--lines", lines, "--quiet", "--iterations", "300", *curve.words]
     assert batch.main([str(one) for one in given]) == 0

@@ -198,14 +198,17 @@ def share_near_tips(curve: bpy.types.Object) -> float:
     return near / total
 
 
-@pytest.mark.parametrize("source", ["ATTRIBUTE", "COLOR", "IMAGE"])
+@pytest.mark.parametrize("source", ["GROUP", "ATTRIBUTE", "COLOR", "IMAGE"])
 def test_the_spacing_follows(source):
     """A square whose left half is to be twice as dense: twice the length lies there."""
     surface = grid(cells=40)
     left = np.array([vertex.co.x < 0.0 for vertex in surface.data.vertices])
     settings = surface.meander
     settings.density_source = source
-    if source == "ATTRIBUTE":
+    if source == "GROUP":
+        surface.vertex_groups.new(name="side").add(np.flatnonzero(left).tolist(), 1.0, "REPLACE")
+        settings.density_group = "side"
+    elif source == "ATTRIBUTE":
         surface.data.attributes.new("side", "FLOAT", "POINT").data.foreach_set("value", 4.0 * left)
         settings.density_attribute = "side"
     elif source == "COLOR":
@@ -225,7 +228,8 @@ def test_the_spacing_follows(source):
     fine, coarse = lengths[(x > -0.8) & (x < -0.2)].sum(), lengths[(x > 0.2) & (x < 0.8)].sum()
     assert fine / coarse == pytest.approx(2.0, rel=0.15)
     # The result knows what it was made with, and Continue reads the same.
-    for name in ("density_source", "density_attribute", "density_color", "density_image"):
+    for name in ("source", "group", "attribute", "color", "image"):
+        name = f"density_{name}"
         assert getattr(result.meander, name) == getattr(settings, name)
     plan = plan_run(bpy.context)
     assert plan.problem.density.min() == 1.0 and plan.problem.density.max() == pytest.approx(4.0)
@@ -320,6 +324,7 @@ def test_a_result_has_a_curve_of_its_own(tmp_path):
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
+        ({"density_group": "Nowhere"}, "'Nowhere'"),
         ({"density_source": "ATTRIBUTE"}, "no attribute"),
         ({"density_source": "ATTRIBUTE", "density_attribute": "x"}, "no float attribute of points"),
         ({"density_source": "ATTRIBUTE", "density_attribute": "faces"}, "per face"),

@@ -155,20 +155,6 @@ def test_modifiers_are_filled_as_seen():
     assert max(np.linalg.norm(points, axis=1).max() for points, _ in world_splines(result)) < 1.3
 
 
-def test_a_vertex_group_halves_the_spacing():
-    surface = grid(cells=40)
-    left = [vertex.index for vertex in surface.data.vertices if vertex.co.x < 0.0]
-    surface.vertex_groups.new(name="Fine").add(left, 1.0, "REPLACE")
-    result = fill(surface, 0.16, density_group="Fine", factor_0=1.0, factor_1=0.5)
-    ((points, _cyclic),) = world_splines(result)
-    following = np.roll(points, -1, axis=0)
-    lengths = np.linalg.norm(following - points, axis=1)
-    x = (points + following)[:, 0] / 2.0
-    # Away from the border and from the step between the halves.
-    fine, coarse = lengths[(x > -0.8) & (x < -0.2)].sum(), lengths[(x > 0.2) & (x < 0.8)].sum()
-    assert fine / coarse == pytest.approx(2.0, rel=0.15)
-
-
 # -- settings --------------------------------------------------------------------------------------
 
 

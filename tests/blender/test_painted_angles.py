@@ -3,14 +3,11 @@
 
 from __future__ import annotations
 
-import json
-
 import bpy
 import numpy as np
 import pytest
 from meander import batch, core
 from meander.model.alignment import Alignment
-from meander.model.files import obj
 from meander.scene import alignment as scene_alignment
 from scenes import fill, grid, refused, world_splines, world_triangles
 
@@ -99,40 +96,20 @@ def test_a_constant_right_angle_on_x_is_y():
     assert share_along(curves["turned"], 0) < 0.5 * shares["turned"]
 
 
-@pytest.fixture
-def run(tmp_path, capsys):
-    """Saves the scene and runs the command on its object: exit code, standard error, curve."""
-
-    def call(*extra: str):
-        scene = tmp_path / "scene.blend"
-        bpy.ops.wm.save_as_mainfile(filepath=str(scene))
-        output, record = tmp_path / "out.obj", tmp_path / "out.json"
-        given = ["--input", scene, "--output", output, "--report", record, "--spacing", "0.15"]
-        code = batch.main([str(a) for a in (*given, "--iterations", "150", "--quiet", *extra)])
-        errors = capsys.readouterr().err
-        if code:
-            assert not output.exists()
-            return code, errors, None, None
-        return code, errors, obj.read_obj_curve(output).points, json.loads(
-            record.read_text()
-        )
-
-    return call
-
-
 @pytest.mark.parametrize("kind", ["GROUP", "COLOR", "IMAGE"])
-def test_halves_have_directions_of_their_own(run, kind: str):
+def test_halves_have_directions_of_their_own(run_command, kind: str):
     thing = grid()
     paint(thing, kind, np.where(places(thing)[:, 0] > 0.0, 90.0, 0.0))
     words = ("--direction", "x", "--alignment", "4", "--start", "full")
-    _, _, points, record = run(*words, "--direction-angle", "Angle")
+    _, _, curve, record = run_command(*words, "--direction-angle", "Angle")
+    points = curve.points
     assert record["options"]["direction_angle"] == "Angle"
     left, right = points[points[:, 0] < -0.15], points[points[:, 0] > 0.15]
     assert share_along(left, 0) > 2 * share_along(left, 1)
     assert share_along(right, 1) > 2 * share_along(right, 0)
 
 
-def test_the_result_in_a_blend_knows_the_angle(run, tmp_path):
+def test_the_result_in_a_blend_knows_the_angle(run_command, tmp_path):
     thing = grid()
     paint(thing, "GROUP", np.full(len(thing.data.vertices), 45.0))
     scene = tmp_path / "in.blend"
@@ -152,9 +129,9 @@ def test_the_result_in_a_blend_knows_the_angle(run, tmp_path):
         (("--direction", "x", "--direction-angle", "None"), "no vertex group, float attribute"),
     ],
 )
-def test_what_cannot_turn_is_refused(run, words, said):
+def test_what_cannot_turn_is_refused(run_command, words, said):
     grid()
-    code, errors, _, _ = run(*words)
+    code, errors, _, _ = run_command(*words)
     assert code == 2 and said in errors
 
 

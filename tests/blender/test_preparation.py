@@ -171,8 +171,8 @@ def torn() -> bpy.types.Object:
 @pytest.mark.parametrize(
     ("build", "setting", "mode", "chosen", "fault", "word"),
     [
-        (bow_tie, "split_bow_ties", 0, {0}, "1 place where parts touch", "split 1 vertex"),
-        (fin, "", 1, {0, 2}, "1 place where more than two", "cut 1 edge with more"),
+        (bow_tie, "split_bow_ties", 0, {0}, "1 place where parts touch in one", "split 1 vertex"),
+        (fin, "", 1, {0, 2}, "1 place where more than two faces share an", "cut 1 edge with more"),
         (flat, "drop_degenerate", 2, {0, 1, 4}, "1 face without area", "dropped 1 face"),
         (torn, "", 0, {0, 1, 2, 5, 7}, "2 places where more than two faces", "split 1 vertex"),
     ],

@@ -7,6 +7,7 @@ Brute force throughout, since these have to be right rather than fast.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +27,29 @@ def mesh(vertices: Sequence, faces: Sequence) -> Mesh:
         np.array(vertices, dtype=np.float64).reshape(-1, 3),
         np.array(faces, dtype=np.uint32).reshape(-1, 3),
     )
+
+
+def obj_text(mesh: Mesh) -> str:
+    """A mesh as an OBJ file that holds every bit of it."""
+    lines = ["v {!r} {!r} {!r}".format(*place) for place in mesh.vertices.tolist()]
+    lines += ["f {} {} {}".format(*face) for face in (mesh.faces.astype(int) + 1).tolist()]
+    return "\n".join(lines) + "\n"
+
+
+def write_obj(path: Path, mesh: Mesh) -> Path:
+    path.write_text(obj_text(mesh), encoding="ascii")
+    return path
+
+
+def write_lines(path: Path, *strands: Sequence) -> Path:
+    """Strands as the lines of an OBJ file."""
+    text, count = "", 0
+    for points in strands:
+        text += "".join("v {} {} {}\n".format(*point) for point in points)
+        text += "l " + " ".join(str(count + k + 1) for k in range(len(points))) + "\n"
+        count += len(points)
+    path.write_text(text, encoding="ascii")
+    return path
 
 
 # ------------------------------------------------------------------------------------------------

@@ -159,11 +159,7 @@ def test_a_dxf_file_is_the_same_way(drawing: Drawing, tmp_path: Path) -> None:
 
 
 def test_files_with_arcs_are_a_fifth_as_long(tmp_path: Path, capsys) -> None:
-    vertices, faces = geometry.grid(8)
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in faces]
-    mesh = tmp_path / "sheet.obj"
-    mesh.write_text("\n".join(lines))
+    mesh = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(8))
     for suffix in ("svg", "dxf", "gcode"):
         sizes = []
         for arcs in ((), ("--arcs", "0.2")):

@@ -21,26 +21,9 @@ from meander.model.files import obj
 from sentences import assert_sentence
 
 
-def write_mesh(path: Path, vertices, faces) -> Path:
-    lines = ["v {} {} {}".format(*map(repr, map(float, point))) for point in vertices]
-    lines += ["f " + " ".join(str(int(index) + 1) for index in face) for face in faces]
-    path.write_text("\n".join(lines) + "\n", encoding="ascii")
-    return path
-
-
-def write_lines(path: Path, strands: list) -> Path:
-    text, count = "", 0
-    for points in strands:
-        text += "".join("v {} {} {}\n".format(*point) for point in points)
-        text += "l " + " ".join(str(count + at + 1) for at in range(len(points))) + "\n"
-        count += len(points)
-    path.write_text(text, encoding="ascii")
-    return path
-
-
 @pytest.fixture
 def square(tmp_path: Path) -> Path:
-    return write_mesh(tmp_path / "square.obj", *geometry.grid(6))
+    return geometry.write_obj(tmp_path / "square.obj", geometry.grid(6))
 
 
 @pytest.fixture
@@ -192,7 +175,7 @@ def test_terms_reach_the_flow(run, square: Path, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("field", ["curvature", "smooth", "y"])
 def test_fields_are_made(run, tmp_path: Path, field: str) -> None:
-    ball = write_mesh(tmp_path / "ball.obj", *geometry.icosphere(3))
+    ball = geometry.write_obj(tmp_path / "ball.obj", geometry.icosphere(3))
     code, *_ = run(ball, "--spacing", "0.3", "--iterations", "5", "--direction", field, "--quiet")
     assert code == 0
     options = json.loads((tmp_path / "out.json").read_text())["options"]
@@ -200,7 +183,7 @@ def test_fields_are_made(run, tmp_path: Path, field: str) -> None:
 
 
 def test_seed_file_is_used(run, square: Path, tmp_path: Path) -> None:
-    seed = write_lines(tmp_path / "seed.obj", [[(0.2, 0.3, 0), (0.8, 0.3, 0)]])
+    seed = geometry.write_lines(tmp_path / "seed.obj", *[[(0.2, 0.3, 0), (0.8, 0.3, 0)]])
     code, *_ = run(square, "--spacing", "0.2", "--iterations", "5", "--seed", str(seed), "--quiet")
     assert code == 0
     assert obj.read_obj_curve(tmp_path / "out.obj").closed.tolist() == [0]
@@ -337,8 +320,9 @@ def test_directions_on_a_mesh_file(run, square: Path, tmp_path: Path) -> None:
 def test_curvature_makes_a_mesh_file_denser(run, tmp_path: Path) -> None:
     """A sphere bends alike everywhere and keeps its spacing; a long ellipsoid does not."""
     vertices, faces = geometry.icosphere(3)
-    ball = write_mesh(tmp_path / "ball.obj", vertices, faces)
-    egg = write_mesh(tmp_path / "egg.obj", vertices * (0.5, 0.5, 2.0), faces)
+    ball = geometry.write_obj(tmp_path / "ball.obj", geometry.Mesh(vertices, faces))
+    egg = geometry.mesh(vertices * (0.5, 0.5, 2.0), faces)
+    egg = geometry.write_obj(tmp_path / "egg.obj", egg)
     lengths = {}
     for name in ("mean", "gaussian", None):
         density = ("--density-curvature", name) if name else ()
@@ -434,7 +418,8 @@ BAD_MESHES = {
 
 @pytest.mark.parametrize("name", BAD_MESHES)
 def test_bad_mesh(refused, tmp_path: Path, name: str) -> None:
-    refused(write_mesh(tmp_path / "bad.obj", *BAD_MESHES[name]), *GOOD, "--strict")
+    bad = geometry.write_obj(tmp_path / "bad.obj", geometry.mesh(*BAD_MESHES[name]))
+    refused(bad, *GOOD, "--strict")
 
 
 @pytest.mark.parametrize(
@@ -446,7 +431,7 @@ def test_bad_mesh(refused, tmp_path: Path, name: str) -> None:
     ],
 )
 def test_faults_are_repaired_and_counted(run, tmp_path: Path, name: str, counted: dict) -> None:
-    bad = write_mesh(tmp_path / "bad.obj", *BAD_MESHES[name])
+    bad = geometry.write_obj(tmp_path / "bad.obj", geometry.mesh(*BAD_MESHES[name]))
     code, out, err = run(bad, "--spacing", "0.2", "--iterations", "20")
     assert code == 0, err
     record = json.loads((tmp_path / "out.json").read_text())
@@ -457,10 +442,10 @@ def test_faults_are_repaired_and_counted(run, tmp_path: Path, name: str, counted
 
 
 def test_bad_seed(refused, square: Path, tmp_path: Path) -> None:
-    off = write_lines(tmp_path / "off.obj", [[(0.2, 0.2, 0.9), (0.8, 0.8, 0.9)]])
+    off = geometry.write_lines(tmp_path / "off.obj", *[[(0.2, 0.2, 0.9), (0.8, 0.8, 0.9)]])
     refused(square, *GOOD, "--seed", str(off))
     crossing = [(0.2, 0.2, 0), (0.8, 0.8, 0), (0.8, 0.2, 0), (0.2, 0.8, 0)]
-    refused(square, *GOOD, "--seed", str(write_lines(tmp_path / "x.obj", [crossing])))
+    refused(square, *GOOD, "--seed", str(geometry.write_lines(tmp_path / "x.obj", *[crossing])))
 
 
 def test_missing_input(refused, tmp_path: Path) -> None:

@@ -18,12 +18,7 @@ SPACING = 0.5
 
 @pytest.fixture
 def ball(tmp_path: Path) -> Path:
-    mesh = geometry.icosphere(2)
-    path = tmp_path / "ball.obj"
-    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
-    lines += [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in mesh.faces.tolist()]
-    path.write_text("\n".join(lines) + "\n")
-    return path
+    return geometry.write_obj(tmp_path / "ball.obj", geometry.icosphere(2))
 
 
 def run(ball: Path, folder: Path, *extra: object) -> int:

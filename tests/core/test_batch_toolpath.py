@@ -17,12 +17,7 @@ from sentences import assert_sentence
 
 @pytest.fixture
 def square(tmp_path: Path) -> Path:
-    vertices, faces = geometry.grid(6)
-    lines = ["v {} {} {}".format(*map(float, point)) for point in vertices]
-    lines += ["f " + " ".join(str(int(index) + 1) for index in face) for face in faces]
-    path = tmp_path / "square.obj"
-    path.write_text("\n".join(lines) + "\n", encoding="ascii")
-    return path
+    return geometry.write_obj(tmp_path / "square.obj", geometry.grid(6))
 
 
 def _run(square: Path, name: str, *extra: str) -> int:

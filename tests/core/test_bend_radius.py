@@ -52,11 +52,8 @@ def test_where_it_is() -> None:
 
 
 def test_the_report_has_it(tmp_path: Path) -> None:
-    vertices, faces = geometry.icosphere(3)
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in faces]
-    mesh, report = tmp_path / "ball.obj", tmp_path / "r.json"
-    mesh.write_text("\n".join(lines))
+    mesh = geometry.write_obj(tmp_path / "ball.obj", geometry.icosphere(3))
+    report = tmp_path / "r.json"
     radii = []
     for stiffness in ("0", "3"):
         given = ["--input", mesh, "--output", tmp_path / "a.obj", "--spacing", "0.25", "--quiet"]

@@ -113,10 +113,7 @@ def of_table(path: Path) -> tuple[float, int]:
 
 @pytest.mark.parametrize("export", EXPORTS, ids=lambda export: export.title)
 def test_the_file_is_as_long_as_the_curve(tmp_path: Path, export: Export) -> None:
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in export.mesh.vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in export.mesh.faces]
-    mesh, report = tmp_path / "mesh.obj", tmp_path / "r.json"
-    mesh.write_text("\n".join(lines) + "\n")
+    mesh, report = geometry.write_obj(tmp_path / "mesh.obj", export.mesh), tmp_path / "r.json"
     output = tmp_path / export.name
     spacing = 0.1 if export.mesh is GRID else 0.25
     given = ["--input", mesh, "--output", output, "--report", report, "--spacing", spacing]

@@ -158,11 +158,7 @@ def test_a_laser_in_space_follows_the_height() -> None:
 
 
 def test_head_and_foot_of_a_file(tmp_path: Path, capsys) -> None:
-    vertices, faces = geometry.grid(6)
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in faces]
-    mesh = tmp_path / "sheet.obj"
-    mesh.write_text("\n".join(lines))
+    mesh = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(6))
     (tmp_path / "head.txt").write_text("\ufeff$H\nM8 ; aus\u00dfen", encoding="utf-8")
     (tmp_path / "foot.txt").write_text("M30\n")
     given = ["--input", mesh, "--output", tmp_path / "a.nc", "--spacing", "0.2", "--quiet"]

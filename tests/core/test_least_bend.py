@@ -17,14 +17,7 @@ SPACING = 0.08
 
 @pytest.fixture
 def sheet(tmp_path: Path) -> Path:
-    return written(tmp_path / "sheet.obj", geometry.grid(20))
-
-
-def written(path: Path, mesh: geometry.Mesh) -> Path:
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in mesh.vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in mesh.faces]
-    path.write_text("\n".join(lines) + "\n")
-    return path
+    return geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(20))
 
 
 def run(mesh: Path, *extra: str) -> int:
@@ -100,7 +93,7 @@ def test_the_published_weights_have_no_stiffness_and_get_one(sheet: Path) -> Non
 
 def test_what_no_stiffness_holds_is_refused_with_the_place(tmp_path: Path, capsys) -> None:
     """Over the edges of a cube every curve bends sharply."""
-    cube = written(tmp_path / "cube.obj", geometry.cube())
+    cube = geometry.write_obj(tmp_path / "cube.obj", geometry.cube())
     assert run(cube, "--quiet", "--least-bend-radius", "0.04") == 2
     said = capsys.readouterr().err
     assert "a bend radius of 0.04" in said and "larger spacing" in said

@@ -63,12 +63,7 @@ def test_what_is_short_stays_as_it_is() -> None:
 
 @pytest.fixture
 def sheet(tmp_path: Path) -> Path:
-    vertices, faces = geometry.grid(8)
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in faces]
-    path = tmp_path / "sheet.obj"
-    path.write_text("\n".join(lines))
-    return path
+    return geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(8))
 
 
 def run(mesh: Path, name: str, *extra: str) -> int:

@@ -29,12 +29,7 @@ def matrices(quaternions: np.ndarray) -> np.ndarray:
 
 @pytest.fixture
 def ball(tmp_path: Path) -> Path:
-    vertices, faces = geometry.icosphere(3)
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in faces]
-    path = tmp_path / "ball.obj"
-    path.write_text("\n".join(lines))
-    return path
+    return geometry.write_obj(tmp_path / "ball.obj", geometry.icosphere(3))
 
 
 def run(mesh: Path, name: str, *extra: str) -> int:

@@ -130,18 +130,13 @@ TRIES = """
 """
 
 
-def text_of(mesh: geometry.Mesh) -> str:
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in mesh.vertices.tolist()]
-    return "\n".join(lines + ["f {} {} {}".format(*(face + 1)) for face in mesh.faces]) + "\n"
-
-
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("said")
     points = "".join(f"v {x} {y} 0\n" for x, y in SQUARE)
-    (folder / "sheet.obj").write_text(text_of(geometry.grid(6)))
-    (folder / "ball.obj").write_text(text_of(geometry.icosphere(2)))
-    (folder / "cube.obj").write_text(text_of(geometry.cube()))
+    (folder / "sheet.obj").write_text(geometry.obj_text(geometry.grid(6)))
+    (folder / "ball.obj").write_text(geometry.obj_text(geometry.icosphere(2)))
+    (folder / "cube.obj").write_text(geometry.obj_text(geometry.cube()))
     (folder / "line.obj").write_text(points + "l 1 2 3\n")
     (folder / "plain.obj").write_text(points)
     (folder / "branch.obj").write_text(points + "l 1 2 3\nl 2 4\n")

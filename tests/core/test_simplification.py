@@ -163,10 +163,7 @@ def test_the_flow_goes_on_from_a_light_curve(model):
 
 
 def test_the_command_writes_light_curves(tmp_path):
-    vertices, faces = geometry.icosphere(3)
-    lines = ["v {} {} {}".format(*map(float, point)) for point in vertices]
-    lines += ["f " + " ".join(str(int(index) + 1) for index in face) for face in faces]
-    (tmp_path / "ball.obj").write_text("\n".join(lines) + "\n", encoding="ascii")
+    geometry.write_obj(tmp_path / "ball.obj", geometry.icosphere(3))
 
     def run(name, *extra):
         given = ["--input", tmp_path / "ball.obj", "--output", tmp_path / name, "--spacing", "0.3"]

@@ -297,10 +297,7 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture):
     """Runs the command on a mesh: exit code, stdout, stderr."""
 
     def call(mesh: geometry.Mesh, *extra: str) -> tuple[int, str, str]:
-        path = tmp_path / "mesh.obj"
-        lines = ["v {!r} {!r} {!r}".format(*point) for point in mesh.vertices.tolist()]
-        lines += ["f {} {} {}".format(*face) for face in (mesh.faces + 1).tolist()]
-        path.write_text("\n".join(lines), encoding="ascii")
+        path = geometry.write_obj(tmp_path / "mesh.obj", mesh)
         code = batch.main(
             ["--input", str(path), "--output", str(tmp_path / "out.obj"), "--spacing", "0.1"]
             + ["--report", str(tmp_path / "out.json"), *map(str, extra)]
@@ -313,16 +310,6 @@ def run(tmp_path: Path, capsys: pytest.CaptureFixture):
 
 def report_of(tmp_path: Path) -> dict:
     return json.loads((tmp_path / "out.json").read_text())
-
-
-def write_lines(path: Path, *lines: list) -> Path:
-    text, count = "", 0
-    for points in lines:
-        text += "".join("v {} {} {}\n".format(*point) for point in points)
-        text += "l " + " ".join(str(count + k + 1) for k in range(len(points))) + "\n"
-        count += len(points)
-    path.write_text(text, encoding="ascii")
-    return path
 
 
 def test_batch_draws_a_stroke_between_points_or_vertices(run, tmp_path: Path) -> None:
@@ -338,7 +325,7 @@ def test_batch_draws_a_stroke_between_points_or_vertices(run, tmp_path: Path) ->
 
 
 def test_batch_keeps_guides_or_leaves_them_out(run, tmp_path: Path) -> None:
-    guides = write_lines(tmp_path / "guides.obj", BAR)
+    guides = geometry.write_lines(tmp_path / "guides.obj", BAR)
     code, _out, err = run(geometry.grid(6), "--guides", guides, "--iterations", 20)
     assert (code, err) == (0, "")
     curve = obj.read_obj_curve(tmp_path / "out.obj")

@@ -15,13 +15,6 @@ from meander import batch
 from meander.model.geometry.surface_crossings import crossings
 
 
-def written(path: Path, mesh: geometry.Mesh) -> Path:
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in mesh.vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in mesh.faces]
-    path.write_text("\n".join(lines) + "\n")
-    return path
-
-
 def run(mesh: Path, kind: str, *extra: str) -> tuple[dict, Path]:
     output, report = mesh.with_name(f"a{kind}"), mesh.with_name("r.json")
     given = ["--input", mesh, "--output", output, "--report", report, "--spacing", "0.15"]
@@ -72,7 +65,7 @@ def crossing_pairs(ways: list[np.ndarray]) -> int:
     ],
 )
 def test_on_a_sheet_as_a_search_of_every_pair_finds_them(tmp_path, capsys, kind, extra) -> None:
-    sheet = written(tmp_path / "sheet.obj", geometry.grid(20, 2.0))
+    sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(20, 2.0))
     points, path = run(sheet, kind, *extra)
     assert points["crossings"] == crossing_pairs(ways_of(path)) > 0
     said = capsys.readouterr().err
@@ -85,19 +78,19 @@ def test_on_a_sheet_as_a_search_of_every_pair_finds_them(tmp_path, capsys, kind,
     ("kind", "extra"), [(".csv", ()), (".json", ("--poses",)), (".obj", ("--light", "0.01"))]
 )
 def test_what_is_near_the_curve_does_not_cross(tmp_path, capsys, mesh, kind, extra) -> None:
-    points, path = run(written(tmp_path / "mesh.obj", mesh), kind, *extra)
+    points, path = run(geometry.write_obj(tmp_path / "mesh.obj", mesh), kind, *extra)
     assert points["crossings"] == 0 and "crosses" not in capsys.readouterr().err
     if np.ptp(mesh.vertices[:, 2]) == 0.0:
         assert crossing_pairs(ways_of(path)) == 0
 
 
 def test_all_points_of_an_obj_are_not_looked_at(tmp_path) -> None:
-    points, _path = run(written(tmp_path / "sheet.obj", geometry.grid(20, 2.0)), ".obj")
+    points, _path = run(geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(20, 2.0)), ".obj")
     assert points["crossings"] is None
 
 
 def test_on_a_ball(tmp_path) -> None:
-    ball = written(tmp_path / "ball.obj", geometry.icosphere(3))
+    ball = geometry.write_obj(tmp_path / "ball.obj", geometry.icosphere(3))
     points, _path = run(ball, ".csv", "--resample-step", "0.8")
     assert points["crossings"] > 0
     for place in points["crossing_places"]:

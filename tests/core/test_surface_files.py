@@ -327,9 +327,7 @@ def test_the_command_fills_the_same_mesh_from_every_kind_of_file(tmp_path: Path)
     order = list(dict.fromkeys(mesh.faces.ravel().tolist()))
     vertices = mesh.vertices[order]
     faces = np.argsort(order)[mesh.faces]
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in faces]
-    (tmp_path / "mesh.obj").write_text("\n".join(lines))
+    geometry.write_obj(tmp_path / "mesh.obj", geometry.Mesh(vertices, faces))
     (tmp_path / "mesh.stl").write_bytes(stl(vertices[faces].tolist()))
     head = (
         f"element vertex {len(vertices)}\nproperty float x\nproperty float y\nproperty float z\n"

@@ -88,10 +88,8 @@ def bounds(path: Path) -> np.ndarray:
 def test_a_plate_has_its_size(tmp_path: Path, plate: Plate) -> None:
     flat, faces = geometry.grid(16)
     vertices = flat[:, :2] * plate.sides @ np.array(plate.place, dtype=float) + plate.at
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in faces]
-    mesh, report = tmp_path / "plate.obj", tmp_path / "r.json"
-    mesh.write_text("\n".join(lines) + "\n")
+    mesh = geometry.write_obj(tmp_path / "plate.obj", geometry.Mesh(vertices, faces))
+    report = tmp_path / "r.json"
     spacing = min(plate.sides) / 8.0
     output = tmp_path / f"a.{plate.suffix}"
     given = ["--input", mesh, "--output", output, "--report", report, "--spacing", spacing]

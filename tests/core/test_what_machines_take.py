@@ -17,13 +17,6 @@ from meander.model.toolpaths.drawing import drawing_of
 from sentences import assert_sentence
 
 
-def written(path: Path, mesh: geometry.Mesh) -> Path:
-    lines = ["v {!r} {!r} {!r}".format(*place) for place in mesh.vertices.tolist()]
-    lines += ["f {} {} {}".format(*(face + 1)) for face in mesh.faces]
-    path.write_text("\n".join(lines) + "\n", encoding="ascii")
-    return path
-
-
 def run(mesh: Path, name: str, *extra: str, spacing: float = 0.2) -> int:
     report = mesh.with_name("report.json")
     given = ["--input", mesh, "--output", mesh.with_name(name), "--spacing", spacing]
@@ -71,7 +64,7 @@ def test_every_crossing_is_counted_and_none_else(number: int) -> None:
 
 def test_a_drawing_that_crosses_itself_says_so(tmp_path: Path, capsys) -> None:
     """Both sides of a ball, seen from above."""
-    ball = written(tmp_path / "ball.obj", geometry.icosphere(3))
+    ball = geometry.write_obj(tmp_path / "ball.obj", geometry.icosphere(3))
     assert run(ball, "a.svg", "--layout", "top", "--size", "100") == 0
     drawing = figures(ball)["drawing"]
     said = capsys.readouterr().err
@@ -82,7 +75,7 @@ def test_a_drawing_that_crosses_itself_says_so(tmp_path: Path, capsys) -> None:
 
 
 def test_a_flat_surface_has_a_drawing_without_crossings(tmp_path: Path, capsys) -> None:
-    sheet = written(tmp_path / "sheet.obj", geometry.grid(8))
+    sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(8))
     for name in ("a.svg", "a.dxf", "a.gcode"):
         assert run(sheet, name, "--layout", "top", "--size", "100", spacing=0.05) == 0
         assert figures(sheet)["drawing"]["crossings"] == 0
@@ -139,7 +132,7 @@ def test_stitches_keep_within_the_tolerance(stitch: float, tolerance: float) -> 
 
 def test_the_command_stitches_what_the_machine_reads(tmp_path: Path) -> None:
     pyembroidery = pytest.importorskip("pyembroidery")
-    sheet = written(tmp_path / "sheet.obj", geometry.grid(8))
+    sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(8))
     for stitch in ("2.5", "6"):
         given = ("--layout", "top", "--size", "60", "--stitch-length", stitch)
         assert run(sheet, "a.dst", *given, spacing=0.03) == 0
@@ -166,7 +159,7 @@ def plate(tmp_path: Path) -> Path:
     """A square of side 90, as many programs write it: in millimetres, and y points up."""
     vertices, faces = geometry.grid(4)
     lying = np.column_stack([vertices[:, 0], np.zeros(len(vertices)), -vertices[:, 1]])
-    return written(tmp_path / "plate.obj", geometry.Mesh(90.0 * lying, faces))
+    return geometry.write_obj(tmp_path / "plate.obj", geometry.Mesh(90.0 * lying, faces))
 
 
 @pytest.mark.parametrize("suffix", ["svg", "dxf", "gcode"])
@@ -226,7 +219,7 @@ def sides_of(plate: Path, name: str) -> list[float]:
 
 
 def test_a_straight_line_is_not_seen_edge_on(tmp_path: Path) -> None:
-    sheet = written(tmp_path / "sheet.obj", geometry.grid(8))
+    sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(8))
     ends = ("--from", "0", "0.5", "0", "--to", "1", "0.5", "0")
     given = (*ends, "--iterations", "1", "--layout", "top", "--input-unit", "cm")
     assert run(sheet, "a.svg", *given, spacing=0.9) == 0
@@ -252,7 +245,7 @@ def test_options_that_do_nothing_are_refused(plate: Path, extra, words, capsys) 
 def test_pairs_are_the_same_curve(tmp_path: Path) -> None:
     from meander.model.files.obj import read_obj_curve
 
-    ball = written(tmp_path / "ball.obj", geometry.two_spheres())
+    ball = geometry.write_obj(tmp_path / "ball.obj", geometry.two_spheres())
     assert run(ball, "a.obj", spacing=0.4) == 0
     assert run(ball, "b.obj", "--lines", "pairs", spacing=0.4) == 0
     one, other = (read_obj_curve(tmp_path / name) for name in ("a.obj", "b.obj"))
@@ -264,7 +257,7 @@ def test_pairs_are_the_same_curve(tmp_path: Path) -> None:
 
 
 def test_a_run_says_why_there_are_several_lines(tmp_path: Path, capsys) -> None:
-    two = written(tmp_path / "two.obj", geometry.two_spheres())
+    two = geometry.write_obj(tmp_path / "two.obj", geometry.two_spheres())
     out = tmp_path / "out.obj"
     given = ["--input", str(two), "--output", str(out), "--spacing", "0.4"]
     report = tmp_path / "report.json"
@@ -278,7 +271,7 @@ def test_a_run_says_why_there_are_several_lines(tmp_path: Path, capsys) -> None:
     assert "2 lines: the mesh has 2 parts" in capsys.readouterr().out
     assert batch.main([*given, "--bridge"]) == 0
     assert "one " in capsys.readouterr().out
-    ball = written(tmp_path / "ball.obj", geometry.icosphere(2))
+    ball = geometry.write_obj(tmp_path / "ball.obj", geometry.icosphere(2))
     seed = tmp_path / "seed.obj"
     rings = [
         [(np.cos(a) * c, np.sin(a) * c, z) for a in np.linspace(0, 6.28, 20)[:-1]]
@@ -300,7 +293,7 @@ def test_any_name_gives_a_drawing_that_can_be_read(tmp_path: Path, letter: str) 
     from xml.etree import ElementTree
 
     name = f"a{letter}b.svg"
-    sheet = written(tmp_path / "sheet.obj", geometry.grid(4))
+    sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(4))
     try:
         tmp_path.joinpath(name).touch()
     except (OSError, ValueError):

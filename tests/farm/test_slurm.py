@@ -20,12 +20,9 @@ ITEMS, TASKS = 40, 4
 
 def write_meshes(folder: Path) -> None:
     """All alike but one that no one can read, and one that would take hours."""
-    vertices, faces = geometry.grid(6)[:2]
-    lines = ["v {} {} {}".format(*map(float, point)) for point in vertices]
-    lines += ["f " + " ".join(str(int(index) + 1) for index in face) for face in faces]
     folder.mkdir()
     for number in range(ITEMS):
-        (folder / f"m{number:02}.obj").write_text("\n".join(lines) + "\n")
+        geometry.write_obj(folder / f"m{number:02}.obj", geometry.grid(6))
     (folder / "m07.obj").write_text("v 0 0\n")
 
 

@@ -30,12 +30,6 @@ bpy.ops.wm.save_as_mainfile(filepath=sys.argv[-1])
 """
 
 
-def mesh_text(mesh) -> str:
-    lines = ["v {} {} {}".format(*map(float, point)) for point in mesh[0]]
-    lines += ["f " + " ".join(str(int(index) + 1) for index in face) for face in mesh[1]]
-    return "\n".join(lines) + "\n"
-
-
 @pytest.fixture
 def blender() -> str:
     found = shutil.which("blender")
@@ -44,7 +38,7 @@ def blender() -> str:
 
 
 def test_meshes_with_one_that_is_malformed(job):
-    good = mesh_text(geometry.grid(6))
+    good = geometry.obj_text(geometry.grid(6))
     job.meshes(a=good, b=good, bad="v 0 0\n", c=good)
     job.write('[defaults]\nspacing = 0.15\n[[items]]\ninput = "meshes/*.obj"\n', fake=False)
     done = job.run("--jobs", "2")
@@ -60,7 +54,7 @@ def test_meshes_with_one_that_is_malformed(job):
 
 
 def test_an_item_that_would_be_too_large_is_a_failed_item(job):
-    job.meshes(a=mesh_text(geometry.grid(6)))
+    job.meshes(a=geometry.obj_text(geometry.grid(6)))
     text = '[defaults]\nspacing = 0.1\niterations = 3\n%s\n[[items]]\ninput = "meshes/*.obj"\n'
     job.write(text % "limit-nodes = 10", fake=False)
     assert job.run().returncode == 1
@@ -73,7 +67,7 @@ def test_an_item_that_would_be_too_large_is_a_failed_item(job):
 
 
 def test_a_limit_of_memory_is_a_failed_item(job):
-    job.meshes(a=mesh_text(geometry.grid(6)), b=mesh_text(geometry.grid(300)))
+    job.meshes(a=geometry.obj_text(geometry.grid(6)), b=geometry.obj_text(geometry.grid(300)))
     job.write(
         "[defaults]\nspacing = 0.15\nthreads = 1\nmemory = 100\n"
         'iterations = 3\n[[items]]\ninput = "meshes/*.obj"\n',
@@ -85,7 +79,7 @@ def test_a_limit_of_memory_is_a_failed_item(job):
 
 
 def test_a_run_that_is_interrupted_leaves_nothing_half(job):
-    job.meshes(a=mesh_text(geometry.grid(30)))
+    job.meshes(a=geometry.obj_text(geometry.grid(30)))
     job.write('[[items]]\ninput = "meshes/a.obj"\nspacing = 0.004\n', fake=False)
     process = job.start()
     log = job.results / "a.log.part"

@@ -21,6 +21,7 @@ from stage import (  # noqa: E402
     PICTURES,
     assert_no_python_thread,
     assert_no_timer,
+    browser,
     click,
     key,
     look_at_surface,
@@ -35,14 +36,6 @@ from stage import (  # noqa: E402
 )
 
 FILES = PICTURES / "drawn"
-
-
-def browser() -> bpy.types.Area | None:
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "FILE_BROWSER":
-                return area
-    return None
 
 
 def chosen(name: str, spacing: float) -> Iterator[float]:

@@ -19,6 +19,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 from meander.ui import cut, panels  # noqa: E402
 from stage import (  # noqa: E402
     PICTURES,
+    browser,
     click,
     key,
     look_at_surface,
@@ -40,14 +41,6 @@ FILES = PICTURES / "exported"
 def points() -> int:
     splines = bpy.context.view_layer.objects.active.data.splines
     return sum(len(spline.points) for spline in splines)
-
-
-def browser() -> bpy.types.Area | None:
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "FILE_BROWSER":
-                return area
-    return None
 
 
 def paper(path: Path) -> list[float]:

@@ -18,6 +18,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
 
 from meander.run import notes, session  # noqa: E402
 from stage import (  # noqa: E402
+    activate,
     assert_nothing_left_over,
     ended,
     key,
@@ -27,6 +28,7 @@ from stage import (  # noqa: E402
     status_texts,
     step,
     tell,
+    undo,
     until,
     window_override,
 )
@@ -35,30 +37,8 @@ from stage import (  # noqa: E402
 SOON, NEVER = 0.4, 0.05
 
 
-def activate(*names: str) -> None:
-    """Selects these, the first of them active."""
-    for thing in bpy.data.objects:
-        thing.select_set(thing.name in names)
-    bpy.context.view_layer.objects.active = bpy.data.objects[names[0]]
-
-
 def results() -> set[str]:
     return {thing.name for thing in bpy.data.objects if thing.type == "CURVE" and thing.users_scene}
-
-
-def undo(redo: bool = False) -> Iterator[float]:
-    """Ctrl+Z or Ctrl+Shift+Z, and what the window makes of it."""
-    done = []
-    handlers = bpy.app.handlers.redo_post if redo else bpy.app.handlers.undo_post
-
-    def note(*_arguments: object) -> None:
-        done.append(True)
-
-    handlers.append(note)
-    key("Z", ctrl=True, shift=redo)
-    yield from until(lambda: bool(done), "redo" if redo else "undo")
-    handlers.remove(note)
-    yield 0.1
 
 
 def build() -> None:

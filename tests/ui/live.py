@@ -21,6 +21,7 @@ from stage import (  # noqa: E402
     IN_VIEW,
     RESULT,
     SURFACE,
+    activate,
     assert_nothing_left_over,
     build_scene,
     choose_spacing,
@@ -41,13 +42,6 @@ from stage import (  # noqa: E402
 
 # A run takes a second.
 SPACING = 0.3
-
-
-def activate(name: str) -> bpy.types.Object:
-    for thing in bpy.data.objects:
-        thing.select_set(thing.name == name)
-    bpy.context.view_layer.objects.active = bpy.data.objects[name]
-    return bpy.data.objects[name]
 
 
 def choose(thing: bpy.types.Object, setting: str, value: object) -> None:

@@ -21,6 +21,7 @@ from stage import (  # noqa: E402
     COARSE,
     RESULT,
     SURFACE,
+    activate,
     build_scene,
     changed_share,
     choose_spacing,
@@ -42,12 +43,6 @@ WIDE = 2.5 * COARSE
 def values() -> list[float]:
     modifier = looks.modifier_of(bpy.data.objects[RESULT])
     return [looks.value_of(modifier, name) for name in ("Radius", "Profile", "Spacing")]
-
-
-def activate(name: str) -> None:
-    for thing in bpy.data.objects:
-        thing.select_set(thing.name == name)
-    bpy.context.view_layer.objects.active = bpy.data.objects[name]
 
 
 def first_fill() -> Iterator[float]:

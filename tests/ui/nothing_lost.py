@@ -23,6 +23,7 @@ from stage import (  # noqa: E402
     FINEST_THAT_ENDS,
     RESULT,
     SURFACE,
+    activate,
     assert_nothing_left_over,
     build_scene,
     changed_share,
@@ -48,12 +49,6 @@ from stage import (  # noqa: E402
 
 # So fine that the user is asked whether he means it.
 HUGE = 0.004
-
-
-def activate(name: str) -> None:
-    for thing in bpy.data.objects:
-        thing.select_set(thing.name == name)
-    bpy.context.view_layer.objects.active = bpy.data.objects[name]
 
 
 def grows() -> Iterator[float]:

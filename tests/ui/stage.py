@@ -286,6 +286,37 @@ def until(condition: Callable[[], bool], what: str) -> Iterator[float]:
         yield 0.05
 
 
+def activate(*names: str) -> bpy.types.Object:
+    """Selects these, the first of them active, which is returned."""
+    for thing in bpy.data.objects:
+        thing.select_set(thing.name in names)
+    bpy.context.view_layer.objects.active = bpy.data.objects[names[0]]
+    return bpy.data.objects[names[0]]
+
+
+def browser() -> bpy.types.Area | None:
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "FILE_BROWSER":
+                return area
+    return None
+
+
+def undo(redo: bool = False) -> Iterator[float]:
+    """Ctrl+Z or Ctrl+Shift+Z, and what the window makes of it."""
+    done = []
+    handlers = bpy.app.handlers.redo_post if redo else bpy.app.handlers.undo_post
+
+    def note(*_arguments: object) -> None:
+        done.append(True)
+
+    handlers.append(note)
+    key("Z", ctrl=True, shift=redo)
+    yield from until(lambda: bool(done), "redo" if redo else "undo")
+    handlers.remove(note)
+    yield 0.1
+
+
 def ended() -> bool:
     return session.current() is None
 

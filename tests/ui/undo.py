@@ -27,10 +27,10 @@ from stage import (  # noqa: E402
     build_scene,
     choose_spacing,
     ended,
-    key,
     press_run,
     step,
     tell,
+    undo,
     until,
 )
 
@@ -50,22 +50,6 @@ def evaluate_unread() -> None:
     """Evaluates the surface anew: a mesh that was read before the undo stays whole by itself."""
     surface().update_tag(refresh={"DATA"})
     bpy.context.view_layer.update()
-
-
-def undo(redo: bool = False) -> Iterator[float]:
-    """Ctrl+Z or Ctrl+Shift+Z, and what the window makes of it."""
-    done = False
-
-    def note(*_arguments: object) -> None:
-        nonlocal done
-        done = True
-
-    handlers = bpy.app.handlers.redo_post if redo else bpy.app.handlers.undo_post
-    handlers.append(note)
-    key("Z", ctrl=True, shift=redo)
-    yield from until(lambda: done, "redo" if redo else "undo")
-    handlers.remove(note)
-    yield 0.1
 
 
 def settings_undone(whole: int) -> Iterator[float]:
