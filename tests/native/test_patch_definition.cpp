@@ -271,8 +271,6 @@ TEST(PatchDefinition, IsWhatPatchesSay) {
   EXPECT_GT(all.bent, 100u);
 }
 
-/// Whether all that is near lies on one sheet is found by several conditions, which only save time. Where another sheet
-/// is about as large as this one there is too much area for one.
 TEST(PatchDefinition, HoldsForSheetsOneAboveTheOther) {
   for (const bool turned : {false, true}) {
     // In the same place and up to 3 r above, in the middle and at the rim, turned to the same side and to the other.
@@ -291,8 +289,7 @@ TEST(PatchDefinition, HoldsForSheetsOneAboveTheOther) {
 }
 
 /// Sheets across a spot of fine patches in a plane of patches so large that none of their middles is near: there is no
-/// more surface about the spot than one sheet has, and others are told from it by where they face, and by how far they
-/// leave its plane, or it theirs. Those that bend less would be taken for its continuation.
+/// more surface about the spot than one sheet has.
 TEST(PatchDefinition, HoldsForASheetAcrossASpot) {
   constexpr double kWidth = 32, kAcross = 14;
   const Mesh plane = scaled(flat_grid(64, 0.1), kWidth);

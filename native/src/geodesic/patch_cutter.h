@@ -31,7 +31,7 @@ class SurfacePatches::Cutter {
   /// What is known of the patches besides. One entry for each.
   std::vector<Vec3> centre;
   std::vector<double> area, r, coherence;  // coherence: length of the mean normal
-  std::vector<uint8_t> at_boundary, at_crease;
+  std::vector<uint8_t> at_crease;
   std::vector<std::array<uint32_t, 2>> beside;  // pairs that touch, each once, in rising order
   std::vector<Vec3> creases;                    // points on them, kCreaseStep apart
 
@@ -204,7 +204,6 @@ class SurfacePatches::Cutter {
   /// What some edges tell.
   struct Seams {
     std::vector<std::array<uint32_t, 2>> joined, beside;
-    std::vector<uint32_t> boundary;
     std::vector<std::pair<uint32_t, Crease>> crease;
     std::vector<HalfEdge> crease_edges;
   };
@@ -218,7 +217,6 @@ class SurfacePatches::Cutter {
     for (const Seams& each : seams) {
       for (const auto& [a, b] : each.joined) sets.join(a, b);
       beside.insert(beside.end(), each.beside.begin(), each.beside.end());
-      boundary_cells_.insert(boundary_cells_.end(), each.boundary.begin(), each.boundary.end());
       crease_cells_.insert(crease_cells_.end(), each.crease.begin(), each.crease.end());
       for (const HalfEdge e : each.crease_edges) sample_crease(e);
     }
@@ -233,9 +231,7 @@ class SurfacePatches::Cutter {
     if (crease != Crease::kFlat) seams.crease_edges.push_back(e);
     const auto note = [&](uint32_t here, uint32_t there) {
       if (crease != Crease::kFlat) seams.crease.push_back({here, crease});
-      if (twin == kNone) {
-        seams.boundary.push_back(here);
-      } else if (here != there) {
+      if (twin != kNone && here != there) {
         (cells_[here].voxel == cells_[there].voxel ? seams.joined : seams.beside).push_back({here, there});
       }
     };
@@ -312,7 +308,6 @@ class SurfacePatches::Cutter {
     patches_.component_.resize(count);
     for (std::vector<double>* each : {&area, &r, &coherence}) each->assign(count, 0);
     std::vector<uint32_t> faces(count, 0);
-    at_boundary.assign(count, 0);
     at_crease.assign(count, 0);
     for (uint32_t cell = 0; cell < cells_.size(); ++cell) {
       const Cell& c = cells_[cell];
@@ -323,7 +318,6 @@ class SurfacePatches::Cutter {
       if (!gridded(c.face)) ++faces[patch[cell]];
       patches_.component_[patch[cell]] = s_.component(c.face);
     }
-    for (const uint32_t cell : boundary_cells_) at_boundary[patch[cell]] = 1;
     for (const auto& [cell, crease] : crease_cells_) {
       Crease& own = patches_.traits_[patch[cell]].own;
       own = std::max(own, crease);
@@ -348,7 +342,6 @@ class SurfacePatches::Cutter {
   const RadiusField& radius_;
   double least_size_;
   std::vector<Cell> cells_;
-  std::vector<uint32_t> boundary_cells_;
   std::vector<std::pair<uint32_t, Crease>> crease_cells_;
 };
 

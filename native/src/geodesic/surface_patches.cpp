@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -30,17 +29,6 @@ constexpr double kHidden = 3, kLonger = 1.2;
 /// sheet that is taken for remote and is not changes little, and searches stay small.
 constexpr double kMostClamp = 10;
 
-/// Two patches may lie on one sheet if their normals differ by less than this (a cosine), and the line between them
-/// leaves their planes by less than this share of its length, and of a patch.
-constexpr double kAlike = 0.5, kRise = 0.5, kSlack = 0.1;
-
-/// Sheets nearer than this, in r, spoil what is beside them as well: at the end of a sheet the one below may seem to be
-/// its continuation.
-constexpr double kStacked = 1.6;
-
-/// More surface than this many discs within reach is more than one sheet.
-constexpr double kSheets = 1.5;
-
 /// A crease matters to places within this many r; on a limb, what has turned by more than this (a cosine).
 constexpr double kCreaseReach = 2.2, kCurled = 0.3;
 
@@ -59,23 +47,11 @@ class SurfacePatches::Comparison {
       : patches_(patches),
         cut_(cut),
         grid_(cut.centre, (kReach + Cutter::kSize) * least(cut.r), (kReach + Cutter::kSize) * largest(cut.r)),
-        steps_(patches, cut.centre, pool) {
-    for (uint32_t p = 0; p < patches.count(); ++p) {
-      const Traits& traits = patches.traits_[p];
-      known_.push_back({cut.centre[p].cast<float>(), patches.normal_[p].cast<float>(), static_cast<float>(cut.area[p]),
-                        cut.coherence[p] < kAlike, cut.at_boundary[p] != 0, false,
-                        traits.own != Crease::kFlat && cut.at_crease[p] == 0, traits.own});
-    }
-  }
+        steps_(patches, cut.centre, pool) {}
 
   void compare(double clamp, ThreadPool& pool) {
     const uint32_t n = patches_.count();
     constexpr size_t kBlock = 256;
-    std::vector<uint8_t> stacked(n, 0);
-    pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
-      for (auto p = static_cast<uint32_t>(begin); p < end; ++p) stacked[p] = is_stacked(p);
-    });
-    for (uint32_t p = 0; p < n; ++p) known_[p].stacked = stacked[p] != 0;
     std::vector<std::vector<uint32_t>> hidden(n);
     SpareMemory<Scratch> spare;
     pool.for_blocks(n, kBlock, [&](size_t, size_t begin, size_t end) {
@@ -94,15 +70,6 @@ class SurfacePatches::Comparison {
   }
 
  private:
-  /// What is asked of every patch that is near to another, in one cache line.
-  struct alignas(64) Known {
-    Eigen::Vector3f centre, normal;
-    float area;
-    bool rough, at_boundary, stacked;  // rough: too bent to be a part of a sheet
-    bool bend;                         // it is bent without a crease
-    Crease own;
-  };
-
   static double largest(const std::vector<double>& r) { return *std::ranges::max_element(r); }
   /// Without patches that have no area, whose r is 0.
   static double least(const std::vector<double>& r) {
@@ -111,31 +78,12 @@ class SurfacePatches::Comparison {
     return least;
   }
 
-  bool alike(uint32_t p, uint32_t q, float slack) const {
-    const Known &a = known_[p], &b = known_[q];
-    const Eigen::Vector3f d = b.centre - a.centre;
-    const float rise = static_cast<float>(kRise) * d.norm() + slack;
-    return !b.rough && a.normal.dot(b.normal) >= static_cast<float>(kAlike) && std::abs(d.dot(a.normal)) <= rise &&
-           std::abs(d.dot(b.normal)) <= rise;
-  }
-  float slack(uint32_t p) const { return static_cast<float>(kSlack * Cutter::kSize * cut_.r[p]); }
-
   bool on_one_component(uint32_t p, uint32_t q) const { return patches_.component_[p] == patches_.component_[q]; }
-
-  bool is_stacked(uint32_t p) const {
-    if (!(cut_.area[p] > 0)) return false;
-    bool stacked = false;
-    grid_.near(cut_.centre[p], kStacked * cut_.r[p], [&](uint32_t q, double) {
-      stacked = stacked || (q != p && on_one_component(p, q) && !alike(p, q, slack(p)));
-    });
-    return stacked;
-  }
 
   void compare(uint32_t p, Scratch& scratch, std::vector<uint32_t>& hidden) {
     if (!(cut_.area[p] > 0)) return;
     const double r = cut_.r[p], far = (kReach + Cutter::kSize) * r;
-    double area = 0;
-    bool one_sheet = !known_[p].rough, edged = false, opposed = false, hides = false, hides_same_side = false;
+    bool edged = false, opposed = false, hides = false, hides_same_side = false;
     auto& near = scratch.near;
     PatchSearch& search = scratch.search;
     near.clear();
@@ -149,18 +97,17 @@ class SurfacePatches::Comparison {
       }
     });
     for (const auto& [q, squared] : near) {
-      const Known& other = known_[q];
-      area += static_cast<double>(other.area);
-      one_sheet = one_sheet && !other.at_boundary && !other.stacked && (q == p || alike(p, q, slack(p)));
       opposed = opposed || patches_.opposite(p, q);
-      edged = edged || (other.own != Crease::kFlat && !other.bend);
-      if (other.own != Crease::kFlat) note_crease(p, std::sqrt(squared), other.own, other.bend);
+      const Crease own = patches_.traits_[q].own;
+      if (own == Crease::kFlat) continue;
+      const bool bend = cut_.at_crease[q] == 0;
+      edged = edged || !bend;
+      note_crease(p, std::sqrt(squared), own, bend);
     }
     Traits& traits = patches_.traits_[p];
     traits.opposed = opposed;
     traits.hides = hides;
     traits.hides_same_side = hides_same_side;
-    if (one_sheet && area <= kSheets * std::numbers::pi * far * far) return;
     // All patches that are not too far from p to be seen from it.
     const double most = (kHidden + Cutter::kSize) * r;
     search.start_from(p);
@@ -223,7 +170,6 @@ class SurfacePatches::Comparison {
   const Cutter& cut_;
   PointGrid grid_;
   PatchSteps steps_;
-  std::vector<Known> known_;
 };
 
 SurfacePatches::SurfacePatches(const Surface& surface, const RadiusField& radius, double clamp, ThreadPool& pool) {
