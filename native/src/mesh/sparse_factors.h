@@ -13,10 +13,10 @@
 namespace meander {
 
 /// The factors P A P^T = L D L^H of a Hermitian matrix A, of which the lower triangle is read: Timothy A. Davis,
-/// "Algorithm 849: a concise sparse Cholesky factorization package", ACM Trans. Math. Softw. 31, 4 (2005). With the
-/// smoothing of a function on a million faces that takes most of a minute, and Eigen's SimplicialLDLT, which is the
-/// same algorithm, does not come back before it has ended. This one does the same operations in the same order and
-/// gives the same bytes, but asks in between. Eigen finds the permutation P (AMD), in one call that nothing ends: for
+/// "Algorithm 849: a concise sparse Cholesky factorization package", ACM Trans. Math. Softw. 31, 4 (2005). Eigen's
+/// SimplicialLDLT, which is the same algorithm, does not come back before it has ended (docs/decisions.md, "Factors
+/// that can be cancelled"). This one does the same operations in the same order and gives the same bytes, but asks in
+/// between. Eigen finds the permutation P (AMD), in one call that nothing ends: for
 /// 655,362 rows and 4.6 million numbers it takes half a second.
 ///
 /// `Number` is double or std::complex<double>.
