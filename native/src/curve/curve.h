@@ -93,7 +93,7 @@ class Curve {
   std::vector<uint8_t> on_guide_;  // empty where there are no guides
 };
 
-/// The length of the same curve on a surface with other vertices, in its own unit: through the same points of its faces.
+/// The length of a curve on a surface of the same faces and other vertices, in its own unit.
 double length_on(const Surface& surface, const Curve& curve);
 
 }  // namespace meander

@@ -20,8 +20,8 @@ inline constexpr double kBoundarySampling = 0.5;
 
 // ---- The plan: hairpin removal --------------------------------------------------------------------------------------
 
-/// This share of the runs between opposite hairpins is drawn in, the shortest; from 0 to 1. An eighth or three tenths of the runs:
-/// within noise (docs/decisions.md, "Rough hairpin removal").
+/// This share of the runs between opposite hairpins is drawn in, the shortest; from 0 to 1. An eighth or three tenths of
+/// the runs: within noise (docs/decisions.md, "Rough hairpin removal").
 inline constexpr double kHairpinRemovalShare = 0.2;
 
 /// The length weight that draws them in, > 0, and the share of its last step with which a node goes on meanwhile, from
