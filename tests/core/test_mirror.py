@@ -18,7 +18,6 @@ from meander.model.mirror_images import Mirror, mirror_of
 from meander.model.mirror_whole import whole_of
 from meander.model.problem import Problem, open_flow
 from sentences import assert_sentence
-from test_surface_crossings import written
 
 
 @dataclass(frozen=True)
@@ -400,7 +399,7 @@ def test_nearest_places_are_those_of_brute_force() -> None:
 
 
 def command(folder: Path, mesh: geometry.Mesh, *extra: object) -> int:
-    path = written(folder / "mesh.obj", mesh)
+    path = geometry.write_obj(folder / "mesh.obj", mesh)
     given = ("--input", path, "--output", folder / "out.obj", "--report", folder / "r.json")
     return batch.main([str(each) for each in (*given, "--quiet", *extra)])
 
