@@ -291,6 +291,9 @@ _GROUPS = Path("/sys/fs/cgroup")
 def available_memory(proc: Path = _PROC, groups: Path = _GROUPS) -> int | None:
     """Bytes: what is free on the machine, or less in a container or a job with a limit of its own.
 
+    Where memory runs out, Linux seldom says so: it gives addresses to everybody, and ends a process
+    when they are used. Nobody hears a sentence then, so what is known to be too much is refused.
+
     On Linux what the kernel calls available, and the limits of the control groups (version 2) that
     the process is in; elsewhere all memory of the machine; None: it cannot be known.
 

@@ -23,7 +23,7 @@ from ..scene import strands as scene_strands
 from ..scene.curve_writer import write_curve
 from ..scene.linked_settings import settings_of, settings_to_change
 from ..scene.look import modifier_of
-from ..scene.made_objects import name_curve
+from ..scene.made import name_curve
 from ..scene.options import keep_shape, options_of
 from ..scene.preparation import store_region
 from ..scene.profile import set_tilt_and_radius

@@ -87,7 +87,10 @@ _VALUES = ("default_value", "min_value", "max_value", "description", "hide_value
 
 
 def structure_of(tree: bpy.types.NodeTree) -> dict[str, Any]:
-    """The sockets, nodes and links of a tree, as what JSON can hold."""
+    """The sockets, nodes and links of a tree, as what JSON can hold.
+
+    Where nodes stand, and what is selected, does not count.
+    """
     return {
         "kind": tree.bl_idname,
         "inputs": [_declared(socket) for socket in group_sockets(tree, "INPUT")],

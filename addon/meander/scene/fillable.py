@@ -7,7 +7,7 @@ from pathlib import Path
 
 import bpy
 
-from .made_objects import made_from
+from .made import made_from
 
 # Types of which Blender always makes a mesh.
 _OF_FACES = frozenset({"MESH", "FONT", "SURFACE", "META"})

@@ -7,7 +7,7 @@ import bpy
 
 from .fillable import has_faces, is_result
 from .linked_settings import settings_of, settings_to_change
-from .made_objects import let_go
+from .made import let_go
 
 
 def is_present(thing: bpy.types.Object | None) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import bpy
 
 from .fillable import has_faces, is_result
-from .made_objects import made_from
+from .made import made_from
 
 # What belongs to one object: what it lies on, what its last run came to, and what it does now.
 _OWN = frozenset(

@@ -16,7 +16,7 @@ from ..scene.errors import DataError
 from ..scene.fillable import is_result
 from ..scene.identity import Key
 from ..scene.look import set_value
-from ..scene.made_objects import name_curve
+from ..scene.made import name_curve
 from ..scene.solid_view import colour_corners, show_colours
 from ..scene.transforms import mean_scale
 from .on_result import NO_RESULT, OnResult

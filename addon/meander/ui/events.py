@@ -13,7 +13,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..run import estimate, gaps, live, motion, notes, seeds, session, suspended
-from ..scene import after_undo, changes, identity, linked_settings, look, made_objects, solid_view
+from ..scene import after_undo, changes, identity, linked_settings, look, made, solid_view
 from . import live as live_operator
 from . import seeds as seed_drawing
 
@@ -38,7 +38,7 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         motion.on_load,
         live_operator.forget,
     ),
-    "save_pre": (linked_settings.before_save, made_objects.before_save, look.on_output),
+    "save_pre": (linked_settings.before_save, made.before_save, look.on_output),
     "undo_pre": (changes.on_undo_begin, after_undo.begin),
     "undo_post": (*_READ_BACK, solid_view.give_back, *_UNDONE),
     "redo_pre": (changes.on_undo_begin, after_undo.begin),

@@ -17,14 +17,14 @@ from ..scene.blender_versions import draw_progress
 from ..scene.fillable import is_result, why_not_this
 from ..scene.lengths import length_text
 from ..scene.linked_settings import can_be_changed, settings_of
-from ..scene.made_objects import made_from
+from ..scene.made import made_from
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, rows, switch
 from .fill import MEANDER_OT_stop, draw_fill_buttons
 from .gaps import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
-from .made_operators import draw_hidden, draw_made
+from .made import draw_hidden, draw_made
 from .on_result import LINKED, is_linked
 from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation import draw_faults

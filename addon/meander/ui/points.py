@@ -9,7 +9,7 @@ from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
 from ..scene.fillable import is_result
 from ..scene.linked_settings import settings_of
-from ..scene.made_objects import name_curve
+from ..scene.made import name_curve
 from ..scene.points import strands_of_result
 from ..scene.transforms import mean_scale
 from .camera import MEANDER_OT_draw_camera

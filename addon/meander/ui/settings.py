@@ -36,6 +36,8 @@ from .preparation import MeanderProblem, PreparationSettings
 from .strands import StrandSettings
 
 
+# A class either takes its annotations from the table or writes its own: from Python 3.14 on it
+# cannot do both.
 class TableSettings:
     """The part of MeanderSettings that the table declares."""
 

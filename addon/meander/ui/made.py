@@ -6,7 +6,7 @@ from __future__ import annotations
 import bpy
 
 from ..run import session
-from ..scene.made_objects import bring_into_view, made_from
+from ..scene.made import bring_into_view, made_from
 from ..scene.results import shown_result
 from .refusing import refusing
 from .sidebar import notice
