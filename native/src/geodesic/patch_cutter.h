@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How surfaces are cut into patches. Part of surface_patches.cpp.
+// How surfaces are cut into patches.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
-
-#include "base/clipped_triangle.h"
 #include "base/disjoint_sets.h"
 #include "geodesic/surface_patches.h"
 
@@ -25,6 +20,7 @@ class SurfacePatches::Cutter {
   /// How far patches are across, in r.
   static constexpr double kSize = 1;
 
+  /// Refers to all three; what it finds of the patches goes into the first.
   Cutter(SurfacePatches& patches, const Surface& surface, const RadiusField& radius)
       : patches_(patches), s_(surface), radius_(radius), least_size_(kSize * radius.least()) {}
 
@@ -35,50 +31,10 @@ class SurfacePatches::Cutter {
   std::vector<std::array<uint32_t, 2>> beside;  // pairs that touch, each once, in rising order
   std::vector<Vec3> creases;                    // points on them, kCreaseStep apart
 
-  void cut(ThreadPool& pool) {
-    const CancelToken poll = pool.poll(1);
-    lay_out_cells(pool);
-    DisjointSets sets(cells_.size());
-    join_in_grids(sets);
-    join_across_edges(sets, pool);
-    poll.now();
-    join_slivers(sets);
-    poll.now();
-    number(sets);
-    poll.now();
-    add_up();
-    poll.now();
-  }
+  /// Fills what is above, and the faces, cells and traits of the patches. Once.
+  void cut(ThreadPool& pool);
 
  private:
-  /// Patches smaller than this share of kSize^2 r^2 join others, as long as both come to no more than that, and in no
-  /// direction are farther across than this share of kSize r: narrow strips have next to no area.
-  static constexpr double kSliver = 0.5, kLargest = 1.5, kLongest = 1.75;
-
-  /// Faces that differ by less than this (cosines) meet at a crease, and at a sharp edge. A crease of 45 degrees makes
-  /// a straight radius 4 % too small or 6 % too large, one of 35 degrees 2 and 3 %, as it lies within the ball.
-  static constexpr double kCrease = 0.8, kSharp = 0.34;
-
-  /// The same for all of a patch: the length of the mean of its unit normals. .96 is an arc with a radius of r.
-  static constexpr double kCreasedPatch = 0.96, kSharpPatch = 0.8, kBentPatch = 0.7;
-
-  /// A patch is coarse if it has no more faces than this for each r^2, as of edges of 1.24 r: there windows take less
-  /// time than what they stand in for, docs/medial_axis.md.
-  static constexpr double kMostFaces = 1.5;
-
-  /// Which cube of space of this size a point is in. The origin is the middle of the surface: cubes are shifted, as
-  /// rounding would else scatter a plane through it over both sides.
-  static uint64_t voxel(const Vec3& p, double size, uint32_t level) {
-    constexpr double kShift = 0.382;
-    const auto cell = [&](double x) {
-      return static_cast<uint64_t>(static_cast<int64_t>(std::floor(x / size + kShift)) & 0x7ffff);
-    };
-    return cell(p.x()) | cell(p.y()) << 19 | cell(p.z()) << 38 | uint64_t{level} << 57;
-  }
-
-  /// Faces or half-edges that a thread takes at a time.
-  static constexpr size_t kBlock = 8192;
-
   struct Cell {
     uint64_t voxel;
     Vec3 middle;
@@ -86,256 +42,25 @@ class SurfacePatches::Cutter {
     double area;
   };
 
-  double radius_at(uint32_t f) const {
-    if (!radius_.varies()) return radius_.at(0);
-    const Triangle& t = s_.face(f);
-    return (radius_.at(t[0]) + radius_.at(t[1]) + radius_.at(t[2])) / 3;
-  }
-  /// Sizes double from level to level, so that neighbours mostly agree about it.
-  uint32_t level_at(uint32_t f) const {
-    if (!radius_.varies()) return 0;
-    return static_cast<uint32_t>(std::clamp(std::ilogb(kSize * radius_at(f) / least_size_), 0, 60));
-  }
+  static uint64_t voxel(const Vec3& p, double size, uint32_t level);
+  double radius_at(uint32_t f) const;
+  uint32_t level_at(uint32_t f) const;
   double size_at(uint32_t level) const { return std::ldexp(least_size_, static_cast<int>(level)); }
   bool gridded(uint32_t f) const { return (patches_.patch_of_face_[f] & kGridded) != 0; }
-  uint32_t cell_at(uint32_t f, Vec2 p) const {
-    const uint32_t known = patches_.patch_of_face_[f];
-    return (known & kGridded) == 0 ? known : patches_.grids_[known & ~kGridded].cell_at(p);
-  }
-
-  /// The side of a face that is longest, and its length squared.
-  std::pair<uint32_t, double> longest_side(uint32_t f) const {
-    std::pair<uint32_t, double> longest{0, 0};
-    for (uint32_t k = 0; k < 3; ++k) {
-      const Vec2 along = s_.along(3 * f + k);
-      if (dot(along, along) > longest.second) longest = {k, dot(along, along)};
-    }
-    return longest;
-  }
-
-  void lay_out_cells(ThreadPool& pool) {
-    const size_t faces = s_.face_count();
-    std::vector<uint8_t> large(faces);
-    pool.for_blocks(faces, kBlock, [&](size_t, size_t begin, size_t end) {
-      for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
-        const double size = size_at(level_at(f));
-        large[f] = longest_side(f).second > size * size;
-      }
-    });
-    patches_.patch_of_face_.resize(faces);
-    cells_.reserve(faces);
-    for (uint32_t f = 0; f < faces; ++f) {
-      if (large[f]) {
-        lay_grid(f);
-      } else {
-        patches_.patch_of_face_[f] = static_cast<uint32_t>(cells_.size());
-        cells_.emplace_back();
-      }
-    }
-    pool.for_blocks(faces, kBlock, [&](size_t, size_t begin, size_t end) {
-      for (auto f = static_cast<uint32_t>(begin); f < end; ++f) {
-        if (large[f]) continue;
-        const uint32_t level = level_at(f);
-        const Triangle& t = s_.face(f);
-        const Vec3 middle = (s_.position(t[0]) + s_.position(t[1]) + s_.position(t[2])) / 3;
-        cells_[patches_.patch_of_face_[f]] = {voxel(middle, size_at(level), level), middle, f, s_.face_area(f)};
-      }
-    });
-  }
-
-  void lay_grid(uint32_t f) {
-    const auto [longest, squared] = longest_side(f);
-    const uint32_t level = level_at(f);
-    const double length = std::sqrt(squared), size = size_at(level);
-    const Vec2 origin = s_.corner(f, longest), axis = unit(s_.along(3 * f + longest));
-    const Vec2 apex = conj(axis) * (s_.corner(f, prev_corner(longest)) - origin);
-    const auto count = [&](double extent) { return std::max(1u, static_cast<uint32_t>(std::ceil(extent / size))); };
-    const Grid grid{static_cast<uint32_t>(cells_.size()), count(length), count(apex.y), origin, (1 / size) * axis};
-    patches_.patch_of_face_[f] = kGridded | static_cast<uint32_t>(patches_.grids_.size());
-    patches_.grids_.push_back(grid);
-    for (uint32_t row = 0; row < grid.rows; ++row) {
-      for (uint32_t column = 0; column < grid.columns; ++column) {
-        // A little more than the cell, as points that rounding moves are in one that is not empty.
-        const double grain = 1e-6 * size, x = column * size, y = row * size;
-        const std::array<Vec2, 3> face{Vec2{0, 0}, Vec2{length, 0}, apex};
-        const ClippedTriangle part = clip_triangle(face, {x - grain, y - grain}, {x + size + grain, y + size + grain});
-        const Vec3 middle = s_.position(s_.face(f)[0]) + s_.to_space(f, origin + axis * part.middle);
-        cells_.push_back({voxel(middle, size, level), middle, f,
-                          part.empty ? 0 : std::max(part.area, 1e-3 * size * size)});
-      }
-    }
-  }
-
-  /// Two cells touch.
-  void meet(DisjointSets& sets, uint32_t a, uint32_t b) {
-    if (a == b) return;
-    if (cells_[a].voxel == cells_[b].voxel) {
-      sets.join(a, b);
-    } else {
-      beside.push_back({a, b});
-    }
-  }
-
-  /// Cells outside of their face become parts of the patch that is next in their row: none is without area. All rows
-  /// have some inside.
-  void join_empty(DisjointSets& sets, const Grid& g) {
-    for (uint32_t row = g.first; row < g.first + g.rows * g.columns; row += g.columns) {
-      uint32_t first = row, last = row + g.columns - 1;
-      while (first < last && cells_[first].area == 0) ++first;
-      while (last > first && cells_[last].area == 0) --last;
-      for (uint32_t cell = row; cell < first; ++cell) sets.join(cell, first);
-      for (uint32_t cell = last + 1; cell < row + g.columns; ++cell) sets.join(cell, last);
-    }
-  }
-
-  void join_in_grids(DisjointSets& sets) {
-    for (const Grid& g : patches_.grids_) {
-      join_empty(sets, g);
-      for (uint32_t cell = g.first; cell < g.first + g.rows * g.columns; ++cell) {
-        const bool last_column = (cell - g.first) % g.columns + 1 == g.columns;
-        if (cells_[cell].area == 0) continue;
-        const uint32_t above = cell + g.columns;
-        if (!last_column && cells_[cell + 1].area > 0) meet(sets, cell, cell + 1);
-        if (above < g.first + g.rows * g.columns && cells_[above].area > 0) meet(sets, cell, above);
-      }
-    }
-  }
-
-  /// What some edges tell.
-  struct Seams {
-    std::vector<std::array<uint32_t, 2>> joined, beside;
-    std::vector<std::pair<uint32_t, Crease>> crease;
-    std::vector<HalfEdge> crease_edges;
-  };
-
-  void join_across_edges(DisjointSets& sets, ThreadPool& pool) {
-    const size_t count = 3 * s_.face_count();
-    std::vector<Seams> seams(ThreadPool::block_count(count, kBlock));
-    pool.for_blocks(count, kBlock, [&](size_t block, size_t begin, size_t end) {
-      for (auto e = static_cast<HalfEdge>(begin); e < end; ++e) look_across(e, seams[block]);
-    });
-    for (const Seams& each : seams) {
-      for (const auto& [a, b] : each.joined) sets.join(a, b);
-      beside.insert(beside.end(), each.beside.begin(), each.beside.end());
-      crease_cells_.insert(crease_cells_.end(), each.crease.begin(), each.crease.end());
-      for (const HalfEdge e : each.crease_edges) sample_crease(e);
-    }
-  }
-
-  void look_across(HalfEdge e, Seams& seams) const {
-    const HalfEdge twin = s_.twin(e);
-    const uint32_t f = face_of(e), g = twin == kNone ? f : face_of(twin);
-    if (twin != kNone && twin < e) return;
-    const double bend = twin == kNone ? 1 : s_.face_normal(f).dot(s_.face_normal(g));
-    const Crease crease = bend < kSharp ? Crease::kSharp : bend < kCrease ? Crease::kBlunt : Crease::kFlat;
-    if (crease != Crease::kFlat) seams.crease_edges.push_back(e);
-    const auto note = [&](uint32_t here, uint32_t there) {
-      if (crease != Crease::kFlat) seams.crease.push_back({here, crease});
-      if (twin != kNone && here != there) {
-        (cells_[here].voxel == cells_[there].voxel ? seams.joined : seams.beside).push_back({here, there});
-      }
-    };
-    if (!gridded(f) && !gridded(g)) return note(patches_.patch_of_face_[f], patches_.patch_of_face_[g]);
-    // Along the edge in steps shorter than cells.
-    const int steps = static_cast<int>(std::ceil(4 * norm(s_.along(e)) / size_at(level_at(f))));
-    for (int step = 0; step < steps; ++step) {
-      const double t = (step + 0.5) / steps;
-      const uint32_t here = cell_at(f, s_.corner(f, corner_of(e)) + t * s_.along(e));
-      note(here, twin == kNone ? here
-                               : cell_at(g, s_.corner(g, corner_of(twin)) + (1 - t) * s_.along(twin)));
-    }
-  }
-
-  void sample_crease(HalfEdge e) {
-    const Triangle& t = s_.face(face_of(e));
-    const Vec3 &a = s_.position(t[corner_of(e)]), &b = s_.position(t[next_corner(corner_of(e))]);
-    const int pieces = static_cast<int>(std::ceil((b - a).norm() / (kCreaseStep * radius_at(face_of(e)))));
-    for (int k = 0; k < pieces; ++k) creases.push_back(a + (k + 0.5) / pieces * (b - a));
-  }
-
-  /// Voxels cut off corners: a small patch joins one beside it that is not large. The fewer there are, the fewer are
-  /// compared.
-  void join_slivers(DisjointSets& sets) {
-    std::vector<double> areas(cells_.size(), 0);
-    std::vector<Eigen::AlignedBox3d> boxes(cells_.size());
-    for (uint32_t cell = 0; cell < cells_.size(); ++cell) {
-      if (cells_[cell].area == 0) continue;
-      areas[sets.find(cell)] += cells_[cell].area;
-      boxes[sets.find(cell)].extend(cells_[cell].middle);
-    }
-    for (const auto& [a, b] : beside) {
-      const uint32_t p = sets.find(a), q = sets.find(b);
-      const double size = size_at(level_at(cells_[a].face)), least = std::min(areas[p], areas[q]);
-      const double both = areas[p] + areas[q];
-      if (p == q || least > kSliver * size * size || both > kLargest * size * size) continue;
-      const Eigen::AlignedBox3d box = boxes[p].merged(boxes[q]);
-      if (box.sizes().maxCoeff() > kLongest * size) continue;
-      sets.join(p, q);
-      areas[sets.find(p)] = both;
-      boxes[sets.find(p)] = box;
-    }
-  }
-
-  /// Numbers the patches in the order of their first cells.
-  void number(DisjointSets& sets) {
-    std::vector<uint32_t> number(cells_.size(), kNone), patch(cells_.size());
-    uint32_t count = 0;
-    for (uint32_t cell = 0; cell < cells_.size(); ++cell) {
-      uint32_t& n = number[sets.find(cell)];
-      if (n == kNone) n = count++;
-      patch[cell] = n;
-    }
-    for (auto& [a, b] : beside) {
-      a = patch[a];
-      b = patch[b];
-      if (a > b) std::swap(a, b);
-    }
-    std::ranges::sort(beside);
-    beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
-    std::erase_if(beside, [](const auto& pair) { return pair[0] == pair[1]; });
-    for (uint32_t& known : patches_.patch_of_face_) {
-      if ((known & kGridded) == 0) known = patch[known];
-    }
-    patches_.traits_.assign(count, {std::numeric_limits<float>::max(), std::numeric_limits<float>::max()});
-    patches_.patch_of_cell_ = std::move(patch);
-  }
-
-  void add_up() {
-    const uint32_t count = patches_.count();
-    const std::vector<uint32_t>& patch = patches_.patch_of_cell_;
-    centre.assign(count, Vec3::Zero());
-    patches_.normal_.assign(count, Vec3::Zero());
-    patches_.component_.resize(count);
-    for (std::vector<double>* each : {&area, &r, &coherence}) each->assign(count, 0);
-    std::vector<uint32_t> faces(count, 0);
-    at_crease.assign(count, 0);
-    for (uint32_t cell = 0; cell < cells_.size(); ++cell) {
-      const Cell& c = cells_[cell];
-      area[patch[cell]] += c.area;
-      centre[patch[cell]] += c.area * c.middle;
-      patches_.normal_[patch[cell]] += c.area * s_.face_normal(c.face);
-      r[patch[cell]] += c.area * radius_at(c.face);
-      if (!gridded(c.face)) ++faces[patch[cell]];
-      patches_.component_[patch[cell]] = s_.component(c.face);
-    }
-    for (const auto& [cell, crease] : crease_cells_) {
-      Crease& own = patches_.traits_[patch[cell]].own;
-      own = std::max(own, crease);
-      at_crease[patch[cell]] = 1;
-    }
-    for (uint32_t p = 0; p < count; ++p) {
-      if (!(area[p] > 0)) continue;
-      centre[p] /= area[p];
-      r[p] /= area[p];
-      coherence[p] = patches_.normal_[p].norm() / area[p];
-      if (coherence[p] > 0) patches_.normal_[p].normalize();
-      Traits& traits = patches_.traits_[p];
-      if (coherence[p] < kCreasedPatch) traits.own = std::max(traits.own, Crease::kBlunt);
-      if (coherence[p] < kSharpPatch) traits.own = Crease::kSharp;
-      traits.bent = coherence[p] < kBentPatch;
-      traits.coarse = faces[p] * r[p] * r[p] <= kMostFaces * area[p];
-    }
-  }
+  uint32_t cell_at(uint32_t f, Vec2 p) const;
+  std::pair<uint32_t, double> longest_side(uint32_t f) const;
+  void lay_out_cells(ThreadPool& pool);
+  void lay_grid(uint32_t f);
+  void meet(DisjointSets& sets, uint32_t a, uint32_t b);
+  void join_empty(DisjointSets& sets, const Grid& g);
+  void join_in_grids(DisjointSets& sets);
+  struct Seams;
+  void join_across_edges(DisjointSets& sets, ThreadPool& pool);
+  void look_across(HalfEdge e, Seams& seams) const;
+  void sample_crease(HalfEdge e);
+  void join_slivers(DisjointSets& sets);
+  void number(DisjointSets& sets);
+  void add_up();
 
   SurfacePatches& patches_;
   const Surface& s_;
