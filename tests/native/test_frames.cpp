@@ -29,7 +29,8 @@ struct Scene {
     NodeData<Vec2> displacement(curve.size());
     for (Vec2& d : displacement) d = rng.in(0, most) * rng.direction();
     MoveSeconds seconds;
-    Retraction().move(surface, curve, displacement, pool, seconds);
+    const Curve old = curve;
+    Retraction().move(surface, old, displacement, curve, pool, seconds);
   }
 
   Surface surface;

@@ -12,24 +12,21 @@
 #include "base/failure.h"
 #include "flow/flow.h"
 #include "flow/invariant.h"
+#include "flow/iteration.h"
 #include "test_curves.h"
 
-namespace meander {
-
-/// What the class Flow lets nobody else do.
-struct FlowFault {
-  static void set(Flow& flow, std::function<void(Curve&)> fault) { flow.fault_ = std::move(fault); }
-};
-
-namespace test {
+namespace meander::test {
 namespace {
 
 const auto kNeverCancelled = [] { return false; };
 
+const std::shared_ptr<const Surface>& flow_surface() {
+  static const auto surface = std::make_shared<const Surface>(make_surface(sphere(3)));
+  return surface;
+}
+
 /// A stroke between two fixed points, which has grown for a while.
 std::unique_ptr<Flow> grown_flow() {
-  const Mesh m = sphere(3);
-  auto surface = std::make_shared<const Surface>(m.vertices, m.faces);
   FlowSettings s;
   s.radius = 0.03;
   s.segment_length = 0.2 * s.radius;
@@ -45,7 +42,7 @@ std::unique_ptr<Flow> grown_flow() {
   seed.fixed = {1, 0, 0, 1};
   seed.guides = {0};
   seed.max_distance = 1;
-  auto flow = std::make_unique<Flow>(surface, &seed, VertexData<double>{}, s);
+  auto flow = std::make_unique<Flow>(flow_surface(), &seed, VertexData<double>{}, s);
   for (int k = 0; k < 12; ++k) EXPECT_TRUE(flow->step(kNeverCancelled));
   return flow;
 }
@@ -100,33 +97,58 @@ const std::vector<Fault>& faults() {
 
 class Faults : public testing::TestWithParam<Fault> {};
 
+/// Iterations one by one, in the state of a flow.
+struct Iterations {
+  explicit Iterations(const Flow& flow)
+      : state{{flow.curve(), {}, {}}, flow.settings(),
+              Domain(flow_surface(), VertexData<double>(), flow.settings(), pool)} {}
+
+  /// `fault` spoils the next curve before it is looked at.
+  void iterate(const std::function<void(Curve&)>& fault = {}) {
+    update_metric(state, pool);
+    Iteration iteration(state, plan_iteration(state.settings, Phase::kGrowing), work, pool);
+    iteration.measure();
+    iteration.solve();
+    iteration.move();
+    iteration.refine();
+    if (fault) fault(iteration.after().curve);
+    iteration.check(record.history.size() + 1);
+    record.make_room();
+    iteration.commit(state, record, 0);
+  }
+
+  ThreadPool pool{1};
+  FlowState state;
+  RunRecord record;
+  Workspace work;
+};
+
 TEST_P(Faults, LeaveTheCurveOfTheIterationBefore) {
-  const auto flow = grown_flow(), undisturbed = grown_flow();
-  const Curve before = flow->curve();
-  const size_t iterations = flow->history().size();
+  const auto flow = grown_flow();
+  Iterations spoiled(*flow), undisturbed(*flow);
+  for (Iterations* all : {&spoiled, &undisturbed}) all->iterate();
+  const Curve before = spoiled.state.curve;
   ASSERT_GT(before.size(), 100u);
-  FlowFault::set(*flow, GetParam().make);
+  EXPECT_FALSE(same_curve(before, flow->curve()));
   for (int attempt = 0; attempt < 2; ++attempt) {  // it is found again, where somebody goes on nevertheless
     try {
-      flow->run(kNeverCancelled, [](double) {});
+      spoiled.iterate(GetParam().make);
       FAIL() << "the fault was not found";
     } catch (const Failure& failure) {
       EXPECT_EQ(failure.kind, FailureKind::kInternal);
       const std::string sentence = failure.what();
-      EXPECT_NE(sentence.find("iteration " + std::to_string(iterations + 1)), std::string::npos) << sentence;
+      EXPECT_NE(sentence.find("iteration 2"), std::string::npos) << sentence;
       EXPECT_NE(sentence.find(GetParam().said), std::string::npos) << sentence;
     }
-    EXPECT_TRUE(same_curve(flow->curve(), before));
-    EXPECT_TRUE(whole(flow->surface(), flow->curve()));
-    EXPECT_EQ(flow->history().size(), iterations);
+    EXPECT_TRUE(same_curve(spoiled.state.curve, before));
+    EXPECT_TRUE(whole(*flow_surface(), spoiled.state.curve));
+    EXPECT_EQ(spoiled.record.history.size(), 1u);
   }
   // Nothing of the iteration has stayed: without the fault the flow goes on as if there had been none.
-  FlowFault::set(*flow, nullptr);
   for (int k = 0; k < 5; ++k) {
-    ASSERT_TRUE(flow->step(kNeverCancelled));
-    ASSERT_TRUE(undisturbed->step(kNeverCancelled));
+    for (Iterations* all : {&spoiled, &undisturbed}) all->iterate();
   }
-  EXPECT_TRUE(same_curve(flow->curve(), undisturbed->curve()));
+  EXPECT_TRUE(same_curve(spoiled.state.curve, undisturbed.state.curve));
 }
 
 INSTANTIATE_TEST_SUITE_P(Invariant, Faults, testing::ValuesIn(faults()),
@@ -152,5 +174,4 @@ TEST(Invariant, EveryPathHasItsTurn) {
 }
 
 }  // namespace
-}  // namespace test
-}  // namespace meander
+}  // namespace meander::test

@@ -59,7 +59,7 @@ TEST(Move, OfAnySizeLeavesNoCrossings) {
         const Curve old = curve;
         NodeData<Vec2> d(curve.size());
         for (Vec2& v : d) v = size * rng() * rng.direction();
-        const NodeData<double>& moved = retraction.move(s, curve, d, pool, seconds);
+        const NodeData<double>& moved = retraction.move(s, old, d, curve, pool, seconds);
         ASSERT_EQ(moved.size(), old.size());
         for (uint32_t i = 0; i < old.size(); ++i) {
           EXPECT_LE(moved[i], norm(d[i]) * (1 + kRounding));
@@ -120,7 +120,8 @@ TEST(Move, AKnotHoldsWhatIsNear) {
         ThreadPool pool(1);
         Retraction retraction;
         MoveSeconds seconds;
-        const NodeData<double>& moved = retraction.move(s, curve, d, pool, seconds);
+        Curve next;
+        const NodeData<double>& moved = retraction.move(s, curve, d, next, pool, seconds);
         for (uint32_t k = 0; k < kNodes; ++k) {
           uint32_t away = k > knot ? k - knot : knot - k;
           if (closed) away = std::min(away, kNodes - away);
@@ -158,7 +159,8 @@ TEST(Straighten, MovesNoNodeAndNoGuide) {
     ThreadPool pool(2);
     Retraction retraction;
     MoveSeconds seconds;
-    retraction.straighten(moved, curve, pool, seconds);
+    Curve spare;
+    retraction.straighten(moved, curve, spare, pool, seconds);
     ASSERT_TRUE(whole(moved, curve));
     for (uint32_t i = 0; i < curve.size(); ++i) {
       EXPECT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
@@ -198,7 +200,7 @@ TEST(Move, OneKnotDoesNotHoldTheOthers) {
   ThreadPool pool(2);
   Retraction retraction;
   MoveSeconds seconds;
-  retraction.move(s, curve, d, pool, seconds);
+  retraction.move(s, old, d, curve, pool, seconds);
   ASSERT_TRUE(exact_crossings(s, curve).empty());
   for (uint32_t i = 0; i < knot; ++i) {
     Path path;
@@ -214,7 +216,7 @@ TEST(Move, OfNothingChangesNothing) {
   ThreadPool pool(1);
   Retraction retraction;
   MoveSeconds seconds;
-  retraction.move(s, curve, NodeData<Vec2>(curve.size()), pool, seconds);
+  retraction.move(s, old, NodeData<Vec2>(old.size()), curve, pool, seconds);
   for (uint32_t i = 0; i < curve.size(); ++i) {
     EXPECT_TRUE(same_bytes(curve.nodes[i], old.nodes[i]));
     EXPECT_EQ(curve.paths[i].size(), old.paths[i].size());
@@ -259,7 +261,7 @@ TEST(Move, FarOverSmallFacesFindsThePathsThatFollowTheEnds) {
         near_boundary |= trace.hit_boundary;
       }
       if (near_boundary) continue;
-      retraction.move(s, curve, d, pool, seconds);
+      retraction.move(s, old, d, curve, pool, seconds);
       if (!std::ranges::equal(curve.nodes, ends, same_bytes)) continue;  // some have backed off
       ASSERT_TRUE(whole(s, curve));
       PathShortener shortener(s);
@@ -287,8 +289,7 @@ TEST(Move, IsTheSameForAnyNumberOfThreads) {
     ThreadPool pool(threads);
     Retraction retraction;
     MoveSeconds seconds;
-    results.push_back(old);
-    retraction.move(s, results.back(), d, pool, seconds);
+    retraction.move(s, old, d, results.emplace_back(), pool, seconds);
   }
   for (const Curve& c : results) {
     for (uint32_t i = 0; i < old.size(); ++i) {

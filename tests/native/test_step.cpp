@@ -36,7 +36,7 @@ struct Scene {
     const LocalMetric metric = even_metric(curve, kRadius, settings.max_radius);
     compute_frames(*surface, curve, metric, RadiusField(kRadius), pool, medial.frames);
     medial.felt_radii.assign(kNodes, Radii{kRadius, kRadius});  // the same on both sides: nothing drives a node
-    FlowState state{settings, Domain(surface, {}, settings, pool), curve, metric, {}};
+    FlowState state{{curve, metric, {}}, settings, Domain(surface, {}, settings, pool)};
     medial.radii = radii;
     state.nodes.steps.assign(kNodes, kRadius * Vec2{0.4, 2 * sideways});
     IterationPlan plan;

@@ -90,7 +90,7 @@ struct Scene {
   Weights weights(Phase phase) {
     LocalMetric metric = even_metric(curve, kRadius, settings.max_radius);
     if (!radius.empty()) metric.radius = radius;
-    FlowState state{settings, Domain(surface, {}, settings, pool), curve, metric, {}};
+    FlowState state{{curve, metric, {}}, settings, Domain(surface, {}, settings, pool)};
     state.domain.directions = field;
     MedialState medial;
     medial.radii = seen.empty() ? NodeData<Radii>(curve.size(), Radii{kRadius, kRadius}) : seen;

@@ -12,9 +12,6 @@ namespace {
 
 using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
-/// The path of the segment this many places on is fetched while the pieces of another one are put down.
-constexpr uint32_t kPathsAhead = 8;
-
 /// Faces that a thread takes at a time: few of a coarse mesh, which hold many pieces.
 constexpr size_t kMostFacesPerBlock = 256, kMostBlocksOfFaces = 64;
 
@@ -140,41 +137,26 @@ bool touch(const Piece& p, const Piece& q) {
          (c == 0 && between(q.from, q.to, p.from)) || (d == 0 && between(q.from, q.to, p.to));
 }
 
-/// Marks the faces that changed segments run through.
-void CrossingTest::mark(const Surface& surface, const Curve& curve, ThreadPool& pool,
-                        const std::vector<uint8_t>& changed) {
+/// Forgets which faces are marked.
+void CrossingTest::unmark(const Surface& surface, const Curve& curve) {
   for (std::vector<uint32_t>& faces : marked_faces_) {
     for (const uint32_t f : faces) marked_[f] = 0;
     faces.clear();
   }
   marked_.resize(surface.face_count(), 0);
   marked_faces_.resize(ThreadPool::block_count(curve.size(), kSegmentsPerBlock));
-  pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t begin, size_t end) {
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
-      if (!changed[i] || !curve.has_segment(i)) continue;
-      curve.faces_of(i, [&](uint32_t f) {
-        const std::atomic_ref<uint8_t> mark(marked_[f]);  // blocks may meet in a face
-        if (mark.load(std::memory_order_relaxed)) return;
-        marked_faces_[block].push_back(f);  // first: what is marked is listed, even if memory runs out here
-        mark.store(1, std::memory_order_relaxed);
-      });
-    }
-  });
 }
 
-/// The pieces that may have to be tested: all, or those in marked faces.
-void CrossingTest::collect(const Curve& curve, size_t block, bool only_marked) {
-  std::vector<Piece>& pieces = pieces_[block];
-  pieces.clear();
-  const auto begin = static_cast<uint32_t>(block * kSegmentsPerBlock);
-  const auto end = static_cast<uint32_t>(std::min<size_t>(begin + kSegmentsPerBlock, curve.size()));
-  for (uint32_t i = begin; i < end; ++i) {
-    if (i + kPathsAhead < end) fetch(curve.paths[i + kPathsAhead]);
-    if (!curve.has_segment(i)) continue;
-    curve.pieces_of(i, [&](const Piece& piece) {
-      if (!only_marked || marked_[piece.face]) pieces.push_back(piece);
-    });
-  }
+/// Marks a face that a changed segment runs through. Blocks may meet in a face.
+void CrossingTest::mark(uint32_t face, size_t block) {
+  const std::atomic_ref<uint8_t> mark(marked_[face]);
+  if (mark.load(std::memory_order_relaxed)) return;
+  marked_faces_[block].push_back(face);  // first: what is marked is listed, even if memory runs out here
+  mark.store(1, std::memory_order_relaxed);
+}
+
+void CrossingTest::collect(const Curve& curve, size_t block) {
+  collect(curve, block, [&](uint32_t i) -> const Path& { return curve.paths[i]; }, false);
 }
 
 void CrossingTest::begin_some(size_t blocks) {
@@ -191,11 +173,12 @@ void CrossingTest::collect_some(const Curve& curve, size_t block, std::span<cons
 
 Pairs CrossingTest::find(const Surface& surface, const Curve& curve, ThreadPool& pool,
                          const std::vector<uint8_t>* changed) {
-  if (changed) mark(surface, curve, pool, *changed);
+  if (changed) {
+    return find_changed(surface, curve, pool, *changed, [&](uint32_t i) -> const Path& { return curve.paths[i]; });
+  }
   begin(curve);
-  pool.for_blocks(curve.size(), kSegmentsPerBlock,
-                  [&](size_t block, size_t, size_t) { collect(curve, block, changed != nullptr); });
-  return find_among_pieces(surface, curve, pool, changed);
+  pool.for_blocks(curve.size(), kSegmentsPerBlock, [&](size_t block, size_t, size_t) { collect(curve, block); });
+  return find_among_pieces(surface, curve, pool, nullptr);
 }
 
 Pairs CrossingTest::find_among_pieces(const Surface& surface, const Curve& curve, ThreadPool& pool,

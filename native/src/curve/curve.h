@@ -65,8 +65,13 @@ class Curve {
   /// Calls put(piece) for the straight pieces of segment i, in order.
   template <class Put>
   void pieces_of(uint32_t i, const Put& put) const {
+    pieces_along(i, paths[i], put);
+  }
+  /// The same where the path of the segment is `path`, and not yet in `paths`.
+  template <class Put>
+  void pieces_along(uint32_t i, const Path& path, const Put& put) const {
     Piece piece{nodes[i].face, i, nodes[i].b, {}};
-    for (const Crossing& c : paths[i]) {
+    for (const Crossing& c : path) {
       piece.to = on_edge(c.e, c.t);
       put(piece);
       const Crossing r = reversed(c);
@@ -79,9 +84,9 @@ class Curve {
 
   /// Calls visit(face) for the face of each of them, in the same order.
   template <class Visit>
-  void faces_of(uint32_t i, const Visit& visit) const {
+  void faces_along(uint32_t i, const Path& path, const Visit& visit) const {
     visit(nodes[i].face);
-    for (const Crossing& c : paths[i]) visit(face_of(c.twin));
+    for (const Crossing& c : path) visit(face_of(c.twin));
   }
 
   double length() const;

@@ -48,33 +48,28 @@ bool Refinement::refine(const Surface& surface, Curve& curve, const NodeData<dou
   least_cosine_ = most_turn < std::numbers::pi ? elementary::cos(most_turn) : -2;
   may_split_.assign(curve.size(), 1);
   may_remove_.assign(curve.size(), 1);
-  try {
-    while (propose(surface, curve, target, pool)) {
-      const auto pairs = test_.find(surface, next_, pool, &changed_);
-      if (pairs.empty()) {
-        std::swap(curve, next_);
-        lent_ = false;
-        origin.swap(origin_);
-        return true;
-      }
-      give_back(curve);
-      // Take back what lies between the old nodes around a crossing segment; the rest is proposed again.
-      for (const auto& [a, b] : pairs) {
-        for (const uint32_t segment : {a, b}) {
-          if (!changed_[segment]) continue;
-          const uint32_t first = origin_[segment], last = origin_[next_.next(segment)];
-          may_split_[first] = 0;
-          if (first == last) continue;  // between two cuts of one segment
-          for (uint32_t i = curve.next(first); i != kNone && i != last && i != first; i = curve.next(i)) {
-            may_split_[i] = 0;
-            may_remove_[i] = 0;
-          }
+  while (propose(surface, curve, target, pool)) {
+    const auto pairs = test_.find_changed(surface, next_, pool, changed_, [&](uint32_t i) -> const Path& {
+      return changed_[i] ? new_paths_[source_[i]] : curve.paths[origin_[i]];
+    });
+    if (pairs.empty()) {
+      accept(curve, pool);
+      origin.swap(origin_);
+      return true;
+    }
+    // Take back what lies between the old nodes around a crossing segment; the rest is proposed again.
+    for (const auto& [a, b] : pairs) {
+      for (const uint32_t segment : {a, b}) {
+        if (!changed_[segment]) continue;
+        const uint32_t first = origin_[segment], last = origin_[next_.next(segment)];
+        may_split_[first] = 0;
+        if (first == last) continue;  // between two cuts of one segment
+        for (uint32_t i = curve.next(first); i != kNone && i != last && i != first; i = curve.next(i)) {
+          may_split_[i] = 0;
+          may_remove_[i] = 0;
         }
       }
     }
-  } catch (...) {
-    give_back(curve);  // out of memory: the curve stays what it was
-    throw;
   }
   return false;
 }
@@ -181,14 +176,14 @@ void Refinement::put_node(uint32_t place, const SurfacePoint& node, uint8_t fixe
 void Refinement::put_change(const Curve& curve, const Change& change, uint32_t place) {
   for (uint32_t p = 0; p < change.segments; ++p) {
     if (p > 0) put_node(place + p, new_nodes_[change.slot + p], curve.on_guide(change.from), change.from);
-    next_.paths[place + p].swap(new_paths_[change.slot + p]);
+    source_[place + p] = change.slot + p;
     next_.shapes[place + p] = new_shapes_[change.slot + p];
     changed_[place + p] = 1;
   }
 }
 
 /// Puts the old nodes begin to end - 1 and the segments after them.
-void Refinement::put_block(Curve& curve, uint32_t begin, uint32_t end) {
+void Refinement::put_block(const Curve& curve, uint32_t begin, uint32_t end) {
   uint32_t i = begin;
   auto next = static_cast<size_t>(std::ranges::lower_bound(changes_, i, {}, &Change::from) - changes_.begin());
   // What comes before the next change is as far from its old place as that is.
@@ -206,42 +201,42 @@ void Refinement::put_block(Curve& curve, uint32_t begin, uint32_t end) {
       ++next;
       continue;
     }
-    next_.paths[place].swap(curve.paths[i]);
     next_.shapes[place] = curve.shapes[i];
     changed_[place] = 0;
     ++i;
   }
 }
 
-/// Fills next_ with what stays and what is changed. The paths of segments that do not change are moved
-/// there, not copied: give_back() undoes it.
-void Refinement::lay_out(Curve& curve, ThreadPool& pool) {
+/// Fills next_ with what stays and what is changed, but for the paths, which stay where they are.
+void Refinement::lay_out(const Curve& curve, ThreadPool& pool) {
   const uint32_t count = find_places(curve);
   next_.nodes.resize(count);
   next_.fixed.resize(count);
   next_.paths.resize(count);
   next_.shapes.resize(count);
   origin_.resize(count);
+  source_.resize(count);
   changed_.resize(count);
-  // Nothing below may fail half-way, so what for_blocks would have to allocate is here.
-  const std::function<void(size_t, size_t, size_t)> fill = [&](size_t, size_t begin, size_t end) {
+  pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     put_block(curve, static_cast<uint32_t>(begin), static_cast<uint32_t>(end));
-  };
-  lent_ = true;
-  pool.with({}).for_blocks(curve.size(), kNodeGrain, fill);
+  });
   next_.link();
 }
 
-/// Returns the paths of unchanged segments to the curve.
-void Refinement::give_back(Curve& curve) {
-  for (uint32_t i = 0; lent_ && i < changed_.size(); ++i) {
-    if (!changed_[i]) curve.paths[origin_[i]].swap(next_.paths[i]);
-  }
-  lent_ = false;
+/// Takes the paths, of `curve` and of the changes, and puts next_ in the place of the curve. Nothing ends this on the
+/// way, and what for_blocks would have to allocate is there before anything is taken.
+void Refinement::accept(Curve& curve, const ThreadPool& pool) {
+  const std::function<void(size_t, size_t, size_t)> take = [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      next_.paths[i].swap(changed_[i] ? new_paths_[source_[i]] : curve.paths[origin_[i]]);
+    }
+  };
+  pool.with({}).for_blocks(next_.size(), kNodeGrain, take);
+  std::swap(curve, next_);
 }
 
-/// Fills next_ with the refined curve; false if there is nothing to do.
-bool Refinement::propose(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool) {
+/// Fills next_ with the refined curve, but for its paths; false if there is nothing to do.
+bool Refinement::propose(const Surface& surface, const Curve& curve, const NodeData<double>& target, ThreadPool& pool) {
   choose(curve, target, pool);
   if (changes_.empty()) return false;
   constexpr size_t kChangesPerBlock = 16;

@@ -22,7 +22,7 @@ class Refinement {
   /// segment is shorter than h and the one that replaces it and its neighbour stays within 2 h, so
   /// that a split and a collapse never undo each other. Fixed nodes, the ends of open strands, and at
   /// least 3 nodes of a closed strand (2 of an open one) stay. A change that would make segments
-  /// cross is not made. False if the curve stays as it is.
+  /// cross is not made. False if the curve stays as it is; so it does where this throws.
   ///
   /// A node where a strand doubles back, by more than `most_turn`, goes as well, whatever its segments measure.
   /// What replaces them runs straight past where it was, so a split of that does not bring it back.
@@ -52,15 +52,14 @@ class Refinement {
   uint32_t find_places(const Curve& curve);
   void put_node(uint32_t place, const SurfacePoint& node, uint8_t fixed, uint32_t origin);
   void put_change(const Curve& curve, const Change& change, uint32_t place);
-  void put_block(Curve& curve, uint32_t begin, uint32_t end);
-  void lay_out(Curve& curve, ThreadPool& pool);
-  bool propose(const Surface& surface, Curve& curve, const NodeData<double>& target, ThreadPool& pool);
-  void give_back(Curve& curve);
+  void put_block(const Curve& curve, uint32_t begin, uint32_t end);
+  void lay_out(const Curve& curve, ThreadPool& pool);
+  bool propose(const Surface& surface, const Curve& curve, const NodeData<double>& target, ThreadPool& pool);
+  void accept(Curve& curve, const ThreadPool& pool);
 
   double least_cosine_ = -2;  // of the turn at a node that stays
   CrossingTest test_;
   Curve next_;
-  bool lent_ = false;                      // next_ holds the paths of the curve's unchanged segments
   std::vector<Change> changes_;            // along the curve
   std::vector<uint32_t> places_;           // per change: of the node `from` in the new curve
   std::vector<SurfacePoint> new_nodes_;    // per new segment: where it begins
@@ -68,6 +67,7 @@ class Refinement {
   std::vector<PathShape> new_shapes_;
   std::vector<std::vector<uint32_t>> candidates_;  // by blocks of nodes
   NodeData<uint32_t> origin_;              // of the new curve
+  std::vector<uint32_t> source_;           // per new segment that is changed: its slot
   std::vector<uint8_t> changed_;           // per new segment
   std::vector<uint8_t> may_split_, may_remove_;  // per old segment, per old node
 };

@@ -44,57 +44,59 @@ constexpr int kStepHalvings = 4;
 
 }  // namespace
 
-const NodeData<double>& Retraction::move(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement,
-                                         ThreadPool& pool, MoveSeconds& seconds) {
+const NodeData<double>& Retraction::move(const Surface& surface, const Curve& curve,
+                                         const NodeData<Vec2>& displacement, Curve& next, ThreadPool& pool,
+                                         MoveSeconds& seconds) {
   const uint32_t n = curve.size();
   share_.assign(n, 1);
   for (uint32_t i = 0; i < n; ++i) {
     if (curve.fixed[i]) share_[i] = 0;
   }
-  resolve(surface, curve, displacement, pool, seconds);
+  resolve(surface, curve, displacement, next, pool, seconds);
   return moved_;
 }
 
-void Retraction::straighten(const Surface& surface, Curve& curve, ThreadPool& pool, MoveSeconds& seconds) {
+void Retraction::straighten(const Surface& surface, Curve& curve, Curve& spare, ThreadPool& pool,
+                            MoveSeconds& seconds) {
   // None of the nodes moves, and a share of 0 means that a path is kept: guides stay as drawn.
   share_.assign(curve.size(), 1);
   for (uint32_t i = 0; i < curve.size(); ++i) {
     if (curve.on_guide(i)) share_[i] = 0;
   }
-  resolve(surface, curve, NodeData<Vec2>(curve.size()), pool, seconds);
+  resolve(surface, curve, NodeData<Vec2>(curve.size()), spare, pool, seconds);
+  std::swap(curve, spare);
 }
 
 /// Moves the nodes by their shares, which fall until nothing crosses.
-void Retraction::resolve(const Surface& surface, Curve& curve, const NodeData<Vec2>& displacement, ThreadPool& pool,
-                         MoveSeconds& seconds) {
+void Retraction::resolve(const Surface& surface, const Curve& curve, const NodeData<Vec2>& displacement, Curve& next,
+                         ThreadPool& pool, MoveSeconds& seconds) {
   Stopwatch watch;
   const uint32_t n = curve.size();
-  next_.lay_out_as(curve);
+  next.lay_out_as(curve);
   traces_.resize(n);
   moved_.resize(n);
-  trace(surface, curve, displacement, All{n}, kBlock, pool);
+  trace(surface, curve, displacement, All{n}, kBlock, next, pool);
   seconds.retract += watch.lap();
-  test_.begin(next_);
-  const auto collect = [&](size_t block, size_t, size_t) { test_.collect(next_, block); };
-  reconnect(surface, curve, displacement, All{n}, kBlock, collect, pool);
+  test_.begin(next);
+  const auto collect = [&](size_t block, size_t, size_t) { test_.collect(next, block); };
+  reconnect(surface, curve, displacement, All{n}, kBlock, collect, next, pool);
   seconds.reconnect += watch.lap();
-  auto pairs = test_.find_collected(surface, next_, pool);
+  auto pairs = test_.find_collected(surface, next, pool);
   seconds.crossings += watch.lap();
   for (int attempt = 1; !pairs.empty(); ++attempt) {
     back_off(curve, pairs, attempt);
     list_changed(curve);
-    trace(surface, curve, displacement, changed_nodes_, kFewBlock, pool);
+    trace(surface, curve, displacement, changed_nodes_, kFewBlock, next, pool);
     seconds.retract += watch.lap();
     test_.begin_some(ThreadPool::block_count(changed_segments_.size(), kFewBlock));
     const auto collect_some = [&](size_t block, size_t begin, size_t end) {
-      test_.collect_some(next_, block, std::span(changed_segments_).subspan(begin, end - begin));
+      test_.collect_some(next, block, std::span(changed_segments_).subspan(begin, end - begin));
     };
-    reconnect(surface, curve, displacement, changed_segments_, kFewBlock, collect_some, pool);
+    reconnect(surface, curve, displacement, changed_segments_, kFewBlock, collect_some, next, pool);
     seconds.reconnect += watch.lap();
-    pairs = test_.find_again(surface, next_, pool);
+    pairs = test_.find_again(surface, next, pool);
     seconds.crossings += watch.lap();
   }
-  std::swap(curve, next_);
 }
 
 /// Lists the nodes that are marked, and the segments that end in one.
@@ -111,7 +113,7 @@ void Retraction::list_changed(const Curve& curve) {
 /// Leads some nodes.
 template <class Nodes>
 void Retraction::trace(const Surface& surface, const Curve& curve, const NodeData<Vec2>& displacement,
-                       const Nodes& nodes, size_t grain, ThreadPool& pool) {
+                       const Nodes& nodes, size_t grain, Curve& next, ThreadPool& pool) {
   pool.for_blocks(nodes.size(), grain, [&](size_t, size_t begin, size_t end) {
     std::vector<GeodesicWalk> walks;
     std::array<uint32_t, kTogether> node;  // of every walk
@@ -122,7 +124,7 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const NodeDat
         if (at + kTogether < end) surface.fetch_face(curve.nodes[nodes[at + kTogether]].face);
         const uint32_t i = nodes[at];
         traces_[i].clear();
-        next_.nodes[i] = curve.nodes[i];
+        next.nodes[i] = curve.nodes[i];
         moved_[i] = 0;
         if (share_[i] == 0) continue;
         node[walks.size()] = i;
@@ -130,7 +132,7 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const NodeDat
       }
       lead_together(walks, [&](size_t k) { traces_[node[k]].push_back(walks[k].crossing()); });
       for (size_t k = 0; k < walks.size(); ++k) {
-        next_.nodes[node[k]] = walks[k].end();
+        next.nodes[node[k]] = walks[k].end();
         moved_[node[k]] = walks[k].length();
       }
     }
@@ -143,7 +145,8 @@ void Retraction::trace(const Surface& surface, const Curve& curve, const NodeDat
 /// place by another path around a handle or a hole, so the surface must have none.
 template <class Segments, class Collect>
 void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
-                           const Segments& segments, size_t grain, const Collect& collect, ThreadPool& pool) {
+                           const Segments& segments, size_t grain, const Collect& collect, Curve& next,
+                           ThreadPool& pool) {
   const bool may_guess = surface.simply_connected();
   pool.for_blocks(segments.size(), grain, [&](size_t block, size_t begin, size_t end) {
     PathShortener shortener(surface);
@@ -153,7 +156,7 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeD
         const uint32_t ahead = segments[at + 2 * kAhead];
         fetch(old.paths[ahead]);
         fetch(traces_[ahead]);
-        fetch(next_.paths[ahead]);
+        fetch(next.paths[ahead]);
       }
       if (at + kAhead < end) {
         const uint32_t ahead = segments[at + kAhead];
@@ -166,21 +169,21 @@ void Retraction::reconnect(const Surface& surface, const Curve& old, const NodeD
         continue;
       }
       if (j == kNone || (share_[i] == 0 && share_[j] == 0)) {
-        next_.paths[i] = old.paths[i];
-        next_.shapes[i] = old.shapes[i];
+        next.paths[i] = old.paths[i];
+        next.shapes[i] = old.shapes[i];
       } else {
-        next_.shapes[i] =
-            shortener.follow(next_.nodes[i], next_.nodes[j], old.paths[i], traces_[i], traces_[j], next_.paths[i]);
+        next.shapes[i] =
+            shortener.follow(next.nodes[i], next.nodes[j], old.paths[i], traces_[i], traces_[j], next.paths[i]);
       }
     }
-    guess(surface, old, displacement, far, shortener);
+    guess(surface, old, displacement, far, shortener, next);
     collect(block, begin, end);
   });
 }
 
 /// Joins the nodes of some segments again by walks that are led in turns.
 void Retraction::guess(const Surface& surface, const Curve& old, const NodeData<Vec2>& displacement,
-                       std::span<const uint32_t> segments, PathShortener& shortener) {
+                       std::span<const uint32_t> segments, PathShortener& shortener, Curve& next) {
   std::vector<GeodesicWalk> walks;
   walks.reserve(kTogether);
   std::array<Vec2, kTogether> displacements;  // of every walk
@@ -188,20 +191,20 @@ void Retraction::guess(const Surface& surface, const Curve& old, const NodeData<
     const auto together = segments.first(std::min<size_t>(kTogether, segments.size()));
     segments = segments.subspan(together.size());
     walks.clear();
-    for (const uint32_t i : together) surface.fetch_face(next_.nodes[i].face);
+    for (const uint32_t i : together) surface.fetch_face(next.nodes[i].face);
     for (const uint32_t i : together) {
-      next_.paths[i].clear();
+      next.paths[i].clear();
       displacements[walks.size()] = chord(surface, old, displacement, i);
-      walks.emplace_back(surface, next_.nodes[i], displacements[walks.size()]);
+      walks.emplace_back(surface, next.nodes[i], displacements[walks.size()]);
     }
-    lead_together(walks, [&](size_t k) { next_.paths[together[k]].push_back(walks[k].crossing()); });
+    lead_together(walks, [&](size_t k) { next.paths[together[k]].push_back(walks[k].crossing()); });
     for (size_t k = 0; k < together.size(); ++k) {
       const uint32_t i = together[k], j = old.next(i);
-      const SurfacePoint &start = next_.nodes[i], &goal = next_.nodes[j];
-      Path& path = next_.paths[i];
+      const SurfacePoint &start = next.nodes[i], &goal = next.nodes[j];
+      Path& path = next.paths[i];
       std::optional<PathShape> shape = aim(surface, start, goal, displacements[k], walks[k], path, shortener);
       if (!shape) shape = shortener.follow(start, goal, old.paths[i], traces_[i], traces_[j], path);
-      next_.shapes[i] = *shape;
+      next.shapes[i] = *shape;
     }
   }
 }

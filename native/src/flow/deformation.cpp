@@ -42,7 +42,7 @@ FlowState carried_to(std::shared_ptr<const Surface> surface, const FlowState& st
   const double factor = state.domain.surface->scale() / surface->scale();
   const FlowSettings settings = state.settings.rescaled(factor);
   Domain domain = state.domain.moved_to(std::move(surface), state.settings.radius, settings, pool);
-  FlowState next{settings, std::move(domain), state.curve, {}, {}};
+  FlowState next{{state.curve, {}, {}}, settings, std::move(domain)};
   // Directions and steps are those of the old surface, and forgotten.
   next.nodes.radii = state.nodes.radii;
   for (Radii& sides : next.nodes.radii) {
@@ -63,18 +63,19 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map, co
   FlowState next = carried_to(std::move(surface), state_, pool);
   if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
   MoveSeconds seconds = record_.seconds.move;
-  retraction_.straighten(*next.domain.surface, next.curve, pool, seconds);
+  work_.retraction.straighten(*next.domain.surface, next.curve, work_.spare.curve, pool, seconds);
 
   double clamped = 1;
   if (!polishing() && approach_.arrived()) {
-    find_medial_axis(next, {}, pool);
-    next.nodes.radii.swap(medial_.radii);
+    update_metric(next, pool);
+    find_medial_axis(next, {}, {}, pool, work_.medial);
+    next.nodes.radii.swap(work_.medial.radii);
     clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool);
   }
   Convergence convergence = convergence_.restarted(clamped);
   const IterationPlan plan = plan_iteration(next.settings, convergence.phase());
-  refiner_.cut_guides(next, plan, pool);
-  refiner_.refine(next, plan, pool);
+  work_.refiner.cut_guides(next, plan, pool);
+  work_.refiner.refine(next, plan, pool);
   update_metric(next, pool);
 
   static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);

@@ -10,15 +10,11 @@
 
 #include "base/cancel_token.h"
 #include "base/thread_pool.h"
-#include "curve/retraction.h"
 #include "flow/convergence.h"
 #include "flow/flow_state.h"
+#include "flow/iteration.h"
 #include "flow/run_record.h"
-#include "flow/segment_refiner.h"
 #include "flow/spacing_approach.h"
-#include "flow/step.h"
-#include "medial/medial_state.h"
-#include "model/strand_solver.h"
 #include "seed/seed.h"
 
 namespace meander {
@@ -93,8 +89,8 @@ class Flow {
   template <class Question>
   auto ask(const Question& question, const CancelToken& cancel = {}) {
     ThreadPool pool = pool_.with(cancel);
-    find_medial_axis(state_, {}, pool);
-    auto answer = question(Present{state_, medial_, plan(), approach_.factor(), pool});
+    measure_again(pool);
+    auto answer = question(Present{state_, work_.medial, plan(), approach_.factor(), pool});
     keep_radii();
     return answer;
   }
@@ -102,25 +98,15 @@ class Flow {
   void update_radii(const CancelToken& cancel = {});
 
  private:
-  /// Of the tests: it spoils a curve that has moved, to see that this is found.
-  friend struct FlowFault;
-
   IterationPlan plan() const {
     return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase());
   }
   void iterate(ThreadPool& pool);
   void start_full(ThreadPool& pool);
-  void find_medial_axis(FlowState& state, const AtRest& known, ThreadPool& pool, MedialPlan plan = {});
-  void find_medial_axis(const IterationPlan& plan, ThreadPool& pool);
+  void note(const IterationFigures& figures, const CurveState& after, ThreadPool& pool);
+  void measure_again(ThreadPool& pool);
   /// Those of the last medial axis become radii(), once nothing can fail any more.
-  void keep_radii() noexcept { state_.nodes.radii.swap(medial_.radii); }
-  IterationFigures figures_of(const NodeData<Vec2>& displacement, ThreadPool& pool);
-  IterationRecord record_of(const NodeData<Vec2>& displacement, ThreadPool& pool);
-  void remember(const IterationPlan& plan, const NodeData<Vec2>& displacement, ThreadPool& pool);
-  void move(const IterationPlan& plan, const NodeData<Vec2>& displacement, IterationFigures& figures,
-            IterationRecord& record, ThreadPool& pool);
-  void keep_promises() const;
-  void note(IterationFigures& figures, ThreadPool& pool);
+  void keep_radii() noexcept { state_.nodes.radii.swap(work_.medial.radii); }
   double progress() const;
   bool at_scale() const { return state_.domain.surface != state_.domain.given; }
 
@@ -134,15 +120,7 @@ class Flow {
   Convergence convergence_;
   SpacingApproach approach_;
   RunRecord record_;
-  // What computes, and the memory that it keeps from iteration to iteration.
-  MedialState medial_;
-  Weights weights_;
-  StrandSolver strands_;
-  Step step_;
-  Retraction retraction_;
-  SegmentRefiner refiner_;
-  std::function<void(Curve&)> fault_;  // none outside of tests
-  NodeHistory nodes_after_;  // what the nodes of an iteration carry on, and then those before it
+  Workspace work_;
 };
 
 }  // namespace meander

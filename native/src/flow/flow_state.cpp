@@ -20,10 +20,13 @@ void measure_segments(const Surface& surface, Curve& curve, ThreadPool& pool) {
   });
 }
 
-void update_metric(FlowState& state, ThreadPool& pool) {
-  const FlowSettings& s = state.settings;
-  const MetricRules rules{s.max_radius / s.radius, CurveBvh::kMostRadius, s.boundary_distance};
-  find_local_metric(*state.domain.surface, state.curve, state.domain.radius, rules, pool, state.metric);
+void update_metric(const FlowSettings& settings, const Domain& domain, CurveState& state, ThreadPool& pool) {
+  const MetricRules rules{settings.max_radius / settings.radius, CurveBvh::kMostRadius, settings.boundary_distance};
+  find_local_metric(*domain.surface, state.curve, domain.radius, rules, pool, state.metric);
+}
+
+double length_as_given(const Domain& domain, const Curve& curve) {
+  return domain.surface == domain.given ? curve.length() : length_on(*domain.given, curve);
 }
 
 }  // namespace meander

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What an iteration begins with, and leaves changed.
+// What an iteration begins with, and what it leaves in its place.
 #pragma once
 
 #include "curve/curve.h"
@@ -10,21 +10,31 @@
 
 namespace meander {
 
+/// A curve and what its nodes carry: what an iteration replaces.
+struct CurveState {
+  Curve curve;
+  LocalMetric metric;  ///< of the curve, see update_metric
+  NodeHistory nodes;
+};
+
 /// A flow between two iterations, without how long it has been running. Whoever wants to change what a flow is about
 /// (its surface, its spacing) builds another one, and puts it in the place of this when nothing can fail any more.
-struct FlowState {
+struct FlowState : CurveState {
   FlowSettings settings;
   Domain domain;
-  Curve curve;
-  LocalMetric metric;  ///< of the present curve, see update_metric
-  NodeHistory nodes;
 };
 
 /// Finds the shapes of all segments again on a surface with the same faces whose vertices are elsewhere. Paths are as
 /// they were, and not the shortest any more; see Retraction::straighten.
 void measure_segments(const Surface& surface, Curve& curve, ThreadPool& pool);
 
-/// Finds r, r_max and what the boundary asks for at every node of the present curve.
-void update_metric(FlowState& state, ThreadPool& pool);
+/// Finds r, r_max and what the boundary asks for at every node of a curve.
+void update_metric(const FlowSettings& settings, const Domain& domain, CurveState& state, ThreadPool& pool);
+inline void update_metric(FlowState& state, ThreadPool& pool) {
+  update_metric(state.settings, state.domain, state, pool);
+}
+
+/// The length of a curve on the surface as it was given, in the unit of that.
+double length_as_given(const Domain& domain, const Curve& curve);
 
 }  // namespace meander

@@ -17,18 +17,10 @@ void carry_over(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeData<Val
 }  // namespace
 
 void NodeHistory::follow(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeHistory& spare) {
-  try {
-    carry_over(origin, pool, radii, spare.radii);
-    carry_over(origin, pool, directions, spare.directions);
-    carry_over(origin, pool, balls, spare.balls);
-    carry_over(origin, pool, steps, spare.steps);
-  } catch (...) {
-    radii.clear();
-    directions.clear();
-    balls.clear();
-    steps.clear();
-    throw;
-  }
+  carry_over(origin, pool, radii, spare.radii);
+  carry_over(origin, pool, directions, spare.directions);
+  carry_over(origin, pool, balls, spare.balls);
+  carry_over(origin, pool, steps, spare.steps);
 }
 
 }  // namespace meander

@@ -19,7 +19,7 @@ struct NodeHistory {
   NodeData<Vec2> steps;                   ///< the last displacements, along tangent and bitangent
 
   /// Gives the nodes after a refinement what those had that they come from; `origin` as Refinement::refine says.
-  /// Where memory runs out all of it is forgotten: it must not be that of other nodes.
+  /// Where this throws, it is that of neither.
   ///
   /// `spare`  any other history, for its memory; what it says is lost
   void follow(const NodeData<uint32_t>& origin, ThreadPool& pool, NodeHistory& spare);

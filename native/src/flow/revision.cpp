@@ -43,7 +43,7 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density, cons
   settings.full_start = state_.settings.full_start;
   if (settings.full_start) settings.hairpin_removal_iterations = 0;
   settings.threads = state_.settings.threads;
-  FlowState next{settings, state_.domain.revised(state_.settings, settings, density, pool), {}, {}, {}};
+  FlowState next{{}, settings, state_.domain.revised(state_.settings, settings, density, pool)};
   if (settings == state_.settings && next.domain.wanted_radius == state_.domain.wanted_radius) return;
   if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
   next.curve = state_.curve;
@@ -51,13 +51,13 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density, cons
   MoveSeconds seconds = record_.seconds.move;
   if (next.domain.surface != state_.domain.surface) {
     measure_segments(*next.domain.surface, next.curve, pool);
-    retraction_.straighten(*next.domain.surface, next.curve, pool, seconds);
+    work_.retraction.straighten(*next.domain.surface, next.curve, work_.spare.curve, pool, seconds);
   }
   Convergence convergence = convergence_.revised(settings, mean_change(state_, next, pool),
                                                  grows_otherwise(state_.settings, settings));
   const IterationPlan plan = plan_iteration(settings, convergence.phase());
-  refiner_.cut_guides(next, plan, pool);
-  refiner_.refine(next, plan, pool);
+  work_.refiner.cut_guides(next, plan, pool);
+  work_.refiner.refine(next, plan, pool);
   update_metric(next, pool);
 
   static_assert(std::is_nothrow_move_assignable_v<FlowState> && std::is_nothrow_move_assignable_v<Convergence>);

@@ -14,6 +14,15 @@ namespace meander {
 struct FlowSeconds {
   double total = 0, medial_axis = 0, solve = 0, refine = 0;
   MoveSeconds move;
+
+  FlowSeconds& operator+=(const FlowSeconds& more) {
+    total += more.total;
+    medial_axis += more.medial_axis;
+    solve += more.solve;
+    refine += more.refine;
+    move += more.move;
+    return *this;
+  }
 };
 
 /// One iteration; lengths in the surface's own unit.
@@ -34,6 +43,15 @@ struct RunRecord {
   bool cancelled = false;
 
   size_t iterations() const { return history.size() - started_at; }
+
+  /// Makes room for one more iteration; the only part of adding it that may throw.
+  void make_room() {
+    if (history.size() == history.capacity()) history.reserve(2 * history.size() + 16);
+  }
+  void add(const IterationRecord& iteration, const FlowSeconds& spent) noexcept {
+    history.push_back(iteration);
+    seconds += spent;
+  }
 
   /// Begins a new run on a surface whose unit is `factor` times smaller.
   void restart(double factor) {

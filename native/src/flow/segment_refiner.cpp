@@ -14,29 +14,31 @@ constexpr int kMostCuts = 10;
 
 }  // namespace
 
-void SegmentRefiner::refine(FlowState& state, const IterationPlan& plan, ThreadPool& pool) {
-  apply(state, plan, kNever, pool);
+void SegmentRefiner::refine(const FlowSettings& settings, const Domain& domain, CurveState& state,
+                            const IterationPlan& plan, ThreadPool& pool) {
+  apply(settings, domain, state, plan, kNever, pool);
 }
 
 void SegmentRefiner::cut_guides(FlowState& state, const IterationPlan& plan, ThreadPool& pool) {
   const Curve& curve = state.curve;
   for (uint32_t k = 0, before = 0; k < kMostCuts && curve.has_guides() && curve.size() != before; ++k) {
     before = curve.size();
-    apply(state, plan, state.settings.segment_length, pool);
+    apply(state.settings, state.domain, state, plan, state.settings.segment_length, pool);
   }
 }
 
-void SegmentRefiner::apply(FlowState& state, const IterationPlan& plan, double guide_length, ThreadPool& pool) {
-  update_metric(state, pool);
+void SegmentRefiner::apply(const FlowSettings& settings, const Domain& domain, CurveState& state,
+                           const IterationPlan& plan, double guide_length, ThreadPool& pool) {
+  update_metric(settings, domain, state, pool);
   const Curve& curve = state.curve;
   targets_.resize(curve.size());
   pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (auto i = static_cast<uint32_t>(begin); i < end; ++i) {
       const double h = curve.on_guide(i) ? guide_length : plan.segment_length;
-      targets_[i] = h * state.metric.radius[i] / state.settings.radius;
+      targets_[i] = h * state.metric.radius[i] / settings.radius;
     }
   });
-  if (refinement_.refine(*state.domain.surface, state.curve, targets_, pool, origin_, plan.most_turn)) {
+  if (refinement_.refine(*domain.surface, state.curve, targets_, pool, origin_, plan.most_turn)) {
     state.nodes.follow(origin_, pool, spare_);
   }
 }

@@ -9,20 +9,25 @@
 
 namespace meander {
 
-/// Keeps its memory from call to call. Where memory runs out the curve stays, and nothing wrong is left with it.
+/// Keeps its memory from call to call. Where a call throws, the curve stays, and what its nodes carry is lost.
 class SegmentRefiner {
  public:
   /// Splits and removes segments of what grows, as the plan has it: h is its segment length where r is the nominal
   /// one, and else in proportion. Guides stay as they are to the last bit. Finds the metric of the nodes as they were
   /// before.
-  void refine(FlowState& state, const IterationPlan& plan, ThreadPool& pool);
+  void refine(const FlowSettings& settings, const Domain& domain, CurveState& state, const IterationPlan& plan,
+              ThreadPool& pool);
+  void refine(FlowState& state, const IterationPlan& plan, ThreadPool& pool) {
+    refine(state.settings, state.domain, state, plan, pool);
+  }
 
   /// Cuts guides, where there are any, as finely as everything will be in the end, and all else as the plan has
   /// it: at first, and when the surface has moved.
   void cut_guides(FlowState& state, const IterationPlan& plan, ThreadPool& pool);
 
  private:
-  void apply(FlowState& state, const IterationPlan& plan, double guide_length, ThreadPool& pool);
+  void apply(const FlowSettings& settings, const Domain& domain, CurveState& state, const IterationPlan& plan,
+             double guide_length, ThreadPool& pool);
 
   Refinement refinement_;
   NodeData<double> targets_;

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow/iteration.h"
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "base/failure.h"
+#include "base/stopwatch.h"
+#include "flow/clamped_nodes.h"
+#include "flow/free_nodes.h"
+#include "flow/invariant.h"
+#include "flow/weighting.h"
+
+namespace meander {
+
+void find_medial_axis(const FlowState& state, const AtRest& known, const MedialPlan& plan, ThreadPool& pool,
+                      MedialState& medial) {
+  const Domain& domain = state.domain;
+  const MedialRules rules{state.settings.boundary_rule, plan};
+  const MedialScene scene{*domain.surface, domain.patches.get(), *domain.boundary, domain.radius,
+                          state.curve,     state.metric,         rules};
+  find_medial_state(scene, known, state.nodes.radii, pool, medial);
+}
+
+void Iteration::measure() {
+  Stopwatch watch;
+  static const NodeData<MeasuredBalls> none;
+  const NodeHistory& nodes = before_.nodes;
+  const AtRest known{plan_.reuse_directions ? &nodes.directions : nullptr, plan_.reuse_balls ? &nodes.balls : &none};
+  find_medial_axis(before_, known, plan_.medial, pool_, work_.medial);
+  if (before_.settings.grow_into_empty) {
+    perturb_empty_stretches(before_.curve, work_.medial.radii, before_.metric, pool_, work_.medial.felt_radii);
+  }
+  seconds_.medial_axis = watch.lap();
+}
+
+void Iteration::solve() {
+  Stopwatch watch;
+  const Curve& curve = before_.curve;
+  const LocalMetric& metric = before_.metric;
+  choose_weights(plan_, before_, work_.medial, work_.strands, pool_, work_.weights);
+  const NodeData<Vec2>& d = work_.step.find(plan_, before_, work_.medial, work_.weights, work_.strands, pool_);
+  displacement_ = &d;
+  seconds_.solve = watch.lap();
+
+  const double count = free_nodes(curve, pool_);
+  const double squares = sum_over_free(curve, pool_, [&](uint32_t i) { return dot(d[i], d[i]); });
+  figures_.displacement_norm = std::sqrt(squares) / count / before_.settings.radius;
+  figures_.clamped_share = clamped_share(curve, work_.medial.radii, metric, pool_);
+  figures_.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) { return norm(d[i]) / metric.radius[i]; });
+  record_.mean_step = sum_over_free(curve, pool_, [&](uint32_t i) { return norm(d[i]); }) / count;
+  record_.energy = energy(curve, work_.medial.felt_radii, metric, work_.weights, pool_);
+}
+
+void Iteration::move() {
+  // What nodes carry with them; of the medial axis nothing else is needed any more.
+  NodeHistory& nodes = after().nodes;
+  if (plan_.reuse_directions) {
+    nodes.directions = before_.nodes.directions;
+    remember_directions(work_.medial.frames, before_.metric, pool_, nodes.directions);
+  } else {
+    nodes.directions.clear();
+  }
+  remember_steps(plan_, *displacement_, work_.medial.frames, pool_, nodes.steps);
+  nodes.radii.swap(work_.medial.radii);
+  nodes.balls.swap(work_.medial.measured);
+
+  const NodeData<double>& moved = work_.retraction.move(*before_.domain.surface, before_.curve, *displacement_,
+                                                        after().curve, pool_, seconds_.move);
+  figures_.moved =
+      mean_over_movable(after().curve, pool_, [&](uint32_t i) { return moved[i] / before_.metric.radius[i]; });
+}
+
+void Iteration::refine() {
+  Stopwatch watch;
+  work_.refiner.refine(before_.settings, before_.domain, after(), plan_, pool_);
+  seconds_.refine = watch.lap();
+}
+
+void Iteration::check(size_t number) {
+  const Domain& domain = before_.domain;
+  const Curve& curve = after().curve;
+  const std::string broken = broken_promise(*domain.surface, before_.curve, curve, number);
+  if (!broken.empty()) {
+    throw Failure(FailureKind::kInternal, "In iteration " + std::to_string(number) + " " + broken +
+                                              ", so the curve stays as it was before it; please report this.");
+  }
+  update_metric(before_.settings, domain, after(), pool_);
+  figures_.length = curve.growing_length();
+  record_.length = length_as_given(domain, curve);
+  record_.nodes = curve.size();
+}
+
+void Iteration::commit(FlowState& state, RunRecord& record, double seconds) noexcept {
+  static_assert(std::is_nothrow_swappable_v<CurveState>);
+  std::swap(static_cast<CurveState&>(state), after());
+  record_.seconds = seconds_.total = seconds;
+  record.add(record_, seconds_);
+}
+
+}  // namespace meander
