@@ -46,7 +46,8 @@ def place_of(surface: bpy.types.Object, uv: np.ndarray) -> np.ndarray | None:
         weights = np.array(poly_3d_calc(corners, (*uv, 0.0)))
         (a, b, c), p = np.array(corners)[:, :2], uv
         edges = ((a, b), (b, c), (c, a))
-        turns = [np.cross(end - start, p - start) for start, end in edges]
+        # The determinants of what NumPy 2 takes for a cross product in space only.
+        turns = [np.linalg.det([end - start, p - start]) for start, end in edges]
         if min(turns) >= 0.0 or max(turns) <= 0.0:
             points = np.array([mesh.vertices[v].co for v in triangle.vertices])
             return weights @ points
