@@ -32,12 +32,6 @@ constexpr double kMostClamp = 10;
 /// A crease matters to places within this many r; on a limb, what has turned by more than this (a cosine).
 constexpr double kCreaseReach = 2.2, kCurled = 0.3;
 
-/// What one comparison after another needs.
-struct Scratch {
-  std::vector<std::pair<uint32_t, double>> near;  // patches, and squared distances through space
-  PatchSearch search;
-};
-
 }  // namespace
 
 /// Compares every patch with those that are near it.
@@ -70,6 +64,12 @@ class SurfacePatches::Comparison {
   }
 
  private:
+  /// What one comparison after another needs.
+  struct Scratch {
+    std::vector<std::pair<uint32_t, double>> near;  // patches, and squared distances through space
+    PatchSearch search;
+  };
+
   static double largest(const std::vector<double>& r) { return *std::ranges::max_element(r); }
   /// Without patches that have no area, whose r is 0.
   static double least(const std::vector<double>& r) {
