@@ -58,7 +58,7 @@ def misplaced_constants(sources: Path) -> list[str]:
     files = {p: p.read_text(encoding="utf-8") for p in sources.rglob("*.[hc]*")}
     for header in sorted(sources.glob("*/constants.h")):
         for name in re.findall(r"\b(k[A-Z]\w*) = ", files[header]):
-            used = re.compile(rf"\btuning::{name}\b")
+            used = re.compile(rf"\b{name}\b(?! = )")
             rooms = {p.parent.name for p, text in files.items() if used.search(text)}
             if header.parent.name != min(rooms, key=ROOMS.index, default=None):
                 wrong.append(f"{header.relative_to(sources)} has {name} for {sorted(rooms)}")
@@ -71,6 +71,14 @@ def test_every_room_includes_only_what_stands_before_it():
 
 def test_a_constant_stands_in_the_first_room_that_uses_it():
     assert misplaced_constants(SOURCES) == []
+
+
+def test_lines_of_native_code_have_120_characters_at_most():
+    folders = (SOURCES, SOURCES.parents[1] / "tests", SOURCES.parents[1] / "benchmarks")
+    sources = [p for folder in folders for p in folder.rglob("*.*") if p.suffix in (".h", ".cpp")]
+    for path in sources:
+        lines = path.read_text(encoding="utf-8").splitlines()
+        assert [k for k, line in enumerate(lines, 1) if len(line) > 120] == [], path
 
 
 def test_no_header_includes_itself_by_others():
@@ -113,7 +121,7 @@ def test_a_misplaced_constant_is_found(tmp_path, user, rooms):
     (tmp_path / "flow" / "constants.h").write_text("inline constexpr double kTurn = 2;\n")
     if user:
         (tmp_path / user).mkdir()
-        (tmp_path / user / "weights.cpp").write_text("double a = tuning::kTurn;\n")
+        (tmp_path / user / "weights.cpp").write_text("double a = kTurn;\n")
     assert misplaced_constants(tmp_path) == [f"flow/constants.h has kTurn for {rooms}"]
 
 

@@ -17,9 +17,9 @@ using namespace meander::fuzz;
 
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size);
 
-/// Memory is taken and given back all the time here, a quarter of the time by itself: only the caller of malloc is noted
-/// (whoever wants more runs what was found once more, with ASAN_OPTIONS=malloc_context_size=30), few blocks are kept as
-/// poison, and of each the beginning is filled with a pattern.
+/// Memory is taken and given back all the time here, a quarter of the time by itself: only the caller of malloc is
+/// noted (whoever wants more runs what was found once more, with ASAN_OPTIONS=malloc_context_size=30), few blocks are
+/// kept as poison, and of each the beginning is filled with a pattern.
 extern "C" const char* __asan_default_options() {
   return "malloc_context_size=1:quarantine_size_mb=1:max_malloc_fill_size=64";
 }

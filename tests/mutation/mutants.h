@@ -165,8 +165,8 @@ bool unequal(int id, const A& a, const B& b) {
 /// A condition or an operand of !, negated by the mutant.
 inline bool condition(int id, bool holds) { return holds != is(id); }
 
-// a && b is written both(id, left(id, a) && right(id, b)), and || likewise. Three mutants: the other operator, the right
-// operand alone, the left one alone.
+// a && b is written both(id, left(id, a) && right(id, b)), and || likewise. Three mutants: the other operator, the
+// right operand alone, the left one alone.
 
 /// Of &&: for a || b it works with !a && !b.
 inline bool and_left(int id, bool a) { return is(id) ? !a : a || is(id + 1); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Linked into the test programs of tests/mutation: writes, after every test, a line with its name, its processor time in
-// seconds, and the mutants that it has come by, to the file that MEANDER_REACHED names.
+// Linked into the test programs of tests/mutation: writes, after every test, a line with its name, its processor time
+// in seconds, and the mutants that it has come by, to the file that MEANDER_REACHED names.
 #include <gtest/gtest.h>
 
 #include <cstdio>

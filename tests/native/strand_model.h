@@ -65,7 +65,7 @@ class LiteralModel {
         const double p = weights.length_power;
         const double f = stretch(c, i, r, p) / l1;
         const double t = 0.5 * (weights.length[i] + weights.length[after]);
-        const double stiffness = std::max(t, tuning::kLeastLengthStiffness) * f;
+        const double stiffness = std::max(t, kLeastLengthStiffness) * f;
         add({{i, first, 1}, {after, second, -1}}, s, c, t * f, stiffness);
         const Mat3 along = Vec3(1, 0, 0).asDiagonal();
         add({{i, first, 1}, {after, second, -1}}, s, c, 0, (p - 2) * stiffness, along);

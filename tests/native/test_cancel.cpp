@@ -175,7 +175,8 @@ double move(Flow& flow, const CancelToken& cancel) {
 }
 
 const Task kTasks[] = {
-    {"gaps", [](Flow& flow, const CancelToken& cancel) { return static_cast<double>(find_gaps(flow, 1.2, cancel).size()); },
+    {"gaps",
+     [](Flow& flow, const CancelToken& cancel) { return static_cast<double>(find_gaps(flow, 1.2, cancel).size()); },
      10},
     {"statistics", [](Flow& flow, const CancelToken& cancel) { return statistics_of(flow, cancel).energy; }, 10},
     {"set_vertices", move, 10},

@@ -52,7 +52,7 @@ class PhasesOf : public testing::TestWithParam<int> {
   Curve curve_;
   LocalMetric metric_;
   ThreadPool pool_{1};
-  Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval, tuning::kPolishIterations};
+  Convergence convergence_{StopRule::kSettled, true, kHairpinRemoval, kPolishIterations};
   FlowSettings settings_ = with_polish();
   int notes_ = 0;
 };
@@ -64,10 +64,10 @@ TEST(Plan, RemovesHairpinsAsGentlyAsAsked) {
   for (const double gentleness : {0.0, 0.25, 0.5, 0.99, 1.0}) {
     settings.hairpin_removal_gentleness = gentleness;
     const IterationPlan plan = plan_iteration(settings, Phase::kHairpinRemoval);
-    EXPECT_EQ(plan.hairpin_pull == tuning::kRoughPull, gentleness == 0);
-    EXPECT_EQ(plan.hairpin_pull == tuning::kGentlePull, gentleness == 1);
-    EXPECT_EQ(plan.momentum == tuning::kRoughMomentum, gentleness == 0);
-    EXPECT_EQ(plan.momentum == tuning::kGentleMomentum, gentleness == 1);
+    EXPECT_EQ(plan.hairpin_pull == kRoughPull, gentleness == 0);
+    EXPECT_EQ(plan.hairpin_pull == kGentlePull, gentleness == 1);
+    EXPECT_EQ(plan.momentum == kRoughMomentum, gentleness == 0);
+    EXPECT_EQ(plan.momentum == kGentleMomentum, gentleness == 1);
     EXPECT_EQ(plan.medial.boundary_ease, gentleness);
     EXPECT_EQ(plan.medial.boundary_within > 0, gentleness > 0);
     if (gentleness > 0) {
@@ -75,7 +75,7 @@ TEST(Plan, RemovesHairpinsAsGentlyAsAsked) {
       EXPECT_LT(plan.momentum, before.momentum);
     }
     before = plan;
-    EXPECT_EQ(plan_iteration(settings, Phase::kPolishing).momentum, tuning::kPolishMomentum);
+    EXPECT_EQ(plan_iteration(settings, Phase::kPolishing).momentum, kPolishMomentum);
   }
 }
 
@@ -107,10 +107,10 @@ TEST(Plan, TakesOutSpikesInThePhasesOfGivenLength) {
     }
     for (const Phase phase : {Phase::kHairpinRemoval, Phase::kPolishing}) {
       const double most = plan_iteration(settings, phase).most_turn;
-      EXPECT_GE(most, tuning::kMostGentleTurn);
-      EXPECT_LE(most, tuning::kMostTurn);
-      EXPECT_EQ(most == tuning::kMostTurn, gentleness == 0);
-      EXPECT_EQ(most == tuning::kMostGentleTurn, gentleness == 1);
+      EXPECT_GE(most, kMostGentleTurn);
+      EXPECT_LE(most, kMostTurn);
+      EXPECT_EQ(most == kMostTurn, gentleness == 0);
+      EXPECT_EQ(most == kMostGentleTurn, gentleness == 1);
     }
   }
   settings.boundary_distance = 0.75;  // a strip that is to stay empty
@@ -132,8 +132,8 @@ TEST(Plan, PolishesLongerAfterAGentleRemoval) {
       last = polish;
     }
   };
-  check(false, tuning::kPolishIterations, tuning::kLongPolishIterations);
-  check(true, tuning::kFullPolishIterations, tuning::kLongFullPolishIterations);
+  check(false, kPolishIterations, kLongPolishIterations);
+  check(true, kFullPolishIterations, kLongFullPolishIterations);
 }
 
 /// Nothing is measured before the polish, nor in its first iterations; what was measured is kept by nodes at rest, but
@@ -142,9 +142,9 @@ TEST(Plan, MeasuresBallsOnceTheCurveHasItsPlace) {
   FlowSettings settings = with_polish();
   for (const Phase phase :
        {Phase::kGrowing, Phase::kHairpinRemoval, Phase::kPolishing, Phase::kFinishing, Phase::kCooling}) {
-    for (const uint32_t iterations : {0u, tuning::kUnmeasuredPolish - 1, tuning::kUnmeasuredPolish, 1000u}) {
+    for (const uint32_t iterations : {0u, kUnmeasuredPolish - 1, kUnmeasuredPolish, 1000u}) {
       const bool late = phase > Phase::kPolishing ||
-                        (phase == Phase::kPolishing && iterations >= tuning::kUnmeasuredPolish);
+                        (phase == Phase::kPolishing && iterations >= kUnmeasuredPolish);
       EXPECT_EQ(plan_iteration(settings, phase, iterations).medial.measure, late);
     }
     FlowSettings unpolished = settings;
@@ -168,7 +168,7 @@ TEST_P(PhasesOf, FollowOneAnother) {
   EXPECT_EQ(iterations_of(Phase::kHairpinRemoval, 100), kHairpinRemoval);
   ASSERT_EQ(convergence_.phase(), Phase::kPolishing);
   EXPECT_EQ(plan().segment_length, 2);
-  EXPECT_EQ(iterations_of(Phase::kPolishing, 100), tuning::kPolishIterations);
+  EXPECT_EQ(iterations_of(Phase::kPolishing, 100), kPolishIterations);
   ASSERT_EQ(convergence_.phase(), Phase::kFinishing);
   EXPECT_EQ(plan().segment_length, 1);
   EXPECT_FALSE(convergence_.converged());
@@ -187,7 +187,7 @@ TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
   for (const StopRule rule : {StopRule::kSettled, StopRule::kPaper}) {
     for (const double wanted : {0.0, 1e-3}) {
       for (const double moved : {0.0, 1e-6}) {
-        Convergence convergence(rule, true, kHairpinRemoval, tuning::kPolishIterations);
+        Convergence convergence(rule, true, kHairpinRemoval, kPolishIterations);
         IterationFigures figures{1, 0, wanted, moved, 1};
         for (int k = 0; k < 4; ++k) convergence.note(surface, curve, metric, figures, pool);
         EXPECT_FALSE(convergence.stalled());
@@ -205,7 +205,8 @@ TEST(Convergence, StallsOnlyWhereNodesAreHeld) {
 /// A curve that fills the surface, but has seen no hairpin removal when the surface first moves, is only
 /// finished; a curve that does not fill it continues to grow.
 TEST(Convergence, DoesNotBeginAnewWhereTheSurfaceMoves) {
-  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, tuning::kPolishIterations), plain(StopRule::kSettled, false, 0, 0);
+  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, kPolishIterations);
+  const Convergence plain(StopRule::kSettled, false, 0, 0);
   EXPECT_EQ(growing.restarted(0).phase(), Phase::kFinishing);
   EXPECT_EQ(growing.restarted(0.5).phase(), Phase::kGrowing);
   EXPECT_EQ(plain.restarted(0).phase(), Phase::kGrowing);
@@ -284,14 +285,14 @@ struct Noting : Square {
 TEST(Convergence, GrowthEndsWhereTheLengthOfAWindowBeforeIsTheSame) {
   for (const size_t jump : {0u, 1u, 5u, 17u}) {  // iterations before the length changes
     Noting n(true);
-    for (size_t k = 1; k <= jump + tuning::kGrowthWindow; ++k) {
+    for (size_t k = 1; k <= jump + kGrowthWindow; ++k) {
       n.note(k <= jump ? 1 : 2);
       // Of a jump after the window the first lengths are compared as well, and are equal.
-      if (jump <= tuning::kGrowthWindow) {
+      if (jump <= kGrowthWindow) {
         ASSERT_EQ(n.convergence.phase(), Phase::kGrowing) << k;
       }
     }
-    if (jump > tuning::kGrowthWindow) continue;
+    if (jump > kGrowthWindow) continue;
     n.note(2);
     EXPECT_EQ(n.convergence.phase(), Phase::kHairpinRemoval);
     EXPECT_EQ(n.convergence.iterations_in_phase(), 0u);
@@ -304,7 +305,7 @@ TEST(Convergence, GrowthEndsByLengthAndEmptiness) {
     double change, clamped_share;
     bool ends;
   };
-  const double little = tuning::kGrownLength, sure = tuning::kGrownForSure, empty = tuning::kGrownClamped;
+  const double little = kGrownLength, sure = kGrownForSure, empty = kGrownClamped;
   for (const Case& c : {Case{1.05 * little, 0, false}, Case{0.95 * little, 0.95 * empty, true},
                         Case{0.95 * little, 1.05 * empty, false}, Case{1.05 * sure, 1.05 * empty, false},
                         Case{0.95 * sure, 1.05 * empty, true}, Case{0.95 * sure, 1, true}}) {
@@ -312,7 +313,7 @@ TEST(Convergence, GrowthEndsByLengthAndEmptiness) {
       for (const uint32_t removal : {0u, 1u, kHairpinRemoval}) {
         Noting n(true, removal);
         n.note(1, 1);
-        for (size_t k = 1; k < tuning::kGrowthWindow; ++k) n.note(5, 1);
+        for (size_t k = 1; k < kGrowthWindow; ++k) n.note(5, 1);
         n.note(1 + sign * c.change, c.clamped_share);
         const Phase next = removal > 0 ? Phase::kHairpinRemoval : Phase::kPolishing;
         EXPECT_EQ(n.convergence.phase(), c.ends ? next : Phase::kGrowing) << c.change << " " << c.clamped_share;
@@ -332,22 +333,22 @@ TEST(Convergence, RestIsMeasuredAcrossTheCurve) {
       for (const double change : {-1.05, -0.95, 0.0, 0.95, 1.05}) {
         for (const double wide : {1.0, 2.0}) {  // the local r
           Noting n(false);
-          for (size_t k = 0; k < tuning::kSettledWindow; ++k) {
+          for (size_t k = 0; k < kSettledWindow; ++k) {
             n.note(k == 0 ? 1 : 3);
             ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
           }
-          n.place(distance * wide * tuning::kSettledDistance / share, slid);
+          n.place(distance * wide * kSettledDistance / share, slid);
           n.metric = even_metric(n.curve, wide * Square::kRadius);
-          n.note(1 + change * tuning::kSettledLength);
+          n.note(1 + change * kSettledLength);
           const bool rests = distance < 1 && std::abs(change) < 1;
           EXPECT_EQ(n.convergence.phase(), rests ? Phase::kCooling : Phase::kGrowing) << distance << " " << slid;
           if (rests) continue;
           // The next picture is compared with this one, another window later.
-          for (size_t k = 1; k < tuning::kSettledWindow; ++k) {
-            n.note(1 + change * tuning::kSettledLength);
+          for (size_t k = 1; k < kSettledWindow; ++k) {
+            n.note(1 + change * kSettledLength);
             ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
           }
-          n.note(1 + change * tuning::kSettledLength);
+          n.note(1 + change * kSettledLength);
           EXPECT_EQ(n.convergence.phase(), Phase::kCooling);
         }
       }
@@ -361,8 +362,8 @@ TEST(Convergence, GuidesAreNoSignOfRest) {
   for (const bool rests : {false, true}) {
     Noting n(false);
     n.add_guide(kOnGuide);
-    n.note_times(tuning::kSettledWindow);
-    n.place((rests ? 0.9 : 4) * tuning::kSettledDistance, 0);
+    n.note_times(kSettledWindow);
+    n.place((rests ? 0.9 : 4) * kSettledDistance, 0);
     n.add_guide(kOnGuide);
     n.note();
     EXPECT_EQ(n.convergence.phase(), rests ? Phase::kCooling : Phase::kGrowing);
@@ -372,12 +373,12 @@ TEST(Convergence, GuidesAreNoSignOfRest) {
 /// What hardly moves in an iteration may yet move in a window of them.
 TEST(Convergence, DriftIsNoRest) {
   Noting n(false);
-  for (size_t k = 0; k < 4 * tuning::kSettledWindow; ++k) {
-    n.place(0.8 * tuning::kSettledDistance * static_cast<double>(k), 0);
+  for (size_t k = 0; k < 4 * kSettledWindow; ++k) {
+    n.place(0.8 * kSettledDistance * static_cast<double>(k), 0);
     n.note();
     ASSERT_EQ(n.convergence.phase(), Phase::kGrowing);
   }
-  n.note_times(2 * tuning::kSettledWindow);
+  n.note_times(2 * kSettledWindow);
   EXPECT_EQ(n.convergence.phase(), Phase::kCooling);
 }
 
@@ -386,12 +387,12 @@ TEST(Convergence, EndsWithSomeShortSteps) {
     Noting n(polish);
     ASSERT_TRUE(n.reaches(polish ? Phase::kFinishing : Phase::kGrowing));
     if (polish) {
-      n.note_times(tuning::kSettledWindow);
+      n.note_times(kSettledWindow);
       EXPECT_EQ(n.convergence.phase(), Phase::kFinishing);
-      EXPECT_EQ(n.convergence.iterations_in_phase(), tuning::kSettledWindow);
+      EXPECT_EQ(n.convergence.iterations_in_phase(), kSettledWindow);
     }
     ASSERT_TRUE(n.reaches(Phase::kCooling));
-    for (uint32_t k = 0; k < tuning::kCoolingIterations; ++k) {
+    for (uint32_t k = 0; k < kCoolingIterations; ++k) {
       EXPECT_EQ(n.convergence.iterations_in_phase(), k);
       EXPECT_FALSE(n.convergence.converged());
       n.note();
@@ -408,10 +409,10 @@ TEST(Convergence, StallsAfterSomeIterationsInARow) {
     n.convergence.note(n.surface, n.curve, n.metric, {1, 0, wanted, moved, 1}, n.pool);
     return n.convergence.stalled();
   };
-  for (size_t k = 0; k < 2 * tuning::kIdleIterations; ++k) EXPECT_FALSE(idle(1, tuning::kIdle));
-  for (size_t k = 0; k < 2 * tuning::kIdleIterations; ++k) EXPECT_FALSE(idle(0.99 * tuning::kIdle, 0));
+  for (size_t k = 0; k < 2 * kIdleIterations; ++k) EXPECT_FALSE(idle(1, kIdle));
+  for (size_t k = 0; k < 2 * kIdleIterations; ++k) EXPECT_FALSE(idle(0.99 * kIdle, 0));
   for (int round = 0; round < 2; ++round) {
-    for (size_t k = 1; k < tuning::kIdleIterations; ++k) EXPECT_FALSE(idle(tuning::kIdle, 0.99 * tuning::kIdle));
+    for (size_t k = 1; k < kIdleIterations; ++k) EXPECT_FALSE(idle(kIdle, 0.99 * kIdle));
     EXPECT_TRUE(idle(1, 0));
     EXPECT_TRUE(idle(1, 0));
     EXPECT_FALSE(idle(1, 1));
@@ -421,14 +422,14 @@ TEST(Convergence, StallsAfterSomeIterationsInARow) {
 /// By the paper's rule, whatever the curve does.
 TEST(Convergence, OfThePaperIsQuietForSomeIterationsInARow) {
   Noting n(true, kHairpinRemoval, StopRule::kPaper);
-  const double quiet = 0.99 * tuning::kPaperLimit, loud = tuning::kPaperLimit;  // what counts is below it
-  for (uint32_t k = 1; k < tuning::kPaperIterations; ++k) {
+  const double quiet = 0.99 * kPaperLimit, loud = kPaperLimit;  // what counts is below it
+  for (uint32_t k = 1; k < kPaperIterations; ++k) {
     n.note(1, 0, quiet);
     EXPECT_EQ(n.convergence.quiet_iterations(), k);
   }
   n.note(1, 0, loud);
   EXPECT_EQ(n.convergence.quiet_iterations(), 0u);
-  for (uint32_t k = 0; k < tuning::kPaperIterations; ++k) {
+  for (uint32_t k = 0; k < kPaperIterations; ++k) {
     EXPECT_FALSE(n.convergence.converged());
     n.note(1, 0, quiet);
   }
@@ -452,7 +453,7 @@ TEST(Convergence, GoesOnWithAPolishWhereSettingsAreRevised) {
       n.convergence = n.convergence.revised(settings, 0.1, false);  // once more: it is fitted anew
       if (moves) n.convergence = n.convergence.restarted(1);
       ASSERT_EQ(n.convergence.phase(), Phase::kPolishing);
-      n.note_times(tuning::kFittingIterations - 1);
+      n.note_times(kFittingIterations - 1);
       EXPECT_EQ(n.convergence.phase(), Phase::kPolishing);
       n.note();
       EXPECT_EQ(n.convergence.phase(), from);
@@ -484,7 +485,7 @@ TEST(Convergence, GoesOnWithAPolishWhereSettingsAreRevised) {
   n.note_times(2);
   n.convergence = n.convergence.revised(settings, 0, false);
   EXPECT_EQ(n.convergence.iterations_in_phase(), 2u);
-  n.note_times(tuning::kPolishIterations - 2);
+  n.note_times(kPolishIterations - 2);
   EXPECT_EQ(n.convergence.phase(), Phase::kFinishing);
 }
 
@@ -499,7 +500,7 @@ TEST(Convergence, GrowsAgainWhereTooMuchIsRevised) {
   plain.polish = false;
   EXPECT_EQ(made.revised(plain, 0, false).phase(), Phase::kGrowing);
   // Changes add up until it grows again, also over a moving surface, and count from then on.
-  const double most = tuning::kMostFitted;
+  const double most = kMostFitted;
   EXPECT_EQ(made.revised(settings, 0.98 * most, false).phase(), Phase::kPolishing);
   EXPECT_EQ(made.revised(settings, most, false).phase(), Phase::kPolishing);
   EXPECT_EQ(made.revised(settings, 1.02 * most, false).phase(), Phase::kGrowing);
@@ -517,10 +518,10 @@ TEST(Convergence, GrowsAgainWhereTooMuchIsRevised) {
 
 /// How much of the curve still sees nothing beside it decides whether it has filled the surface when this moves.
 TEST(Convergence, OnAMovedSurfaceGrowsOnlyWhereItHasNotFilledIt) {
-  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, tuning::kPolishIterations);
-  EXPECT_EQ(growing.restarted(0.95 * tuning::kGrownClamped).phase(), Phase::kFinishing);
-  EXPECT_EQ(growing.restarted(tuning::kGrownClamped).phase(), Phase::kGrowing);
-  EXPECT_EQ(growing.restarted(1.05 * tuning::kGrownClamped).phase(), Phase::kGrowing);
+  const Convergence growing(StopRule::kSettled, true, kHairpinRemoval, kPolishIterations);
+  EXPECT_EQ(growing.restarted(0.95 * kGrownClamped).phase(), Phase::kFinishing);
+  EXPECT_EQ(growing.restarted(kGrownClamped).phase(), Phase::kGrowing);
+  EXPECT_EQ(growing.restarted(1.05 * kGrownClamped).phase(), Phase::kGrowing);
   for (const Phase phase : {Phase::kFinishing, Phase::kCooling}) {
     Noting n(true);
     ASSERT_TRUE(n.reaches(phase));

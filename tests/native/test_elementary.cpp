@@ -85,7 +85,9 @@ TEST_F(Elementary, ExponentialAndLogarithmsAreRoundedCorrectly) {
 TEST_F(Elementary, PowersAreRoundedCorrectly) {
   Numbers n;
   const auto ours = [](double x, double y) { return elementary::pow(x, y); };
-  const auto theirs = [](double x, double y) { return std::pow(static_cast<long double>(x), static_cast<long double>(y)); };
+  const auto theirs = [](double x, double y) {
+    return std::pow(static_cast<long double>(x), static_cast<long double>(y));
+  };
   for (int k = 0; k < kCount; ++k) {
     expect_close("pow", n.of_size(-4, 4), n.between(-6, 6), ours, theirs, 0.502);
     expect_close("pow", n.of_size(-90, 90), n.between(-9, 9), ours, theirs, 0.53);
@@ -106,14 +108,18 @@ TEST_F(Elementary, AnglesAreRoundedCorrectly) {
     }
   }
   const auto ours = [](double x, double y) { return elementary::atan2(y, x); };
-  const auto theirs = [](double x, double y) { return std::atan2(static_cast<long double>(y), static_cast<long double>(x)); };
+  const auto theirs = [](double x, double y) {
+    return std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+  };
   for (int k = 0; k < kCount; ++k) {
     expect_close("atan2", n.between(-1, 1), n.between(-1, 1), ours, theirs, 0.502);
     expect_close("atan2", n.of_size(-200, 200), n.of_size(-200, 200), ours, theirs, 0.502);
     expect_close("atan2", -n.of_size(-40, 40), -n.of_size(-40, 40), ours, theirs, 0.502);
   }
   const auto hypot = [](double x, double y) { return elementary::hypot(x, y); };
-  const auto long_hypot = [](double x, double y) { return std::hypot(static_cast<long double>(x), static_cast<long double>(y)); };
+  const auto long_hypot = [](double x, double y) {
+    return std::hypot(static_cast<long double>(x), static_cast<long double>(y));
+  };
   for (int k = 0; k < kCount; ++k) {
     expect_close("hypot", n.between(-1, 1), n.between(-1, 1), hypot, long_hypot, 0.502);
     expect_close("hypot", n.of_size(-900, 900), n.of_size(-900, 900), hypot, long_hypot, 0.502);

@@ -582,11 +582,11 @@ TEST_P(OnAFilledSurface, NodesAtRestKeepTheirBalls) {
   const auto moved = [&](double r) {
     return changed([&](MeasuredBall& ball) { ball.from += static_cast<float>(r * f.r) * Eigen::Vector3f::UnitX(); });
   };
-  expect(moved(0.9 * tuning::kBallRest), kFactor, "moved a little");
+  expect(moved(0.9 * kBallRest), kFactor, "moved a little");
   expect(changed([](MeasuredBall& ball) { ball.straight = ball.measured = 0; }), 1, "not known");
-  expect(changed([](MeasuredBall& ball) { ball.age = tuning::kBallIterations; }), 1, "long ago");
-  expect(moved(1.1 * tuning::kBallRest), 1, "moved");
-  const float much = static_cast<float>(1 + 1.2 * tuning::kBallChange), little = 1.05f;
+  expect(changed([](MeasuredBall& ball) { ball.age = kBallIterations; }), 1, "long ago");
+  expect(moved(1.1 * kBallRest), 1, "moved");
+  const float much = static_cast<float>(1 + 1.2 * kBallChange), little = 1.05f;
   expect(changed([&](MeasuredBall& ball) {
            ball.searched = false;
            ball.straight *= much;
@@ -605,7 +605,7 @@ TEST_P(OnAFilledSurface, NodesAtRestKeepTheirBalls) {
          kFactor, "searched for");
   expect(changed([&](MeasuredBall& ball) {
            ball.searched = true;
-           ball.age = tuning::kSearchedIterations;
+           ball.age = kSearchedIterations;
          }),
          1, "searched for, some time ago");
   // Growth measures nothing, and has nothing to keep.

@@ -73,7 +73,8 @@ class Host {
 
   size_t iterations() {
     size_t count = 0;
-    EXPECT_EQ(meander_flow_get_history(flow, nullptr, sizeof(meander_iteration), 0, &count, &error), MEANDER_STATUS_OK) << error.text;
+    EXPECT_EQ(meander_flow_get_history(flow, nullptr, sizeof(meander_iteration), 0, &count, &error), MEANDER_STATUS_OK)
+      << error.text;
     return count;
   }
 

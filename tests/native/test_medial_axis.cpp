@@ -103,8 +103,9 @@ TEST(MedialAxis, ABallWithoutReachIsAPoint) {
   ThreadPool pool(1);
   CurveBvh tree;
   NodeData<Reach> reach;
-  compute_reach({scene.surface, scene.curve, scene.frames, scene.boundary, BoundaryRule::kCentre, nullptr, scene.metric},
-                {}, pool, reach);
+  compute_reach(
+      {scene.surface, scene.curve, scene.frames, scene.boundary, BoundaryRule::kCentre, nullptr, scene.metric}, {},
+      pool, reach);
   for (uint32_t i = 0; i < scene.curve.size(); i += 3) reach[i][i % 2].radius = i % 4 < 2 ? 0 : -0.01;
   for (int pass = 0; pass < 2; ++pass) {  // from nothing, and from what the last one found
     compute_medial_axis(scene.frames, scene.boundary, BoundaryRule::kCentre, reach, pool, tree, radii);

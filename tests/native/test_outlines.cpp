@@ -16,8 +16,6 @@
 namespace meander::test {
 namespace {
 
-bool never() { return false; }
-
 /// Two faces.
 Mesh square() {
   Mesh m;
@@ -114,7 +112,7 @@ TEST(BoundaryDistance, IsExactAlongStraightBoundaries) {
   const Surface s = make_surface(square());
   const double side = 1 / s.scale();
   const double reach = 0.1 * side;
-  const BoundaryDistance d(s, reach, reach / 4, never);
+  const BoundaryDistance d(s, reach, reach / 4, {});
   for (uint32_t v = 0; v < d.mesh().vertex_count(); ++v) {
     const Vec3& p = d.mesh().position(v);
     const double exact = std::min({p.x(), p.y(), side - p.x(), side - p.y()});
@@ -134,7 +132,7 @@ TEST(BoundaryDistance, CutsUpAStripWhoseFacesGrowWithItsLength) {
   const Surface s = make_surface(square());
   constexpr double kMostFaces = 200;  // on a stretch of the boundary as long as the distance
   for (const double reach : {0.01, 0.005, 0.0025, 0.001}) {
-    const BoundaryDistance d(s, reach, reach / 4, never);
+    const BoundaryDistance d(s, reach, reach / 4, {});
     EXPECT_LT(static_cast<double>(d.mesh().face_count()), kMostFaces * 4 / s.scale() / reach);
   }
 }
@@ -142,7 +140,7 @@ TEST(BoundaryDistance, CutsUpAStripWhoseFacesGrowWithItsLength) {
 TEST(Outlines, KeepTheirDistanceRoundACornerThatPointsInwards) {
   const Surface s = make_surface(angle());
   for (const double distance : {0.05, 0.1, 0.2}) {
-    const Outlines o = find_outlines(s, distance / s.scale(), 0.5 * distance / s.scale(), never);
+    const Outlines o = find_outlines(s, distance / s.scale(), 0.5 * distance / s.scale(), {});
     ASSERT_EQ(o.closed, std::vector<uint8_t>{1});
     double sum = 0;
     for (const Vec3& p : o.points) {
@@ -182,10 +180,10 @@ TEST(Outlines, DoNotCrossAndLieTheSameInEveryScale) {
   const Mesh holed = grid_with_hole(13);
   for (const double distance : {0.02, 0.05, 0.11}) {
     const Surface s = make_surface(holed), large = make_surface(scaled(holed, 1024));
-    const Outlines o = find_outlines(s, distance / s.scale(), 0.02 / s.scale(), never);
+    const Outlines o = find_outlines(s, distance / s.scale(), 0.02 / s.scale(), {});
     EXPECT_EQ(o.closed.size(), 2u);
     EXPECT_FALSE(cross_each_other(o));
-    const Outlines other = find_outlines(large, 1024 * distance / large.scale(), 1024 * 0.02 / large.scale(), never);
+    const Outlines other = find_outlines(large, 1024 * distance / large.scale(), 1024 * 0.02 / large.scale(), {});
     ASSERT_EQ(other.points.size(), o.points.size());
     for (size_t k = 0; k < o.points.size(); ++k) EXPECT_EQ(other.points[k], Vec3(1024 * o.points[k]));
   }

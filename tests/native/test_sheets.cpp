@@ -140,8 +140,8 @@ TEST(Sheets, AnyTrianglesBecomeSurfaces) {
   EXPECT_GT(with_welds, 20u);
 }
 
-/// A floor of two faces and a wall on the edge between them. `turned`: one half of the floor agrees with the wall in how
-/// it is wound, and not with the other half.
+/// A floor of two faces and a wall on the edge between them. `turned`: one half of the floor agrees with the wall in
+/// how it is wound, and not with the other half.
 Mesh floor_and_wall(bool turned) {
   Mesh mesh;
   for (const double x : {-1.0, 0.0, 1.0}) mesh.add(x, x == 0 ? 0 : 1, 0);
@@ -191,7 +191,8 @@ TEST(Sheets, TwoSolidsThatShareAnEdgeStayTwo) {
 TEST(Sheets, WhereAOneSidedPartLiesOnItselfItIsPartedAndNoFaceIsTurned) {
   // A band in the plane that comes back to its first edge from the same side, all faces counter-clockwise.
   Mesh mesh;
-  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1, 0}, {0.3, 1}, {0.6, 1.1}, {1.5, 1}, {0.8, 2}, {-0.5, 1.2}, {-1, 2}}) {
+  for (const auto& [x, y] :
+       {std::pair{0.0, 0.0}, {1, 0}, {0.3, 1}, {0.6, 1.1}, {1.5, 1}, {0.8, 2}, {-0.5, 1.2}, {-1, 2}}) {
     mesh.add(x, y, 0);
   }
   const uint32_t a = 0, b = 1, c = 2, d = 3, e = 4, h = 5, k = 6, p = 7;
@@ -260,7 +261,8 @@ TEST(Seams, ASoupBecomesWholeAtEveryScaleAndSheetsInOnePlaceStay) {
       const Vec3 p = whole.at(v);
       const double x = nudged(p.x()), y = nudged(p.y()), z = nudged(p.z());
       soup.add(x, y, z);
-      if (soup.vertex_count() % 3 == 0) soup.face(soup.vertex_count() - 3, soup.vertex_count() - 2, soup.vertex_count() - 1);
+      const auto count = soup.vertex_count();
+      if (count % 3 == 0) soup.face(count - 3, count - 2, count - 1);
     }
     const PreparedMesh prepared = prepare_mesh(soup.vertices, soup.faces, all_repairs(1e-4 * scale));
     EXPECT_EQ(prepared.faces.size(), whole.faces.size());

@@ -75,7 +75,7 @@ TEST(Step, KeepsItsDistanceFromTheBoundary) {
     s.radii[5][side] = 0.5 * kRadius;  // another strand ends it
     const std::vector<Vec2> kept = s.steps(0.4 * sign, true), free = s.steps(0.4 * sign, false);
     const std::vector<Vec2> away = s.steps(-0.4 * sign, true);
-    const double least = tuning::kLeastTowardsBoundary, far = tuning::kKeptFromBoundary;
+    const double least = kLeastTowardsBoundary, far = kKeptFromBoundary;
     const double expected[] = {0.4, 0.9 - far, 0.7 - far, least, least, 0.4};
     for (uint32_t i = 0; i < Scene::kNodes; ++i) {
       EXPECT_NEAR(kept[i].y, sign * expected[i], kRounding) << i;

@@ -168,7 +168,7 @@ TEST(Weighting, OfAPolishFollowsTheSpacing) {
     s.settings.polish = true;
     s.settings.polish_length_gain = 5;
     s.spacing = 0.4;
-    expect_all(s.weights(phase).length, tuning::kMostPolishLength);
+    expect_all(s.weights(phase).length, kMostPolishLength);
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Weighting, OfAPolishPushesOutOfWideStrips) {
   struct Case {
     double distance, q, polish_q, expected;
   };
-  for (const Case& c : {Case{1, 2, 6, 6}, Case{1.01, 2, 6, tuning::kMostPowerAtStrips}, Case{2, 5, 6, 5},
+  for (const Case& c : {Case{1, 2, 6, 6}, Case{1.01, 2, 6, kMostPowerAtStrips}, Case{2, 5, 6, 5},
                         Case{2, 2, 3, 3}, Case{2, 3, 2, 3}, Case{0.5, 2, 6, 6}}) {
     Scene s;
     s.add_circle(4);
@@ -207,7 +207,7 @@ TEST(Weighting, IsStifferWhereTheBoundaryPushesHard) {
       }
       ASSERT_EQ(w.medial_stiffening.size(), s.curve.size());
       for (uint32_t i = 0; i < s.curve.size(); ++i) {
-        EXPECT_EQ(w.medial_stiffening[i], i == 2 || i == 3 ? tuning::kPushStiffness : 1) << i;
+        EXPECT_EQ(w.medial_stiffening[i], i == 2 || i == 3 ? kPushStiffness : 1) << i;
       }
     }
   }
@@ -228,8 +228,8 @@ TEST(Weighting, InAStripIsDrawnOut) {
       s.felt[5] = {kRadius, 1e-3 * kRadius};
       const Weights w = s.weights(Phase::kGrowing);
       for (uint32_t i = 0; i < s.curve.size(); ++i) {
-        const double elsewhere = into_empty ? tuning::kIntoEmpty : 0.7;
-        EXPECT_EQ(w.length[i], distance > 0.5 && (i == 3 || i == 4) ? tuning::kOutOfStrip : elsewhere) << i;
+        const double elsewhere = into_empty ? kIntoEmpty : 0.7;
+        EXPECT_EQ(w.length[i], distance > 0.5 && (i == 3 || i == 4) ? kOutOfStrip : elsewhere) << i;
       }
     }
   }
@@ -246,7 +246,7 @@ TEST(Weighting, GrowsIntoWhatIsEmpty) {
     s.seen[6] = {3 * kRadius, kRadius};
     const Weights w = s.weights(Phase::kGrowing);
     for (uint32_t i = 0; i < s.curve.size(); ++i) {
-      EXPECT_EQ(w.length[i], into_empty && i == 5 ? tuning::kIntoEmpty : 0.7) << i;
+      EXPECT_EQ(w.length[i], into_empty && i == 5 ? kIntoEmpty : 0.7) << i;
     }
   }
 }
@@ -321,7 +321,7 @@ TEST(Weighting, YoungStrandsAreLetGrow) {
       for (const bool field : {false, true}) {
         for (const bool wide : {false, true}) {
           Scene s;
-          s.add_circle((wide ? 2 : 1) * tuning::kYoung * radius);
+          s.add_circle((wide ? 2 : 1) * kYoung * radius);
           s.add_circle(9);
           s.add_strand({{-2, 3}, {-1, 3}, {0, 3}}, false);
           if (wide) {  // twice r as the mean of the first strand
@@ -352,8 +352,8 @@ TEST(Weighting, HairpinsAreRemovedFirstAndThenKeptRound) {
   s.add_rows();
   s.settings.polish = true;
   const LocalMetric metric = even_metric(s.curve, kRadius, s.settings.max_radius);
-  const NodeData<uint8_t> marked = mark_short_runs(s.curve, metric, tuning::kHairpinRemovalShare, s.pool);
-  const NodeData<double> curvature = smoothed_curvature(s.curve, metric, tuning::kCurvatureSmoothing, s.pool);
+  const NodeData<uint8_t> marked = mark_short_runs(s.curve, metric, kHairpinRemovalShare, s.pool);
+  const NodeData<double> curvature = smoothed_curvature(s.curve, metric, kCurvatureSmoothing, s.pool);
   const Weights removal = s.weights(Phase::kHairpinRemoval), polish = s.weights(Phase::kPolishing);
   const double pull = plan_iteration(s.settings, Phase::kHairpinRemoval).hairpin_pull;
   uint32_t drawn_in = 0, straight = 0, between = 0;

@@ -23,7 +23,8 @@ SeedStrands checked_seed(const meander_seed* given) {
   }
   if (seed.guides) strands.guides.assign(seed.guides, seed.guides + seed.strand_count);
   strands.loops = seed.fill_regions != 0;
-  require(std::isfinite(seed.max_distance) && seed.max_distance >= 0, "The field max_distance of the seed must be 0 or a length.");
+  require(std::isfinite(seed.max_distance) && seed.max_distance >= 0,
+          "The field max_distance of the seed must be 0 or a length.");
   strands.max_distance = seed.max_distance;
   for (size_t i = 0; i < seed.point_count; ++i) {
     const double* x = seed.points + 3 * i;

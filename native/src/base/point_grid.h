@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All points near to a place, for queries of about one size, or of very different ones: several times faster than a tree.
+// All points near to a place, for queries of about one size, or of very different ones: several times faster than a
+// tree.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,9 @@ class PointGrid {
     places_.reserve(points.size());
     std::vector<Range> cubes;
     for (const auto& [place, i] : order) {
-      if (cubes.empty() || cubes.back().key != place) cubes.push_back({place, static_cast<uint32_t>(places_.size()), 0});
+      if (cubes.empty() || cubes.back().key != place) {
+        cubes.push_back({place, static_cast<uint32_t>(places_.size()), 0});
+      }
       places_.push_back({points[i], i});
       cubes.back().end = static_cast<uint32_t>(places_.size());
     }
@@ -141,7 +144,8 @@ class PointGrid {
   /// Cubes of about the size of a radius, by a factor of the root of 2 at most where there are such.
   int level_of(double radius) const { return std::clamp(std::ilogb(1.4142 * radius / size_), 0, kMostLevels - 1); }
   const Level& level_for(double radius) const {
-    return levels_.size() == 1 ? levels_[0] : levels_[std::min(static_cast<size_t>(level_of(radius)), levels_.size() - 1)];
+    if (levels_.size() == 1) return levels_[0];
+    return levels_[std::min(static_cast<size_t>(level_of(radius)), levels_.size() - 1)];
   }
 
   double size_;  // of the least cubes

@@ -13,7 +13,7 @@
 
 #include <numbers>
 
-namespace meander::tuning {
+namespace meander {
 
 /// In front of an empty strip wider than this, in spacings, > 0, the boundary pushes no harder than other strands do:
 /// they have room to give way there, and between two such strips they would never come to rest (docs/decisions.md,
@@ -26,4 +26,4 @@ inline constexpr double kHairpinTurn = 2 * std::numbers::pi / 3;
 inline constexpr double kHairpinWindow = 4;
 inline constexpr double kHairpinMargin = 2;
 
-}  // namespace meander::tuning
+}  // namespace meander

@@ -68,11 +68,11 @@ std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool
   std::vector<double> turning(strand.count);
   pool.for_blocks(strand.count, kNodeGrain, [&](size_t, size_t begin, size_t end) {
     const double start = course.arc_length(static_cast<int64_t>(begin));
-    int64_t first = course.first_after(start - tuning::kHairpinWindow / 2), last = first;
+    int64_t first = course.first_after(start - kHairpinWindow / 2), last = first;
     for (auto k = static_cast<int64_t>(begin); k < static_cast<int64_t>(end); ++k) {
       const double place = course.arc_length(k);
-      while (first < k && course.arc_length(first) < place - tuning::kHairpinWindow / 2) ++first;
-      while (last < course.end() && course.arc_length(last) < place + tuning::kHairpinWindow / 2) ++last;
+      while (first < k && course.arc_length(first) < place - kHairpinWindow / 2) ++first;
+      while (last < course.end() && course.arc_length(last) < place + kHairpinWindow / 2) ++last;
       turning[static_cast<size_t>(k)] = course.turn(last) - course.turn(first);
     }
   });
@@ -80,7 +80,7 @@ std::vector<Hairpin> find(const Course& course, const Strand& strand, ThreadPool
   const auto at = [&](int64_t k) { return turning[static_cast<size_t>(k % strand.count)]; };
   for (int64_t k = 0; k < strand.count; ++k) {
     const int side = at(k) > 0 ? 1 : -1;
-    const auto turns = [&](int64_t j) { return side * at(j) >= tuning::kHairpinTurn; };
+    const auto turns = [&](int64_t j) { return side * at(j) >= kHairpinTurn; };
     const bool has_before = strand.closed || k > 0;
     if (!turns(k) || (has_before && turns(k + strand.count - 1))) continue;
     int64_t end = k;
@@ -127,8 +127,8 @@ NodeData<uint8_t> mark_short_runs(const Curve& curve, const LocalMetric& metric,
     const Strand& strand = curve.strands[run.strand];
     const Course& course = courses[run.strand];
     // Never more than once round.
-    const int64_t begin = course.first_after(run.from - tuning::kHairpinMargin);
-    const int64_t end = std::min(course.first_after(run.to + tuning::kHairpinMargin), begin + strand.count);
+    const int64_t begin = course.first_after(run.from - kHairpinMargin);
+    const int64_t end = std::min(course.first_after(run.to + kHairpinMargin), begin + strand.count);
     for (int64_t k = begin; k < end; ++k) {
       marked[strand.first + static_cast<size_t>((k + strand.count) % strand.count)] = 1;
     }

@@ -12,7 +12,7 @@ void find_local_metric(const Surface& surface, const Curve& curve, const RadiusF
   for (NodeData<double>* values : {&metric.radius, &metric.max_radius, &metric.overhang, &metric.least_rest}) {
     values->resize(curve.size());
   }
-  const bool narrow = rules.boundary_distance <= tuning::kWideStrip;
+  const bool narrow = rules.boundary_distance <= kWideStrip;
   pool.for_blocks(curve.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double r = radius.at(surface, curve.nodes[i]);

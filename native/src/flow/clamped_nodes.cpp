@@ -37,12 +37,12 @@ void perturb_empty_stretches(const Curve& curve, const NodeData<Radii>& radii, c
     double phase = 0;
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       if (empty(i)) {
-        const double favour = tuning::kPerturbation * elementary::sin(phase);
+        const double favour = kPerturbation * elementary::sin(phase);
         felt_radii[i][0] *= 1 + favour;
         felt_radii[i][1] *= 1 - favour;
       }
       if (curve.has_segment(i)) {
-        phase += 2 * std::numbers::pi / tuning::kPerturbationWavelength * curve.shapes[i].length / metric.radius[i];
+        phase += 2 * std::numbers::pi / kPerturbationWavelength * curve.shapes[i].length / metric.radius[i];
       }
     }
   }

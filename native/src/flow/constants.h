@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace meander::tuning {
+namespace meander {
 
 // ---- The domain -----------------------------------------------------------------------------------------------------
 
@@ -20,8 +20,8 @@ inline constexpr double kBoundarySampling = 0.5;
 
 // ---- The plan: hairpin removal --------------------------------------------------------------------------------------
 
-/// This share of the runs between opposite hairpins is drawn in, the shortest; from 0 to 1. An eighth or three tenths of
-/// the runs: within noise (docs/decisions.md, "Rough hairpin removal").
+/// This share of the runs between opposite hairpins is drawn in, the shortest; from 0 to 1. An eighth or three tenths
+/// of the runs: within noise (docs/decisions.md, "Rough hairpin removal").
 inline constexpr double kHairpinRemovalShare = 0.2;
 
 /// The length weight that draws them in, > 0, and the share of its last step with which a node goes on meanwhile, from
@@ -215,4 +215,4 @@ inline constexpr double kFinishingIterations = 8;
 /// to 1. "progress: Follow the time to the end of a run".
 inline constexpr double kUnpolishedGrowth = 0.4, kUnpolishedLength = 0.98, kUnpolishedEnd = 0.35;
 
-}  // namespace meander::tuning
+}  // namespace meander

@@ -35,7 +35,7 @@ Convergence Convergence::restarted(double clamped_share) const {
   next.polished_ = polished_;
   next.fitting_ = fitting_;
   next.change_ = change_;
-  const bool grown = phase_ != Phase::kGrowing || clamped_share < tuning::kGrownClamped;
+  const bool grown = phase_ != Phase::kGrowing || clamped_share < kGrownClamped;
   // What is past its growth but has long segments still goes on where it is: else they would all be cut at
   // once.
   const bool under_way = phase_ == Phase::kHairpinRemoval || phase_ == Phase::kPolishing;
@@ -48,7 +48,7 @@ Convergence Convergence::revised(const FlowSettings& settings, double change, bo
                    polish_iterations(settings));
   if (!settings.polish || !polish_wanted_ || phase_ == Phase::kGrowing) return next;
   next.change_ = change_ + change;
-  if (regrow || next.change_ > tuning::kMostFitted) {
+  if (regrow || next.change_ > kMostFitted) {
     next.change_ = 0;
     return next;
   }
@@ -56,7 +56,7 @@ Convergence Convergence::revised(const FlowSettings& settings, double change, bo
   next.removed_for_ = removed_for_;
   const bool removing = phase_ == Phase::kHairpinRemoval && removed_for_ < next.hairpin_removal_iterations_;
   next.phase_ = removing ? phase_ : Phase::kPolishing;
-  next.polished_ = std::min(polished_, next.polish_iterations_ - tuning::kFittingIterations);
+  next.polished_ = std::min(polished_, next.polish_iterations_ - kFittingIterations);
   return next;
 }
 
@@ -67,14 +67,14 @@ void Convergence::begin(Phase phase) {
 }
 
 bool Convergence::has_grown(double change, double clamped_share) const {
-  return (change < tuning::kGrownLength && clamped_share < tuning::kGrownClamped) || change < tuning::kGrownForSure;
+  return (change < kGrownLength && clamped_share < kGrownClamped) || change < kGrownForSure;
 }
 
 /// Compares the curve with the one of a window before; the first time it only takes that one down.
 bool Convergence::has_settled(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                               double change, ThreadPool& pool) {
   const size_t now = lengths_.size();
-  if (picture_ && now - picture_->iteration < tuning::kSettledWindow) return false;
+  if (picture_ && now - picture_->iteration < kSettledWindow) return false;
   Picture present{now, {}, {}, {}};
   present.nodes.reserve(curve.size());
   present.next.reserve(curve.size());
@@ -84,8 +84,8 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
     present.next.push_back(curve.next(i));
     present.previous.push_back(curve.previous(i));
   }
-  const bool settled = picture_ && change < tuning::kSettledLength &&
-                       mean_distance(curve, present.nodes, metric, *picture_, pool) < tuning::kSettledDistance;
+  const bool settled = picture_ && change < kSettledLength &&
+                       mean_distance(curve, present.nodes, metric, *picture_, pool) < kSettledDistance;
   picture_ = std::move(present);
   return settled;
 }
@@ -97,9 +97,9 @@ bool Convergence::awaits_rest() const {
 }
 
 void Convergence::note_idleness(const IterationFigures& figures) {
-  const bool stuck = figures.wanted >= tuning::kIdle && figures.moved < tuning::kIdle;
+  const bool stuck = figures.wanted >= kIdle && figures.moved < kIdle;
   idle_ = stuck ? idle_ + 1 : 0;
-  stalled_ = idle_ >= tuning::kIdleIterations;
+  stalled_ = idle_ >= kIdleIterations;
 }
 
 uint32_t Convergence::iterations_in_phase() const {
@@ -119,22 +119,22 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
   };
   bool settled = false;
   try {
-    settled = awaits_rest() && has_settled(surface, curve, metric, change(tuning::kSettledWindow), pool);
+    settled = awaits_rest() && has_settled(surface, curve, metric, change(kSettledWindow), pool);
   } catch (...) {
     lengths_.pop_back();
     throw;
   }
   note_idleness(figures);
   if (rule_ == StopRule::kPaper) {
-    quiet_ = figures.displacement_norm < tuning::kPaperLimit ? quiet_ + 1 : 0;
-    converged_ = quiet_ >= tuning::kPaperIterations;
+    quiet_ = figures.displacement_norm < kPaperLimit ? quiet_ + 1 : 0;
+    converged_ = quiet_ >= kPaperIterations;
     return;
   }
   switch (phase_) {
     case Phase::kGrowing:
       if (!polish_wanted_) {
         if (settled) begin(Phase::kCooling);
-      } else if (has_grown(change(tuning::kGrowthWindow), figures.clamped_share)) {
+      } else if (has_grown(change(kGrowthWindow), figures.clamped_share)) {
         begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
       }
       break;
@@ -150,7 +150,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
       if (settled) begin(Phase::kCooling);
       break;
     case Phase::kCooling:
-      converged_ = age >= tuning::kCoolingIterations;
+      converged_ = age >= kCoolingIterations;
       break;
   }
 }

@@ -9,7 +9,7 @@ namespace meander {
 namespace {
 
 std::shared_ptr<const BoundaryObstacle> sampled_boundary(const Surface& surface, const FlowSettings& settings) {
-  return std::make_shared<const BoundaryObstacle>(surface, tuning::kBoundarySampling * settings.segment_length,
+  return std::make_shared<const BoundaryObstacle>(surface, kBoundarySampling * settings.segment_length,
                                                  settings.medial_axis == MedialAxis::kGeodesic);
 }
 
@@ -39,7 +39,7 @@ double expected_nodes(const Surface& surface, const FlowSettings& settings,
     const Triangle& t = surface.face(f);
     weighted_area += surface.face_area(f) * (density_at(t[0]) + density_at(t[1]) + density_at(t[2])) / 3;
   }
-  return weighted_area / (2 * settings.radius * tuning::kMeanSegment * settings.segment_length);
+  return weighted_area / (2 * settings.radius * kMeanSegment * settings.segment_length);
 }
 
 Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, const FlowSettings& settings, ThreadPool& pool)

@@ -63,8 +63,8 @@ struct Domain {
 /// More nodes than this are refused, for want of memory.
 inline constexpr double kMostNodes = 5e8;
 
-/// About how many nodes a curve has that fills a surface: one for every kMeanSegment h of its length, area / (2 r), where
-/// both lengths shrink with the root of the density. `density_at` is asked for every vertex of every face.
+/// About how many nodes a curve has that fills a surface: one for every kMeanSegment h of its length, area / (2 r),
+/// where both lengths shrink with the root of the density. `density_at` is asked for every vertex of every face.
 double expected_nodes(const Surface& surface, const FlowSettings& settings,
                       const std::function<double(uint32_t)>& density_at);
 

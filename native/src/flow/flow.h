@@ -49,7 +49,8 @@ class Flow {
   /// nothing else changes nothing. Whatever it throws, all is then as it was.
   void revise(FlowSettings settings, const VertexData<double>* density = nullptr, const CancelToken& cancel = {});
 
-  /// As it was given. The flow itself runs on it as it is at the scale of the spacing, see Domain; the curve is on both.
+  /// As it was given. The flow itself runs on it as it is at the scale of the spacing, see Domain; the curve is on
+  /// both.
   const Surface& surface() const { return *state_.domain.given; }
   /// How rough it is, and what of that was smoothed.
   const Roughness& roughness() const { return state_.domain.roughness; }

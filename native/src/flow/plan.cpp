@@ -14,8 +14,8 @@ namespace {
 /// begin anew in every iteration (the heavy ball of Polyak).
 double momentum_in(Phase phase, double gentleness) {
   switch (phase) {
-    case Phase::kHairpinRemoval: return std::lerp(tuning::kRoughMomentum, tuning::kGentleMomentum, gentleness);
-    case Phase::kPolishing: return tuning::kPolishMomentum;
+    case Phase::kHairpinRemoval: return std::lerp(kRoughMomentum, kGentleMomentum, gentleness);
+    case Phase::kPolishing: return kPolishMomentum;
     default: return 0;
   }
 }
@@ -28,7 +28,7 @@ double most_turn_in(const FlowSettings& settings, Phase phase) {
   if (!settings.polish || !of_given_length || settings.boundary_distance > 0.5) {
     return std::numeric_limits<double>::infinity();
   }
-  return std::lerp(tuning::kMostTurn, tuning::kMostGentleTurn, settings.hairpin_removal_gentleness);
+  return std::lerp(kMostTurn, kMostGentleTurn, settings.hairpin_removal_gentleness);
 }
 
 }  // namespace
@@ -36,8 +36,8 @@ double most_turn_in(const FlowSettings& settings, Phase phase) {
 uint32_t polish_iterations(const FlowSettings& settings) {
   const bool full = settings.full_start;
   const double iterations =
-      std::lerp(static_cast<double>(full ? tuning::kFullPolishIterations : tuning::kPolishIterations),
-                static_cast<double>(full ? tuning::kLongFullPolishIterations : tuning::kLongPolishIterations),
+      std::lerp(static_cast<double>(full ? kFullPolishIterations : kPolishIterations),
+                static_cast<double>(full ? kLongFullPolishIterations : kLongPolishIterations),
                 settings.hairpin_removal_gentleness);
   return static_cast<uint32_t>(std::lround(iterations));
 }
@@ -51,15 +51,15 @@ IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t
   plan.polishing = settings.polish && phase != Phase::kGrowing;
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);
   plan.momentum = settings.polish ? momentum_in(phase, gentleness) : 0;
-  plan.hairpin_pull = std::lerp(tuning::kRoughPull, tuning::kGentlePull, gentleness);
+  plan.hairpin_pull = std::lerp(kRoughPull, kGentlePull, gentleness);
   plan.medial.boundary_ease = gentleness;
   plan.longest_step =
-      phase == Phase::kCooling ? tuning::kMostWhileCooling : std::numeric_limits<double>::infinity();
+      phase == Phase::kCooling ? kMostWhileCooling : std::numeric_limits<double>::infinity();
   plan.most_turn = most_turn_in(settings, phase);
   plan.medial.measure = !settings.polish || phase > Phase::kPolishing ||
-                        (phase == Phase::kPolishing && iterations_in_phase >= tuning::kUnmeasuredPolish);
-  plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? tuning::kBesideBoundary : 0;
-  if (!settles) plan.medial.very_near = tuning::kVeryNearOfPaper;
+                        (phase == Phase::kPolishing && iterations_in_phase >= kUnmeasuredPolish);
+  plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? kBesideBoundary : 0;
+  if (!settles) plan.medial.very_near = kVeryNearOfPaper;
   plan.firm_boundary = settles;
   plan.firm_when_squeezed = settles && settings.full_start;
   plan.reuse_directions = settles && settings.boundary_distance <= 0.5 && phase != Phase::kCooling;

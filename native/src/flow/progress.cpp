@@ -15,20 +15,20 @@ double cube(double x) { return x * x * x; }
 /// What growth costs as a function of the length, in units of that of a curve that fills the surface: long curves cost
 /// more an iteration, and grow more slowly.
 double share_of_growth(double length) {
-  return cube(std::min(1.0, length / tuning::kLengthWhenGrown));
+  return cube(std::min(1.0, length / kLengthWhenGrown));
 }
 
 /// Without a polish the length says how far a curve is, until it is quiet; then the iterations do.
 double share_without_polish(const FlowSettings& settings, const ProgressFigures& figures) {
   const double length = figures.length / figures.expected_length;
   const double beyond =
-      std::clamp((length - tuning::kLengthWhenGrown) / (tuning::kUnpolishedLength - tuning::kLengthWhenGrown), 0.0, 1.0);
-  const double until = tuning::kUnpolishedGrowth, last = tuning::kUnpolishedEnd;
+      std::clamp((length - kLengthWhenGrown) / (kUnpolishedLength - kLengthWhenGrown), 0.0, 1.0);
+  const double until = kUnpolishedGrowth, last = kUnpolishedEnd;
   double end = 0;
   if (settings.stop_rule == StopRule::kPaper) {
-    end = figures.quiet_iterations / static_cast<double>(tuning::kPaperIterations);
+    end = figures.quiet_iterations / static_cast<double>(kPaperIterations);
   } else if (figures.phase == Phase::kCooling) {
-    end = figures.iterations_in_phase / static_cast<double>(tuning::kCoolingIterations);
+    end = figures.iterations_in_phase / static_cast<double>(kCoolingIterations);
   }
   if (end > 0) return 1 - last * (1 - std::min(end, 1.0));
   return until * share_of_growth(length) + (1 - until - last) * beyond;
@@ -44,16 +44,16 @@ double slowed(double x) {
 double share_with_polish(const FlowSettings& settings, const ProgressFigures& figures) {
   const double removal = settings.hairpin_removal_iterations;
   const double polish = polish_iterations(settings);
-  const double finishing = settings.growth_coarsening * tuning::kFinishingIterations;
-  const double cooling = settings.growth_coarsening * tuning::kCoolingIterations;
-  const double all = tuning::kGrowthWork + removal + polish + finishing + cooling;
+  const double finishing = settings.growth_coarsening * kFinishingIterations;
+  const double cooling = settings.growth_coarsening * kCoolingIterations;
+  const double all = kGrowthWork + removal + polish + finishing + cooling;
   const double age = figures.iterations_in_phase;
-  double done = tuning::kGrowthWork;
+  double done = kGrowthWork;
   switch (figures.phase) {
     case Phase::kGrowing: done *= share_of_growth(figures.length / figures.expected_length); break;
     case Phase::kHairpinRemoval: done += std::min(age, removal); break;
     case Phase::kPolishing: done += removal + std::min(age, polish); break;
-    case Phase::kFinishing: done += removal + polish + finishing * slowed(age / tuning::kFinishingIterations); break;
+    case Phase::kFinishing: done += removal + polish + finishing * slowed(age / kFinishingIterations); break;
     case Phase::kCooling: done = all - cooling + std::min(settings.growth_coarsening * age, cooling); break;
   }
   return done / all;

@@ -9,15 +9,15 @@
 namespace meander {
 
 SpacingApproach::SpacingApproach(double start, double radius, double area)
-    : factor_(std::max(1.0, std::min(start, std::sqrt(area / tuning::kWideTurns) / (2 * radius)))) {}
+    : factor_(std::max(1.0, std::min(start, std::sqrt(area / kWideTurns) / (2 * radius)))) {}
 
 double SpacingApproach::next(const IterationFigures& figures) {
   lengths_.push_back(figures.length);
   const size_t n = lengths_.size();
-  constexpr size_t kWindow = tuning::kWideWindow;
+  constexpr size_t kWindow = kWideWindow;
   const double change = n > kWindow ? std::abs(lengths_[n - 1] / lengths_[n - 1 - kWindow] - 1) : 1;
-  if (change < tuning::kWideGrown || n > tuning::kWideIterations) shrinking_ = true;
-  if (shrinking_) factor_ = std::max(1.0, tuning::kShrinking * factor_);
+  if (change < kWideGrown || n > kWideIterations) shrinking_ = true;
+  if (shrinking_) factor_ = std::max(1.0, kShrinking * factor_);
   return factor_;
 }
 

@@ -14,8 +14,8 @@ namespace {
 double longest_step(const IterationPlan& plan, const FlowState& state, const MedialState& medial, size_t i, Vec2 step) {
   const size_t side = dot(step, medial.frames.bitangent2[i]) > 0 ? 0 : 1;
   const double radius = medial.radii[i][side], r = state.metric.radius[i];
-  double most = tuning::kMostOfRadius * radius;
-  if (medial.reach[i][side].radius <= radius) most = std::max(most, tuning::kMostAtBoundary * r);
+  double most = kMostOfRadius * radius;
+  if (medial.reach[i][side].radius <= radius) most = std::max(most, kMostAtBoundary * r);
   return std::min(most, plan.longest_step * r);
 }
 
@@ -27,7 +27,7 @@ Vec2 keep_from_boundary(const FlowState& state, const MedialState& medial, size_
   const size_t side = sideways > 0 ? 0 : 1;
   const double left = medial.reach[i][side].radius;
   if (left > medial.radii[i][side]) return step;  // another strand ends the ball
-  const double most = std::max(left - tuning::kKeptFromBoundary * r, tuning::kLeastTowardsBoundary * r);
+  const double most = std::max(left - kKeptFromBoundary * r, kLeastTowardsBoundary * r);
   return step - (sideways - std::clamp(sideways, -most, most)) * across;
 }
 
@@ -54,7 +54,7 @@ void add_momentum_and_cap(const IterationPlan& plan, const FlowState& state, con
 void cap_ends(const std::vector<FreeEnd>& ends, NodeData<Vec2>& displacement) {
   for (const FreeEnd& end : ends) {
     Vec2& d = displacement[end.node];
-    const double beyond = dot(d, end.ahead) - tuning::kMostOfRadius * end.radius;
+    const double beyond = dot(d, end.ahead) - kMostOfRadius * end.radius;
     if (beyond > 0) d = d - beyond * end.ahead;
   }
 }

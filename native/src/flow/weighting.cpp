@@ -73,7 +73,7 @@ void align(const Weighting& w) {
 double push_along_field(const Weighting& w, size_t i, double push, double spacing) {
   const Vec2 line = w.weights.field[i];
   const double room =
-      (spacing - tuning::kOverfull) / (tuning::kHardlyOverfull - tuning::kOverfull);
+      (spacing - kOverfull) / (kHardlyOverfull - kOverfull);
   return push * dot(line, line) * std::clamp(room, 0.0, 1.0);
 }
 
@@ -96,9 +96,9 @@ void set_length_weights(const Weighting& w, double push, const NodeData<double>&
     for (size_t i = begin; i < end; ++i) {
       const bool empty = w.settings().grow_into_empty &&
                          sees_nothing(w.medial.radii, w.state.metric, static_cast<uint32_t>(i));
-      length[i] = empty ? tuning::kIntoEmpty : usual(i);
+      length[i] = empty ? kIntoEmpty : usual(i);
       if (push != 0) length[i] -= push_along_field(w, i, push, spacing[i]);
-      if (in_strip(w, i)) length[i] = tuning::kOutOfStrip;
+      if (in_strip(w, i)) length[i] = kOutOfStrip;
     }
   });
 }
@@ -114,7 +114,7 @@ void soften_young_strands(const Weighting& w) {
       r += w.state.metric.radius[i];
     }
     r /= strand.count;
-    if (length >= 2 * std::numbers::pi * tuning::kYoung * r) continue;
+    if (length >= 2 * std::numbers::pi * kYoung * r) continue;
     for (uint32_t i = strand.first; i < strand.end(); ++i) {
       w.weights.bending[i] = 0;
       w.weights.length[i] = std::min(w.weights.length[i], 0.0);
@@ -127,7 +127,7 @@ void soften_young_strands(const Weighting& w) {
 /// they are drawn together.
 double follow_spacing(const FlowSettings& s, double spacing) {
   const double t = std::clamp(s.polish_length_offset - s.polish_length_gain * (spacing - 1),
-                              tuning::kLeastPolishLength, tuning::kMostPolishLength);
+                              kLeastPolishLength, kMostPolishLength);
   return s.medial_power != 2 ? t + polish_balance(s.medial_power) : t;
 }
 
@@ -138,7 +138,7 @@ void set_polish_terms(const Weighting& w) {
   w.weights.medial_power = std::max(s.medial_power, s.polish_medial_power);
   if (s.boundary_distance > 1) {
     w.weights.medial_power =
-        std::max(s.medial_power, std::min(w.weights.medial_power, tuning::kMostPowerAtStrips));
+        std::max(s.medial_power, std::min(w.weights.medial_power, kMostPowerAtStrips));
   }
   w.weights.bending.assign(w.size(), s.polish_bending_weight);
 }
@@ -147,7 +147,7 @@ void set_polish_terms(const Weighting& w) {
 bool beside_boundary(const Weighting& w, size_t i) {
   const Reach& reach = w.medial.reach[i];
   const double left = std::min(reach[0].radius, reach[1].radius);
-  return left < w.state.metric.max_radius[i] && left < tuning::kBesideBoundary * w.state.metric.radius[i];
+  return left < w.state.metric.max_radius[i] && left < kBesideBoundary * w.state.metric.radius[i];
 }
 
 /// More bending where a strand turns too sharply. Nearly all radii that are too small lie inside hairpins, and as much
@@ -155,13 +155,13 @@ bool beside_boundary(const Weighting& w, size_t i) {
 /// says: no strand comes from there to fill the void between two hairpins, so their tips have to be blunt.
 void bend_as_room_allows(const Weighting& w) {
   const NodeData<double> curvature =
-      smoothed_curvature(w.state.curve, w.state.metric, tuning::kCurvatureSmoothing, w.pool);
+      smoothed_curvature(w.state.curve, w.state.metric, kCurvatureSmoothing, w.pool);
   w.pool.for_blocks(curvature.size(), kNodeGrain, [&](size_t, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double tightness =
-          (curvature[i] - tuning::kRoundHairpin) / (tuning::kTightHairpin - tuning::kRoundHairpin);
-      double factor = 1 + tuning::kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
-      if (beside_boundary(w, i)) factor = std::lerp(factor, tuning::kBoundaryBending, w.plan.medial.boundary_ease);
+          (curvature[i] - kRoundHairpin) / (kTightHairpin - kRoundHairpin);
+      double factor = 1 + kHairpinStiffening * std::clamp(tightness, 0.0, 1.0);
+      if (beside_boundary(w, i)) factor = std::lerp(factor, kBoundaryBending, w.plan.medial.boundary_ease);
       w.weights.bending[i] *= factor;
     }
   });
@@ -193,7 +193,7 @@ void stiffen_at_boundary(const Weighting& w) {
       const Reach& reach = w.medial.reach[i];
       const bool pushed = std::min(reach[0].driving, reach[1].driving) < 0;
       const bool squeezed = w.plan.firm_when_squeezed && is_squeezed(w, i);
-      stiffening[i] = pushed ? tuning::kPushStiffness : squeezed ? kSqueezedStiffness : 1;
+      stiffening[i] = pushed ? kPushStiffness : squeezed ? kSqueezedStiffness : 1;
     }
   });
 }
@@ -201,12 +201,12 @@ void stiffen_at_boundary(const Weighting& w) {
 double growing_push(const Weighting& w) {
   const FlowSettings& s = w.settings();
   if (!w.aligned() || !s.polish) return 0;
-  return std::min(tuning::kAlignedGrowth * s.alignment_weight, tuning::kMostAlignedGrowth);
+  return std::min(kAlignedGrowth * s.alignment_weight, kMostAlignedGrowth);
 }
 
 double polish_push(const Weighting& w) {
   if (!w.aligned()) return 0;
-  return std::min(tuning::kAlignedPolish * w.settings().alignment_weight, tuning::kMostAlignedPolish);
+  return std::min(kAlignedPolish * w.settings().alignment_weight, kMostAlignedPolish);
 }
 
 /// As the options say.
@@ -226,7 +226,7 @@ void set_hairpin_removal(const Weighting& w, double pull) {
   set_polish_terms(w);
   const NodeData<double> spacing = w.spacing();
   const NodeData<uint8_t> marked =
-      mark_short_runs(w.state.curve, w.state.metric, tuning::kHairpinRemovalShare, w.pool);
+      mark_short_runs(w.state.curve, w.state.metric, kHairpinRemovalShare, w.pool);
   set_length_weights(w, polish_push(w), spacing, [&](size_t i) {
     return marked[i] ? pull : follow_spacing(w.settings(), spacing[i]);
   });

@@ -36,8 +36,8 @@ class GeodesicWalk {
   /// not taken a step.
   GeodesicWalk other_way() const;
 
-  /// Lets the walk end after this length, if that is less, and be the same up to there to the last bit; before its first
-  /// step.
+  /// Lets the walk end after this length, if that is less, and be the same up to there to the last bit; before its
+  /// first step.
   void shorten(double length) { wanted_ = std::min(wanted_, length); }
 
   /// Crosses into the next face; false where the walk ends in this one, and from then on.

@@ -84,7 +84,8 @@ class PatchSearch {
   void start_from(uint32_t p) { offer(p, 0); }
 
   /// Finds the patches q that are no farther than most(q) from where it starts. A shorter way to a patch may be found
-  /// after it has handed a longer one on, which is rare where all steps are about as long; keeping the order costs more.
+  /// after it has handed a longer one on, which is rare where all steps are about as long; keeping the order costs
+  /// more.
   template <class Most>
   void spread(const PatchSteps& steps, const Most& most) {
     for (size_t k = 0; k < front_.size(); ++k) {

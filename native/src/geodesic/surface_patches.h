@@ -114,7 +114,9 @@ class SurfacePatches {
     Vec2 origin, axis;  // along the longest edge; a cell is 1 / |axis| wide
     uint32_t cell_at(Vec2 p) const {
       const Vec2 q = conj(axis) * (p - origin);
-      const auto index = [](double x, uint32_t n) { return static_cast<uint32_t>(std::max(0.0, std::min(x, n - 1.0))); };
+      const auto index = [](double x, uint32_t n) {
+        return static_cast<uint32_t>(std::max(0.0, std::min(x, n - 1.0)));
+      };
       return first + index(q.y, rows) * columns + index(q.x, columns);
     }
   };

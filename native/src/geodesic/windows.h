@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The largest empty balls along the surface that touch a curve, by windows: all that straight lines from a node lead to,
-// laid face after face into the plane of its face.
+// The largest empty balls along the surface that touch a curve, by windows: all that straight lines from a node lead
+// to, laid face after face into the plane of its face.
 #pragma once
 
 #include <algorithm>

@@ -157,7 +157,9 @@ class ReachFinder {
     if (likely.empty() || scene_.boundary.empty() || is_measured(i)) return radii;
     for (size_t side = 0; side < 2; ++side) {
       const double last = likely[i][side];
-      if (last > 0) radii[side] = std::max({kWarmth * last, scene_.plan.boundary_within * scene_.metric.radius[i], rest(i)});
+      if (last > 0) {
+        radii[side] = std::max({kWarmth * last, scene_.plan.boundary_within * scene_.metric.radius[i], rest(i)});
+      }
       radii[side] = std::min(most, radii[side]);
     }
     return radii;
@@ -227,7 +229,7 @@ class ReachFinder {
     const double lacking = least - (distance + beyond(i));
     if (least > 0 && lacking > 0) {
       const double far_short = std::max(0.0, lacking - (1 - scene_.plan.very_near) * least);
-      r.driving = least - std::lerp(tuning::kPush, tuning::kEasedPush, scene_.plan.boundary_ease) * lacking - tuning::kVeryNearPush * far_short;
+      r.driving = least - std::lerp(kPush, kEasedPush, scene_.plan.boundary_ease) * lacking - kVeryNearPush * far_short;
     }
     return r;
   }
@@ -239,7 +241,7 @@ class ReachFinder {
     const Vec3& outward = scene_.frames.outward[i][side];
     uint32_t touched;
     const auto counts = [&](uint32_t k) {
-      return -scene_.boundary.inward()[k].dot(outward) >= tuning::kFacing && !hidden(i, k);
+      return -scene_.boundary.inward()[k].dot(outward) >= kFacing && !hidden(i, k);
     };
     return 2 * scene_.boundary.bvh().largest_ball_seen(scene_.frames.position[i], outward, most / 2, counts, touched,
                                                          part(i));

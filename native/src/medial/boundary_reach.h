@@ -84,8 +84,9 @@ struct ReachScene {
 /// boundary_ease, and more where it is far short. Under BoundaryRule::kObstacle overhang and least_rest are taken to be
 /// 0.
 ///
-/// Most of the cost is leading geodesics, and most balls are far smaller than they may be. So the boundary may be looked
-/// for no farther than balls will probably reach; where they turn out to be larger, complete_reach does the rest.
+/// Most of the cost is leading geodesics, and most balls are far smaller than they may be. So the boundary may be
+/// looked for no farther than balls will probably reach; where they turn out to be larger, complete_reach does the
+/// rest.
 ///
 /// `likely`  empty, or the radii that balls had, 0 where nothing is known: the boundary is looked for within kWarmth
 ///           times those, within least_rest and boundary_within, and where balls are measured as far as may be

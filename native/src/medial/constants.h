@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace meander::tuning {
+namespace meander {
 
 /// Balls grow along the chord to where a geodesic arrives after this much of r, above 0 and at most 1: most of the
 /// distance to the centre of a ball of the wanted size. Farther, and strands on thin limbs come to lie too far apart;
@@ -41,4 +41,4 @@ inline constexpr double kVeryNear = 0.8, kVeryNearPush = 6;
 /// ball. Not measured.
 inline constexpr double kFacing = 0.5;
 
-}  // namespace meander::tuning
+}  // namespace meander

@@ -64,13 +64,13 @@ class Tangents {
 
 /// Turns cached directions with the strand; false if the node has moved, or the strand has turned, too far.
 bool reuse_directions(const CachedDirections& cached, uint32_t i, const Vec3& tangent, double r, Frames& frames) {
-  if (!(std::abs(static_cast<double>(cached.radius) - r) <= tuning::kRest * r)) return false;
-  const double rest = tuning::kRest * r;
+  if (!(std::abs(static_cast<double>(cached.radius) - r) <= kRest * r)) return false;
+  const double rest = kRest * r;
   if (!((frames.position[i] - cached.from.cast<double>()).squaredNorm() <= rest * rest)) return false;
   for (uint32_t side = 0; side < 2; ++side) {
     const Vec3 outward = cached.outward[side].cast<double>();
     const double turned = outward.dot(tangent);
-    if (!(std::abs(turned) <= tuning::kTurn)) return false;
+    if (!(std::abs(turned) <= kTurn)) return false;
     frames.outward[i][side] = (outward - turned * tangent).normalized();
     frames.to_boundary[i][side] = -1;
     frames.radius_slope[i][side] = static_cast<double>(cached.radius_slope[side]);
@@ -89,7 +89,7 @@ class DirectionWalks {
 
   bool full() const { return count_ == kTogether; }
   void add(uint32_t node, const Vec3& tangent) {
-    const double length = tuning::kChord * metric_.radius[node];
+    const double length = kChord * metric_.radius[node];
     walks_.emplace_back(surface_, curve_.nodes[node], length * frames_.bitangent2[node]);
     walks_.push_back(walks_.back().other_way());
     nodes_[count_] = node;

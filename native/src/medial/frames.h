@@ -23,10 +23,10 @@ struct Frames {
   /// The paper takes +-B in the tangent plane of a blended normal. Where the surface bends within r,
   /// that plane leaves it: on limbs a few r thick radii come out too large, and at a crease they jump.
   /// Here each side takes the chord to the point that a geodesic along +-B reaches after
-  /// tuning::kChord local r (the centre of a ball of the wanted size is at 1), less the part of it that lies
+  /// kChord local r (the centre of a ball of the wanted size is at 1), less the part of it that lies
   /// along the strand. That needs no normals, so noise in them does not matter.
   NodeData<std::array<Vec3, 2>> outward;
-  /// How far the geodesic along +-B came before the boundary stopped it, at most tuning::kChord local r;
+  /// How far the geodesic along +-B came before the boundary stopped it, at most kChord local r;
   /// negative where it was not stopped.
   NodeData<std::array<double, 2>> to_boundary;
   /// How fast the local r grows along that geodesic: its change per length. 0 without density.
@@ -45,9 +45,9 @@ struct CachedDirections {
 
 /// Fills `frames`; `metric` is that of the nodes, `radius` is r.
 ///
-/// `cached`  directions per node, or null: a node within tuning::kRest of where its directions were found, and whose
-///           strand has not turned by more than tuning::kTurn since, leads no geodesics but turns them with its
-///           strand. They are then off by an angle of the order of tuning::kRest, less where the surface is smooth.
+/// `cached`  directions per node, or null: a node within kRest of where its directions were found, and whose
+///           strand has not turned by more than kTurn since, leads no geodesics but turns them with its
+///           strand. They are then off by an angle of the order of kRest, less where the surface is smooth.
 ///           Nodes whose geodesics met the boundary always lead them again.
 void compute_frames(const Surface& surface, const Curve& curve, const LocalMetric& metric, const RadiusField& radius,
                     ThreadPool& pool, Frames& frames, const NodeData<CachedDirections>* cached = nullptr);

@@ -13,16 +13,16 @@ namespace {
 
 /// Whether a node has been at rest since a ball of it was measured, which was not long ago.
 bool at_rest(const MeasuredBall& known, const Vec3& position, double r) {
-  if (!(known.straight > 0) || known.age >= tuning::kBallIterations) return false;
-  const double rest = tuning::kBallRest * r;
+  if (!(known.straight > 0) || known.age >= kBallIterations) return false;
+  const double rest = kBallRest * r;
   return (position - known.from.cast<double>()).squaredNorm() <= rest * rest;
 }
 
 /// The radius along the surface that such a node keeps; not positive if it has to be measured again.
 double kept_radius(const MeasuredBall& known, double straight) {
-  if (known.searched) return known.age < tuning::kSearchedIterations ? static_cast<double>(known.measured) : 0;
+  if (known.searched) return known.age < kSearchedIterations ? static_cast<double>(known.measured) : 0;
   const double before = static_cast<double>(known.straight);
-  if (!(std::abs(straight - before) <= tuning::kBallChange * before)) return 0;
+  if (!(std::abs(straight - before) <= kBallChange * before)) return 0;
   return straight * (static_cast<double>(known.measured) / before);
 }
 

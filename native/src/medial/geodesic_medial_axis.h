@@ -38,7 +38,7 @@ struct KeptBalls {
 /// What faces away from where another sheet is near is passed over as well (GeodesicScene::one_sided).
 ///
 /// Most of the cost on creased surfaces is measuring, and from one iteration to the next little changes. So a node that
-/// is within tuning::kBallRest of where its ball was measured, less than tuning::kBallIterations ago, keeps it: in the
+/// is within kBallRest of where its ball was measured, less than kBallIterations ago, keeps it: in the
 /// same ratio to the straight ball, if that is about what it was, or as it is, if it had to be searched for.
 ///
 /// `measure`  if false, nothing is measured: near creases, too, what faces away is passed over, and all the rest is

@@ -19,7 +19,7 @@ struct MedialPlan {
   /// 0 where the boundary pushes twice as hard as strands do, 1 where it hardly pushes harder.
   double boundary_ease = 0;
   /// Where a node is nearer to the boundary than this share of the distance wanted, it pushes much harder.
-  double very_near = tuning::kVeryNear;
+  double very_near = kVeryNear;
 };
 
 }  // namespace meander

@@ -49,7 +49,7 @@ void find_medial_state(const MedialScene& scene, const AtRest& known, const Node
 
 double in_local_radii(const Frames& frames, const LocalMetric& metric, size_t node, size_t side, double radius) {
   const double growth = std::clamp(2 * frames.radius_slope[node][side] * radius / metric.radius[node],
-                                   tuning::kLeastRadiusGrowth, tuning::kMostRadiusGrowth);
+                                   kLeastRadiusGrowth, kMostRadiusGrowth);
   return growth == 0 ? radius : radius * (elementary::log1p(growth) / growth);
 }
 

@@ -42,8 +42,8 @@ VertexData<Vec3> extended_directions(const Surface& surface, std::span<const Str
 /// The same for the edges of the boundary: lines parallel to it. Zero on components without one.
 VertexData<Vec3> boundary_directions(const Surface& surface, const CancelToken& cancel = {});
 
-/// Lines in space, laid into the surface and turned by an angle (radians) at every vertex, counterclockwise as seen from
-/// the side that its faces show: unit tangent vectors, or zero where a line is not longer than zero there.
+/// Lines in space, laid into the surface and turned by an angle (radians) at every vertex, counterclockwise as seen
+/// from the side that its faces show: unit tangent vectors, or zero where a line is not longer than zero there.
 VertexData<Vec3> turned_directions(const Surface& surface, const VertexData<Vec3>& lines,
                                    const VertexData<double>& angles, const CancelToken& cancel = {});
 

@@ -98,7 +98,8 @@ bool has_area(std::span<const double> vertices, const Triangle& face, const Plac
 
 void check_areas(std::span<const double> vertices, const Table<Triangle>& faces, const Placement& placement,
                  const Names& names, ThreadPool& pool) {
-  const size_t f = pool.first(faces.size(), kMeshGrain, [&](size_t i) { return !has_area(vertices, faces[i], placement); });
+  const auto has_none = [&](size_t i) { return !has_area(vertices, faces[i], placement); };
+  const size_t f = pool.first(faces.size(), kMeshGrain, has_none);
   if (f == faces.size()) return;
   refuse("Face " + str(names.face(f)) + " has no area (its corners lie on a line); dissolve degenerate faces.",
          ElementKind::kFace, names.face(f));

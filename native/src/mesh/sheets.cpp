@@ -42,7 +42,9 @@ class Sheeting {
   uint32_t apex(uint32_t e) const { return faces_[e / 3][(e % 3 + 2) % 3]; }
   VertexPair edge(uint32_t e) const { return {std::min(from(e), to(e)), std::max(from(e), to(e))}; }
   /// The corner of the half-edge's face at one end of its edge.
-  uint32_t corner_at(uint32_t e, uint32_t vertex) const { return from(e) == vertex ? e : 3 * (e / 3) + (e % 3 + 1) % 3; }
+  uint32_t corner_at(uint32_t e, uint32_t vertex) const {
+    return from(e) == vertex ? e : 3 * (e / 3) + (e % 3 + 1) % 3;
+  }
 
   void pair_faces(bool join_flattest);
   void pair_crowded(std::span<const EdgeSide> group, DisjointSets& parts);
@@ -114,9 +116,9 @@ void Sheeting::pair_crowded(std::span<const EdgeSide> group, DisjointSets& parts
   }
 }
 
-/// Only where a component cannot be oriented it is cut: first where faces lie folded on each other, wound alike, as where
-/// a tessellation runs over itself, since there every face is wound well; what is one-sided still, where the flood meets
-/// itself.
+/// Only where a component cannot be oriented it is cut: first where faces lie folded on each other, wound alike, as
+/// where a tessellation runs over itself, since there every face is wound well; what is one-sided still, where the
+/// flood meets itself.
 void Sheeting::open_one_sided() {
   std::vector<uint8_t> seen(faces_.size(), 0);
   std::vector<uint32_t> queue;
@@ -184,21 +186,22 @@ void Sheeting::join_corners() {
 }
 
 /// A fan has one vertex, so faces that were parted at an edge meet there again where both its ends are in the same
-/// fans. Two whose orientation agrees may: they are neighbours after all. Of others none keeps its neighbour across that
-/// edge, and where that does not part them, all but one are taken out as faces of their own. True if there were any.
+/// fans. Two whose orientation agrees may: they are neighbours after all. Of others none keeps its neighbour across
+/// that edge, and where that does not part them, all but one are taken out as faces of their own. True if there were
+/// any.
 bool Sheeting::part_what_meets_again() {
-  struct Side {
+  struct SideOfPart {
     VertexPair edge, fans;
     uint32_t half_edge;
     auto key() const { return std::tie(edge, fans, half_edge); }
   };
-  std::vector<Side> sides;
+  std::vector<SideOfPart> sides;
   for (uint32_t e = 0; e < twin_.size(); ++e) {
     const VertexPair pair = edge(e);
     if (!(at_cut_[pair[0]] && at_cut_[pair[1]])) continue;
     sides.push_back({pair, {sheets_.fan[corner_at(e, pair[0])], sheets_.fan[corner_at(e, pair[1])]}, e});
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key() < b.key(); });
+  std::sort(sides.begin(), sides.end(), [](const SideOfPart& a, const SideOfPart& b) { return a.key() < b.key(); });
   bool any = false;
   for (size_t i = 0; i < sides.size();) {
     size_t j = i + 1;

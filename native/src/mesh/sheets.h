@@ -24,7 +24,7 @@ inline constexpr size_t kMostAtEdge = 200;
 
 /// What keeps faces from being a surface, and how they come apart there.
 struct Sheets {
-  std::vector<uint32_t> fan;         ///< per corner 3 f + k: the lowest corner of its fan, which gets a vertex of its own
+  std::vector<uint32_t> fan;         ///< per corner 3 f + k: the lowest corner of its fan, which gets its own vertex
   std::vector<VertexPair> crowded;   ///< edges with more than two faces
   std::vector<VertexPair> opened;    ///< edges cut because the surface has only one side there
   std::vector<uint32_t> bow_ties;    ///< vertices where fans meet away from the edges above

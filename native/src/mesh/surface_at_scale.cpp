@@ -17,9 +17,9 @@ namespace {
 /// Up to this roughness, in radians, nothing is smoothed: no surface whose edges, corners, limbs and hollows are clean
 /// comes near to it. At kHalf more the Gaussian is half as wide as it is at the most, in r.
 ///
-/// Widths of .5, .6, .7 and .8 r, each at any roughness above 2: reliefs with an amplitude of a third of r settle from .5
-/// on, those with .9 r from .6 on, and after 196 iterations from .7 on; on a displaced grid of 200 x 200 faces .7 takes
-/// .02 from the evenness as it is, and .35 does not settle (docs/rough_surfaces.md).
+/// Widths of .5, .6, .7 and .8 r, each at any roughness above 2: reliefs with an amplitude of a third of r settle from
+/// .5 on, those with .9 r from .6 on, and after 196 iterations from .7 on; on a displaced grid of 200 x 200 faces .7
+/// takes .02 from the evenness as it is, and .35 does not settle (docs/rough_surfaces.md).
 constexpr double kSmooth = 1, kHalf = 0.4, kWidth = 0.75;
 
 /// Cubes of the average of areas, in r.

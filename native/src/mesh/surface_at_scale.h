@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The surface as it is at the scale of the spacing: where it is crumpled below r, smoothed, and lengths say by how much.
+// The surface as it is at the scale of the spacing: where it is crumpled below r, smoothed, and lengths say by how
+// much.
 #pragma once
 
 #include <memory>
@@ -27,7 +28,8 @@ struct Roughness {
 /// it has none there.
 struct SurfaceAtScale {
   std::shared_ptr<const Surface> surface;  ///< the one given where nothing was smoothed; in its unit and place
-  VertexData<double> shrinkage;  ///< of lengths, averaged over about r: 1 where it is as given; empty where all of it is
+  /// Of lengths, averaged over about r: 1 where it is as given; empty where all of it is.
+  VertexData<double> shrinkage;
   Roughness roughness;
 };
 

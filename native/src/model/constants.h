@@ -3,7 +3,7 @@
 // The constants of the quadratic model and of its weights; curve/constants.h has what is said of each.
 #pragma once
 
-namespace meander::tuning {
+namespace meander {
 
 /// The Hessian of a pure length weight must stay positive; where the gradient's weight is below this, > 0 (it may be
 /// negative, to let a strand grow), the Hessian uses this. Not measured.
@@ -22,4 +22,4 @@ inline constexpr double kPolishBalance = 0.8, kPolishBalanceSlope = 0.05;
 /// The spacing that the polish follows is smoothed along the curve over this many r, >= 0. Not measured.
 inline constexpr double kSpacingSmoothing = 2;
 
-}  // namespace meander::tuning
+}  // namespace meander

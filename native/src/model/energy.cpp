@@ -186,7 +186,7 @@ void Assembly::add_length(uint32_t k) {
   const double l = segment_length(curve, i, metric.radius[i]);
   const double scale = factor.empty() ? 1 : factor[k];
   const double t = 0.5 * (weights.length[i] + weights.length[j]);
-  const double stiffness = 2 * std::max(t, tuning::kLeastLengthStiffness) / l * scale;
+  const double stiffness = 2 * std::max(t, kLeastLengthStiffness) / l * scale;
   system.diagonal[k] += stiffness;
   system.diagonal[wrapped(k + 1)] += stiffness;
   system.first[k] += -stiffness;

@@ -8,7 +8,7 @@
 namespace meander {
 
 /// The mean medial radius of both sides in units of r, no side more than 2 r, smoothed along the curve over
-/// tuning::kSpacingSmoothing r. All arguments are of the same curve.
+/// kSpacingSmoothing r. All arguments are of the same curve.
 NodeData<double> smoothed_spacing(const Curve& curve, const LocalMetric& metric, const NodeData<Radii>& radii,
                                   StrandSolver& strands, ThreadPool& pool);
 

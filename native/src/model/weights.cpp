@@ -9,9 +9,9 @@
 namespace meander {
 
 double power_balance(double q) {
-  return q == 2 ? 1 : tuning::kPowerLimit + (1 - tuning::kPowerLimit) * elementary::exp(-tuning::kPowerRate * (q - 2));
+  return q == 2 ? 1 : kPowerLimit + (1 - kPowerLimit) * elementary::exp(-kPowerRate * (q - 2));
 }
 
-double polish_balance(double q) { return q == 2 ? 0 : tuning::kPolishBalance + tuning::kPolishBalanceSlope * q; }
+double polish_balance(double q) { return q == 2 ? 0 : kPolishBalance + kPolishBalanceSlope * q; }
 
 }  // namespace meander

@@ -18,7 +18,7 @@ namespace {
 // 300,000 nodes and the three presets; docs/performance.md has how near it comes.
 
 /// The length of a finished curve over area by spacing; without a polish it stays shorter.
-constexpr double kLength = 1.047, kUnpolishedLength = 0.967;
+constexpr double kLength = 1.047, kLengthUnpolished = 0.967;
 /// How often a line of any direction crosses edges: for each unit of its length, and each unit of edge length on
 /// each unit of area (Crofton).
 constexpr double kCrossings = 2 / std::numbers::pi;
@@ -46,7 +46,7 @@ constexpr double kBytesPerNode = 1370, kPolishPerNode = 490, kGeodesicPerNode = 
 double iterations_of(double nodes, const FlowSettings& s) {
   const double growth = elementary::pow(std::max(1.0, nodes / kFewNodes), kIterationGrowth);
   const double removal = s.hairpin_removal_iterations;
-  const double longer = polish_iterations(s) - tuning::kPolishIterations;
+  const double longer = polish_iterations(s) - kPolishIterations;
   if (s.polish && s.full_start) return std::min(kFullIterations + longer, static_cast<double>(s.iteration_limit));
   const double all = (s.polish ? removal + longer : 0) + growth * (s.polish ? kIterations : kUnpolishedIterations);
   return std::min(all, static_cast<double>(s.iteration_limit));
@@ -84,11 +84,11 @@ Extent measured_extent(const Surface& surface, const VertexData<double>& density
 }
 
 Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
-  const double per_area = (settings.polish ? kLength : kUnpolishedLength) / (2 * settings.radius);
+  const double per_area = (settings.polish ? kLength : kLengthUnpolished) / (2 * settings.radius);
   const bool along_surface = settings.medial_axis == MedialAxis::kGeodesic;
   Cost cost;
   cost.length = per_area * extent.length_area;
-  cost.nodes = per_area * extent.node_area / (tuning::kMeanSegment * settings.segment_length);
+  cost.nodes = per_area * extent.node_area / (kMeanSegment * settings.segment_length);
   // What is too large for a number is still none times no edges.
   constexpr double kMost = std::numeric_limits<double>::max();
   cost.points = cost.nodes + kCrossings * std::min(cost.length, kMost) * std::min(extent.edge_density, kMost);

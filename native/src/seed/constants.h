@@ -3,7 +3,7 @@
 // The constants that decide what a flow starts from; curve/constants.h has what is said of each.
 #pragma once
 
-namespace meander::tuning {
+namespace meander {
 
 /// The radius of a loop that is wider than the face it begins in, in r, >= 1: a small one collapses. Not measured.
 inline constexpr double kFirstLoop = 1.5;
@@ -21,4 +21,4 @@ inline constexpr double kNarrowestLoop = 0.01, kLoopShareOfRoom = 0.4;
 /// between them plus the second in r, > 0. Half way round a sphere the path is pi / 2 times the way. Not measured.
 inline constexpr double kJumpFactor = 2, kJumpRadii = 2;
 
-}  // namespace meander::tuning
+}  // namespace meander

@@ -48,9 +48,9 @@ class Loops {
   void add(const Region& region, bool widen) {
     const double r = radius_.at(surface_, region.middle);
     double wide = wide_at(region.middle);
-    const double narrowest = tuning::kNarrowestLoop * r;
+    const double narrowest = kNarrowestLoop * r;
     if (region.guided) {
-      wide = std::min(wide, tuning::kLoopShareOfRoom * region.room);
+      wide = std::min(wide, kLoopShareOfRoom * region.room);
       for (; wide > narrowest; wide /= 2) {
         if (add_circle(region.middle, wide)) return;
       }
@@ -62,7 +62,7 @@ class Loops {
     const double incircle = 2 * surface_.face_area(f) / perimeter;
     const auto is_small = [&] { return widen && perimeter < 2 * std::numbers::pi * wide; };
     if (is_small() && add_wide_circle(region.middle)) return;
-    const bool sliver = incircle < tuning::kTightFace * r && incircle < tuning::kSliverFace * perimeter;
+    const bool sliver = incircle < kTightFace * r && incircle < kSliverFace * perimeter;
     for (; is_small() || (sliver && wide > narrowest); wide /= 2) {
       if (add_circle(region.middle, wide)) return;
     }
@@ -73,7 +73,7 @@ class Loops {
   /// How wide a circle is to be, where there is room.
   double wide_at(const SurfacePoint& middle) const {
     // Where the spacing is near the size of the surface a circle that wide would wrap round it.
-    return std::min(tuning::kFirstLoop * radius_.at(surface_, middle), 0.25);
+    return std::min(kFirstLoop * radius_.at(surface_, middle), 0.25);
   }
 
   /// A circle as wide as it is to be around this place or, where that meets the boundary, the nearest of others, by

@@ -17,7 +17,7 @@ constexpr double kCell = 4;
 
 /// Farther away than this through space, in r, patches do not know whether one is hidden from another; there a place
 /// that faces away by more than this (a cosine) is taken for hidden.
-constexpr double kKnown = 2.7, kFacing = 0.2;
+constexpr double kKnown = 2.7, kFacingEachOther = 0.2;
 
 /// Whether two pieces that begin in a common point lie on one another.
 bool overlap(Vec2 common, Vec2 p, Vec2 q) {
@@ -145,7 +145,7 @@ double LineNetwork::along_surface(const Node& a, const Node& b, double chord) co
   if (a.patch == b.patch) return chord;
   if (patches_.hidden(a.patch, b.patch) || patches_.hidden(b.patch, a.patch)) return kFar;
   const double facing = std::clamp(patches_.normal(a.patch).dot(patches_.normal(b.patch)), -1.0, 1.0);
-  if (chord > kKnown * a.radius && facing < kFacing) return kFar;
+  if (chord > kKnown * a.radius && facing < kFacingEachOther) return kFar;
   // The arc of a circle to which both normals are perpendicular: half of its angle over the sine of that, whose square
   // this is. The last term is for half a circle.
   const double square = 0.5 * (1 - facing), cube = square * square * square;

@@ -104,8 +104,8 @@ Blocked find_blocked(const Surface& surface, const Curve& curve, ThreadPool& poo
 [[noreturn]] void refuse_stroke(size_t a, size_t b) {
   throw Failure(FailureKind::kInvalidSeed,
                 "The strand cannot reach from seed point " + std::to_string(a) + " to seed point " +
-                    std::to_string(b) + ", because guides part the two or leave too little room between them; open the guides, or "
-                    "move both points to the same side of them.",
+                    std::to_string(b) + ", because guides part the two or leave too little room between them; "
+                    "open the guides, or move both points to the same side of them.",
                 ElementKind::kSeedPoint, static_cast<uint32_t>(a), static_cast<uint32_t>(b));
 }
 
@@ -203,7 +203,7 @@ void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, c
 void note_jump(const Surface& surface, const SeedStrands& seed, const RadiusField& radius, const SurfacePoint& begin,
                size_t from, size_t to, double length, SeedFit& fit) {
   const double way = (surface.to_inside(seed.points[from]) - surface.to_inside(seed.points[to])).norm();
-  if (!(length > tuning::kJumpFactor * way + tuning::kJumpRadii * radius.at(surface, begin))) return;
+  if (!(length > kJumpFactor * way + kJumpRadii * radius.at(surface, begin))) return;
   ++fit.jumps;
   if (length <= fit.jump_length) return;
   fit.jump_length = length;

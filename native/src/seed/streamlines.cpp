@@ -15,7 +15,7 @@ namespace meander {
 namespace {
 
 /// A line ends where the field turns by more than 60 degrees from one node to the next (a cosine), or is this weak.
-constexpr double kMostTurn = 0.5, kLeastField = 1e-6;
+constexpr double kMostTurnOfLine = 0.5, kLeastField = 1e-6;
 
 /// A line sees itself at what is farther along it than this, in units of `apart`.
 constexpr double kOwn = 1.6;
@@ -258,7 +258,7 @@ class Drawer {
     if (norm(line) < kLeastField) return std::nullopt;
     const Vec2 along = unit(line);
     const double cosine = dot(along, arriving);
-    if (std::abs(cosine) < kMostTurn) return std::nullopt;
+    if (std::abs(cosine) < kMostTurnOfLine) return std::nullopt;
     return cosine < 0 ? -along : along;
   }
 
