@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 import scenes
 from mathutils.bvhtree import BVHTree
-from test_batch_scene import run_batch
 
 FRAMES, SHOWN = 8, 6
 SPACING = 0.6
@@ -183,7 +182,7 @@ def test_a_bake_renders_without_the_add_on(
         assert 0.85 < pieces.sum() * SPACING / _area(vertices, faces) < 1.15
 
 
-def test_the_batch_command_bakes(result: bpy.types.Object, tmp_path: Path) -> None:
+def test_the_batch_command_bakes(result: bpy.types.Object, tmp_path: Path, run_batch) -> None:
     bpy.data.objects.remove(result)
     scenes.activate(bpy.data.objects["Tube"])
     before = tmp_path / "tube.blend"

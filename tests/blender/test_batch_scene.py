@@ -13,7 +13,6 @@ import bpy
 import meander
 import numpy as np
 import pytest
-from meander.headless import command
 from meander.scene import density as scene_density
 from scenes import circle_points, farthest_from, length_of, poly_curve, sphere
 
@@ -29,18 +28,6 @@ def run_alone(*arguments: object) -> subprocess.CompletedProcess:
     return subprocess.run(
         [*start, *map(str, arguments)], capture_output=True, text=True, timeout=120
     )
-
-
-@pytest.fixture
-def run_batch(capsys):
-    """Runs the command here, which takes a tenth of the time."""
-
-    def run(*arguments: object) -> subprocess.CompletedProcess:
-        capsys.readouterr()
-        code = command.main([str(argument) for argument in arguments])
-        return subprocess.CompletedProcess(arguments, code, *capsys.readouterr())
-
-    return run
 
 
 @pytest.fixture

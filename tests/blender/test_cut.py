@@ -9,7 +9,6 @@ import bpy
 import numpy as np
 import pytest
 import scenes
-from test_batch_scene import run_batch
 
 SPACING = 0.4
 
@@ -244,7 +243,7 @@ def test_a_ribbon_has_colours_of_its_own_along_the_line() -> None:
     assert np.corrcoef(heads, colours[on_line, 0])[0, 1] > 0.95
 
 
-def test_the_batch_command_writes_a_scene(tmp_path: Path) -> None:
+def test_the_batch_command_writes_a_scene(tmp_path: Path, run_batch) -> None:
     surface = scenes.sphere()
     surface.name = "Ball"
     path, cut = tmp_path / "scene.blend", tmp_path / "cut.blend"

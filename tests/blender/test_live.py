@@ -196,8 +196,7 @@ def test_the_time_left_is_there_at_once_where_a_finished_curve_goes_on():
     running = session.Session(kept.plan, kept)
     assert running.find_wish(bpy.context, surface)
     running.start(bpy.context)
-    assert running.tick(bpy.context)
-    assert running.plan.spacing == pytest.approx(0.01)
+    tick_until(running, lambda: running.plan.spacing == pytest.approx(0.01))
     assert running.left_text() == in_words(seconds_of(running.plan)) != in_words(0.0)
     running.end()
 

@@ -12,7 +12,6 @@ import scenes
 from mathutils.interpolate import poly_3d_calc
 from meander.model import maps
 from meander.scene import look
-from test_batch_scene import run_batch
 
 SPACING, SIZE = 0.5, 128
 
@@ -197,7 +196,7 @@ def test_a_map_that_lies_on_itself_is_told(tmp_path: Path, capfd: pytest.Capture
     assert "The UV map lies on itself" in capfd.readouterr().out
 
 
-def test_the_batch_command_writes_images(tmp_path: Path) -> None:
+def test_the_batch_command_writes_images(tmp_path: Path, run_batch) -> None:
     surface = scenes.sphere()
     surface.name = "Ball"
     path = tmp_path / "scene.blend"

@@ -9,7 +9,6 @@ import bpy
 import numpy as np
 import pytest
 from scenes import activate, fill, grid, mesh_object, refused, world_splines
-from test_batch_scene import run_batch
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 
@@ -227,7 +226,7 @@ def test_results_keep_how_they_were_made():
     assert points_of(curve)[:, 0].min() > 0.05
 
 
-def test_the_batch_command(tmp_path):
+def test_the_batch_command(tmp_path, run_batch):
     surface = half_and_half()
     surface.name = "Square"
     path = tmp_path / "scene.blend"

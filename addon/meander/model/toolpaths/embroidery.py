@@ -34,7 +34,7 @@ _WIDEST = 1000.0
 
 
 # What the add-on's zip brings. Blender 4.2 and later install it; before, it is read as it is.
-_WHEELS = Path(__file__).resolve().parents[1] / "wheels"
+_WHEELS = Path(__file__).resolve().parents[2] / "wheels"
 
 
 def _wheel() -> Path | None:
