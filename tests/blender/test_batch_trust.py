@@ -16,6 +16,7 @@ import bpy
 import meander
 import pytest
 from meander import batch
+from meander.headless.scene_output import is_whole
 from meander.jobs.objects import Meshes
 from scenes import sphere
 
@@ -125,6 +126,17 @@ def short_files() -> None:
     signal.signal(signal.SIGXFSZ, heard)
 
 
+@pytest.mark.parametrize("compress", [False, True])
+def test_a_scene_that_is_cut_off_is_known(tmp_path: Path, compress: bool) -> None:
+    scene, part = tmp_path / "scene.blend", tmp_path / "part.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(scene), copy=True, compress=compress)
+    assert is_whole(scene)
+    data = scene.read_bytes()
+    for length in (0, 17, 20_000, len(data) // 2, len(data) - 50):
+        part.write_bytes(data[:length])
+        assert not is_whole(part), length
+
+
 @pytest.mark.parametrize("option", ["--output", "--cut"])
 def test_a_scene_that_does_not_fit_on_the_disk(
     tmp_path: Path, short_files: None, capfd: pytest.CaptureFixture, option: str
@@ -194,6 +206,7 @@ COMMANDER = """
 import os, sys
 sys.path.insert(0, {addon!r})
 from meander import batch
+from meander.headless.scene_output import is_whole
 print("saving", flush=True)
 os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # nobody reads what Blender says of each file
 while batch.main({given!r}) == 0:

@@ -169,9 +169,22 @@ def _bake(arguments: argparse.Namespace, curve_object: bpy.types.Object) -> None
         raise BadInput(f"the frames cannot be baked: {refusal}") from refusal
 
 
+def is_whole(path: Path) -> bool:
+    """Whether a .blend ends as Blender ends one: by the block ENDB, or a table of compressed parts.
+
+    From 5.0 on Blender says that it has saved a file of which the disk took a part.
+    """
+    with path.open("rb") as file:
+        file.seek(max(0, path.stat().st_size - 40))
+        end = file.read()
+    return b"ENDB" in end or end.endswith(b"\xb1\xea\x92\x8f")
+
+
 def _save(path: Path, wanted: Path) -> None:
     try:
         bpy.ops.wm.save_as_mainfile(filepath=str(path.absolute()), copy=True, check_existing=False)
+        if not is_whole(path):
+            raise RuntimeError("it did not take the whole file")
     except RuntimeError as failure:
         raise BadInput(
             f"Blender cannot save {wanted} ({' '.join(str(failure).split())}); "
