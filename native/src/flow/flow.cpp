@@ -2,13 +2,10 @@
 #include "flow/flow.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "base/failure.h"
 #include "base/stopwatch.h"
 #include "flow/progress.h"
-#include "flow/weighting.h"
 #include "seed/first_curve.h"
 #include "seed/full_start.h"
 
