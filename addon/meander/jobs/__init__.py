@@ -5,7 +5,7 @@ job_file    what the file says        options     its keys as flags of the batch
 items       globs, objects, frames    objects     which meshes a .blend holds
 engine      what fills an item        child       the process of one, within its limits
 folder      what is done, and by whom
-session     all items, one after the other or several at once
+worker      all items, one after the other or several at once
 progress    what is said of it        slurm       a script for Slurm
 command     all of it from the command line, which farm.py starts
 """

@@ -21,8 +21,8 @@ from .items import Item, items_of, shard_of
 from .job_file import JobError, JobFile, read
 from .objects import Meshes
 from .progress import Progress, write_summary
-from .session import Session
 from .slurm import script_of
+from .worker import Worker
 
 _SHARD = re.compile(r"(\d{1,6})/(\d{1,6})")
 
@@ -102,8 +102,8 @@ def _run(arguments: argparse.Namespace) -> int:
             print("meander: memory is limited on Linux only; here it is not", file=sys.stderr)
         folder.make(items)
         shared = arguments.shard is None
-        session = Session(job, items, folder, progress, arguments.jobs, shared, arguments.again)
-        finished = session.run()
+        worker = Worker(job, items, folder, progress, arguments.jobs, shared, arguments.again)
+        finished = worker.run()
     progress.conclude(interrupted=not finished)
     if not arguments.status or arguments.summary is not None:
         name = "summary.json" if count == 1 else f"summary-{number}-of-{count}.json"

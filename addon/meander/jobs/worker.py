@@ -40,8 +40,8 @@ class _Running:
     temporary: str  # how the names of its temporary files begin
 
 
-class Session:
-    """One go at the items of a job.
+class Worker:
+    """Works through the items of a job, beside the workers of other processes.
 
     at_once  how many run at the same time
     shared   other processes may be at the same items
