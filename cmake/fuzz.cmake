@@ -10,6 +10,7 @@ add_executable(fuzz_api ${fuzz_sources}
 target_include_directories(fuzz_api PRIVATE "${PROJECT_SOURCE_DIR}/tests/fuzz" "${PROJECT_SOURCE_DIR}/tests/sweep")
 target_link_libraries(fuzz_api PRIVATE meander_core)
 target_link_options(fuzz_api PRIVATE -fsanitize=fuzzer)
+set_target_properties(fuzz_api PROPERTIES UNITY_BUILD ${MEANDER_UNITY} UNITY_BUILD_BATCH_SIZE 0)
 
 # The corpus once, with its leaks; a minute of new inputs, which are kept in the build folder; and the test of
 # tests/fuzz/shrink.py. The minute begins first, since it is longer than any other test.

@@ -26,7 +26,7 @@ target_include_directories(meander_test_support PUBLIC "${PROJECT_SOURCE_DIR}/te
 target_link_libraries(meander_test_support PUBLIC meander_core GTest::gtest GTest::gtest_main)
 # Reading these takes longer than compiling many a test.
 target_precompile_headers(meander_test_support PRIVATE
-  <gtest/gtest.h> <Eigen/Core> "${PROJECT_SOURCE_DIR}/tests/native/test_curves.h")
+  <gtest/gtest.h> <Eigen/Core> "${PROJECT_SOURCE_DIR}/tests/native/curves.h")
 
 foreach(test_source IN LISTS test_sources)
   get_filename_component(test_name "${test_source}" NAME_WE)

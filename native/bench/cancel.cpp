@@ -24,9 +24,6 @@ constexpr double kPromised = 0.1;
 /// A run is cancelled after up to this many of its iterations, so that it comes to its end.
 constexpr double kIterationsBetween = 3;
 
-/// As in measure.cpp.
-constexpr double kNodesPerArea = 1.75;
-
 using Work = std::function<meander_status(meander_context*)>;
 
 /// How long a call went on once it was cancelled.
@@ -110,7 +107,7 @@ class CancelledCase {
                             : which.preset == "finest" ? MEANDER_PRESET_FINEST
                                                        : MEANDER_PRESET_EVEN;
     check(library.flow_options_init(&options_, sizeof options_, preset));
-    options_.radius = std::sqrt(kNodesPerArea * area(mesh_) / which.nodes);
+    options_.radius = spacing_of(which, mesh_);
     options_.threads = which.threads;
     check(create_surface(surface_, nullptr));
   }

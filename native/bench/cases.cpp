@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases.h"
 
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -8,6 +9,10 @@
 
 namespace meander::bench {
 namespace {
+
+/// n r^2 / A of a curve of n nodes on an area A: nodes are between h and 2 h apart, on average
+/// about 1.4 h with h = 0.2 r, and the length is A / (2 r).
+constexpr double kNodesPerArea = 1.75;
 
 struct Model {
   const char* name;
@@ -142,6 +147,10 @@ std::vector<Case> all_cases(const std::string& folder, uint32_t threads) {
   cases.add_threads();
   cases.add_cancels();
   return cases.take();
+}
+
+double spacing_of(const Case& which, const Mesh& mesh) {
+  return which.radius > 0 ? which.radius : std::sqrt(kNodesPerArea * area(mesh) / which.nodes);
 }
 
 }  // namespace meander::bench

@@ -28,4 +28,7 @@ struct Case {
 /// `threads` is used where the group does not vary them.
 std::vector<Case> all_cases(const std::string& folder, uint32_t threads);
 
+/// The radius of `which` on its mesh.
+double spacing_of(const Case& which, const Mesh& mesh);
+
 }  // namespace meander::bench

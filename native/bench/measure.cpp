@@ -27,10 +27,6 @@ constexpr int kExtraIterations = 5;
 constexpr int kFrames = 12, kFrameSteps = 3;
 constexpr double kFrameStretch = 0.005;
 
-/// n r^2 / A of a curve of n nodes on an area A: nodes are between h and 2 h apart, on average
-/// about 1.4 h with h = 0.2 r, and the length is A / (2 r).
-constexpr double kNodesPerArea = 1.75;
-
 /// The kernel's high-water mark of this process's resident memory, in bytes.
 uint64_t peak_memory() {
   std::ifstream status("/proc/self/status");
@@ -184,7 +180,7 @@ void measure(const std::string& path, const Case& which, uint32_t iteration_limi
   const Mesh mesh = which.mesh();
   if (mesh.faces.empty()) throw std::runtime_error("the mesh has no faces");
   m.faces = static_cast<uint32_t>(mesh.faces.size());
-  m.radius = which.radius > 0 ? which.radius : std::sqrt(kNodesPerArea * area(mesh) / which.nodes);
+  m.radius = spacing_of(which, mesh);
 
   meander_flow_options options;
   const uint32_t preset = which.preset == "paper"    ? MEANDER_PRESET_PAPER

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "curve/refinement.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 

@@ -10,7 +10,7 @@
 #include "model/constants.h"
 #include "model/energy.h"
 #include "model/solve.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 

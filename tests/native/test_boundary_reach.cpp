@@ -5,7 +5,7 @@
 
 #include "geodesic/geodesic_trace.h"
 #include "medial/boundary_reach.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -7,7 +7,7 @@
 #include "curve/refinement.h"
 #include "flow/constants.h"
 #include "flow/convergence.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

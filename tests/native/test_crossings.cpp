@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "curve/crossings.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

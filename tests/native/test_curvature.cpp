@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "curve/curvature.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

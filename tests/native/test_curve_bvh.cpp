@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "medial/curve_bvh.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "outputs/cut_mesh.h"
 #include "outputs/line_fields.h"
 #include "outputs/middle_lines.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "api/handles.h"
 #include "api_structs.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

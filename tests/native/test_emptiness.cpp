@@ -7,7 +7,7 @@
 
 #include "geodesic/geodesic_trace.h"
 #include "outputs/emptiness.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "mesh/fields.h"
 #include "mesh/line_relaxation.h"
 #include "mesh/line_field.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

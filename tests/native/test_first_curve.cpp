@@ -11,7 +11,7 @@
 #include "medial/boundary_reach.h"
 #include "seed/first_curve.h"
 #include "seed/regions.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "api_results.h"
 #include "flow/flow.h"
 #include "outputs/statistics.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "curve/retraction.h"
 #include "medial/constants.h"
 #include "medial/frames.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

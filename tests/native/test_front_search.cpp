@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/front_search.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

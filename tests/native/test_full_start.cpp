@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "seed/full_start.h"
-#include "test_curves.h"
+#include "curves.h"
 #include "test_seeds.h"
 #include "thin_surfaces.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geodesic_distance.h"
-#include "test_curves.h"
+#include "curves.h"
 #include "unrolled_surfaces.h"
 
 namespace meander::test {

@@ -12,7 +12,7 @@
 #include "geodesic_reference.h"
 #include "medial/constants.h"
 #include "medial/geodesic_medial_axis.h"
-#include "test_curves.h"
+#include "curves.h"
 #include "thin_surfaces.h"
 #include "unrolled_surfaces.h"
 

@@ -7,7 +7,7 @@
 #include <queue>
 
 #include "geodesic/geodesic_path.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -3,7 +3,7 @@
 // Straightest geodesics on surfaces that can be unfolded, where they are straight lines.
 #include <gtest/gtest.h>
 
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "curve/hairpins.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -13,7 +13,7 @@
 #include "flow/flow.h"
 #include "flow/invariant.h"
 #include "flow/iteration.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

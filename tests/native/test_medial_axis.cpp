@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "medial/medial_axis.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

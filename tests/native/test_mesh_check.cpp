@@ -12,7 +12,7 @@
 #include "base/failure.h"
 #include "base/thread_pool.h"
 #include "mesh/mesh_check.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

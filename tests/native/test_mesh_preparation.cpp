@@ -8,7 +8,7 @@
 
 #include "base/failure.h"
 #include "mesh/mesh_check.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "geodesic/boundary_distance.h"
 #include "mesh/halfedge_mesh.h"
 #include "seed/outline.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

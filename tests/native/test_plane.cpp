@@ -7,7 +7,7 @@
 #include "base/clipped_triangle.h"
 #include "base/plane.h"
 #include "mesh/surface_point.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "api_results.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/point_grid.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/point_tree.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

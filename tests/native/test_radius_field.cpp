@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "curve/local_metric.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

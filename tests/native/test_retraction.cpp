@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "curve/retraction.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

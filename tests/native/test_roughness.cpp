@@ -16,7 +16,7 @@
 #include "mesh/space_average.h"
 #include "mesh/surface_at_scale.h"
 #include "outputs/polylines.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "api/flow_options.h"
 #include "api_structs.h"
 #include "flow/flow.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 

@@ -15,7 +15,7 @@
 #include "base/thread_pool.h"
 #include "mesh/mesh_faults.h"
 #include "mesh/mesh_preparation.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "flow/constants.h"
 #include "flow/step.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

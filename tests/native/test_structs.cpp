@@ -13,7 +13,7 @@
 #include "api/flow_options.h"
 #include "api/structs.h"
 #include "api_structs.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

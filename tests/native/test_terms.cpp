@@ -12,7 +12,7 @@
 #include "api/handles.h"
 #include "api_structs.h"
 #include "base/failure.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

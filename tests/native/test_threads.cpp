@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "api_results.h"
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 namespace {

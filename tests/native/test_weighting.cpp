@@ -11,7 +11,7 @@
 #include "flow/constants.h"
 #include "flow/weighting.h"
 #include "model/weights.h"
-#include "test_curves.h"
+#include "curves.h"
 
 namespace meander::test {
 namespace {

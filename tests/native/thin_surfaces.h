@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "test_meshes.h"
+#include "meshes.h"
 
 namespace meander::test {
 

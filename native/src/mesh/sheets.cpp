@@ -246,8 +246,8 @@ void Sheeting::name_bow_ties() {
 double turn_at_edge(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 along = (b - a).normalized();
   const auto away = [&](const Vec3& p) { return Vec3((p - a) - along.dot(p - a) * along).normalized(); };
-  constexpr double kSteps = 1e6;
-  return std::round((1 + away(c).dot(away(d))) * kSteps) / kSteps;
+  constexpr double kResolution = 1e6;
+  return std::round((1 + away(c).dot(away(d))) * kResolution) / kResolution;
 }
 
 Sheets find_sheets(std::span<const Vec3> positions, std::span<const Triangle> faces, bool join_flattest) {

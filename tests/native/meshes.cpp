@@ -1,63 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Meshes for the tests, and reproducible random numbers.
-#pragma once
+#include "meshes.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <map>
-#include <numbers>
-#include <random>
-#include <vector>
-
-#include "mesh/surface.h"
-#include "mesh/surface_point.h"
+#include <utility>
 
 namespace meander::test {
 
-constexpr double kPi = std::numbers::pi;
+Surface make_surface(const Mesh& mesh) { return Surface(mesh.vertices, mesh.faces); }
 
-/// The same numbers on every machine, which std::uniform_real_distribution does not promise.
-class Rng {
- public:
-  explicit Rng(uint64_t seed) : engine_(seed) {}
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double in(double low, double high) { return low + (high - low) * (*this)(); }
-  uint32_t below(size_t n) { return static_cast<uint32_t>(engine_() % n); }
-  Vec2 direction() {
-    const double a = in(0, 2 * kPi);
-    return {std::cos(a), std::sin(a)};
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-struct Mesh {
-  std::vector<double> vertices;
-  std::vector<uint32_t> faces;
-
-  uint32_t vertex_count() const { return static_cast<uint32_t>(vertices.size() / 3); }
-  uint32_t face_count() const { return static_cast<uint32_t>(faces.size() / 3); }
-  uint32_t add(double x, double y, double z) {
-    vertices.insert(vertices.end(), {x, y, z});
-    return vertex_count() - 1;
-  }
-  void face(uint32_t a, uint32_t b, uint32_t c) { faces.insert(faces.end(), {a, b, c}); }
-  Vec3 at(uint32_t v) const { return {vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]}; }
-};
-
-inline Surface make_surface(const Mesh& mesh) { return Surface(mesh.vertices, mesh.faces); }
-
-inline Mesh scaled(Mesh mesh, double factor) {
+Mesh scaled(Mesh mesh, double factor) {
   for (double& x : mesh.vertices) x *= factor;
   return mesh;
 }
 
-/// Both meshes in one, the second one moved along x.
-inline Mesh joined(Mesh a, const Mesh& b, double offset) {
+Mesh joined(Mesh a, const Mesh& b, double offset) {
   const uint32_t first = a.vertex_count();
   for (size_t k = 0; k < b.vertices.size(); ++k) {
     a.vertices.push_back(b.vertices[k] + (k % 3 == 0 ? offset : 0));
@@ -66,7 +23,7 @@ inline Mesh joined(Mesh a, const Mesh& b, double offset) {
   return a;
 }
 
-inline Mesh octahedron() {
+Mesh octahedron() {
   Mesh m;
   for (int k = 0; k < 3; ++k) {
     for (const double s : {1.0, -1.0}) m.add(k == 0 ? s : 0, k == 1 ? s : 0, k == 2 ? s : 0);
@@ -82,8 +39,7 @@ inline Mesh octahedron() {
   return m;
 }
 
-/// Every face split into four, in its plane.
-inline Mesh subdivided(const Mesh& mesh, int levels) {
+Mesh subdivided(const Mesh& mesh, int levels) {
   Mesh m = mesh;
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
@@ -109,8 +65,7 @@ inline Mesh subdivided(const Mesh& mesh, int levels) {
   return m;
 }
 
-/// Each level splits every face into four and moves the new vertices to the unit sphere.
-inline Mesh sphere(int levels) {
+Mesh sphere(int levels) {
   const double g = std::numbers::phi;
   Mesh m;
   for (const double a : {-1.0, 1.0}) {
@@ -144,8 +99,7 @@ inline Mesh sphere(int levels) {
   return m;
 }
 
-/// Every vertex moved at random by up to `amount` mean edge lengths.
-inline Mesh with_noise(Mesh m, double amount, uint64_t seed) {
+Mesh with_noise(Mesh m, double amount, uint64_t seed) {
   double sum = 0;
   for (size_t f = 0; f < m.faces.size(); f += 3)
     sum += (m.at(m.faces[f]) - m.at(m.faces[f + 1])).norm();
@@ -155,7 +109,7 @@ inline Mesh with_noise(Mesh m, double amount, uint64_t seed) {
   return m;
 }
 
-inline Mesh torus(uint32_t around, uint32_t across, double big = 1, double small = 0.4) {
+Mesh torus(uint32_t around, uint32_t across, double big, double small) {
   Mesh m;
   for (uint32_t i = 0; i < around; ++i) {
     for (uint32_t j = 0; j < across; ++j) {
@@ -174,11 +128,8 @@ inline Mesh torus(uint32_t around, uint32_t across, double big = 1, double small
   return m;
 }
 
-/// n x n cells over the unit square, inner vertices moved in the plane by up to `jitter` cells, the
-/// square's outline kept. place(x, y) is the point in space; cells for which hole(i, j) is true are
-/// left out.
-template <class Place, class Hole>
-Mesh grid(uint32_t n, double jitter, Place place, Hole hole) {
+Mesh grid(uint32_t n, double jitter, const std::function<Vec3(double, double)>& place,
+          const std::function<bool(uint32_t, uint32_t)>& hole) {
   Rng rng(n);
   Mesh m;
   for (uint32_t j = 0; j <= n; ++j) {
@@ -205,29 +156,27 @@ Mesh grid(uint32_t n, double jitter, Place place, Hole hole) {
   return m;
 }
 
-inline bool no_hole(uint32_t, uint32_t) { return false; }
+bool no_hole(uint32_t, uint32_t) { return false; }
 
-inline Mesh flat_grid(uint32_t n, double jitter = 0.25) {
+Mesh flat_grid(uint32_t n, double jitter) {
   return grid(n, jitter, [](double x, double y) { return Vec3(x, y, 0); }, no_hole);
 }
 
-inline Mesh bumpy_grid(uint32_t n) {
+Mesh bumpy_grid(uint32_t n) {
   return grid(
       n, 0.2,
       [](double x, double y) { return Vec3(x, y, 0.1 * std::sin(7 * x) * std::cos(6 * y)); },
       no_hole);
 }
 
-/// The unit square without its middle (about a third of its width).
-inline Mesh grid_with_hole(uint32_t n) {
+Mesh grid_with_hole(uint32_t n) {
   const uint32_t a = n / 3, b = n - n / 3;
   return grid(
       n, 0.2, [](double x, double y) { return Vec3(x, y, 0); },
       [=](uint32_t i, uint32_t j) { return i >= a && i < b && j >= a && j < b; });
 }
 
-/// The cube [0, 1]^3 of 12 faces.
-inline Mesh cube() {
+Mesh cube() {
   Mesh m;
   for (uint32_t k = 0; k < 8; ++k) m.add(k & 1, (k >> 1) & 1, k >> 2);
   const uint32_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
@@ -239,8 +188,7 @@ inline Mesh cube() {
   return m;
 }
 
-/// A cylinder of radius 1 (a prism of `around` sides) without its ends.
-inline Mesh cylinder(uint32_t around, uint32_t along, double height) {
+Mesh cylinder(uint32_t around, uint32_t along, double height) {
   Mesh m;
   for (uint32_t j = 0; j <= along; ++j) {
     for (uint32_t i = 0; i < around; ++i) {
@@ -258,10 +206,7 @@ inline Mesh cylinder(uint32_t around, uint32_t along, double height) {
   return m;
 }
 
-/// An apex (vertex 0) and `rings` rings of `around` vertices; ring j has radius j and height
-/// slope j (odd vertices: of opposite sign if `saddle`), so faces between rings are flat or nearly
-/// flat.
-inline Mesh cone(uint32_t around, uint32_t rings, double slope, bool saddle = false) {
+Mesh cone(uint32_t around, uint32_t rings, double slope, bool saddle) {
   Mesh m;
   m.add(0, 0, 0);
   for (uint32_t j = 1; j <= rings; ++j) {
@@ -281,7 +226,7 @@ inline Mesh cone(uint32_t around, uint32_t rings, double slope, bool saddle = fa
   return m;
 }
 
-inline Mesh moebius(uint32_t around) {
+Mesh moebius(uint32_t around) {
   Mesh m;
   for (uint32_t i = 0; i < around; ++i) {
     const double u = 2 * kPi * i / around;
@@ -299,15 +244,13 @@ inline Mesh moebius(uint32_t around) {
   return m;
 }
 
-inline SurfacePoint random_point(const Surface& s, Rng& rng) {
+SurfacePoint random_point(const Surface& s, Rng& rng) {
   const double a = -std::log(1 - rng()), b = -std::log(1 - rng()), c = -std::log(1 - rng());
   const double sum = a + b + c;
   return make_point(rng.below(s.face_count()), a / sum, b / sum, c / sum);
 }
 
-/// The faces' corners around vertex v, counter-clockwise; from the first to the last where v lies
-/// on the boundary. Each entry is 3 * face + corner.
-inline std::vector<uint32_t> fan(const Surface& s, uint32_t v) {
+std::vector<uint32_t> fan(const Surface& s, uint32_t v) {
   uint32_t start = kNone;
   for (uint32_t f = 0; f < s.face_count() && start == kNone; ++f) {
     for (uint32_t k = 0; k < 3; ++k) {

@@ -1,36 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Random curves, and checks of curves that share no code with the library's own: whether paths are
-// connected, and whether anything crosses, in exact integers.
-#pragma once
+#include "curves.h"
 
-#include <gtest/gtest.h>
-
-#include <set>
-#include <utility>
-#include <vector>
-
-#include "curve/curve.h"
-#include "curve/local_metric.h"
-#include "geodesic/geodesic_path.h"
-#include "geodesic/geodesic_trace.h"
-#include "test_meshes.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 
 namespace meander::test {
 
-/// The length of a path measured between its ends differs from the sum of its pieces where the
-/// straight line comes closer to a vertex than crossings may (the mesh has a diagonal of 1).
-constexpr double kMeasured = kClearance;
-
-__extension__ typedef __int128 Int128;
-
-inline bool same_bytes(const SurfacePoint& a, const SurfacePoint& b) {
+bool same_bytes(const SurfacePoint& a, const SurfacePoint& b) {
   return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
 }
 
-/// The first crossing leaves the face of the start, and so on until the face of the end.
-inline testing::AssertionResult chains(const Surface& s, uint32_t face, uint32_t last,
-                                       std::span<const Crossing> path) {
+testing::AssertionResult chains(const Surface& s, uint32_t face, uint32_t last,
+                                std::span<const Crossing> path) {
   for (size_t k = 0; k < path.size(); ++k) {
     if (path[k].e >= 3 * s.face_count()) {
       return testing::AssertionFailure() << "crossing " << k << " names no half-edge";
@@ -58,7 +41,7 @@ inline testing::AssertionResult chains(const Surface& s, uint32_t face, uint32_t
   return testing::AssertionSuccess();
 }
 
-inline testing::AssertionResult inside_face(const Surface& s, const SurfacePoint& p) {
+testing::AssertionResult inside_face(const Surface& s, const SurfacePoint& p) {
   if (p.face < s.face_count() && p.b.x >= kClearance && p.b.y >= kClearance &&
       1 - p.b.x - p.b.y >= kClearance && p.b.x == snap(p.b.x) && p.b.y == snap(p.b.y)) {
     return testing::AssertionSuccess();
@@ -67,8 +50,7 @@ inline testing::AssertionResult inside_face(const Surface& s, const SurfacePoint
          << "face " << p.face << " weights " << p.weight(0) << " " << p.b.x << " " << p.b.y;
 }
 
-/// Everything that must hold for a curve at any time, except for crossings.
-inline testing::AssertionResult whole(const Surface& s, const Curve& c) {
+testing::AssertionResult whole(const Surface& s, const Curve& c) {
   const size_t n = c.nodes.size();
   if (c.fixed.size() != n || c.paths.size() != n || c.shapes.size() != n) {
     return testing::AssertionFailure() << "arrays differ in length";
@@ -100,19 +82,14 @@ inline testing::AssertionResult whole(const Surface& s, const Curve& c) {
   return testing::AssertionSuccess();
 }
 
-/// A straight piece in integer units of kGrain.
-struct ExactPiece {
-  int64_t ax, ay, bx, by;
-  uint32_t segment;
-  uint32_t from_node, to_node;  // kNone where the end is a crossing
-};
+__extension__ typedef __int128 Int128;
 
-inline int exact_sign(int64_t ax, int64_t ay, int64_t bx, int64_t by, int64_t cx, int64_t cy) {
+int exact_sign(int64_t ax, int64_t ay, int64_t bx, int64_t by, int64_t cx, int64_t cy) {
   const Int128 d = Int128{bx - ax} * (cy - ay) - Int128{by - ay} * (cx - ax);
   return d > 0 ? 1 : (d < 0 ? -1 : 0);
 }
 
-inline bool exact_touch(const ExactPiece& p, const ExactPiece& q) {
+bool exact_touch(const ExactPiece& p, const ExactPiece& q) {
   const auto on = [](const ExactPiece& s, int64_t x, int64_t y) {
     return exact_sign(s.ax, s.ay, s.bx, s.by, x, y) == 0 && std::min(s.ax, s.bx) <= x &&
            x <= std::max(s.ax, s.bx) && std::min(s.ay, s.by) <= y && y <= std::max(s.ay, s.by);
@@ -126,8 +103,10 @@ inline bool exact_touch(const ExactPiece& p, const ExactPiece& q) {
              0;
 }
 
+namespace {
+
 /// Whether the pieces share a point that is not a common node of their segments.
-inline bool exact_crossing(const ExactPiece& p, const ExactPiece& q) {
+bool exact_crossing(const ExactPiece& p, const ExactPiece& q) {
   const auto beyond = [](int64_t cx, int64_t cy, int64_t px, int64_t py, int64_t qx, int64_t qy) {
     const Int128 along = Int128{px - cx} * (qx - cx) + Int128{py - cy} * (qy - cy);
     return exact_sign(cx, cy, px, py, qx, qy) == 0 && along > 0;
@@ -141,9 +120,9 @@ inline bool exact_crossing(const ExactPiece& p, const ExactPiece& q) {
   return exact_touch(p, q);
 }
 
-/// All pairs of segments that cross or touch, by comparing every two pieces of every face.
-inline std::set<std::pair<uint32_t, uint32_t>> exact_crossings(const Surface& s,
-                                                               const Curve& curve) {
+}  // namespace
+
+std::set<std::pair<uint32_t, uint32_t>> exact_crossings(const Surface& s, const Curve& curve) {
   std::map<uint32_t, std::vector<ExactPiece>> faces;
   const auto whole_number = [](double x) {
     return static_cast<int64_t>(std::llround(std::ldexp(x, 50)));
@@ -188,22 +167,20 @@ inline std::set<std::pair<uint32_t, uint32_t>> exact_crossings(const Surface& s,
   return found;
 }
 
-/// The same lengths at every node.
-inline LocalMetric even_metric(const Curve& curve, double radius, double max_radius = 0, double overhang = 0,
-                               double least_rest = 0) {
+LocalMetric even_metric(const Curve& curve, double radius, double max_radius, double overhang,
+                        double least_rest) {
   const auto all = [&](double value) { return NodeData<double>(curve.size(), value); };
   return {all(radius), all(max_radius), all(overhang), all(least_rest)};
 }
 
-inline void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed = 0) {
+void add_node(Curve& curve, const SurfacePoint& p, uint8_t fixed) {
   curve.nodes.push_back(p);
   curve.fixed.push_back(fixed);
   curve.paths.emplace_back();
   curve.shapes.emplace_back();
 }
 
-/// Joins the nodes of a strand, which all lie in one face, by straight pieces.
-inline void join_in_face(const Surface& s, Curve& curve) {
+void join_in_face(const Surface& s, Curve& curve) {
   curve.link();
   for (uint32_t i = 0; i < curve.size(); ++i) {
     if (curve.next(i) != kNone)
@@ -211,10 +188,8 @@ inline void join_in_face(const Surface& s, Curve& curve) {
   }
 }
 
-/// A closed strand around `centre`: the ends of rays of about `radius` (times 1 +- wobble), joined.
-/// False, with the curve unchanged, where a ray meets the boundary.
-inline bool add_ring(const Surface& s, Curve& curve, const SurfacePoint& centre, double radius,
-                     uint32_t count, double wobble, Rng& rng) {
+bool add_ring(const Surface& s, Curve& curve, const SurfacePoint& centre, double radius,
+              uint32_t count, double wobble, Rng& rng) {
   std::vector<SurfacePoint> ends;
   std::vector<Path> rays(count);
   for (uint32_t k = 0; k < count; ++k) {
@@ -239,10 +214,8 @@ inline bool add_ring(const Surface& s, Curve& curve, const SurfacePoint& centre,
   return true;
 }
 
-/// An open strand: a walk from `start` with steps of about `step`, turning by up to `turn` at a
-/// node.
-inline void add_walk(const Surface& s, Curve& curve, const SurfacePoint& start, double step,
-                     uint32_t count, double turn, Rng& rng) {
+void add_walk(const Surface& s, Curve& curve, const SurfacePoint& start, double step,
+              uint32_t count, double turn, Rng& rng) {
   const uint32_t first = curve.size();
   add_node(curve, start);
   Vec2 direction = rng.direction();
