@@ -122,18 +122,18 @@ def test_the_spacing_is_the_one_on_paper_whatever_the_distance(tmp_path: Path) -
     camera((0.0, -10.0, 0.0))
     plane("Near", 1.2, (-0.9, -5.0, 0.0))
     plane("Far", 3.6, (2.7, 5.0, 0.0))
-    found = drawn(tmp_path / "a.svg", 3.0, report_too=True)
+    found = drawn(tmp_path / "a.svg", 4.0, report_too=True)
     page = frame()
     for name in ("Near", "Far"):
         thing = bpy.data.objects[name]
         corners = page.on_paper([thing.matrix_world @ v.co for v in thing.data.vertices])
         area = np.prod(np.ptp(corners, axis=0))
         length = steps_of(found[name])[1].sum()
-        assert length * 3.0 / area == pytest.approx(1.0, abs=0.06)
+        assert length * 4.0 / area == pytest.approx(1.0, abs=0.06)
     record = json.loads((tmp_path / "a.json").read_text())
     by_name = {each["name"]: each["spacing"]["least"] for each in record["objects"]}
     assert by_name["Far"] / by_name["Near"] == pytest.approx(3.0, rel=1e-6)
-    assert record["crossings"] == 0 and record["spacing"] == 3.0
+    assert record["crossings"] == 0 and record["spacing"] == 4.0
     paths = [path for layer in found.values() for path in layer]
     assert record["paths"] == len(paths)
     assert record["length"] == pytest.approx(steps_of(paths)[1].sum(), rel=1e-4)
@@ -142,7 +142,7 @@ def test_the_spacing_is_the_one_on_paper_whatever_the_distance(tmp_path: Path) -
 def test_the_spacing_grows_with_the_distance_within_one_object(tmp_path: Path) -> None:
     eye = camera((0.0, -6.0, 0.0))
     slope = plane("Slope", 8.0, (0.0, 1.0, 0.0), math.radians(65.0))
-    found = drawn(tmp_path / "a.svg", 4.0)["Slope"]
+    found = drawn(tmp_path / "a.svg", 8.0)["Slope"]
     page = frame()
     # Back from paper onto the plane, by the picture's own geometry.
     middles, _ = steps_of(found)
@@ -161,7 +161,7 @@ def test_the_spacing_grows_with_the_distance_within_one_object(tmp_path: Path) -
     on_plane = unprojected(middles)
     lengths = np.linalg.norm(unprojected(ends) - unprojected(starts), axis=1)
     depth = on_plane[:, 1] + 6.0
-    local = 4.0 * depth * width / page.sides[0]  # what the spacing is in the scene
+    local = 8.0 * depth * width / page.sides[0]  # what the spacing is in the scene
     bounds = np.quantile(depth, [0.02, 0.3, 0.6, 0.98])
     assert bounds[-1] > 1.8 * bounds[0]
     along = np.array(slope.matrix_world.to_3x3() @ Vector((0.0, 1.0, 0.0)))
@@ -180,7 +180,7 @@ def test_what_another_object_hides_is_left_out(tmp_path: Path) -> None:
     bpy.ops.mesh.primitive_cube_add(size=1.2)
     cube = scenes.activate(bpy.context.active_object)
     cube.name = 'Cube & "Co"'
-    found = drawn(tmp_path / "a.svg", 5.0)
+    found = drawn(tmp_path / "a.svg", 8.0)
     assert set(found) == {"Wall", 'Cube & "Co"'}
     page = frame()
     front = page.on_paper([[x, -0.6, z] for x in (-0.6, 0.6) for z in (-0.6, 0.6)])
@@ -199,12 +199,12 @@ def test_what_another_object_hides_is_left_out(tmp_path: Path) -> None:
     assert within(found['Cube & "Co"'], 0.02).all()
     # A holdout hides, and is not drawn.
     cube.is_holdout = True
-    held = drawn(tmp_path / "b.svg", 5.0)
+    held = drawn(tmp_path / "b.svg", 8.0)
     assert set(held) == {"Wall"}
     assert all(map(np.array_equal, held["Wall"], found["Wall"]))
     # One that is not rendered does neither.
     cube.is_holdout, cube.hide_render = False, True
-    bare = drawn(tmp_path / "c.svg", 5.0)
+    bare = drawn(tmp_path / "c.svg", 8.0)
     assert set(bare) == {"Wall"} and within(bare["Wall"], -0.05).sum() > 100
 
 
@@ -215,7 +215,7 @@ def test_nothing_leaves_the_frame(tmp_path: Path) -> None:
     scenes.activate(floor)
     camera_data = bpy.context.scene.camera.data
     camera_data.clip_end = 12.0
-    found = drawn(tmp_path / "a.svg", 5.0, paper="CUSTOM", width=120.0, height=200.0, margin=20.0)
+    found = drawn(tmp_path / "a.svg", 10.0, paper="CUSTOM", width=120.0, height=200.0, margin=20.0)
     root = ElementTree.parse(tmp_path / "a.svg").getroot()
     assert root.get("viewBox") == "0 0 200 120"
     points = np.vstack(found["Floor"])
@@ -225,7 +225,7 @@ def test_nothing_leaves_the_frame(tmp_path: Path) -> None:
     # It is filled up to the frame's left, right and lower sides, and not beyond the far end.
     reach = [points[:, 0].min() - low[0], low[0] + sides[0] - points[:, 0].max()]
     reach.append(low[1] + sides[1] - points[:, 1].max())
-    assert max(reach) < 5.0
+    assert max(reach) < 10.0
 
 
 def test_instances_are_drawn_and_curves_of_ours_are_not(tmp_path: Path) -> None:
@@ -241,13 +241,13 @@ def test_instances_are_drawn_and_curves_of_ours_are_not(tmp_path: Path) -> None:
     result = scenes.fill(ball, 0.3)
     result.data.bevel_depth = 0.1
     before = scenes.counts(), [thing.name for thing in bpy.context.scene.objects]
-    found = drawn(tmp_path / "a.svg", 4.0)
+    found = drawn(tmp_path / "a.svg", 7.0)
     assert set(found) == {"Ball", "Copy: Ball"}
     length = [steps_of(found[name])[1].sum() for name in found]
     assert length[0] == pytest.approx(length[1], rel=0.15)
     assert (scenes.counts(), [thing.name for thing in bpy.context.scene.objects]) == before
     ball.hide_set(True)
-    assert set(drawn(tmp_path / "b.svg", 4.0)) == {"Copy: Ball"}
+    assert set(drawn(tmp_path / "b.svg", 7.0)) == {"Copy: Ball"}
 
 
 def test_an_object_keeps_its_direction_and_density(tmp_path: Path) -> None:
@@ -261,10 +261,10 @@ def test_an_object_keeps_its_direction_and_density(tmp_path: Path) -> None:
     right.meander.density_group = "Fine"
     right.meander.factor_0, right.meander.factor_1 = 1.0, 0.5
     scenes.activate(left)
-    found = drawn(tmp_path / "a.svg", 3.0)
+    found = drawn(tmp_path / "a.svg", 6.0)
     steps = np.vstack([np.diff(path, axis=0) for path in found["Left"]])
     across = np.abs(steps[:, 0]).sum() / np.linalg.norm(steps, axis=1).sum()
-    assert across > 0.9, "rows along x"
+    assert across > 0.85, "rows along x"
     packed = {name: steps_of(found[name])[1].sum() for name in found}
     assert packed["Right"] / packed["Left"] == pytest.approx(2.0, rel=0.15)
 
@@ -349,7 +349,7 @@ def test_what_a_drawing_comes_to_is_known_before(tmp_path: Path) -> None:
     bpy.ops.mesh.primitive_uv_sphere_add(radius=1.0, location=(1.0, 0.0, 0.5))
     slope.meander.preset = "PAPER"
     width = float(frame().sides[0])
-    for spacing in (3.0, 2.0):
+    for spacing in (8.0, 5.0):
         expected = estimate(spacing).at(spacing, width)
         drawn(tmp_path / "a.svg", spacing, report_too=True)
         objects = json.loads((tmp_path / "a.json").read_text())["objects"]
@@ -388,7 +388,7 @@ def test_the_command_says_what_it_will_take_and_refuses_too_much(
 ) -> None:
     saved(tmp_path)
     output = tmp_path / "a.svg"
-    given = ["--output", str(output), "--spacing", "3"]
+    given = ["--output", str(output), "--spacing", "8"]
     capsys.readouterr()
     assert draw.main([*given, "--limit-nodes", "10"]) == 2
     said = capsys.readouterr()
@@ -405,12 +405,12 @@ def test_the_command_says_what_it_will_take_and_refuses_too_much(
 
 def test_the_command_draws_the_same(tmp_path: Path) -> None:
     scene, output, report = saved(tmp_path), tmp_path / "a.svg", tmp_path / "a.json"
-    given = ("--output", output, "--spacing", 4, "--paper", "a5", "--margin", 10)
+    given = ("--output", output, "--spacing", 8, "--paper", "a5", "--margin", 10)
     done = run_command(*given, "--report", report, scene=scene)
     assert done.returncode == 0, done.stderr
     assert "1 of 1, Sphere:" in done.stdout and f"wrote {output}" in done.stdout
     assert json.loads(report.read_text())["page"] == {"width": 210, "height": 148, "margin": 10}
-    drawn(tmp_path / "b.svg", 4.0, paper="A5", margin=10.0)
+    drawn(tmp_path / "b.svg", 8.0, paper="A5", margin=10.0)
     assert output.read_bytes() == (tmp_path / "b.svg").read_bytes()
     refusal = run_command(*given, "--camera", "Nobody", scene=scene)
     assert refusal.returncode == 2 and refusal.stderr.startswith("meander: the scene has no object")
