@@ -9,6 +9,7 @@ one beside it.
 from __future__ import annotations
 
 import hashlib
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -118,17 +119,22 @@ def _declared(socket: Any) -> list[Any]:
     return [socket.name, kind, *(_plain(getattr(socket, name, None)) for name in _VALUES)]
 
 
-def _node(node: bpy.types.Node) -> dict[str, Any]:
-    settings = {
-        name: _plain(getattr(node, name))
-        for name, prop in node.bl_rna.properties.items()
+@cache
+def _settings_of(kind: type[bpy.types.Node]) -> list[str]:
+    """The names of the settings that nodes of a kind have."""
+    return [
+        name
+        for name, prop in kind.bl_rna.properties.items()
         if name not in _DRAWN and (not prop.is_readonly or prop.type == "POINTER")
-    }
-    linked = {socket.identifier for socket in node.inputs if socket.is_linked}
+    ]
+
+
+def _node(node: bpy.types.Node) -> dict[str, Any]:
+    settings = {name: _plain(getattr(node, name)) for name in _settings_of(type(node))}
     values = {
         socket.identifier: _plain(getattr(socket, "default_value", None))
         for socket in node.inputs
-        if socket.identifier not in linked
+        if not socket.is_linked
     }
     return {"kind": node.bl_idname, "settings": settings, "values": values}
 
