@@ -52,6 +52,18 @@ def windowed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
+def nothing_kept() -> Iterator[None]:
+    """Ends the run of a test, and drops what runs leave to go on from."""
+    from meander.run import live, seeds, session, suspended
+
+    yield
+    session.end_current()
+    suspended.drop()
+    live.drop()
+    seeds.hide()
+
+
+@pytest.fixture
 def run_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> Callable:
     """Saves the scene and runs the batch command on its object: exit code, standard error, and
     where it does not refuse, curve and report.

@@ -227,6 +227,12 @@ def drawn(panel: type[bpy.types.Panel], context: bpy.types.Context) -> Layout | 
     return layout
 
 
+def texts_of(panel: type[bpy.types.Panel]) -> list[str]:
+    """All that a panel says now, from top to bottom; nothing if it is hidden."""
+    layout = drawn(panel, bpy.context)
+    return [] if layout is None else [text.text for text in layout.texts()]
+
+
 def panels() -> list[type[bpy.types.Panel]]:
     """All panels of the tab."""
     found, open_ones = [], [bpy.types.Panel]

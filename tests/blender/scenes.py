@@ -28,8 +28,8 @@ def mesh_object(name: str, vertices, faces) -> bpy.types.Object:
     return activate(thing)
 
 
-def sphere(radius: float = 1.0) -> bpy.types.Object:
-    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4, radius=radius)
+def sphere(radius: float = 1.0, subdivisions: int = 3) -> bpy.types.Object:
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=subdivisions, radius=radius)
     return activate(bpy.context.active_object)
 
 
@@ -125,6 +125,15 @@ def world_splines(thing: bpy.types.Object) -> list[tuple[np.ndarray, bool]]:
     return splines
 
 
+def points_of(thing: bpy.types.Object) -> np.ndarray:
+    """The points of all splines, in world space."""
+    return np.vstack([points for points, _cyclic in world_splines(thing)])
+
+
+def point_count(thing: bpy.types.Object) -> int:
+    return sum(len(spline.points) for spline in thing.data.splines)
+
+
 def length_of(thing: bpy.types.Object) -> float:
     total = 0.0
     for points, cyclic in world_splines(thing):
@@ -168,6 +177,20 @@ def farthest_from(thing: bpy.types.Object, curve: bpy.types.Object) -> float:
             for point in group:
                 farthest = max(farthest, tree.find_nearest(point.tolist())[3] - allowed)
     return farthest
+
+
+def pieces_of(mesh: bpy.types.Mesh) -> int:
+    """How many pieces a mesh is in, by its edges."""
+    ends = np.empty(2 * len(mesh.edges), dtype=np.int32)
+    mesh.edges.foreach_get("vertices", ends)
+    a, b = ends.reshape(-1, 2).T
+    labels = np.arange(len(mesh.vertices))
+    while (labels[a] != labels[b]).any():
+        least = np.minimum(labels[a], labels[b])
+        for side in (a, b):
+            np.minimum.at(labels, labels[side], least)
+        labels = labels[labels]
+    return len(np.unique(labels))
 
 
 def packing(surface: bpy.types.Object, curve: bpy.types.Object) -> float:

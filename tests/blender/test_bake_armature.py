@@ -30,7 +30,11 @@ bpy.ops.wm.open_mainfile(filepath=scene_file)
 assert not hasattr(bpy.types.Object, "meander")
 assert not [name for name in sys.modules if name.split(".")[0] == "meander"]
 scene = bpy.context.scene
-scene.frame_set(int(frame))
+names = []
+for number in (4, 1, int(frame)):
+    scene.frame_set(number)
+    shown = [o for o in scene.objects if o.type == "CURVE" and not o.hide_render]
+    names += [o.name for o in shown]
 scene.render.filepath = picture
 bpy.ops.render.render(write_still=True)
 depsgraph = bpy.context.evaluated_depsgraph_get()
@@ -46,13 +50,11 @@ def world(thing):
     return np.array(points), np.array(faces, dtype=np.int64)
 
 
-shown = [o for o in scene.objects if o.type == "CURVE" and not o.hide_render]
-assert len(shown) == 1, [o.name for o in shown]
 assert len(shown[0].modifiers) == 1, "a baked frame has the look of its result"
 shown[0].modifiers.clear()
 depsgraph.update()
 vertices, faces = world(bpy.data.objects["Tube"])
-np.savez(found, vertices=vertices, faces=faces, curve=world(shown[0])[0])
+np.savez(found, vertices=vertices, faces=faces, curve=world(shown[0])[0], names=names)
 """
 
 
@@ -178,7 +180,10 @@ def test_a_bake_renders_without_the_add_on(
     distances = [tree.find_nearest(point)[3] for point in bent["curve"].tolist()]
     assert max(distances) < ON_SURFACE
     pieces = np.linalg.norm(np.diff(bent["curve"], axis=0), axis=1)
+    frames = [f"{result.name} {frame:04d}" for frame in (4, 1, SHOWN)]
+    assert len(bent["names"]) == len(frames), "one curve in every frame"
     if motion == "EVEN":
+        assert bent["names"].tolist() == frames
         assert 0.85 < pieces.sum() * SPACING / _area(vertices, faces) < 1.15
 
 

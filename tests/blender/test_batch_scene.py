@@ -30,9 +30,10 @@ def run_alone(*arguments: object) -> subprocess.CompletedProcess:
     )
 
 
-@pytest.fixture
-def scene(tmp_path) -> Path:
-    surface = sphere()
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory) -> Path:
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    surface = sphere(subdivisions=2)
     surface.name = "Ball"
     surface.scale = (1.0, 1.5, 1.0)
     surface.modifiers.new("Subdivision", "SUBSURF").levels = 1
@@ -42,7 +43,7 @@ def scene(tmp_path) -> Path:
     heights.data.foreach_set("value", [vertex.co.z for vertex in surface.data.vertices])
     poly_curve("Ring", [circle_points(0.43, 0.9)], True)
     poly_curve("Far", [circle_points(1.0, 9.0)], True)
-    path = tmp_path / "scene.blend"
+    path = tmp_path_factory.mktemp("scene") / "scene.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     return path
 

@@ -15,7 +15,7 @@ from meander import core
 from meander.model.estimate import Remaining
 from meander.run import estimate
 from meander.ui.panels import MEANDER_PT_main
-from panel_layout import drawn, panels
+from panel_layout import drawn, panels, texts_of
 from scenes import activate, cube, fill
 from watched_runs import begin, tick_until
 
@@ -130,18 +130,14 @@ def test_what_counts_in_halves_of_the_spacing_is_shown_in_spacings():
             assert "half" not in text.text.lower() and "power" not in text.text.lower()
 
 
-def texts_of_main() -> list[str]:
-    return [text.text for text in drawn(MEANDER_PT_main, bpy.context).texts()]
-
-
 def test_a_run_is_named_where_another_object_is_selected(windowed):
     surface, other = cube(), cube()
     surface.name, other.name = "Grows", "Waits"
     running = begin(surface, 0.1)
     tick_until(running, lambda: running.shown_points > 0)
-    assert "Waits" not in texts_of_main()
+    assert "Waits" not in texts_of(MEANDER_PT_main)
     activate(other)
-    found = texts_of_main()
+    found = texts_of(MEANDER_PT_main)
     assert found.index("Waits") < found.index("Grows"), "the progress is under its own name"
     running.end()
 
@@ -150,8 +146,9 @@ def test_several_objects_are_counted():
     surface, other = cube(), cube()
     other.location.x = 5.0
     activate(surface)
-    assert "Automatic" in texts_of_main() and "2 objects" not in texts_of_main()
+    assert "Automatic" in texts_of(MEANDER_PT_main) and "2 objects" not in texts_of(MEANDER_PT_main)
     estimate.measure(surface)
-    assert any(text.startswith("Automatic: ") for text in texts_of_main())
+    assert any(text.startswith("Automatic: ") for text in texts_of(MEANDER_PT_main))
     other.select_set(True)
-    assert "2 objects" in texts_of_main() and "Automatic for each" in texts_of_main()
+    found = texts_of(MEANDER_PT_main)
+    assert "2 objects" in found and "Automatic for each" in found

@@ -349,7 +349,7 @@ def test_what_a_drawing_comes_to_is_known_before(tmp_path: Path) -> None:
     bpy.ops.mesh.primitive_uv_sphere_add(radius=1.0, location=(1.0, 0.0, 0.5))
     slope.meander.preset = "PAPER"
     width = float(frame().sides[0])
-    for spacing in (8.0, 5.0):
+    for spacing in (10.0, 7.0):
         expected = estimate(spacing).at(spacing, width)
         drawn(tmp_path / "a.svg", spacing, report_too=True)
         objects = json.loads((tmp_path / "a.json").read_text())["objects"]

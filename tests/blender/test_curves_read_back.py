@@ -37,16 +37,12 @@ GRID, BALL = geometry.grid(8), geometry.icosphere(2)
 WRITTEN = (
     Written("a sheet", GRID, 0.1),
     Written("a ball", BALL, 0.3),
-    Written("a torus", geometry.torus(24, 12), 0.3),
-    Written("a cube", geometry.cube(), 0.3),
     Written("two parts", geometry.two_spheres(), 0.4),
-    Written("a Moebius strip", geometry.moebius(), 0.2),
     Written("a ball in thousandths", scaled(BALL, 1e-3), 3e-4),
     Written("a ball in thousands", scaled(BALL, 1e3), 300.0),
     Written("a ball far from the origin", scaled(BALL, 1.0, 100.0), 0.3),
     Written("an open stroke", GRID, 0.1, ("--from", "0", "0", "0", "--to", "1", "1", "0")),
     Written("a light curve", BALL, 0.3, ("--light", "0.1")),
-    Written("rows", GRID, 0.1, ("--direction", "x")),
 )
 LINES = ("pairs",) if bpy.app.version < (4, 0) else ("pairs", "strands")
 
@@ -85,7 +81,7 @@ def test_blender_reads_all_of_a_curve(tmp_path: Path, curve: Written, lines: str
     mesh = geometry.write_obj(tmp_path / "mesh.obj", curve.mesh)
     out, report = tmp_path / "out.obj", tmp_path / "report.json"
     given = ["--input", mesh, "--output", out, "--report", report, "--spacing", curve.spacing]
-    given += ["--lines", lines, "--quiet", "--iterations", "300", *curve.words]
+    given += ["--lines", lines, "--quiet", "--iterations", "40", *curve.words]
     assert batch.main([str(one) for one in given]) == 0
     points, edges = read_by_blender(out)
     wanted_points, wanted_edges = as_written(out)

@@ -119,7 +119,7 @@ def _upright() -> bpy.types.Object:
     ],
 )
 def test_a_flat_file_is_laid_as_its_shape_asks(tmp_path: Path, build, layout: str) -> None:
-    scenes.fill(build(), 0.4)
+    scenes.fill(build(), 0.4, iteration_limit=20)
     _export(tmp_path / "a.svg")
     _export(tmp_path / "b.svg", layout_as=layout)
     text = (tmp_path / "a.svg").read_text()
@@ -368,8 +368,10 @@ def test_arcs_in_space_are_refused_in_the_words_of_the_window(tmp_path: Path) ->
     assert said == "Arcs lie in a plane; choose a Layout that is flat"
 
 
-@pytest.mark.parametrize("machine", ["generic", "grbl", "marlin", "klipper"])
-@pytest.mark.parametrize("tool", ["pen", "spindle", "laser", "servo"])
+@pytest.mark.parametrize(
+    ("machine", "tool"),
+    [("generic", "pen"), ("grbl", "spindle"), ("marlin", "servo"), ("klipper", "laser")],
+)
 def test_the_window_writes_for_machines_as_the_command_does(tmp_path: Path, machine, tool) -> None:
     """Everything but the moves themselves: head, foot, and what switches the tool."""
     result = _sheet()
@@ -387,7 +389,7 @@ def test_the_window_writes_for_machines_as_the_command_does(tmp_path: Path, mach
         kept = [line for line in lines if not re.match(r"(G0|G1)\b|;", line)]
         words.append(list(dict.fromkeys(kept)))
     assert words[0] == words[1] and len(words[0]) > 2
-    if machine == "klipper" and tool == "laser":
+    if machine == "klipper":
         assert any("SET_PIN PIN=LASER" in line for line in words[0])
 
 

@@ -38,7 +38,7 @@ def test_files_hold_the_curve_with_normals(tmp_path: Path) -> None:
 
 def test_mesh_has_the_attributes() -> None:
     result = scenes.fill(scenes.sphere(), 0.4)
-    points = np.vstack([points for points, _cyclic in scenes.world_splines(result)])
+    points = scenes.points_of(result)
     assert bpy.ops.meander.points_to_mesh() == {"FINISHED"}
     mesh = bpy.data.objects[f"{result.name} Points"].data
     count = len(mesh.vertices)
@@ -112,7 +112,7 @@ def test_a_run_makes_an_object_of_all_points(kind: str) -> None:
         assert cyclic == [spline.use_cyclic_u for spline in result.data.splines]
         assert {item.value for item in thing.data.attributes["curve_type"].data} == {1}
     # More than the result has: nothing that nearly coincides was taken out.
-    own = sum(len(spline.points) for spline in result.data.splines)
+    own = scenes.point_count(result)
     assert len(thing.data.attributes["r_plus"].data) >= own
     # Going on replaces it.
     count = len(bpy.data.objects)

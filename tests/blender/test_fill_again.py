@@ -9,7 +9,7 @@ import pytest
 from meander.scene.results import last_result
 from meander.ui.look import MEANDER_PT_look
 from meander.ui.panels import MEANDER_PT_figures, MEANDER_PT_main
-from panel_layout import drawn
+from panel_layout import texts_of
 from scenes import (
     activate,
     circle_points,
@@ -23,14 +23,6 @@ from scenes import (
 from watched_runs import begin, tick_until
 
 QUICK = {"spacing": 0.5, "iteration_limit": 20}
-
-
-def texts_of(panel: type[bpy.types.Panel]) -> list[str]:
-    return [text.text for text in drawn(panel, bpy.context).texts()]
-
-
-def texts_of_main() -> list[str]:
-    return texts_of(MEANDER_PT_main)
 
 
 def run_again(surface: bpy.types.Object, spacing: float, **options) -> bpy.types.Object | None:
@@ -85,7 +77,7 @@ def test_a_new_curve_leaves_the_one_before_it():
 def test_a_new_curve_can_be_made_with_a_curve_active():
     surface = sphere()
     first = fill(surface, **QUICK)
-    assert bpy.context.active_object == first and "New Curve" in texts_of_main()
+    assert bpy.context.active_object == first and "New Curve" in texts_of(MEANDER_PT_main)
     former = world_splines(first)[0][0]
     assert bpy.ops.meander.run(beside=True) == {"FINISHED"}
     second = bpy.context.active_object
@@ -137,7 +129,7 @@ def test_where_the_newest_curve_is_deleted_the_one_before_it_is_updated():
         activate(surface)
         before = curves[left - 1]
         assert last_result(surface, bpy.context.scene) == before
-        assert figures_shown() and "New Curve" in texts_of_main()
+        assert texts_of(MEANDER_PT_figures) and "New Curve" in texts_of(MEANDER_PT_main)
         # Either's settings are the other's, from the next choice on.
         surface.meander.spacing = 0.35
         assert before.meander.spacing == pytest.approx(0.35)
@@ -146,7 +138,7 @@ def test_where_the_newest_curve_is_deleted_the_one_before_it_is_updated():
     assert run_again(surface, 0.5) == curves[0] and surface.meander.last_result == curves[0]
     delete(curves[0])
     activate(surface)
-    assert last_result(surface, bpy.context.scene) is None and not figures_shown()
+    assert last_result(surface, bpy.context.scene) is None and not texts_of(MEANDER_PT_figures)
 
 
 def test_the_look_names_the_curve_that_is_left():
@@ -240,6 +232,7 @@ def test_a_linked_surface_is_filled_again_into_its_curve(tmp_path):
     """It cannot note its result, so the scene is looked through; New Curve makes another one."""
     surface = sphere()
     surface.name = "Lib"
+    surface.meander.spacing, surface.meander.iteration_limit = QUICK.values()
     path = tmp_path / "library.blend"
     bpy.data.libraries.write(str(path), {surface})
     bpy.data.objects.remove(surface)
@@ -263,11 +256,6 @@ def test_a_linked_surface_is_filled_again_into_its_curve(tmp_path):
     assert len(curves()) == 2
 
 
-def figures_shown() -> list[str]:
-    layout = drawn(MEANDER_PT_figures, bpy.context)
-    return [] if layout is None else [text.text for text in layout.texts()]
-
-
 @pytest.mark.parametrize("restart", [True, False])
 def test_a_curve_that_is_changed_by_itself_changes_what_its_mesh_says(restart):
     surface = sphere()
@@ -276,12 +264,12 @@ def test_a_curve_that_is_changed_by_itself_changes_what_its_mesh_says(restart):
     result.meander.spacing, result.meander.iteration_limit = 0.4, 30
     result.meander.density_source = "CURVATURE"
     assert bpy.ops.meander.run(restart=restart) == {"FINISHED"}
-    assert figures_shown()
-    shown = figures_shown()
+    assert texts_of(MEANDER_PT_figures)
+    shown = texts_of(MEANDER_PT_figures)
     activate(surface)
     assert surface.meander.spacing == pytest.approx(0.4)
     assert surface.meander.density_source == "CURVATURE"
-    assert figures_shown() == shown
+    assert texts_of(MEANDER_PT_figures) == shown
     assert bpy.ops.meander.run() == {"FINISHED"}
     assert result.meander.spacing == pytest.approx(0.4), "filling again does not go back"
 
@@ -328,6 +316,6 @@ def test_a_curve_that_is_deleted_takes_its_figures_with_it():
     surface = sphere()
     result = fill(surface, **QUICK)
     activate(surface)
-    assert figures_shown()
+    assert texts_of(MEANDER_PT_figures)
     bpy.data.objects.remove(result)
-    assert not figures_shown()
+    assert not texts_of(MEANDER_PT_figures)

@@ -17,16 +17,11 @@ from scenes import (
     grid,
     mesh_object,
     packing,
+    points_of,
     poly_curve,
     refused,
     sphere,
-    world_splines,
 )
-
-
-def points_of(curve: bpy.types.Object) -> np.ndarray:
-    return np.vstack([points for points, _closed in world_splines(curve)])
-
 
 # ------------------------------------------------------------------------------------------------
 # What is not a mesh
@@ -58,18 +53,20 @@ def patch() -> bpy.types.Object:
     return bpy.context.active_object
 
 
-@pytest.mark.parametrize("build", [text, pipe, ball, patch])
-def test_what_blender_makes_a_mesh_of_is_filled(build):
+@pytest.mark.parametrize(
+    ("build", "spacing"), [(text, 0.12), (pipe, 0.2), (ball, 0.3), (patch, 0.25)]
+)
+def test_what_blender_makes_a_mesh_of_is_filled(build, spacing):
     thing = build()
     thing.location = (3.0, 1.0, 0.5)
-    curve = fill(thing, 0.12)
+    curve = fill(thing, spacing, iteration_limit=80)
     assert curve.meander.surface == thing
     assert farthest_from(thing, curve) < 1e-3
     assert 0.7 < packing(thing, curve) < 1.2
     estimate.measure(thing)
     assert estimate.shown([thing]) is not None
     # Filled again it is updated, and from the curve it goes on.
-    assert fill(activate(thing), 0.12) in (thing, curve)
+    assert fill(activate(thing), spacing, iteration_limit=80) in (thing, curve)
     activate(curve)
     assert bpy.ops.meander.run() == {"FINISHED"}
     assert farthest_from(thing, curve) < 1e-3
@@ -152,13 +149,14 @@ def test_an_automatic_spacing_is_each_ones_own():
     large, words = sphere(2.0), text()
     activate(large)
     words.select_set(True)
-    large.meander.bevel_share = 0.35
+    large.meander.bevel_share, large.meander.iteration_limit = 0.35, 100
     assert bpy.ops.meander.run() == {"FINISHED"}
     of_ball, of_words = large.meander.last_result, words.meander.last_result
     assert of_words.meander.bevel_share == pytest.approx(0.35)
     # As if it had been filled alone, and not with a spacing that its letters have no room for.
     alone = text()
     activate(alone)
+    alone.meander.iteration_limit = 1
     assert bpy.ops.meander.run() == {"FINISHED"}
     assert of_words.meander.spacing == alone.meander.last_result.meander.spacing
     assert of_words.meander.spacing < 0.5 * of_ball.meander.spacing

@@ -11,8 +11,17 @@ from meander.run import result as result_of_run
 from meander.run.lasting import lasting
 from meander.ui import gaps as gaps_operator
 from meander.ui import panels
-from scenes import activate, cube, fill, grid, matrix_of, poly_curve, sphere, world_splines
-from test_addon import draw
+from panel_layout import texts_of
+from scenes import (
+    activate,
+    cube,
+    fill,
+    grid,
+    matrix_of,
+    points_of,
+    poly_curve,
+    sphere,
+)
 
 # Stopped this early, a curve leaves much of the surface empty.
 EARLY = 40
@@ -20,10 +29,6 @@ EARLY = 40
 
 def stopped_early(surface: bpy.types.Object) -> bpy.types.Object:
     return fill(surface, 0.2, iteration_limit=EARLY)
-
-
-def world_points(result: bpy.types.Object) -> np.ndarray:
-    return np.vstack([points for points, _cyclic in world_splines(result)])
 
 
 def world_gaps(result: bpy.types.Object) -> np.ndarray:
@@ -67,7 +72,7 @@ def test_gaps_that_matter_are_marked_and_nothing_else_changes(monkeypatch, mode)
     surface.rotation_euler = (0.5, 0.6, 0.7)
     surface.location = (1.0, 2.0, 3.0)
     result = stopped_early(surface)
-    points = world_points(result)
+    points = points_of(result)
     told = messages(monkeypatch)
     bpy.ops.object.mode_set(mode=mode)
     before = data()
@@ -81,7 +86,7 @@ def test_gaps_that_matter_are_marked_and_nothing_else_changes(monkeypatch, mode)
         distance = np.linalg.norm(points - place, axis=1).min()
         assert distance == pytest.approx(size, rel=0.03) and distance > 1.45 * 0.1
     assert f"{len(places)} gaps" in told[-1]
-    assert "Hide Gaps" in draw(panels.MEANDER_PT_figures)
+    assert "Hide Gaps" in texts_of(panels.MEANDER_PT_figures)
     assert bpy.ops.meander.show_gaps() == {"FINISHED"}
     assert not gap_marks.shown_of(result) and data() == before
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -108,7 +113,7 @@ def test_sizes_are_distances_over_half_the_spacing():
     assert sizes == sorted(sizes, reverse=True) and min(sizes) >= 1.2 - 1e-6
     assert figures.largest_gap == pytest.approx(sizes[0])
     assert figures.gap_count == len(sizes)
-    points = world_points(result)
+    points = points_of(result)
     for gap, size in zip(world_gaps(result), sizes, strict=True):
         # Points are up to 0.4 r apart.
         assert np.linalg.norm(points - gap, axis=1).min() / 0.1 == pytest.approx(size, rel=0.03)
@@ -130,7 +135,7 @@ def test_without_gaps_a_plain_message(monkeypatch):
     assert bpy.ops.meander.show_gaps() == {"CANCELLED"}
     assert result.mode == "OBJECT"
     assert told == [f"{result.name}: the last run left no gaps"]
-    shown = draw(panels.MEANDER_PT_figures)
+    shown = texts_of(panels.MEANDER_PT_figures)
     assert "Gaps" not in shown and "Show Gaps" not in shown
 
 
@@ -138,12 +143,12 @@ def test_only_wide_gaps_are_named():
     surface = sphere()
     result = stopped_early(surface)
     figures = result.meander.figures
-    shown = draw(panels.MEANDER_PT_figures)
+    shown = texts_of(panels.MEANDER_PT_figures)
     assert shown[shown.index("Gaps") + 1] == f"{figures.wide_gaps:,}"
     assert figures.wide_gaps == sum(gap.size > 1.5 for gap in figures.gaps)
     assert "Show Gaps" in shown
     activate(surface)
-    assert draw(panels.MEANDER_PT_figures) == shown, "a surface shows what its curve does"
+    assert texts_of(panels.MEANDER_PT_figures) == shown, "a surface shows what its curve does"
     assert bpy.ops.meander.show_gaps() == {"FINISHED"}
     assert gap_marks.shown_of(result)
     gap_marks.hide()

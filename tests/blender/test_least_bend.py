@@ -12,6 +12,10 @@ from watched_runs import begin, tick_until
 SPACING = 0.15
 
 
+def sheet() -> bpy.types.Object:
+    return grid(10, 1.2)
+
+
 def least_radius(result: bpy.types.Object) -> float:
     """Of circles through three points of the result, an eighth of the spacing apart."""
     least = np.inf
@@ -32,7 +36,7 @@ def least_radius(result: bpy.types.Object) -> float:
 
 
 def test_a_run_goes_on_stiffer_until_the_radius_holds(windowed):
-    surface = grid()
+    surface = sheet()
     before = least_radius(fill(surface, SPACING))
     asked = max(1.2 * before, 0.36 * SPACING / 2)
     result = fill(surface, SPACING, least_bend_radius=asked)
@@ -49,7 +53,7 @@ def test_a_run_goes_on_stiffer_until_the_radius_holds(windowed):
 
 def test_the_stiffness_that_holds_is_kept(windowed):
     """Going on, filling again and resuming begin with it, and do not look for it once more."""
-    surface = grid()
+    surface = sheet()
     surface.meander.preset = "PAPER"
     asked = 1.2 * least_radius(fill(surface, SPACING))
     result = fill(surface, SPACING, least_bend_radius=asked)
@@ -69,7 +73,7 @@ def test_the_stiffness_that_holds_is_kept(windowed):
 
 
 def test_a_stiffness_chosen_while_the_curve_grows_is_that_of_the_next_run(windowed):
-    surface = grid()
+    surface = sheet()
     surface.meander.preset = "PAPER"
     asked = 1.2 * least_radius(fill(surface, SPACING))
     surface.meander.least_bend_radius = asked
@@ -82,7 +86,7 @@ def test_a_stiffness_chosen_while_the_curve_grows_is_that_of_the_next_run(window
 
 
 def test_what_no_stiffness_holds_is_refused_with_the_place():
-    surface = grid()
+    surface = sheet()
     before = counts()
     with pytest.raises(RuntimeError, match=r"No stiffness holds a bend radius.*most sharply at \("):
         fill(surface, SPACING, least_bend_radius=2.0 * SPACING)

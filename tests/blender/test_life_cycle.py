@@ -21,16 +21,17 @@ def handlers() -> dict[str, int]:
     return {name: len(value) for name, value in lists.items() if isinstance(value, list)}
 
 
-def test_a_hundred_times_registered_leaves_no_handler_behind():
+def test_many_times_registered_leaves_no_handler_behind():
     registered = handlers()
     meander.unregister()
     try:
+        assert not hasattr(bpy.types.Object, "meander")
         bare = handlers()
         ours = {name: registered[name] - bare[name] for name in bare}
         assert {name: count for name, count in ours.items() if count} == {
             event: len(functions) for event, functions in events._CALLED.items()
         }
-        for _ in range(100):
+        for _ in range(10):
             meander.register()
             meander.unregister()
         assert handlers() == bare

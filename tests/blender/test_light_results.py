@@ -13,21 +13,13 @@ import scenes
 from meander import batch
 
 
-def _points(result: bpy.types.Object) -> np.ndarray:
-    return np.vstack([points for points, _cyclic in scenes.world_splines(result)])
-
-
-def _count(result: bpy.types.Object) -> int:
-    return sum(len(spline.points) for spline in result.data.splines)
-
-
 def test_a_run_makes_a_light_result_that_goes_on(tmp_path: Path) -> None:
     ball = scenes.sphere()
     whole = scenes.fill(ball, 0.3)
-    length, many = scenes.length_of(whole), _count(whole)
+    length, many = scenes.length_of(whole), scenes.point_count(whole)
     result = scenes.fill(scenes.sphere(), 0.3, use_light=True, radius_follows=True)
     assert result != whole
-    few = _count(result)
+    few = scenes.point_count(result)
     assert few < 0.5 * many
     assert scenes.length_of(result) == pytest.approx(length, rel=0.01)
     assert {round(point.radius, 3) for point in result.data.splines[0].points} != {1.0}
@@ -37,7 +29,7 @@ def test_a_run_makes_a_light_result_that_goes_on(tmp_path: Path) -> None:
     strands = json.loads(path.read_text())["strands"]
     assert sum(len(strand["r_plus"]) for strand in strands) == few
     assert bpy.ops.meander.run() == {"FINISHED"}
-    assert _count(result) < 0.5 * many
+    assert scenes.point_count(result) < 0.5 * many
     assert scenes.length_of(result) == pytest.approx(length, rel=0.05)
 
 
@@ -45,14 +37,14 @@ def test_the_button_makes_a_result_light() -> None:
     ball = scenes.sphere()
     ball.scale = (2.0, 2.0, 2.0)
     result = scenes.fill(ball, 0.5)
-    before = _points(result)
+    before = scenes.points_of(result)
     for number, spline in enumerate(result.data.splines):
         spline.points.foreach_set("radius", np.arange(len(spline.points), dtype=np.float32))
         spline.material_index = number
     cyclic = [spline.use_cyclic_u for spline in result.data.splines]
     result.meander.light_tolerance = 0.02
     assert bpy.ops.meander.make_light() == {"FINISHED"}
-    after = _points(result)
+    after = scenes.points_of(result)
     assert len(after) < 0.4 * len(before)
     assert result.meander.use_light
     assert [spline.use_cyclic_u for spline in result.data.splines] == cyclic
@@ -73,15 +65,15 @@ def test_the_button_makes_a_result_light() -> None:
     scenes.activate(result)
     result.meander.point_limit = len(after) // 2
     assert bpy.ops.meander.make_light() == {"FINISHED"}
-    assert _count(result) <= len(after) // 2
+    assert scenes.point_count(result) <= len(after) // 2
 
 
 def test_baked_frames_are_light_too() -> None:
     result = scenes.fill(scenes.sphere(), 0.4, use_light=True)
-    final = _count(result)
+    final = scenes.point_count(result)
     assert bpy.ops.meander.bake_growth(every=40) == {"FINISHED"}
     frames = sorted(result.meander.bake.objects, key=lambda thing: thing.name)
-    assert _count(frames[-1]) == final
+    assert scenes.point_count(frames[-1]) == final
 
 
 def test_what_cannot_be_light_says_why() -> None:

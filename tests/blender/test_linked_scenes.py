@@ -15,12 +15,9 @@ from meander.scene.results import last_result
 from scenes import activate, grid, sphere, world_splines
 from test_scenes_brought import (
     a_bevelled_curve,
-    a_metaball,
-    a_nurbs_surface,
     arrayed,
     moved_off_by_its_parent,
     of_a_shape_key,
-    scaled_unevenly,
     shown,
     subdivided,
 )
@@ -71,13 +68,10 @@ def beside_one_of_the_same_name(path: Path, name: str) -> bpy.types.Object:
 
 
 LINKED = (
-    (sphere, object_of), (scaled_unevenly, object_of), (subdivided, object_of),
     (arrayed, object_of), (of_a_shape_key, object_of), (moved_off_by_its_parent, object_of),
-    (a_bevelled_curve, object_of), (a_metaball, object_of), (a_nurbs_surface, object_of),
-    (a_text, object_of), (grid, overridden), (subdivided, overridden), (sphere, in_a_collection),
-    (grid, its_data_alone), (grid, beside_one_of_the_same_name),
+    (a_bevelled_curve, object_of), (a_text, object_of), (subdivided, overridden),
+    (sphere, in_a_collection), (grid, its_data_alone), (grid, beside_one_of_the_same_name),
 )  # fmt: skip
-
 
 
 @pytest.mark.parametrize(
@@ -97,7 +91,7 @@ def test_what_is_linked_is_filled_as_what_is_not(
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     thing = activate(link(library, "Given"))
     settings = settings_to_change(thing)
-    settings.spacing, settings.iteration_limit = SPACING, 150
+    settings.spacing, settings.iteration_limit = SPACING, 25
     for _ in range(2):
         activate(thing)
         assert bpy.ops.meander.run() == {"FINISHED"}

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import bpy
 import numpy as np
 import pytest
@@ -12,36 +10,22 @@ from meander.model.estimate import in_words
 from meander.run import estimate, live, session, suspended
 from meander.run.lasting import lasting
 from meander.run.plan import Plan
-from scenes import activate, counts, fill, grid, sphere
+from scenes import activate, counts, fill, grid, length_of, sphere, world_splines
 from watched_runs import begin, tick_until
 
+pytestmark = pytest.mark.usefixtures("nothing_kept")
+
 SPACING = 0.25
-
-
-@pytest.fixture(autouse=True)
-def nothing_kept() -> Iterator[None]:
-    yield
-    session.end_current()
-    suspended.drop()
-    live.drop()
 
 
 def length_above(result: bpy.types.Object, share: float = 1.0) -> float:
     """The length of a curve above z = 0; times share, the rest."""
     total = 0.0
-    for spline in result.data.splines:
-        points = np.empty(4 * len(spline.points), dtype=np.float32)
-        spline.points.foreach_get("co", points)
-        points = points.reshape(-1, 4)[:, :3]
-        if spline.use_cyclic_u:
-            points = np.vstack([points, points[:1]])
+    for points, cyclic in world_splines(result):
+        points = np.vstack([points, points[:1]]) if cyclic else points
         above = (points[1:, 2] + points[:-1, 2]) * share > 0.0
         total += float(np.linalg.norm(np.diff(points, axis=0), axis=1)[above].sum())
     return total
-
-
-def length_of(result: bpy.types.Object) -> float:
-    return length_above(result) + length_above(result, -1.0)
 
 
 def paint_above(surface: bpy.types.Object, weight: float) -> None:
@@ -169,8 +153,8 @@ def test_the_time_left_is_there_at_once_for_what_live_asks():
     running = begin(surface, 0.05)
     assert running.left_text() == in_words(seconds_of(running.plan)), "nobody has measured it yet"
     tick_until(running, lambda: running.latest and running.latest.iterations > 3)
-    surface.meander.spacing = 0.01
-    tick_until(running, lambda: running.plan.spacing == pytest.approx(0.01))
+    surface.meander.spacing = 0.02
+    tick_until(running, lambda: running.plan.spacing == pytest.approx(0.02))
     assert running.left_text() == in_words(seconds_of(running.plan))
     assert running.left_text() != in_words(0.0)
     # A run that goes on has the rest of it before it.
@@ -191,12 +175,12 @@ def test_the_time_left_is_there_at_once_where_a_finished_curve_goes_on():
     surface = sphere()
     fill(surface, spacing=SPACING, live=True)
     activate(surface)
-    surface.meander.spacing = 0.01
+    surface.meander.spacing = 0.02
     kept = live.taken(surface, bpy.context.evaluated_depsgraph_get())
     running = session.Session(kept.plan, kept)
     assert running.find_wish(bpy.context, surface)
     running.start(bpy.context)
-    tick_until(running, lambda: running.plan.spacing == pytest.approx(0.01))
+    tick_until(running, lambda: running.plan.spacing == pytest.approx(0.02))
     assert running.left_text() == in_words(seconds_of(running.plan)) != in_words(0.0)
     running.end()
 

@@ -9,13 +9,23 @@ import pytest
 from mathutils.kdtree import KDTree
 from meander.scene import assets, curve_reader, look
 from meander.scene.results import last_result
-from scenes import activate, circle_points, cube, fill, poly_curve, sphere, world_splines
+from scenes import (
+    activate,
+    circle_points,
+    cube,
+    fill,
+    pieces_of,
+    points_of,
+    poly_curve,
+    sphere,
+    world_splines,
+)
 
 SPACING = 0.3
 
 
 def small(**settings) -> bpy.types.Object:
-    return fill(sphere(), SPACING, iteration_limit=60, **settings)
+    return fill(sphere(subdivisions=4), SPACING, iteration_limit=60, **settings)
 
 
 def body_of(thing: bpy.types.Object) -> bpy.types.Mesh:
@@ -140,7 +150,7 @@ def test_thickness_follows_the_spacing():
 
     assert thickness(True) == pytest.approx(thickness(False), rel=1e-3)
     # As soon as there is a density: what is dense would be a blob.
-    density = {"density_source": "GROUP", "factor_0": 1.0, "factor_1": 0.4}
+    density = {"density_source": "GROUP", "factor_0": 1.0, "factor_1": 0.4, "iteration_limit": 60}
     assert fill(surface, SPACING, **density) == result
     assert thickness(True) / thickness(False) == pytest.approx(0.4, abs=0.15)
     # Whoever has set it by hand keeps that.
@@ -148,7 +158,7 @@ def test_thickness_follows_the_spacing():
     assert fill(surface, SPACING, **density) == result
     assert values_of(result)["Radius Follows Spacing"] == 0.5
     choose(result, Radius_Follows_Spacing=1.0)
-    fill(surface, SPACING, density_source="NONE")
+    fill(surface, SPACING, density_source="NONE", iteration_limit=60)
     assert values_of(result)["Radius Follows Spacing"] == 0.0
     # And whoever does not want it says so beforehand.
     surface.meander.last_result = None
@@ -195,30 +205,15 @@ def test_the_ends_of_a_body_stay_where_those_of_the_line_are():
         assert np.count_nonzero(rings < 1.1 * 0.2 * 0.25) >= 8
 
 
-def islands_of(mesh: bpy.types.Mesh) -> int:
-    """How many pieces a mesh is in."""
-    parent = list(range(len(mesh.vertices)))
-
-    def root(vertex: int) -> int:
-        while parent[vertex] != vertex:
-            parent[vertex] = parent[parent[vertex]]
-            vertex = parent[vertex]
-        return vertex
-
-    for edge in mesh.edges:
-        one, other = (root(vertex) for vertex in edge.vertices)
-        parent[one] = other
-    return sum(parent[vertex] == vertex for vertex in range(len(parent)))
-
-
-@pytest.mark.parametrize("closed", [True, False])
-@pytest.mark.parametrize("plies, twist", [(2, 1.0), (3, -1.5), (5, 2.0)])
+@pytest.mark.parametrize(
+    ("closed", "plies", "twist"), [(True, 2, 1.0), (True, 3, -1.5), (False, 5, 2.0)]
+)
 def test_a_rope_is_as_many_plies_that_wind_round_the_line(closed: bool, plies: int, twist: float):
     seed = poly_curve("Seed", [circle_points(0.45, 0.89)[: None if closed else 20]], closed)
     result = fill(sphere(), SPACING, seed=seed, iteration_limit=12, profile="ROPE")
     choose(result, Radius=0.15, Plies=plies, Twist=twist, Resolution=8)
     mesh = body_of(result)
-    assert islands_of(mesh) == plies
+    assert pieces_of(mesh) == plies
     radius = 0.15 * SPACING
     ((line, _closed),) = world_splines(result)
     ends = np.roll(line, -1, axis=0) if closed else line[1:]
@@ -252,7 +247,7 @@ def test_fuzz_is_loose_fibres_that_have_the_colours_of_their_place():
     choose(result, Fuzz=1.0)
     assert np.abs(heights(result) - 1.0).max() < 3.0 * 0.15 * SPACING
     mesh = body_of(result)
-    assert islands_of(mesh) > 500 and len(mesh.vertices) > 1.5 * smooth
+    assert pieces_of(mesh) > 500 and len(mesh.vertices) > 1.5 * smooth
     ramp = np.empty(len(mesh.vertices), dtype=np.float32)
     mesh.attributes["ramp"].data.foreach_get("value", ramp)
     assert np.quantile(ramp[smooth:], 0.1) > 0.01 and np.ptp(ramp[smooth:]) > 0.9
@@ -348,7 +343,7 @@ def test_thickness_is_a_share_of_the_spacing_until_somebody_sets_that():
 
 def test_a_result_goes_on_from_its_line_and_not_from_its_body():
     result = small()
-    points = np.vstack([points for points, _cyclic in world_splines(result)])
+    points = points_of(result)
     depsgraph = bpy.context.evaluated_depsgraph_get()
     read = curve_reader.strands_of_curve(result, depsgraph)
     assert np.abs(read.points - points).max() < 1e-6

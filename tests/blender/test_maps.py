@@ -16,8 +16,8 @@ from meander.scene import look
 SPACING, SIZE = 0.5, 128
 
 
-def ball() -> bpy.types.Object:
-    surface = scenes.sphere()
+def ball(subdivisions: int = 3) -> bpy.types.Object:
+    surface = scenes.sphere(subdivisions=subdivisions)
     surface.meander.spacing = SPACING
     bpy.ops.meander.run()
     result = surface.meander.last_result
@@ -122,7 +122,7 @@ def test_the_format_is_chosen_or_the_names(tmp_path: Path) -> None:
 
 
 def test_colours_are_those_of_the_look(tmp_path: Path) -> None:
-    result = ball()
+    result = ball(4)
     assert len(result.data.splines) == 1 and result.data.splines[0].use_cyclic_u
     # What a new curve begins with is what the command has without asking Blender.
     stops = zip(*maps.RAMP, strict=True)

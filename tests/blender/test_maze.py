@@ -26,39 +26,19 @@ def points_of(thing: bpy.types.Object) -> np.ndarray:
     return local @ matrix[:3, :3].T + matrix[:3, 3]
 
 
-def components(thing: bpy.types.Object) -> int:
-    """How many pieces a mesh has."""
-    owner = list(range(len(thing.data.vertices)))
-
-    def find(vertex: int) -> int:
-        while owner[vertex] != vertex:
-            owner[vertex] = owner[owner[vertex]]
-            vertex = owner[vertex]
-        return vertex
-
-    for edge in thing.data.edges:
-        a, b = (find(vertex) for vertex in edge.vertices)
-        owner[a] = b
-    return len({find(vertex) for vertex in range(len(owner))})
-
-
 def check_watertight(thing: bpy.types.Object) -> float:
     """Every edge has two faces that turn alike; the volume in the world."""
-    seen = set()
-    points, volume = points_of(thing), 0.0
-    for polygon in thing.data.polygons:
-        corners = list(polygon.vertices)
-        for pair in zip(corners, corners[1:] + corners[:1]):
-            assert pair not in seen
-            seen.add(pair)
-        for k in range(1, len(corners) - 1):
-            volume += np.linalg.det(points[[corners[0], corners[k], corners[k + 1]]]) / 6.0
-    assert all((b, a) in seen for a, b in seen)
-    return volume
+    rings = [list(polygon.vertices) for polygon in thing.data.polygons]
+    directed = [pair for ring in rings for pair in zip(ring, ring[1:] + ring[:1])]
+    assert len(set(directed)) == len(directed)
+    assert set(directed) == {(b, a) for a, b in directed}
+    thing.data.calc_loop_triangles()
+    triangles = np.array([triangle.vertices[:] for triangle in thing.data.loop_triangles])
+    return float(np.linalg.det(points_of(thing)[triangles]).sum() / 6.0)
 
 
 def test_walls_stand_on_the_line(tmp_path) -> None:
-    surface = scenes.sphere()
+    surface = scenes.sphere(subdivisions=4)
     result = scenes.fill(surface, SPACING)
     length = scenes.length_of(result)
     walls = maze(result, doors="NONE", width=0.25, height=0.5)
@@ -93,10 +73,10 @@ def test_doors_are_two_gaps() -> None:
     result = scenes.fill(surface, SPACING)
     length = scenes.length_of(result)
     whole = maze(result, doors="NONE")
-    assert components(whole) == 1
+    assert scenes.pieces_of(whole.data) == 1
     volume = check_watertight(whole)
     opened = maze(result, doors="CHOSEN", first_door=0.25, second_door=0.5, door_width=1.0)
-    assert components(opened) == 2
+    assert scenes.pieces_of(opened.data) == 2
     gaps = 2.0 * (1.0 + 0.2) * SPACING  # as wide between the walls' ends, which are square
     assert check_watertight(opened) / volume == pytest.approx(1.0 - gaps / length, rel=0.02)
     (points, _cyclic), = scenes.world_splines(result)
@@ -128,7 +108,7 @@ def test_the_way_goes_from_door_to_door() -> None:
     assert np.linalg.norm(np.diff(points, axis=0), axis=1).sum() > 15.0 * 0.2
 
 
-@pytest.mark.parametrize("scale", [(2.0, 2.0, 2.0), (-1.0, 1.0, 1.0), (1.0, 1.5, 0.5)])
+@pytest.mark.parametrize("scale", [(1.3, 1.3, 1.3), (-1.0, 1.0, 1.0), (1.0, 1.5, 0.5)])
 def test_objects_that_are_scaled_turned_or_mirrored(scale: tuple) -> None:
     surface = scenes.sphere()
     surface.scale, surface.location = scale, (1.0, 2.0, 3.0)
@@ -169,5 +149,5 @@ def test_several_parts_have_walls_of_their_own() -> None:
     assert {one, other} & {both}
     result = scenes.fill(both, 0.5)
     assert len(result.data.splines) == 2
-    assert components(maze(result, doors="NONE")) == 2
-    assert components(maze(result)) == 3, "one of them has two doors"
+    assert scenes.pieces_of(maze(result, doors="NONE").data) == 2
+    assert scenes.pieces_of(maze(result).data) == 3, "one of them has two doors"

@@ -7,21 +7,19 @@ from collections.abc import Iterator
 
 import bpy
 import pytest
-from meander.run import session, suspended
+from meander.run import session
 from meander.run.plan import plan_run
 from meander.run.queue import Queue
-from scenes import activate, fill, sphere
+from scenes import activate, fill, point_count, sphere
 from watched_runs import begin, tick_until
 
-pytestmark = pytest.mark.usefixtures("windowed")
+pytestmark = pytest.mark.usefixtures("windowed", "nothing_kept")
 
 
 @pytest.fixture(autouse=True)
 def one_scene_left() -> Iterator[None]:
     first = bpy.context.window.scene
     yield
-    session.end_current()
-    suspended.drop()
     bpy.context.window.scene = first
     for scene in list(bpy.data.scenes):
         if scene != first:
@@ -65,14 +63,14 @@ def test_another_scene_is_shown_meanwhile(when):
 def test_a_curve_is_continued_while_another_scene_is_shown():
     surface = sphere()
     result = fill(surface, 0.2)
-    points = sum(len(spline.points) for spline in result.data.splines)
+    points = point_count(result)
     running = begin(surface, 0.15)
     show_other_scene()
     tick_until(running, lambda: False)
     kept, _figures = running.keep(bpy.context)
     running.end()
     assert kept == result and in_first_scene(surface, result)
-    assert sum(len(spline.points) for spline in result.data.splines) > points
+    assert point_count(result) > points
 
 
 def test_another_view_layer_is_shown_meanwhile():

@@ -9,7 +9,7 @@ import pytest
 from meander import batch, core
 from meander.model.alignment import Alignment
 from meander.scene import alignment as scene_alignment
-from scenes import fill, grid, refused, world_splines, world_triangles
+from scenes import fill, grid, points_of, refused, world_triangles
 
 
 def places(thing: bpy.types.Object) -> np.ndarray:
@@ -89,7 +89,7 @@ def test_a_constant_right_angle_on_x_is_y():
         result = fill(
             thing, 0.15, alignment_source="AXIS", alignment_axis=axis, alignment_weight=4.0
         )
-        curves[name] = np.vstack([points for points, _cyclic in world_splines(result)])
+        curves[name] = points_of(result)
     shares = {name: share_along(points, 1) for name, points in curves.items()}
     assert shares["plain"] > 0.6
     assert shares["turned"] == pytest.approx(shares["plain"], abs=0.1)

@@ -3,31 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import bpy
 import numpy as np
 import pytest
-from meander.run import estimate, live, session, suspended
+from meander.run import estimate, live, suspended
 from meander.run.queue import Queue
 from meander.scene.points import bind
 from meander.ui import live as live_operator
-from scenes import activate, counts, fill, grid, sphere
+from scenes import activate, counts, fill, grid, point_count, sphere
 from watched_runs import begin, tick_until
 
+pytestmark = pytest.mark.usefixtures("nothing_kept")
+
 SPACING = 0.5
-
-
-@pytest.fixture(autouse=True)
-def nothing_kept() -> Iterator[None]:
-    yield
-    session.end_current()
-    suspended.drop()
-    live.drop()
-
-
-def point_count(result: bpy.types.Object) -> int:
-    return sum(len(spline.points) for spline in result.data.splines)
 
 
 def two_balls() -> bpy.types.Object:

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from meander.model.files import meshes
 
-COUNT = 40
+COUNT = 20
 Polygon = np.ndarray  # (n, 3)
 
 

@@ -8,7 +8,7 @@ import json
 import bpy
 import numpy as np
 import pytest
-from scenes import activate, fill, grid, mesh_object, refused, world_splines
+from scenes import activate, fill, grid, mesh_object, points_of, refused, world_splines
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 
@@ -16,10 +16,6 @@ SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 def told(surface: bpy.types.Object) -> str:
     """What the last run has done to the mesh, in words."""
     return surface.meander.last_result.meander.figures.preparation
-
-
-def points_of(curve: bpy.types.Object) -> np.ndarray:
-    return np.vstack([points for points, _closed in world_splines(curve)])
 
 
 def half_and_half() -> bpy.types.Object:

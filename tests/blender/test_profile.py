@@ -84,7 +84,7 @@ def test_the_profile_has_x_along_the_normal(shape, cyclic: bool) -> None:
 def test_a_result_lies_flat_on_its_surface() -> None:
     result = scenes.fill(scenes.sphere(), 0.4, use_bevel=False)
     result.data.extrude = 0.05
-    points = np.vstack([points for points, _cyclic in scenes.world_splines(result)])
+    points = scenes.points_of(result)
     mesh = _evaluated(result).reshape(-1, 2, 3)
     ribs = mesh[:, 1] - mesh[:, 0]
     outward = points / np.linalg.norm(points, axis=1, keepdims=True)

@@ -16,7 +16,7 @@ from mathutils import Matrix
 from mathutils.bvhtree import BVHTree
 from scenes import activate, cube, fill, grid, poly_curve, sphere, world_splines
 
-SPACING = 0.2
+SPACING = 0.25
 
 
 def scaled_unevenly() -> bpy.types.Object:

@@ -135,7 +135,7 @@ def test_a_closed_mesh_has_no_boundary():
 
 
 def test_a_seed_off_the_surface_is_laid_on_it_and_the_summary_says_so(capfd):
-    surface = sphere()
+    surface = sphere(subdivisions=4)
     seed = poly_curve("Halo", [circle_points(1.3, 0.2, 32)], True)
     bpy.context.scene.unit_settings.system = "METRIC"
     bpy.context.scene.unit_settings.length_unit = "CENTIMETERS"
