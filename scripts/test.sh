@@ -126,14 +126,15 @@ run_counted() {
 # nothing is built yet.
 export LIBGL_ALWAYS_SOFTWARE=1 # the same picture whether or not the machine has a graphics card
 
-# window NAME FILE DISPLAY - a suite in a window of Debian's Blender; two at once need two displays
+# window NAME DISPLAY STORY... - stories in a window of Debian's Blender; two at once need two displays
 window() {
-  local name=$1 file=$2 display=$3
+  local name=$1 display=$2
+  shift 2
   profile "$name"
-  suite "$name" 300 "${in_profile[@]}" \
-    xvfb-run -a -n "$display" -s "-screen 0 1280x800x24 -nolisten tcp" \
-    blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
-    --python-exit-code 1 --python "tests/ui/$file"
+  suite "$name" 900 "${in_profile[@]}" \
+    xvfb-run -a -n "$display" -s "-screen 0 960x600x24 -nolisten tcp" \
+    blender --factory-startup --enable-event-simulate --window-geometry 0 0 960 600 \
+    --python-exit-code 1 --python tests/ui/tell.py -- "$@"
 }
 
 check build 1800 bash scripts/build.sh
@@ -168,12 +169,7 @@ first_row() {
   suite readers 300 "${in_profile[@]}" "$bpy_python" -m pytest -q -p no:cacheprovider \
     tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/test_parts_by_length.py \
     tests/core/test_what_machines_take.py
-  window ui run.py 100
-  window ui-undo undo.py 100
-  window ui-live live.py 100
-  window ui-look look.py 100
-  window ui-make make.py 100
-  window ui-mirror mirror.py 100
+  window ui 100 run undo live look make mirror
   check site 120 bash scripts/build_site.sh
   check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
   check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
@@ -187,12 +183,7 @@ second_row() {
     /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
   profile jobs
   suite jobs 300 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/jobs
-  window ui-lost nothing_lost.py 200
-  window ui-calm calm_panel.py 200
-  window ui-seeds seeds.py 200
-  window ui-first-try first_try.py 200
-  window ui-export export.py 200
-  window ui-camera camera.py 200
+  window ui-more 200 nothing_lost calm_panel seeds first_try export camera
 }
 first_row &
 second_row

@@ -69,10 +69,10 @@ run() {
     MEANDER_CAMERA="import -window root" timeout --kill-after=10 1200 "$@" </dev/null
 }
 
-in_window() { # FILE: a story, in a window of Blender
-  run xvfb-run -a -n 300 -s "-screen 0 1280x800x24 -nolisten tcp" blender --factory-startup \
-    --enable-event-simulate --window-geometry 0 0 1280 800 --python-exit-code 1 \
-    --python "/checkout/tests/ui/$1"
+in_window() { # STORY: in a window of Blender
+  run xvfb-run -a -n 300 -s "-screen 0 960x600x24 -nolisten tcp" blender --factory-startup \
+    --enable-event-simulate --window-geometry 0 0 960 600 --python-exit-code 1 \
+    --python /checkout/tests/ui/tell.py -- "$1"
 }
 
 failures=0
@@ -85,7 +85,7 @@ for suite in "${suites[@]}"; do
     window)
       for story in run undo live look make nothing_lost calm_panel seeds first_try export; do
         echo "-- $story"
-        in_window "$story.py" || failures=$((failures + 1))
+        in_window "$story" || failures=$((failures + 1))
       done
       ;;
   esac || failures=$((failures + 1))

@@ -1,41 +1,31 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: what the panel and the view say of a run, in a window; started like run.py."""
+"""What the panel and the view say of a run."""
 
 from __future__ import annotations
 
-import os
-import sys
 import time
 from collections.abc import Generator, Iterator
-from pathlib import Path
 
 import bpy
 import numpy as np
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.model.estimate import PHASE_TEXTS  # noqa: E402
-from meander.run import gaps, session  # noqa: E402
-from stage import (  # noqa: E402
+from meander.model.estimate import PHASE_TEXTS
+from meander.run import gaps, session
+from stage import (
     FINEST_THAT_ENDS,
     RESULT,
     assert_nothing_left_over,
-    build_scene,
     changed_share,
     choose_spacing,
     ended,
-    look_at_surface,
     picture,
     pixels_of,
     press_run,
-    show_panel,
+    redrawn,
+    seen,
     state,
     status_texts,
     step,
-    tell,
+    suzanne_in_view,
     until,
     window_override,
 )
@@ -45,11 +35,6 @@ from stage import (  # noqa: E402
 MOST_OFF = 0.25
 
 
-def redraw() -> None:
-    for area in bpy.context.window_manager.windows[0].screen.areas:
-        area.tag_redraw()
-
-
 def orange_share(name: str) -> float:
     """How much of the view has the colours of the outline of what is selected."""
     red, green, blue = np.moveaxis(pixels_of(name), 2, 0)
@@ -57,13 +42,8 @@ def orange_share(name: str) -> float:
 
 
 def window_opens() -> Iterator[float]:
-    yield 1.0
-    build_scene()
-    yield 0.5
-    look_at_surface()
-    yield from show_panel()
-    yield 1.0
-    picture("9_mesh")
+    yield from suzanne_in_view()
+    yield from seen("9_mesh")
 
 
 def progress_of_a_run() -> Iterator[float]:
@@ -83,8 +63,7 @@ def progress_of_a_run() -> Iterator[float]:
             copy = running.latest
             samples.append((time.monotonic() - begin, running.progress()))
         if not pictured and running.left_text() and running.progress() > 0.3:
-            redraw()
-            yield 0.2
+            yield from redrawn()
             if not ended():
                 picture("9_growing")
                 pictured = True
@@ -110,12 +89,10 @@ def result_is_seen() -> Iterator[float]:
     step("the result is seen, and not its outline")
     result = bpy.data.objects[RESULT]
     assert bpy.context.view_layer.objects.active == result and not result.select_get()
-    yield 0.7
-    picture("9_result")
+    yield from seen("9_result")
     unselected = orange_share("9_result")
     result.select_set(True)
-    yield 0.5
-    picture("9_selected")
+    yield from seen("9_selected")
     selected = orange_share("9_selected")
     assert selected > 0.003 and unselected < 0.05 * selected, (selected, unselected)
     result.select_set(False)
@@ -128,20 +105,17 @@ def gaps_are_marked() -> Generator[float, None, None]:
     press_run(restart=True)
     yield from until(ended, "the end at the limit")
     assert result.meander.figures.wide_gaps > 0
-    yield 0.7
-    picture("9_limit")
+    yield from seen("9_limit")
     before = state()
     with bpy.context.temp_override(**window_override()):
         assert bpy.ops.meander.show_gaps() == {"FINISHED"}
     assert gaps.shown_of(result) and state() == before and bpy.context.mode == "OBJECT"
-    yield 0.7
-    picture("9_gaps")
+    yield from seen("9_gaps")
     assert changed_share("9_limit", "9_gaps") > 0.002
     with bpy.context.temp_override(**window_override()):
         bpy.ops.meander.show_gaps()
-    yield 0.7
-    picture("9_hidden")
-    # All but single pixels: Blender smooths its edges in the course of some redraws.
+    yield from seen("9_hidden")
+    # All but single pixels, at edges that are smoothed.
     assert changed_share("9_limit", "9_hidden") < 1e-4
     assert state() == before
 
@@ -151,6 +125,3 @@ def story() -> Iterator[float]:
     yield from progress_of_a_run()
     yield from result_is_seen()
     yield from gaps_are_marked()
-
-
-tell(story())

@@ -1,39 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: a light result and an export by the dialog, in a window; started like run.py."""
+"""A light result and an export by the dialog."""
 
 from __future__ import annotations
 
 import os
-import sys
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.ui import cut, panels  # noqa: E402
-from stage import (  # noqa: E402
+from meander.ui import cut, panels
+from stage import (
     PICTURES,
     browser,
     click,
-    key,
     look_at_surface,
-    picture,
+    redrawn,
+    seen,
     show_panel,
     step,
-    tell,
+    undo,
     until,
     window_override,
 )
 
 # Open from the start, and what is above it closed, so that it is in the pictures.
-panels.MEANDER_PT_output.bl_options = cut.MEANDER_PT_make.bl_options = set()
-panels.MEANDER_PT_figures.bl_options = {"DEFAULT_CLOSED"}
+OPEN = (panels.MEANDER_PT_output, cut.MEANDER_PT_make)
+CLOSED = (panels.MEANDER_PT_figures,)
 
 FILES = PICTURES / "exported"
 
@@ -53,9 +46,8 @@ def made_light() -> Iterator[float]:
     with bpy.context.temp_override(**window_override()):
         assert bpy.ops.meander.make_light("INVOKE_DEFAULT", True) == {"FINISHED"}
     assert points() < 0.6 * before, (points(), before)
-    yield 0.5
-    picture("export_panel")
-    key("Z", ctrl=True)
+    yield from seen("export_panel")
+    yield from undo()
     yield from until(lambda: points() == before, "the points are back")
     assert not bpy.context.view_layer.objects.active.meander.use_light
 
@@ -64,15 +56,15 @@ def chosen_in_the_dialog() -> Iterator[float]:
     with bpy.context.temp_override(**window_override()):
         bpy.ops.meander.export_toolpath("INVOKE_DEFAULT", file_format="SVG", size=90.0)
     yield from until(lambda: browser() is not None, "the dialog")
-    yield 1.0
+    yield from redrawn()
     area = browser()
     operator = area.spaces.active.active_operator
     assert operator.bl_idname == "MEANDER_OT_export_toolpath"
     assert operator.layout_as == "UV", "a torus hides half of itself from above"
-    picture("export_dialog")
+    yield from seen("export_dialog")
     area.spaces.active.params.directory = os.fsencode(f"{FILES}/")
     area.spaces.active.params.filename = "dialog.svg"
-    yield 0.5
+    yield from redrawn()
     window = bpy.context.window_manager.windows[0]
     with bpy.context.temp_override(window=window, area=area, region=area.regions[-1]):
         bpy.ops.file.execute()
@@ -86,7 +78,7 @@ def seen_in_the_view() -> Iterator[float]:
     override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
     with bpy.context.temp_override(**override):
         bpy.ops.view3d.view_axis(type="FRONT")
-    yield 0.6
+    yield from redrawn()
     thing = bpy.context.view_layer.objects.active
     places = [thing.matrix_world @ p.co.to_3d() for s in thing.data.splines for p in s.points]
     wide, high = (max(p[axis] for p in places) - min(p[axis] for p in places) for axis in (0, 2))
@@ -102,30 +94,28 @@ def images_by_the_dialog() -> Iterator[float]:
     with bpy.context.temp_override(**window_override()):
         bpy.ops.meander.maps("INVOKE_DEFAULT", size=64, kinds={"MASK", "COLOR"})
     yield from until(lambda: browser() is not None, "the dialog")
-    yield 1.0
+    yield from redrawn()
     area = browser()
     space = area.spaces.active
     operator = space.active_operator
     assert space.params.filename == "Torus_Meander.png" and operator.file_format == "PNG"
-    picture("images_dialog")
+    yield from seen("images_dialog")
     space.params.directory = os.fsencode(f"{FILES}/")
     space.params.filename = "torus.exr"
-    yield 0.5
+    yield from redrawn()
     buttons = next(region for region in area.regions if region.type == "EXECUTE")
     # What a script executes leaves the browser open.
-    click(buttons.x + buttons.width - 70, buttons.y + buttons.height // 2)
+    click(buttons.x + buttons.width - 50, buttons.y + buttons.height // 2)
     paths = [FILES / f"torus_{kind}.exr" for kind in ("mask", "color")]
     yield from until(lambda: all(path.is_file() for path in paths), "the files")
-    yield 0.5
-    picture("images_written")
+    yield from until(lambda: browser() is None, "the view again")
+    yield from seen("images_written")
 
 
 def story() -> Iterator[float]:
-    yield 1.0
     FILES.mkdir(parents=True, exist_ok=True)
     for path in FILES.iterdir():
         path.unlink()
-    bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
     for thing in list(bpy.data.objects):
         if thing.type == "MESH":
             bpy.data.objects.remove(thing)
@@ -143,6 +133,3 @@ def story() -> Iterator[float]:
     yield from seen_in_the_view()
     step("images, whose format is chosen by the name")
     yield from images_by_the_dialog()
-
-
-tell(story())

@@ -1,33 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: several meshes, Edit Mode and faults, in a window; started like run.py."""
+"""Several meshes, Edit Mode and faults."""
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import bpy
 from mathutils import Vector
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.run import notes, session  # noqa: E402
-from stage import (  # noqa: E402
+from meander.run import notes, session
+from stage import (
     activate,
     assert_nothing_left_over,
     ended,
     key,
     picture,
     press_run,
+    redrawn,
+    seen,
     show_panel,
     status_texts,
     step,
-    tell,
     undo,
     until,
     window_override,
@@ -62,7 +54,6 @@ def several() -> Iterator[float]:
     picture("6_second_of_three")
     key("ESC")
     yield from until(ended, "the end by Esc")
-    yield 0.2
     assert results() == {"A Meander"}
     yield from undo()
     assert not results()
@@ -72,7 +63,6 @@ def several() -> Iterator[float]:
     activate("B", "C")
     press_run()
     yield from until(ended, "both")
-    yield 0.2
     assert results() == {"A Meander", "B Meander", "C Meander"}
     yield from undo()
     assert results() == {"A Meander", "B Meander"}, "each has an undo step of its own"
@@ -92,11 +82,10 @@ def in_edit_mode() -> Iterator[float]:
     bpy.ops.ed.undo_push(message="Half")
     press_run()
     yield from until(ended, "the end in Edit Mode")
-    yield 0.2
     assert bpy.context.mode == "EDIT_MESH" and "C Meander" in results()
     points = [p.co.z for s in bpy.data.objects["C Meander"].data.splines for p in s.points]
     assert min(points) > -0.05
-    picture("6_half_in_edit_mode")
+    yield from seen("6_half_in_edit_mode")
     for _ in range(2):
         yield from undo()
     assert "C Meander" not in results()
@@ -123,19 +112,18 @@ def faults() -> Iterator[float]:
     with bpy.context.temp_override(**window_override()):
         bpy.ops.meander.run("INVOKE_DEFAULT")
     yield from until(ended, "the refusal")
-    yield 0.3
     assert "1 place where more than two faces" in torn.meander.problem.sentence
-    picture("6_refused")
+    yield from seen("6_refused")
     with bpy.context.temp_override(**window_override()):
         assert bpy.ops.meander.select_problem() == {"FINISHED"}
-    yield 0.5
+    yield from redrawn()
     assert bpy.context.mode == "EDIT_MESH"
     assert [v.index for v in torn.data.vertices if v.select] == [0, 1, 2]
     view = window_override()["area"].spaces.active.region_3d
     yield from until(
         lambda: (view.view_location - Vector((0.5, 30.5, 0.0))).length < 0.5, "the faults in view"
     )
-    picture("6_shown")
+    yield from seen("6_shown")
     bpy.ops.object.mode_set(mode="OBJECT")
     torn.scale.x = 0.0
     bpy.context.view_layer.update()
@@ -147,31 +135,23 @@ def faults() -> Iterator[float]:
     with bpy.context.temp_override(**window_override()):
         assert bpy.ops.meander.propose_spacing("INVOKE_DEFAULT") == {"CANCELLED"}
     assert "scaled to nothing" in notes.of(torn), "any button"
-    yield 0.3
-    picture("6_note")
+    yield from seen("6_note")
     torn.scale.x = 1.0
     bpy.context.view_layer.update()
     assert not notes.of(torn), "what it was said of has changed"
     torn.meander.strict = False
     press_run()
     yield from until(ended, "the repaired mesh")
-    yield 0.3
     assert torn.meander.last_result.meander.figures.mended == 2
     assert not torn.meander.problem.sentence
     activate("Torn")
-    yield 0.3
-    picture("6_repaired")
+    yield from seen("6_repaired")
     assert_nothing_left_over()
 
 
 def story() -> Iterator[float]:
-    yield 1.0
     build()
-    yield 0.3
     yield from show_panel()
     yield from several()
     yield from in_edit_mode()
     yield from faults()
-
-
-tell(story())

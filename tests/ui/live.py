@@ -1,41 +1,31 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: a curve that follows its settings and a brush, in a window; see run.py."""
+"""A curve that follows its settings and a brush."""
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import bpy
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.run import session, suspended  # noqa: E402
-from meander.run.lasting import lasting  # noqa: E402
-from stage import (  # noqa: E402
+from meander.run import session, suspended
+from meander.run.lasting import lasting
+from stage import (
     IN_VIEW,
     RESULT,
     SURFACE,
     activate,
     assert_nothing_left_over,
-    build_scene,
     choose_spacing,
     ended,
     key,
-    look_at_surface,
     picture,
     point_count,
     press_run,
-    show_panel,
+    redrawn,
+    seen,
     shown_points,
     splines_of,
     step,
-    tell,
+    suzanne_in_view,
     until,
     window_override,
 )
@@ -48,6 +38,12 @@ def choose(thing: bpy.types.Object, setting: str, value: object) -> None:
     """As the panel does: the value, and an undo step."""
     setattr(thing.meander, setting, value)
     bpy.ops.ed.undo_push(message=setting)
+
+
+def looked() -> Iterator[float]:
+    """Until the timer has noted what the settings ask for; no user is quicker."""
+    lasting.looked_at.clear()
+    yield from until(lambda: bool(lasting.looked_at), "the timer looks")
 
 
 def follows() -> Iterator[float]:
@@ -75,38 +71,36 @@ def weights() -> list[float]:
 
 def after_a_run() -> Iterator[float]:
     step("a finished curve follows its spacing")
-    build_scene()
-    look_at_surface()
-    yield from show_panel()
+    yield from suzanne_in_view()
     suzanne = bpy.data.objects[SURFACE]
-    suzanne.modifiers["Subdivision"].levels = 1  # quick to draw
     suzanne.meander.live = True
     choose_spacing(SPACING)
     press_run()
     yield from until(ended, "the first run ends")
     first = splines_of(RESULT)
     result = activate(RESULT)
+    yield from looked()
     choose(result, "spacing", 0.95 * SPACING)
     yield from follows()
     second = splines_of(RESULT)
     assert second != first
     assert abs(suzanne.meander.spacing - 0.95 * SPACING) < 1e-6
-    picture("live_after")
+    yield from seen("live_after")
 
     step("what is undone is not done again")
     bpy.ops.ed.undo()
     assert splines_of(RESULT) == first
-    yield 0.8
+    yield 0.4
     assert ended()
     assert splines_of(RESULT) == first
     bpy.ops.ed.redo()
-    yield 0.8
+    yield 0.4
     assert ended()
     assert splines_of(RESULT) == second
 
     step("Esc takes the last wish back, and the curve keeps what it was")
     activate(SURFACE)
-    yield 0.4
+    yield from looked()
     choose(bpy.data.objects[SURFACE], "spacing", 0.04)
     yield from until(lambda: not ended(), "a live run begins")
     yield from until(lambda: shown_points() > 0, "it shows a curve")
@@ -114,7 +108,7 @@ def after_a_run() -> Iterator[float]:
     key("ESC")
     yield from until(ended, "Esc ends it")
     assert splines_of(RESULT) == second
-    yield 0.8
+    yield 0.4
     assert ended()
     suspended.drop()
 
@@ -129,7 +123,7 @@ def in_a_second_window() -> Iterator[float]:
     home = windows[0].scene
     with bpy.context.temp_override(window=second):
         bpy.ops.scene.new(type="NEW")
-    yield 0.5
+    yield from redrawn()
     view = next(area for area in second.screen.areas if area.type == "VIEW_3D")
     with bpy.context.temp_override(window=second, area=view):
         bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=3, radius=1.0)
@@ -138,7 +132,7 @@ def in_a_second_window() -> Iterator[float]:
         assert bpy.ops.meander.run() == {"FINISHED"}
     result = ball.meander.last_result
     assert second.scene != home and result.users_scene[:] == (second.scene,)
-    yield 0.5  # the timer has looked
+    yield from looked()
     before = splines_of(result.name)
     choose(result, "spacing", 0.9 * SPACING)
     yield from follows()
@@ -148,7 +142,7 @@ def in_a_second_window() -> Iterator[float]:
     with bpy.context.temp_override(window=second):
         bpy.ops.wm.window_close()
     bpy.data.scenes.remove(other)
-    yield 0.5
+    yield from redrawn()
 
 
 def while_painting() -> Iterator[float]:
@@ -158,7 +152,7 @@ def while_painting() -> Iterator[float]:
     group.add(range(len(suzanne.data.vertices)), 0.0, "REPLACE")
     suzanne.vertex_groups.active_index = group.index
     choose(suzanne, "live", False)
-    yield 0.4
+    yield from redrawn()
     for setting, value in (
         ("density_source", "GROUP"),
         ("density_group", "Dense"),
@@ -168,7 +162,7 @@ def while_painting() -> Iterator[float]:
         choose(suzanne, setting, value)
     press_run()
     yield from until(ended, "the run ends")
-    yield 0.4
+    yield from looked()
     even = splines_of(RESULT)
     override = window_override()
     override["region"] = next(r for r in override["area"].regions if r.type == "WINDOW")
@@ -183,7 +177,7 @@ def while_painting() -> Iterator[float]:
             )
     settings.unified_paint_settings.size = 60
     settings.unified_paint_settings.weight = 1.0
-    yield 0.4
+    yield from redrawn()
     before = point_count()
     x, y = IN_VIEW
     for lift in (0, 40):  # the second stroke often meets a run that is still going
@@ -203,7 +197,7 @@ def while_painting() -> Iterator[float]:
     yield from until(ended, "the last run ends")
     assert splines_of(RESULT) != even
     assert bpy.context.mode == "PAINT_WEIGHT"
-    picture("live_painted")
+    yield from seen("live_painted")
 
 
 def story() -> Iterator[float]:
@@ -212,11 +206,6 @@ def story() -> Iterator[float]:
     yield from while_painting()
     step("Live off gives the flow back")
     choose(bpy.data.objects[SURFACE], "live", False)
-    yield 0.5
-    assert lasting.finished is None
+    yield from until(lambda: lasting.finished is None, "the flow given back")
     assert session.current() is None
     assert_nothing_left_over()
-
-
-if __name__ == "__main__":
-    tell(story())

@@ -1,43 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: fill, change the look, fill again, in a window with keys; started like run.py."""
+"""Fill, change the look, fill again."""
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import bpy
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.scene import look as looks  # noqa: E402
-from meander.ui import look, panels  # noqa: E402
-from stage import (  # noqa: E402
+from meander.scene import look as looks
+from meander.ui import look, panels
+from stage import (
     COARSE,
     RESULT,
     SURFACE,
     activate,
-    build_scene,
     changed_share,
     choose_spacing,
     ended,
     key,
-    look_at_surface,
-    picture,
     press_run,
-    show_panel,
+    seen,
     splines_of,
     step,
-    tell,
+    suzanne_in_view,
     until,
 )
 
 WIDE = 2.5 * COARSE
+OPEN = (look.MEANDER_PT_look, look.MEANDER_PT_look_color)
+CLOSED = (panels.MEANDER_PT_figures,)
 
 
 def values() -> list[float]:
@@ -46,29 +36,21 @@ def values() -> list[float]:
 
 
 def first_fill() -> Iterator[float]:
-    yield 1.0
-    build_scene()
-    yield 0.5
-    look_at_surface()
-    yield from show_panel()
-    choose_spacing(WIDE)
+    yield from suzanne_in_view(WIDE)
     press_run()
     yield from until(ended, "the end of the run")
-    yield 0.5
-    picture("7_look_of_a_result")
+    yield from seen("7_look_of_a_result")
 
 
 def looks_act_at_once() -> Iterator[float]:
     step("the look of a result acts at once, has undo, and is shown for the mesh as well")
     result = bpy.data.objects[RESULT]
     result.select_set(False)
-    yield 0.3
-    picture("7_look_before")
+    yield from seen("7_look_before")
     looks.set_value(looks.modifier_of(result), "Radius", 0.45)
     result.meander.shown_profile = "RIBBON"
     bpy.ops.ed.undo_push(message="Radius")
-    yield 0.5
-    picture("7_look_after")
+    yield from seen("7_look_after")
     assert changed_share("7_look_before", "7_look_after") > 0.05
     chosen = values()
     key("Z", ctrl=True)
@@ -100,7 +82,7 @@ def filling_again() -> Iterator[float]:
     activate(SURFACE)
     former, chosen = splines_of(RESULT), values()
     choose_spacing(COARSE)
-    picture("7_look_of_a_mesh")
+    yield from seen("7_look_of_a_mesh")
     press_run()
     yield from until(ended, "the end of the run")
     latter = splines_of(RESULT)
@@ -120,9 +102,3 @@ def story() -> Iterator[float]:
     yield from looks_act_at_once()
     yield from material_of_the_slot()
     yield from filling_again()
-
-
-# Open, to be seen, and what is above it closed.
-look.MEANDER_PT_look.bl_options = look.MEANDER_PT_look_color.bl_options = set()
-panels.MEANDER_PT_figures.bl_options = {"DEFAULT_CLOSED"}
-tell(story())

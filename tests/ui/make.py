@@ -1,41 +1,30 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: what a result makes of its surface, in a window; started like run.py."""
+"""What a result makes of its surface."""
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import bpy
 import numpy as np
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.ui import cut, panels  # noqa: E402
-from stage import (  # noqa: E402
+from meander.ui import cut, panels
+from stage import (
     COARSE,
     RESULT,
     SURFACE,
-    build_scene,
     changed_share,
-    choose_spacing,
     ended,
-    key,
-    look_at_surface,
-    picture,
     pixels_of,
     press_run,
-    show_panel,
+    seen,
     step,
-    tell,
+    suzanne_in_view,
+    undo,
     until,
     window_override,
 )
+
+OPEN = (panels.MEANDER_PT_output, cut.MEANDER_PT_make)
 
 
 def press(name: str, **options: object) -> None:
@@ -47,11 +36,6 @@ def press(name: str, **options: object) -> None:
 
 def hidden(name: str) -> bool:
     return bpy.data.objects[name].hide_get()
-
-
-def undo(redo: bool = False) -> Iterator[float]:
-    key("Z", ctrl=True, shift=redo)
-    yield 0.7
 
 
 def sides_of(name: str) -> np.ndarray:
@@ -70,22 +54,17 @@ def glowing_share(name: str) -> float:
 
 
 def story() -> Iterator[float]:
-    build_scene()
-    choose_spacing(COARSE)
-    look_at_surface()
-    yield from show_panel()
+    yield from suzanne_in_view(COARSE)
     step("Suzanne is filled")
     press_run()
     yield from until(ended, "the run ends")
-    yield 0.5
-    picture("make_panel")
+    yield from seen("make_panel")
     with bpy.context.temp_override(**window_override()):
         assert bpy.ops.meander.two_tone.poll()
 
     step("Two-Tone stands in the place of the curve and its surface")
     press("two_tone")
-    yield 0.7
-    picture("make_two_tone")
+    yield from seen("make_two_tone")
     made = f"{RESULT} Two-Tone"
     assert bpy.context.view_layer.objects.active == bpy.data.objects[made]
     assert hidden(RESULT) and hidden(SURFACE)
@@ -98,8 +77,7 @@ def story() -> Iterator[float]:
     step("its panel leads back to the curve")
     assert not bpy.ops.meander.run.poll()
     press("select_curve")
-    yield 0.7
-    picture("make_select_curve")
+    yield from seen("make_select_curve")
     assert bpy.context.view_layer.objects.active == bpy.data.objects[RESULT]
     assert not hidden(RESULT) and hidden(SURFACE)
     assert changed_share("make_two_tone", "make_select_curve") > 0.05
@@ -118,8 +96,7 @@ def story() -> Iterator[float]:
     step("Relief after undo")
     yield from undo()
     press("relief")
-    yield 1.0
-    picture("make_relief")
+    yield from seen("make_relief")
     relief = bpy.context.view_layer.objects.active
     assert relief.modifiers[0].node_group.name.startswith("Meander Relief")
     assert changed_share("make_two_tone", "make_relief") > 0.05
@@ -127,8 +104,7 @@ def story() -> Iterator[float]:
     step("Ribbon shows its lights in Solid view, and nothing that is seen is under what is hidden")
     yield from undo()
     press("ribbon")
-    yield 1.0
-    picture("make_ribbon")
+    yield from seen("make_ribbon")
     ribbon = bpy.context.view_layer.objects.active
     assert ribbon.select_get() and ribbon.visible_get() and ribbon.parent is None
     # One material is one colour all over: it glows everywhere, or nowhere.
@@ -148,8 +124,7 @@ def story() -> Iterator[float]:
         assert bpy.ops.meander.animate_growth("EXEC_DEFAULT", True, frames=40) == {"FINISHED"}
     for frame in (10, 40):
         bpy.context.scene.frame_set(frame)
-        yield 0.7
-        picture(f"make_growth_{frame}")
+        yield from seen(f"make_growth_{frame}")
     assert changed_share("make_growth_10", "make_growth_40") > 0.02
     # The last frame is the line itself.
     assert changed_share("make_panel", "make_growth_40") < 0.01
@@ -158,8 +133,7 @@ def story() -> Iterator[float]:
 
     step("Maze has walls and two doors, and the box at the lower left opens others")
     press("maze", solution=True)
-    yield 1.0
-    picture("make_maze")
+    yield from seen("make_maze")
     walls = bpy.context.view_layer.objects.active
     assert walls.name == f"{RESULT} Maze" and hidden(RESULT) and not hidden(SURFACE)
     assert f"{walls.name} Solution" in bpy.data.objects
@@ -171,13 +145,7 @@ def story() -> Iterator[float]:
     operator.doors = "NONE"
     with bpy.context.temp_override(**window_override()):
         bpy.ops.ed.undo_redo()
-    yield 0.7
-    picture("make_maze_closed")
+    yield from seen("make_maze_closed")
     walls = bpy.context.view_layer.objects.active
     assert walls.name == f"{RESULT} Maze" and len(walls.data.polygons) != faces
     assert f"{walls.name} Solution" not in bpy.data.objects
-
-
-panels.MEANDER_PT_output.bl_options = set()  # open, to be seen
-cut.MEANDER_PT_make.bl_options = set()
-tell(story())

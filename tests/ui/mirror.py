@@ -1,42 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: symmetry in a window, from its row in the panel; started like run.py."""
+"""Symmetry in a window, from its row in the panel."""
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import bpy
 import numpy as np
-
-HERE = Path(__file__).resolve().parent
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.run import notes, session  # noqa: E402
-from meander.ui import panels  # noqa: E402
-from stage import (  # noqa: E402
+from meander.run import notes, session
+from meander.ui import panels
+from stage import (
     RESULT,
     SURFACE,
-    build_scene,
-    choose_spacing,
     ended,
-    look_at_surface,
-    picture,
     press_run,
-    show_panel,
+    seen,
     step,
-    tell,
+    suzanne_in_view,
     until,
     window_override,
 )
 
 SPACING = 0.06
-# Open, to be seen.
-panels.MEANDER_PT_guidance.bl_options = set()
-panels.MEANDER_PT_figures.bl_options = {"DEFAULT_CLOSED"}
+OPEN, CLOSED = (panels.MEANDER_PT_guidance,), (panels.MEANDER_PT_figures,)
 
 
 def asymmetry() -> float:
@@ -49,21 +35,14 @@ def asymmetry() -> float:
 
 
 def window_opens() -> Iterator[float]:
-    yield 1.0
-    build_scene()
-    choose_spacing(SPACING)
-    yield 0.3
-    look_at_surface()
-    yield from show_panel()
-    yield 0.5
-    picture("mirror_1_off")
+    yield from suzanne_in_view(SPACING)
+    yield from seen("mirror_1_off")
 
 
 def filling() -> Iterator[float]:
     step("both halves grow before one's eyes, and become one curve")
     bpy.data.objects[SURFACE].meander.mirror = "X"
     bpy.ops.ed.undo_push(message="Symmetry")
-    yield 0.3
     press_run()
     yield from until(
         lambda: session.current() is None or session.current().latest is not None, "a curve"
@@ -72,11 +51,9 @@ def filling() -> Iterator[float]:
     if running is not None and running.latest is not None:
         x = running.latest.polylines.positions[:, 0]
         assert abs(x.max() + x.min()) < 1e-6 and len(x) % 2 == 0
-    yield 0.6
-    picture("mirror_2_growing")
+    yield from seen("mirror_2_growing")
     yield from until(ended, "the end of the run")
-    yield 1.0
-    picture("mirror_3_done")
+    yield from seen("mirror_3_done")
     assert asymmetry() < 0.01, asymmetry()
     assert bpy.data.objects[RESULT].meander.mirror == "X"
 
@@ -90,8 +67,7 @@ def refusing() -> Iterator[float]:
     with bpy.context.temp_override(**window_override()):
         bpy.ops.meander.run("INVOKE_DEFAULT")
     yield from until(ended, "the refusal")
-    yield 0.7
-    picture("mirror_4_refused")
+    yield from seen("mirror_4_refused")
     assert asymmetry() == before
     assert "mirror image in Y" in (notes.of(surface) or surface.meander.problem.sentence)
 
@@ -100,6 +76,3 @@ def story() -> Iterator[float]:
     yield from window_opens()
     yield from filling()
     yield from refusing()
-
-
-tell(story())

@@ -1,54 +1,44 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: whatever a user does while a curve grows, in a window; started like run.py."""
+"""Whatever a user does while a curve grows."""
 
 from __future__ import annotations
 
-import os
-import sys
 import tempfile
 from collections.abc import Generator, Iterator
-from pathlib import Path
 
 import bpy
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.run import estimate, plan, session, suspended  # noqa: E402
-from stage import (  # noqa: E402
+from meander.run import estimate, plan, session, suspended
+from meander.ui import fill
+from stage import (
     COARSE,
     FINE,
-    FINEST_THAT_ENDS,
     RESULT,
     SURFACE,
     activate,
     assert_nothing_left_over,
-    build_scene,
     changed_share,
     choose_spacing,
     click,
     ended,
     key,
-    look_at_surface,
     middle_of,
     options_of_settings,
-    picture,
     press_run,
-    show_panel,
+    redrawn,
+    seen,
     shown_points,
     splines_of,
     state,
     status_texts,
     step,
-    tell,
+    suzanne_in_view,
+    undo,
     until,
     window_override,
 )
 
-# So fine that the user is asked whether he means it.
-HUGE = 0.004
+# Of a run that the user is asked about: what comes to more points at a fine spacing.
+LARGE = 20_000
 
 
 def grows() -> Iterator[float]:
@@ -81,23 +71,16 @@ def splines_in_file(path: str) -> list[bytes]:
 
 
 def window_opens() -> Iterator[float]:
-    yield 1.0
-    build_scene()
-    yield 0.5
-    look_at_surface()
-    yield from show_panel()
-    choose_spacing(COARSE)
+    yield from suzanne_in_view(COARSE)
     surfaces = [bpy.context.active_object]
     yield from until(lambda: estimate.shown(surfaces) is not None, "an estimate")
     measured = estimate.shown(surfaces)
-    yield 0.5
-    picture("5_estimate")
+    yield from seen("5_estimate")
     press_run()
     yield from until(ended, "the end of the run")
-    yield 0.3
     points = sum(len(spline.points) for spline in bpy.data.objects[RESULT].data.splines)
     assert 0.8 < measured.points / points < 1.25, (measured, points)
-    picture("5_result")
+    yield from seen("5_result")
 
 
 def undo_during_a_run() -> Iterator[float]:
@@ -107,7 +90,7 @@ def undo_during_a_run() -> Iterator[float]:
     press_run()
     yield from until(lambda: shown_points() > 0, "a first curve")
     yield from grows()
-    picture("5_continued")
+    yield from seen("5_continued")
     assert changed_share("5_result", "5_continued") > 0.02
     key("A")  # selects everything
     yield from until(all_selected, "everything selected")
@@ -129,12 +112,10 @@ def undo_during_a_run() -> Iterator[float]:
     latter = splines_of(RESULT)
     assert latter != former
     for shift, expected in ((False, former), (True, latter), (False, former), (False, former)):
-        key("Z", ctrl=True, shift=shift)
-        yield 0.7
+        yield from undo(redo=shift)
         yield from until(lambda wanted=expected: splines_of(RESULT) == wanted, f"redo {shift}")
     for _ in range(2):
-        key("Z", ctrl=True, shift=True)
-        yield 0.7
+        yield from undo(redo=True)
     yield from until(lambda: splines_of(RESULT) == latter, "the new splines")
 
 
@@ -148,10 +129,10 @@ def clicks_during_a_run() -> Generator[float, None, dict]:
     assert "Right" not in status_texts[-1], status_texts[-1]
     for place in (middle_of("OUTLINER"), middle_of("PROPERTIES"), middle_of("VIEW_3D")):
         click(*place, button="RIGHTMOUSE")
-        yield 0.5
+        yield 0.3
         assert not ended(), "a right-click has ended the run"
         key("ESC", at=place)  # closes the menu
-        yield 0.5
+        yield 0.3
         assert not ended(), "Esc has ended the run instead of closing a menu"
     for area in ("OUTLINER", "PROPERTIES", "DOPESHEET_EDITOR"):
         place = middle_of(area)
@@ -171,8 +152,7 @@ def esc_and_resume(before: dict) -> Iterator[float]:
     assert state() == before
     kept = suspended.run_of(bpy.data.objects[SURFACE])
     assert kept is not None and kept.latest.iterations > 0
-    yield 0.5
-    picture("5_resume")
+    yield from seen("5_resume")
     begun = kept.latest.iterations
     press_resume()
     yield from until(lambda: shown_points() > 0, "the curve again")
@@ -184,9 +164,8 @@ def esc_and_resume(before: dict) -> Iterator[float]:
     yield from until(ended, "the end after Esc")
     activate(SURFACE)
     bpy.data.objects[SURFACE].meander.spacing = COARSE
-    yield 0.5
+    yield from seen("5_changed")
     assert suspended.run_of(bpy.data.objects[SURFACE]) is None
-    picture("5_changed")
 
 
 def renamed_during_a_run() -> Iterator[float]:
@@ -226,7 +205,7 @@ def another_scene_meanwhile() -> Iterator[float]:
     step("a result goes to the scene of its surface, though the window shows another by then")
     surface = activate_surface()
     former = splines_of(surface.meander.last_result.name)
-    choose_spacing(FINEST_THAT_ENDS)
+    choose_spacing(FINE)
     press_run()
     yield from until(lambda: shown_points() > 0, "a first curve")
     window = bpy.context.window_manager.windows[0]
@@ -235,18 +214,19 @@ def another_scene_meanwhile() -> Iterator[float]:
         bpy.ops.scene.new(type="NEW")
     other = window.scene
     assert other != home
-    yield 0.5
-    picture("5_other_scene")
-    yield from until(ended, "the end of the run")
+    yield from seen("5_other_scene")
+    yield from grows()
+    key("RET")
+    yield from until(ended, "the end after Enter")
     assert window.scene == other, "what the window shows is the user's"
     assert not other.objects, list(other.objects)
     window.scene = home
-    yield 0.5
+    yield from redrawn()
     result = bpy.data.objects["Monkey"].meander.last_result
     assert result.users_scene[:] == (home,)
     assert splines_of(result.name) != former
     bpy.data.scenes.remove(other)
-    picture("5_home_again")
+    yield from seen("5_home_again")
 
 
 def activate_surface() -> bpy.types.Object:
@@ -257,25 +237,26 @@ def activate_surface() -> bpy.types.Object:
 def large_run() -> Iterator[float]:
     step("a large run asks first")
     plan.options_of = options_of_settings  # as everywhere but here: the question says how long
-    choose_spacing(HUGE)
-    yield 1.0
+    is_large = fill.is_large
+    fill.is_large = lambda estimate: estimate.points > LARGE
+    choose_spacing(0.6 * FINE)
     with bpy.context.temp_override(**window_override()):
         assert bpy.ops.meander.run("INVOKE_DEFAULT") == {"CANCELLED"}
     assert session.current() is None
-    yield 0.7
-    picture("5_question")
+    yield from seen("5_question")
     place = middle_of("VIEW_3D")
     key("ESC", at=place)
-    yield 0.5
+    yield from redrawn()
     assert session.current() is None
     with bpy.context.temp_override(**window_override()):
         assert bpy.ops.meander.run("INVOKE_DEFAULT") == {"CANCELLED"}
-    yield 0.7
+    yield from redrawn()
     key("RET", at=place)
     yield from until(lambda: session.current() is not None, "a run after OK")
     yield from until(lambda: shown_points() > 0, "a first curve")
     key("ESC", at=place)
     yield from until(ended, "the end after Esc")
+    fill.is_large = is_large
 
 
 def story() -> Iterator[float]:
@@ -287,6 +268,3 @@ def story() -> Iterator[float]:
     yield from repeat_last()
     yield from another_scene_meanwhile()
     yield from large_run()
-
-
-tell(story())

@@ -1,33 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: the modal operator as a user meets it, with a window, real keys and clicks.
-
-    LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1280x800x24 -nolisten tcp" \
-      blender --factory-startup --enable-event-simulate --window-geometry 0 0 1280 800 \
-      --python-exit-code 1 --python tests/ui/run.py
-
-The others beside it are started in the same way.
-"""
+"""The modal operator as a user meets it, from a first fill to a new file under a run."""
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Generator, Iterator
-from pathlib import Path
 
 import bpy
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-import meander  # noqa: E402
-from meander.scene import density, look  # noqa: E402
-from stage import (  # noqa: E402
+import meander
+from meander.scene import density, look
+from meander.ui import density as density_panel
+from meander.ui import panels
+from stage import (
     COARSE,
     FINE,
-    FINEST,
     RESULT,
     SURFACE,
     assert_no_timer,
@@ -39,30 +24,29 @@ from stage import (  # noqa: E402
     grown_to,
     key,
     look_at_surface,
-    picture,
     point_count,
     press_run,
+    redrawn,
+    seen,
     show_panel,
     shown_points,
     state,
     status_texts,
     step,
-    tell,
+    undo,
     until,
     window_override,
 )
 
+OPEN = (panels.MEANDER_PT_guidance, density_panel.MEANDER_PT_density)
+
 
 def window_opens() -> Iterator[float]:
-    yield 1.0
     build_scene()
     # Inside out, as many meshes are: what grows has to be seen all the same.
     bpy.data.objects[SURFACE].data.flip_normals()
-    yield 0.5
     look_at_surface()
     yield from show_panel()
-    yield 0.3
-    picture("1_before")
 
 
 def shaped_ramp() -> Iterator[float]:
@@ -73,16 +57,13 @@ def shaped_ramp() -> Iterator[float]:
     mapping = density.node_of(settings.density_ramp).mapping
     mapping.curves[0].points.new(0.35, 0.8)
     mapping.update()
-    yield 0.5
-    picture("1_ramp")
+    yield from seen("1_ramp")
     settings.density_interpolation, settings.density_group = "LINEAR", ""
-    yield 0.5
-    picture("1_plain")
+    yield from seen("1_plain")
 
 
 def growing() -> Generator[float, None, dict]:
     step("the curve grows on screen")
-    choose_spacing(FINEST)
     before = state()
     press_run()
     yield from until(lambda: shown_points() > 0, "a first curve")
@@ -92,9 +73,8 @@ def growing() -> Generator[float, None, dict]:
         counts.append(shown_points())
     assert counts == sorted(set(counts)), counts
     # Grown enough for a picture worth looking at.
-    yield from until(grown_to(60000), "a third of it")
-    yield 0.2
-    picture("2_running")
+    yield from until(grown_to(12000), "a third of it")
+    yield from seen("2_running")
     changed = changed_share("1_plain", "2_running")
     assert changed > 0.02, f"only {changed:.1%} of the view has changed"
     assert not ended(), "the run ended before it could be cancelled"
@@ -118,8 +98,7 @@ def run_to_the_end() -> Generator[float, None, dict]:
     before = state()
     press_run()
     yield from until(ended, "the end of the run")
-    yield 0.5
-    picture("3_done")
+    yield from seen("3_done")
     assert_nothing_left_over()
     result = bpy.data.objects[RESULT]
     assert bpy.context.view_layer.objects.active == result
@@ -138,8 +117,7 @@ def esc_of_a_continued_run() -> Iterator[float]:
     before_continued = state()
     press_run()
     yield from until(lambda: shown_points() > 0, "a first curve")
-    yield 0.3
-    picture("4_continued")
+    yield from seen("4_continued")
     assert state() == before_continued, "a result keeps its splines until it has new ones"
     key("ESC")
     yield from until(ended, "the end after Esc")
@@ -149,8 +127,7 @@ def esc_of_a_continued_run() -> Iterator[float]:
 
 def undo_of_a_run(before: dict) -> Iterator[float]:
     step("Ctrl-Z takes the curve away again")
-    key("Z", ctrl=True)
-    yield 0.7
+    yield from undo()
     yield from until(lambda: state() == before, f"{before} again")
 
 
@@ -169,8 +146,7 @@ def enter() -> Iterator[float]:
 def start_over_and_stop() -> Iterator[float]:
     step("Fill Again, and the Stop button")
     press_run(restart=True)
-    yield 0.5
-    picture("4_start_over")
+    yield from seen("4_start_over")
     with bpy.context.temp_override(**window_override()):
         bpy.ops.meander.stop()
     yield from until(ended, "the end after Stop")
@@ -192,20 +168,20 @@ def unregistering() -> Iterator[float]:
     step("unregistering ends a run")
     build_scene()
     press_run()
-    yield 0.3
+    yield from until(lambda: shown_points() > 0, "a first curve")
     meander.unregister()
     assert_nothing_left_over()
-    yield 0.3
+    yield from redrawn()
     meander.register()
 
 
 def new_file() -> Iterator[float]:
     step("a new file ends a run")
     press_run()
-    yield 0.3
+    yield from until(lambda: shown_points() > 0, "a first curve")
     with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
         bpy.ops.wm.read_homefile(use_factory_startup=True, load_ui=False)
-    yield 0.5
+    yield from redrawn()
     assert_nothing_left_over()
     assert not bpy.data.curves
 
@@ -223,6 +199,3 @@ def story() -> Iterator[float]:
     yield from surface_deleted()
     yield from unregistering()
     yield from new_file()
-
-
-tell(story())

@@ -1,37 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: a seed is drawn with the mouse, looked at, undone and filled, in a window.
-
-Started as run.py beside it is.
-"""
+"""A seed is drawn with the mouse, looked at, undone and filled."""
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import bpy
-
-HERE = Path(__file__).resolve().parent
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-from meander.run import seeds, session  # noqa: E402
-from meander.ui import seeds as seed_drawing  # noqa: E402
-from stage import (  # noqa: E402
+from meander.run import seeds, session
+from meander.ui import seeds as seed_drawing
+from stage import (
     changed_share,
     choose_spacing,
     coloured,
     ended,
     key,
     look_at_surface,
-    picture,
     press_run,
+    redrawn,
+    seen,
     show_panel,
     status_texts,
     step,
-    tell,
     until,
     window_override,
 )
@@ -50,10 +39,10 @@ def drag(begin: tuple[int, int], end: tuple[int, int]) -> Iterator[float]:
     window = bpy.context.window_manager.windows[0]
     places = [
         (
-            round(begin[0] + (end[0] - begin[0]) * i / 12),
-            round(begin[1] + (end[1] - begin[1]) * i / 12),
+            round(begin[0] + (end[0] - begin[0]) * i / 6),
+            round(begin[1] + (end[1] - begin[1]) * i / 6),
         )
-        for i in range(13)
+        for i in range(7)
     ]
     window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=places[0][0], y=places[0][1])
     yield 0.1
@@ -63,7 +52,7 @@ def drag(begin: tuple[int, int], end: tuple[int, int]) -> Iterator[float]:
         window.event_simulate(type="MOUSEMOVE", value="NOTHING", x=x, y=y)
         yield 0.02
     window.event_simulate(type="LEFTMOUSE", value="RELEASE", x=places[-1][0], y=places[-1][1])
-    yield 0.3
+    yield 0.1
 
 
 def press(operator: str, **options: object) -> set[str]:
@@ -85,21 +74,13 @@ def surface() -> bpy.types.Object:
 
 
 def window_opens() -> Iterator[float]:
-    yield 1.0
     for thing in list(bpy.data.objects):
         bpy.data.objects.remove(thing)
     bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=16)
     bpy.ops.object.shade_smooth()
     choose_spacing(0.35)
-    yield 0.3
     look_at_surface()
     yield from show_panel()
-
-
-def strokes_are_orange() -> bool:
-    """Whether a line as wide as the preview's is on all of both strokes."""
-    picture("seeds_2_drawn")
-    return coloured("seeds_2_drawn", (1.0, 0.5, 0.05)) > 2 * 120 * seeds.WIDTH / 2
 
 
 def drawing() -> Iterator[float]:
@@ -110,31 +91,26 @@ def drawing() -> Iterator[float]:
     curve = surface().meander.seed
     assert bpy.context.view_layer.objects.active == curve and curve.mode == "EDIT"
     assert tool() == "builtin.draw" and paint.depth_mode == "SURFACE"
-    yield 0.5
-    picture("seeds_1_drawing")
+    yield from seen("seeds_1_drawing")
     x, y = view_center()
     yield from drag((x - 70, y - 40), (x + 70, y - 40))
     yield from drag((x - 70, y + 40), (x + 70, y + 40))
     yield from until(lambda: len(curve.data.splines) == 2, "two strokes")
     yield from until(lambda: seeds.is_shown(surface()), "the strokes on the surface")
-    tries = 0
-    yield 0.3
-    while not strokes_are_orange():  # a picture takes a while to draw, and longer to be taken
-        tries += 1
-        assert tries < 20, "both strokes in the picture"
-        yield 1.0
+    yield from seen("seeds_2_drawn")
+    # A line as wide as the preview's is on all of both strokes.
+    assert coloured("seeds_2_drawn", (1.0, 0.5, 0.05)) > 2 * 120 * seeds.WIDTH / 2
     step("a stroke that crosses another is said to, and undone")
     yield from drag((x, y - 90), (x, y + 90))
     yield from until(lambda: "cross" in drawing_panel_says(), "the refusal")
-    yield 0.3
-    picture("seeds_2_crossing")
+    yield from seen("seeds_2_crossing")
     key("Z", view_center(), ctrl=True)
     yield from until(lambda: len(curve.data.splines) == 2, "the stroke undone")
     yield from until(lambda: seeds.is_shown(surface()), "the strokes on the surface")
     assert not drawing_panel_says()
     assert status_texts[-1] is not None and "Draw on the surface" in status_texts[-1]
     assert press("end_seed") == {"FINISHED"}
-    yield 0.3
+    yield from redrawn()
     assert bpy.context.view_layer.objects.active == surface() and surface().mode == "OBJECT"
     assert (paint.depth_mode, round(paint.surface_offset, 3)) == ("CURSOR", 0.5)
     assert tool() != "builtin.draw" and status_texts[-1] is None
@@ -147,19 +123,16 @@ def previewing() -> Iterator[float]:
     assert seeds.is_shown(surface()), "the strokes are still shown"
     press("preview_seed")
     assert not seeds.is_shown(surface())
-    yield 0.3
-    picture("seeds_3_before")
+    yield from seen("seeds_3_before")
     assert press("preview_seed") == {"FINISHED"}
     assert seeds.is_shown(surface())
-    yield 0.5
-    picture("seeds_4_preview")
-    seen = changed_share("seeds_3_before", "seeds_4_preview")
-    assert seen > 0.0005, seen
+    yield from seen("seeds_4_preview")
+    share = changed_share("seeds_3_before", "seeds_4_preview")
+    assert share > 0.0005, share
     surface().meander.spacing = 0.3
-    yield 0.3
-    assert not seeds.is_shown(surface())
-    picture("seeds_5_stale")
-    assert changed_share("seeds_3_before", "seeds_5_stale") < seen / 4
+    yield from until(lambda: not seeds.is_shown(surface()), "the stale preview hidden")
+    yield from seen("seeds_5_stale")
+    assert changed_share("seeds_3_before", "seeds_5_stale") < share / 4
     press("preview_seed")
     assert seeds.is_shown(surface())
 
@@ -169,10 +142,9 @@ def filling() -> Iterator[float]:
     press_run()
     assert not seeds.is_shown(surface())
     yield from until(ended, "the end of the run")
-    yield 0.3
     result = bpy.data.objects["Sphere Seed Meander"]
     assert [spline.use_cyclic_u for spline in result.data.splines] == [False, False]
-    picture("seeds_6_filled")
+    yield from seen("seeds_6_filled")
     assert session.current() is None
 
 
@@ -182,7 +154,7 @@ def leaving_by_tab() -> Iterator[float]:
     seed = surface().meander.seed.name
     bpy.ops.ed.undo_push(message="Surface")
     press("draw_seed")
-    yield 0.3
+    yield from redrawn()
     assert tool() == "builtin.draw"
     key("TAB", view_center())
     yield from until(lambda: bpy.context.mode == "OBJECT", "Object Mode")
@@ -193,12 +165,12 @@ def leaving_by_tab() -> Iterator[float]:
     yield from until(lambda: bpy.context.mode == "EDIT_CURVE", "Edit Mode")
     assert tool() != "builtin.draw", "the tool is still borrowed"
     key("TAB", view_center())
-    yield 0.3
+    yield from until(lambda: bpy.context.mode == "OBJECT", "Object Mode again")
     for _ in range(8):
         if surface().meander.seed is not None and surface().meander.seed.name == seed:
             break
         bpy.ops.ed.undo()
-        yield 0.2
+        yield 0.05
     assert surface().meander.seed.name == seed
     assert sum(thing.name.startswith("Sphere Seed") for thing in bpy.data.objects) == 2
 
@@ -216,15 +188,14 @@ def edges_and_undo() -> Iterator[float]:
         bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.ed.undo_push(message="Select")
     before = sorted(bpy.data.objects.keys())
-    yield 0.5
-    picture("seeds_7_edit_mode")
+    yield from seen("seeds_7_edit_mode")
     assert press("seed_from_edges") == {"FINISHED"}
-    yield 0.3
+    yield from redrawn()
     assert len(bpy.data.objects) == len(before) + 1
     assert surface().meander.seed.data.splines[0].use_cyclic_u
     key("Z", view_center(), ctrl=True)
     yield from until(lambda: sorted(bpy.data.objects.keys()) == before, "the undone seed")
-    yield 0.3
+    yield from redrawn()
     assert surface().mode == "EDIT"
 
 
@@ -235,6 +206,3 @@ def story() -> Iterator[float]:
     yield from filling()
     yield from leaving_by_tab()
     yield from edges_and_undo()
-
-
-tell(story())

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the stories in a window share: the window, real keys, a scene, and who tells them.
 
-A story is a generator that a timer of Blender's advances: each `yield` lets the window live for the
-seconds it names. It leaves pictures of what it saw in build/ui and ends with exit code 0 or 7.
+A story is a module with a generator `story`, which a timer of Blender's advances: each `yield` lets
+the window live for the seconds it names. It leaves pictures of what it saw in build/ui. Panels that
+have to be in them are in its OPEN, and those that would push them out of the view in its CLOSED.
 """
 
 from __future__ import annotations
 
+import importlib
 import os
 import subprocess
 import sys
@@ -15,14 +17,15 @@ import time
 import traceback
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import ModuleType
 
 import bpy
 import meander
 import numpy as np
 import processor_time
 from meander import core
-from meander.run import plan, session
-from meander.ui import panels
+from meander.run import pace, plan, session
+from meander.ui import camera, panels
 
 ROOT = Path(__file__).resolve().parents[2]
 PICTURES = ROOT / "build" / "ui"
@@ -30,8 +33,8 @@ PICTURES = ROOT / "build" / "ui"
 # whose own pictures are black with the software driver of Debian 13.
 CAMERA = os.environ.get("MEANDER_CAMERA", "").split()
 
-# A story takes 30 s on a quiet machine, most of it computing. This is for one that is busy or far
-# slower, and lets the story tell where it stands before scripts/test.sh ends it.
+# A story takes 15 s on a quiet machine, most of it computing. This is for one that is busy or far
+# slower.
 TIME_LIMIT = 250.0
 # For how long a story waits for what has to come: it costs nothing where it comes at once, and what
 # has not come by then does not come at all.
@@ -39,8 +42,7 @@ PATIENCE = 60.0
 SURFACE = "Suzanne"
 # A run at the coarse spacing comes to its end within seconds, and one at half of it within some
 # more. One that is finer goes on until it is stopped, however fast the machine: see options_of().
-# One at the finest grows for so long that many pictures of it are shown meanwhile.
-FINEST, FINE, COARSE = 0.015, 0.04, 0.12
+FINE, COARSE = 0.04, 0.12
 FINEST_THAT_ENDS = 0.5 * COARSE
 RESULT = "Suzanne Meander"
 
@@ -75,6 +77,23 @@ options_of_settings = plan.options_of
 # ------------------------------------------------------------------------------------------------
 # The window
 
+# Stories wait for pictures of a growing curve, which come rarely where the processors draw.
+pace.LONGEST_WAIT = 0.4
+# A picture is drawn by the processors, so it costs what it has pixels. Where Blender smooths edges
+# over the course of several pictures, it would draw each of them eight times.
+SMOOTHING = "FXAA"
+# In a window of 960 x 600 there is as much as in one of 1280 x 800.
+SCALE = 0.75
+
+
+def prefer() -> None:
+    preferences = bpy.context.preferences
+    preferences.system.viewport_aa = SMOOTHING
+    preferences.view.ui_scale = SCALE
+    preferences.view.show_splash = False
+    preferences.view.smooth_view = 0  # a view that turns at once
+    preferences.view.filebrowser_display_type = "SCREEN"
+
 
 def window_override() -> dict:
     window = bpy.context.window_manager.windows[0]
@@ -83,7 +102,7 @@ def window_override() -> dict:
     return {"window": window, "area": area, "region": sidebar}
 
 
-IN_VIEW = (400, 400)
+IN_VIEW = (300, 300)
 
 
 def key(kind: str, at: tuple[int, int] = IN_VIEW, **modifiers: bool) -> None:
@@ -107,7 +126,20 @@ def middle_of(area_type: str) -> tuple[int, int]:
     return region.x + region.width // 2, region.y + region.height // 2
 
 
+def redrawn() -> Iterator[float]:
+    """Until the window shows all that is so by now: Blender draws before it calls a timer again."""
+    for _ in range(2):  # a region may find its size while it is drawn
+        yield 0.05
+
+
+def seen(name: str) -> Iterator[float]:
+    """A picture of what is so by now."""
+    yield from redrawn()
+    picture(name)
+
+
 def picture(name: str) -> None:
+    """A picture of what was drawn last."""
     if CAMERA:
         subprocess.run([*CAMERA, PICTURES / f"{name}.png"], check=True)
         return
@@ -132,14 +164,16 @@ def show_panel() -> Iterator[float]:
     """Opens the sidebar and clicks its tabs until the panel is drawn."""
     override = window_override()
     override["area"].spaces.active.show_region_ui = True
-    yield 0.5
+    yield from redrawn()
     sidebar = window_override()["region"]
-    x = sidebar.x + sidebar.width - 9
-    for y in range(sidebar.y + sidebar.height - 100, sidebar.y + 100, -30):
+    x = sidebar.x + sidebar.width - 7
+    # From below: the last tab is that of the add-on.
+    for y in range(sidebar.y + 75, sidebar.y + sidebar.height - 75, 24):
         if panel_draws:
             break
         click(x, y)
-        yield 0.2
+        yield 0.02
+    yield from redrawn()
     assert panel_draws, "the panel was not drawn: no tab of the sidebar shows it"
 
 
@@ -147,16 +181,23 @@ def show_panel() -> Iterator[float]:
 # The scene
 
 
-def build_scene() -> None:
+def build_scene(spacing: float = FINE, levels: int = 1) -> None:
     for thing in list(bpy.data.objects):
         if thing.type == "MESH":
             bpy.data.objects.remove(thing)
     bpy.ops.mesh.primitive_monkey_add(size=2.0)
     suzanne = bpy.context.active_object
-    suzanne.modifiers.new("Subdivision", "SUBSURF").levels = 2
+    suzanne.modifiers.new("Subdivision", "SUBSURF").levels = levels
     suzanne.scale = (1.0, 1.2, 0.9)
     bpy.ops.object.shade_smooth()
-    choose_spacing(FINE)
+    choose_spacing(spacing)
+
+
+def suzanne_in_view(spacing: float = FINE) -> Iterator[float]:
+    """And her panel in the sidebar."""
+    build_scene(spacing)
+    look_at_surface()
+    yield from show_panel()
 
 
 def choose_spacing(spacing: float) -> None:
@@ -241,11 +282,12 @@ def assert_no_python_thread() -> None:
 
 
 def assert_nothing_left_over() -> None:
-    assert session.current() is None
-    assert last_session is not None and last_session.stepper.finished
+    """Of a run or a drawing that has ended."""
+    assert session.current() is None and camera._going is None
+    assert last_session is None or last_session.stepper.finished
     assert_no_python_thread()
-    assert status_texts and status_texts[-1] is None, status_texts[-3:]
-    assert bpy.context.preferences.system.viewport_aa == smoothing  # off while drawing is slow
+    assert not status_texts or status_texts[-1] is None, status_texts[-3:]
+    assert bpy.context.preferences.system.viewport_aa == SMOOTHING  # off while drawing is slow
 
 
 # How many timer events the window gets: none, once a run has given its own back.
@@ -272,11 +314,11 @@ class TEST_OT_count_timers(bpy.types.Operator):
 def assert_no_timer() -> Iterator[float]:
     with bpy.context.temp_override(**window_override()):
         bpy.ops.test.count_timers("INVOKE_DEFAULT")
-    yield 1.0
+    yield 0.6
     key("F13")
-    yield 0.2
-    # A timer of ours would have come ten times; one or two may be Blender's own.
-    assert timer_events < 4, f"{timer_events} timer events in a second"
+    yield 0.05
+    # A timer of ours would have come nine times; one or two may be Blender's own.
+    assert timer_events < 4, f"{timer_events} timer events in half a second"
 
 
 def until(condition: Callable[[], bool], what: str) -> Iterator[float]:
@@ -314,7 +356,7 @@ def undo(redo: bool = False) -> Iterator[float]:
     key("Z", ctrl=True, shift=redo)
     yield from until(lambda: bool(done), "redo" if redo else "undo")
     handlers.remove(note)
-    yield 0.1
+    yield 0.05
 
 
 def ended() -> bool:
@@ -328,51 +370,90 @@ def grown_to(points: int) -> Callable[[], bool]:
 # ------------------------------------------------------------------------------------------------
 # The teller
 
-passed: list[str] = []
-present_step = "the window opens"
-begin, step_begin = time.monotonic(), processor_time.spent()
-smoothing = bpy.context.preferences.system.viewport_aa
+passed = failed = 0
+present_story, present_step = "", ""
+begin = story_begin = time.monotonic()
+step_begin = 0.0
+changed_panels: list[tuple[type[bpy.types.Panel], set[str]]] = []
 
 
 def step(name: str) -> None:
-    global present_step, step_begin
-    passed.append(present_step)
-    processor_time.note(present_step, processor_time.spent() - step_begin)
+    """The one before it has passed."""
+    global passed, present_step, step_begin
+    passed += 1
+    told = f"{present_story}: {present_step}"
+    processor_time.note(told, processor_time.spent() - step_begin)
     step_begin = processor_time.spent()
-    print(f"[{time.monotonic() - begin:5.1f} s] ok: {present_step}", flush=True)
+    print(f"[{time.monotonic() - begin:5.1f} s] ok: {told}", flush=True)
     present_step = name
 
 
-def finish(failed: int) -> None:
-    # os._exit, since an Esc press alone would already make Blender's own exit code 1.
-    print(f"{len(passed)} passed, {failed} failed", flush=True)
-    sys.stderr.flush()
-    os._exit(7 if failed else 0)
+def open_window(story: ModuleType) -> None:
+    """The window and its file as Blender starts with them, and the add-on registered anew."""
+    global last_session, panel_draws
+    meander.unregister()  # which ends a run that a story has failed in
+    for window in bpy.context.window_manager.windows[1:]:
+        with bpy.context.temp_override(window=window):
+            bpy.ops.wm.window_close()
+    with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+        bpy.ops.wm.read_homefile(use_factory_startup=True)
+    prefer()
+    last_session, panel_draws = None, 0
+    status_texts.clear()
+    plan.options_of = options_of
+    while changed_panels:
+        panel, options = changed_panels.pop()
+        panel.bl_options = options
+    for kind, options in (("OPEN", set()), ("CLOSED", {"DEFAULT_CLOSED"})):
+        for panel in getattr(story, kind, ()):
+            changed_panels.append((panel, getattr(panel, "bl_options", set())))
+            panel.bl_options = options
+    meander.register()
 
 
-def tell(story: Iterator[float]) -> None:
-    """Tells a story from its beginning; the process ends with it."""
+def all_told(names: list[str]) -> Iterator[float]:
+    """Every story in the same window; what goes wrong in one does not end the others."""
+    global failed, present_story, present_step, story_begin
+    for name in names:
+        present_story, present_step, story_begin = name, "the window opens", time.monotonic()
+        try:
+            story = importlib.import_module(name)
+            open_window(story)
+            yield from redrawn()
+            for seconds in story.story():
+                yield seconds
+                assert time.monotonic() - story_begin < TIME_LIMIT, f"not done in {TIME_LIMIT} s"
+            assert_nothing_left_over()
+            step("")
+        except Exception:
+            failed += 1
+            traceback.print_exc()
+            print(f"FAILED: {name}: {present_step}", flush=True)
+            try:
+                picture(f"failed_{name}")
+            except RuntimeError as error:
+                print(f"no picture: {error}", flush=True)
+
+
+def tell(names: list[str]) -> None:
+    """Tells these stories, one after another; the process ends with them, by exit code 0 or 7."""
+    telling = all_told(names)
 
     def further() -> float:
         try:
-            assert time.monotonic() - begin < TIME_LIMIT, f"not done within {TIME_LIMIT} s"
-            return next(story)
-        except StopIteration:
-            step("")
-            finish(0)
-        except BaseException:
-            traceback.print_exc()
-            print(f"FAILED: {present_step}", flush=True)
-            try:
-                picture("failed")
-            except RuntimeError as error:
-                print(f"no picture: {error}", flush=True)
-            finish(1)
+            return next(telling)
+        except BaseException as end:
+            if not isinstance(end, StopIteration):
+                traceback.print_exc()
+            told = isinstance(end, StopIteration) and not failed
+            print(f"{passed} passed, {failed or 1 - told} failed", flush=True)
+            sys.stderr.flush()
+            # os._exit, since an Esc press alone would already make Blender's own exit code 1.
+            os._exit(0 if told else 7)
 
     PICTURES.mkdir(parents=True, exist_ok=True)
-    bpy.context.preferences.view.show_splash = False
+    prefer()
     spy()
-    plan.options_of = options_of
     meander.register()
     bpy.utils.register_class(TEST_OT_count_timers)
     bpy.app.timers.register(further, first_interval=0.5, persistent=True)

@@ -1,35 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender script: a subdivided surface after undo and redo, in a window; started like run.py.
+"""A subdivided surface after undo and redo.
 
 Without a window nothing is subdivided by the graphics card, and there is nothing to lose.
 """
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import bpy
-
-HERE = Path(__file__).resolve().parent
-# Another add-on folder can be tried with the same story.
-ADDONS = os.environ.get("MEANDER_ADDON_PARENT", str(HERE.parents[1] / "addon"))
-sys.path[:0] = [str(HERE), str(HERE.parent), ADDONS]
-
-import stage  # noqa: E402
-from meander.scene.changes import shape_count  # noqa: E402
-from meander.scene.meshes import surface_now, triangles_of  # noqa: E402
-from stage import (  # noqa: E402
+import stage
+from meander.scene.changes import shape_count
+from meander.scene.meshes import surface_now, triangles_of
+from stage import (
     COARSE,
     SURFACE,
     build_scene,
     choose_spacing,
     ended,
     press_run,
+    redrawn,
     step,
-    tell,
     undo,
     until,
 )
@@ -55,7 +46,7 @@ def evaluate_unread() -> None:
 def settings_undone(whole: int) -> Iterator[float]:
     for spacing in SPACINGS:
         choose_spacing(spacing)
-    yield 0.5
+    yield from redrawn()
     for redo in (False, False, True, False):
         evaluate_unread()
         unchanged = shape_count(surface())
@@ -68,7 +59,7 @@ def settings_undone(whole: int) -> Iterator[float]:
 def shape_undone(whole: int) -> Iterator[float]:
     surface().modifiers[0].levels = 1
     bpy.ops.ed.undo_push(message="Levels")
-    yield 0.3
+    yield from redrawn()
     assert 4 * face_count() == whole
     changed = shape_count(surface())
     yield from undo()
@@ -84,7 +75,7 @@ def frame_after_undo(whole: int) -> Iterator[float]:
 
     choose_spacing(COARSE)
     choose_spacing(SPACINGS[0])
-    yield 0.3
+    yield from redrawn()
     evaluate_unread()
     yield from undo()
     bpy.app.handlers.frame_change_post.append(note)
@@ -96,7 +87,7 @@ def frame_after_undo(whole: int) -> Iterator[float]:
 def run_after_undo(whole: int) -> Iterator[float]:
     choose_spacing(COARSE)
     choose_spacing(SPACINGS[0])
-    yield 0.3
+    yield from redrawn()
     evaluate_unread()
     yield from undo()
     press_run()
@@ -105,9 +96,8 @@ def run_after_undo(whole: int) -> Iterator[float]:
 
 
 def story() -> Iterator[float]:
-    yield 1.0
-    build_scene()
-    yield 0.5
+    build_scene(levels=2)
+    yield from redrawn()
     whole = face_count()
     # At two levels; each makes as many faces of one as it has corners, three at least.
     assert whole > 2 * 12 * len(surface().data.polygons)
@@ -119,6 +109,3 @@ def story() -> Iterator[float]:
     yield from frame_after_undo(whole)
     step("so does a run")
     yield from run_after_undo(whole)
-
-
-tell(story())
