@@ -10,9 +10,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).resolve().parents[2]
+OF_ROOMS = "A room uses only the rooms below it"
 OF_MODEL = "A part of the model uses only the parts below it"
 
 
@@ -30,69 +29,74 @@ def test_the_rooms_are_in_order(bpy_python: Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize(
-    ("module", "line", "broken"),
-    [
-        # The rooms, one step the wrong way each.
-        ("binding/seed.py", "from .. import core", "A room uses only the rooms below it"),
-        # The parts of the model likewise.
-        ("model/geometry/thinning.py", "from ..files import whole", OF_MODEL),
-        ("model/files/whole.py", "from ..geometry import thinning", OF_MODEL),
-        ("model/geometry/thinning.py", "from ..toolpaths import drawing", OF_MODEL),
-        ("model/toolpaths/drawing.py", "from ..options import option", OF_MODEL),
-        ("model/options/option.py", "from .. import export", OF_MODEL),
-        ("core.py", "from .model.geometry import thinning", "A room uses only the rooms below it"),
-        ("model/bundle.py", "from ..scene import density", "A room uses only the rooms below it"),
-        ("scene/density.py", "from ..run import pace", "A room uses only the rooms below it"),
-        ("run/plan.py", "from ..ui import settings", "A room uses only the rooms below it"),
-        ("run/plan.py", "from ..cli import values", "A room uses only the rooms below it"),
-        ("ui/panels.py", "from ..cli import values", "A room uses only the rooms below it"),
-        ("cli/reading.py", "from ..ui import panels", "A room uses only the rooms below it"),
-        ("cli/reading.py", "from ..jobs import items", "A room uses only the rooms below it"),
-        # A deferred import is one as well.
-        (
-            "run/session.py",
-            "def _late():\n    from ..ui import panels",
-            "A room uses only the rooms below it",
-        ),
-        ("ui/panels.py", "from ..headless import host", "A room uses only the rooms below it"),
-        ("model/geometry/thinning.py", "import bpy", "The Python package knows nothing of Blender"),
-        ("cli/reading.py", "import bpy", "The Python package knows nothing of Blender"),
-        ("jobs/items.py", "import bpy", "The Python package knows nothing of Blender"),
-        # The layers alone would let these two pass.
-        (
-            "cli/reading.py",
-            "def _late():\n    from ..scene import errors",
-            "The Python package knows nothing of Blender",
-        ),
-        (
-            "cli/writing.py",
-            "from ..run import bake",
-            "The Python package knows nothing of Blender",
-        ),
-        (
-            "binding/abi.py",
-            "def _late():\n    import mathutils",
-            "The Python package knows nothing of Blender",
-        ),
-        ("model/geometry/thinning.py", "import ctypes", "Only the binding knows ctypes"),
-        ("core.py", "import ctypes", "Only the binding knows ctypes"),
-        ("ui/panels.py", "from ctypes import c_int", "Only the binding knows ctypes"),
-        ("run/plan.py", "from ..binding import flow", "Only core knows the binding"),
-        ("jobs/items.py", "from ..binding import abi", "Only core knows the binding"),
-    ],
-)
-def test_an_import_against_the_rule_is_found(
-    module: str, line: str, broken: str, bpy_python: Path, tmp_path: Path
-) -> None:
+# By the rule that each is against: a module, and a line at its end.
+BREACHES = {
+    # One step the wrong way each; a deferred import is one as well.
+    OF_ROOMS: (
+        ("binding/seed.py", "from .. import core"),
+        ("core.py", "from .model.geometry import thinning"),
+        ("model/bundle.py", "from ..scene import density"),
+        ("scene/density.py", "from ..run import pace"),
+        ("run/plan.py", "from ..ui import settings"),
+        ("run/plan.py", "from ..cli import values"),
+        ("ui/panels.py", "from ..cli import values"),
+        ("cli/reading.py", "from ..ui import panels"),
+        ("cli/reading.py", "from ..jobs import items"),
+        ("run/session.py", "def _late():\n    from ..ui import panels"),
+        ("ui/panels.py", "from ..headless import host"),
+    ),
+    OF_MODEL: (
+        ("model/geometry/thinning.py", "from ..files import whole"),
+        ("model/files/whole.py", "from ..geometry import thinning"),
+        ("model/geometry/thinning.py", "from ..toolpaths import drawing"),
+        ("model/toolpaths/drawing.py", "from ..options import option"),
+        ("model/options/option.py", "from .. import export"),
+    ),
+    # The layers alone would let the deferred two pass.
+    "The Python package knows nothing of Blender": (
+        ("model/geometry/thinning.py", "import bpy"),
+        ("cli/reading.py", "import bpy"),
+        ("jobs/items.py", "import bpy"),
+        ("cli/reading.py", "def _late():\n    from ..scene import errors"),
+        ("cli/writing.py", "from ..run import bake"),
+        ("binding/abi.py", "def _late():\n    import mathutils"),
+    ),
+    "Only the binding knows ctypes": (
+        ("model/geometry/thinning.py", "import ctypes"),
+        ("core.py", "import ctypes"),
+        ("ui/panels.py", "from ctypes import c_int"),
+    ),
+    "Only core knows the binding": (
+        ("run/plan.py", "from ..binding import flow"),
+        ("jobs/items.py", "from ..binding import abi"),
+    ),
+}
+
+
+def test_every_import_against_a_rule_is_found(bpy_python: Path, tmp_path: Path) -> None:
+    """All of them in one copy of the add-on: each is named under the rule that it is against."""
     package = tmp_path / "meander"
     shutil.copytree(ROOT / "addon/meander", package, ignore=shutil.ignore_patterns("native"))
-    with (package / module).open("a") as file:
-        file.write(f"\n{line}\n")
+    wanted = []
+    for rule, breaches in BREACHES.items():
+        for module, line in breaches:
+            text = (package / module).read_text() + f"\n{line}\n"
+            (package / module).write_text(text)
+            name = f"meander.{module.removesuffix('.py').replace('/', '.')}"
+            wanted.append((rule, name, text.count("\n")))
     done = lint(bpy_python, tmp_path)
     assert done.returncode == 1, done.stdout + done.stderr
-    verdicts = re.sub(r"\x1b\[\d+m", "", done.stdout).splitlines()
-    assert f"{broken} BROKEN" in verdicts, done.stdout
+    said = re.sub(r"\x1b\[\d+m", "", done.stdout).partition("\nBroken contracts\n")[2]
+    # A title is underlined.
+    _before, *parts = re.split(r"\n(.+)\n-+\n", said)
+    found = dict(zip(parts[::2], parts[1::2]))
+    assert found.keys() == BREACHES.keys()
+    missed = [
+        (rule, name, number)
+        for rule, name, number in wanted
+        if not re.search(rf"(?m)^- +{re.escape(name)} -> \S+ \(l\.{number}\)$", found[rule])
+    ]
+    assert missed == [], done.stdout
 
 
 def test_a_room_that_the_rule_does_not_know_is_found(bpy_python: Path, tmp_path: Path) -> None:
