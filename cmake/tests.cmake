@@ -59,24 +59,23 @@ if(MEANDER_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   include(cmake/fuzz.cmake)
 endif()
 
-# The header is C99: one C program runs a step through the shared library, as a client would.
-add_executable(c99_step tests/native/c99_step.c)
-target_compile_options(c99_step PRIVATE -pedantic -Wall -Wextra -Werror)
-target_link_libraries(c99_step PRIVATE meander m)
-add_test(NAME c99_step COMMAND c99_step "${PROJECT_VERSION}")
-
-# A program compiled against the first header of this ABI runs with the present library.
-add_executable(abi3_client tests/native/abi3/client.c)
-target_compile_options(abi3_client PRIVATE -pedantic -Wall -Wextra -Werror)
-target_link_libraries(abi3_client PRIVATE meander)
+# The header is C99, and a program compiled against the first header of this ABI runs with the present library.
+foreach(client c99_client abi3_client)
+  add_executable(${client} tests/native/client.c)
+  target_compile_options(${client} PRIVATE -pedantic -Wall -Wextra -Werror)
+  target_link_libraries(${client} PRIVATE meander m)
+endforeach()
+target_include_directories(c99_client PRIVATE native/include/meander)
+target_include_directories(abi3_client BEFORE PRIVATE tests/native/abi3)
+add_test(NAME c99_client COMMAND c99_client "${PROJECT_VERSION}")
+add_test(NAME abi3_client COMMAND abi3_client)
 # What sanitizers check of C++ is in a run-time library that only C++ programs are linked with.
 if(MEANDER_SANITIZE)
-  foreach(client c99_step abi3_client)
+  foreach(client c99_client abi3_client)
     target_link_libraries(${client} PRIVATE meander_compile_options)
     set_target_properties(${client} PROPERTIES LINKER_LANGUAGE CXX)
   endforeach()
 endif()
-add_test(NAME abi3_client COMMAND abi3_client)
 
 # Shared libraries export exactly what the header declares, and need only what every system has.
 set(shared_libraries meander)
@@ -97,4 +96,4 @@ add_test(NAME addon_versions
   COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/make_addon_zip.py"
           --addon "${PROJECT_SOURCE_DIR}/addon/meander" --version "${PROJECT_VERSION}" --check-only)
 
-set_tests_properties(c99_step abi3_client addon_versions PROPERTIES TIMEOUT 60)
+set_tests_properties(c99_client abi3_client addon_versions PROPERTIES TIMEOUT 60)

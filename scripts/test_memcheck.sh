@@ -8,10 +8,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-bash scripts/build.sh c99_step test_threads
+bash scripts/build.sh c99_client test_threads
 memcheck() {
   valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite "$@"
 }
-memcheck build/c99_step "$(sed -n 's/^project(Meander VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)"
+memcheck build/c99_client "$(sed -n 's/^project(Meander VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)"
 memcheck build/test_threads --gtest_filter='Threads.ShareAFlowOfManyStrands'
 echo "no error was reported"
