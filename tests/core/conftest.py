@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -88,6 +89,17 @@ def grow(mesh: geometry.Mesh, radius: float, seed: core.Seed | None = None, **ch
             flow.statistics(),
             flow.history(),
         )
+
+
+def polylines(*lines: tuple[np.ndarray, bool]) -> core.Polylines:
+    """A curve of lines, closed or not, whose normals point up."""
+    points = np.vstack([line for line, _closed in lines])
+    return core.Polylines(
+        points,
+        np.tile([0.0, 0.0, 1.0], (len(points), 1)),
+        np.cumsum([0] + [len(line) for line, _closed in lines]).astype(np.uint32),
+        np.array([closed for _line, closed in lines], dtype=np.uint8),
+    )
 
 
 @cache

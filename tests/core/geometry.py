@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from meander.core import Polylines
 
 
 class Mesh(NamedTuple):
@@ -272,10 +275,55 @@ def weighted_samples(
 def distance_to_samples(points: NDArray, samples: NDArray) -> NDArray[np.float64]:
     """The distance of each point to the nearest sample, straight through space."""
     nearest = []
-    for start in range(0, len(points), 500):
-        difference = points[start : start + 500, None, :] - samples[None, :, :]
-        nearest.append(np.sqrt((difference**2).sum(axis=2).min(axis=1)))
+    for block in blocks_of(points, len(samples)):
+        squares = sum((block[:, k, None] - samples[:, k]) ** 2 for k in range(3))
+        nearest.append(np.sqrt(squares.min(axis=1)))
     return np.concatenate(nearest)
+
+
+def blocks_of(points: NDArray, others: int) -> list[NDArray]:
+    """So few points each that a figure for all pairs with others stays in the processor's cache."""
+    count = max(1, 50_000 // others)
+    return [points[start : start + count] for start in range(0, len(points), count)]
+
+
+def distance_to_pieces(points: NDArray, begin: NDArray, end: NDArray) -> NDArray[np.float64]:
+    """The distance of each point to the nearest straight piece, in the plane or in space."""
+    along = end - begin
+    squares = np.maximum((along**2).sum(axis=1), 1e-300)
+    axes = range(points.shape[1])
+    nearest = []
+    for block in blocks_of(points, len(begin)):
+        away = [block[:, k, None] - begin[:, k] for k in axes]
+        share = np.clip(sum(away[k] * along[:, k] for k in axes) / squares, 0.0, 1.0)
+        apart = sum((away[k] - share * along[:, k]) ** 2 for k in axes)
+        nearest.append(np.sqrt(apart.min(axis=1)))
+    return np.concatenate(nearest)
+
+
+def farthest(points: NDArray, way: NDArray) -> float:
+    """The largest distance of points from a polyline, in the plane or in space."""
+    return float(distance_to_pieces(points, way[:-1], way[1:]).max())
+
+
+def plane_crossings(begin: NDArray, end: NDArray) -> int:
+    """Pairs of pieces in the plane z = 0 that cross, by the signs of four areas."""
+    a, b = begin[:, :2], end[:, :2]
+
+    def side(p: NDArray, q: NDArray, r: NDArray) -> NDArray:
+        return np.sign(_cross(q - p, r - p))
+
+    i, j = np.triu_indices(len(a), 1)
+    proper = (side(a[i], b[i], a[j]) * side(a[i], b[i], b[j]) < 0) & (
+        side(a[j], b[j], a[i]) * side(a[j], b[j], b[i]) < 0
+    )
+    return int(proper.sum())
+
+
+def ends_of(curve: Polylines) -> tuple[NDArray, NDArray]:
+    """Where the straight pieces of a curve begin and end, (n, 3) each."""
+    begin, end = curve.positions[pieces_of(curve.offsets, curve.closed)].swapaxes(0, 1)
+    return begin, end
 
 
 def curve_length(positions: NDArray, offsets: NDArray, closed: NDArray) -> float:

@@ -21,14 +21,6 @@ from meander.model.toolpaths.svg import svg_text
 UP = [0.0, 0.0, 1.0]
 
 
-def away(points: np.ndarray, way: np.ndarray) -> float:
-    """The largest distance of points from a polyline."""
-    a, along = way[:-1, None], (way[1:] - way[:-1])[:, None]
-    share = ((points - a) * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-300)
-    foot = a + np.clip(share, 0.0, 1.0)[..., None] * along
-    return float(np.linalg.norm(points - foot, axis=-1).min(axis=0).max())
-
-
 def smooth(rng: np.random.Generator, count: int) -> np.ndarray:
     """A closed way of a few waves around a circle of radius 30."""
     angles = np.linspace(0.0, 2.0 * np.pi, count + 1)
@@ -49,8 +41,8 @@ def test_arcs_are_near_the_curve_and_the_curve_near_them(number: int, tolerance:
     way = smooth(np.random.default_rng(number), 700)
     moves = fitted(way, tolerance)
     flat = moves.flattened(1e-4)
-    assert away(between(way, 4), flat) <= tolerance + 1e-4
-    assert away(flat, way) <= tolerance + 1e-4
+    assert geometry.farthest(between(way, 4), flat) <= tolerance + 1e-4
+    assert geometry.farthest(flat, way) <= tolerance + 1e-4
     assert np.array_equal(moves.ends[-1], way[-1]) and np.array_equal(moves.start, way[0])
     assert len(moves.ends) < len(way) / 5
     assert np.abs(moves.turns).max() < np.pi
@@ -82,7 +74,8 @@ def test_corners_and_repeated_points_are_kept() -> None:
     ):
         moves = fitted(way, 1e-3)
         flat = moves.flattened(1e-5)
-        assert away(way, flat) <= 1e-3 + 1e-5 and away(flat, way) <= 1e-3 + 1e-5
+        assert geometry.farthest(way, flat) <= 1e-3 + 1e-5
+        assert geometry.farthest(flat, way) <= 1e-3 + 1e-5
 
 
 @pytest.fixture
@@ -126,8 +119,8 @@ def test_g_code_is_the_same_way(drawing: Drawing) -> None:
             at = end
         assert len(found) == 2
         for places, moves in zip(found, drawing.moves):
-            assert away(np.array(places), moves.flattened(1e-4)) < 2e-3
-            assert away(moves.flattened(1e-2), np.array(places)) < 2e-2
+            assert geometry.farthest(np.array(places), moves.flattened(1e-4)) < 2e-3
+            assert geometry.farthest(moves.flattened(1e-2), np.array(places)) < 2e-2
 
 
 def test_an_svg_file_is_the_same_way(drawing: Drawing) -> None:
@@ -139,8 +132,8 @@ def test_an_svg_file_is_the_same_way(drawing: Drawing) -> None:
         assert any(isinstance(piece, svgpathtools.Arc) for piece in path)
         places = np.array([piece.point(t) for piece in path for t in np.linspace(0, 1, 40)])
         flat = np.column_stack([places.real + low[0] - 0.3, high[1] + 0.3 - places.imag])
-        assert away(flat, moves.flattened(1e-4)) < 5e-3
-        assert away(moves.flattened(1e-2), flat) < 5e-2
+        assert geometry.farthest(flat, moves.flattened(1e-4)) < 5e-3
+        assert geometry.farthest(moves.flattened(1e-2), flat) < 5e-2
 
 
 def test_a_dxf_file_is_the_same_way(drawing: Drawing, tmp_path: Path) -> None:
@@ -154,8 +147,8 @@ def test_a_dxf_file_is_the_same_way(drawing: Drawing, tmp_path: Path) -> None:
     for polyline, moves in zip(found, drawing.moves):
         assert any(vertex.dxf.bulge for vertex in polyline.vertices)
         places = np.array([(p.x, p.y) for p in ezdxf_path.make_path(polyline).flattening(1e-3)])
-        assert away(places, moves.flattened(1e-4)) < 5e-3
-        assert away(moves.flattened(1e-2), places) < 5e-2
+        assert geometry.farthest(places, moves.flattened(1e-4)) < 5e-3
+        assert geometry.farthest(moves.flattened(1e-2), places) < 5e-2
 
 
 def test_files_with_arcs_are_a_fifth_as_long(tmp_path: Path, capsys) -> None:

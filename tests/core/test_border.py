@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import geometry
 import numpy as np
 import pytest
 from meander import core
@@ -15,20 +16,7 @@ HOLES = ((0.9, 0.9, 0.35), (2.1, 2.0, 0.45))  # x, y, radius
 
 def distances(points: np.ndarray, curve: core.Polylines) -> np.ndarray:
     """Straight distances of the points from the curve, all pairs."""
-    begin = curve.positions
-    following = np.arange(len(begin)) + 1
-    joined = np.ones(len(begin), dtype=bool)
-    for first, end, closed in zip(
-        curve.offsets[:-1], curve.offsets[1:], curve.closed, strict=True
-    ):
-        following[end - 1], joined[end - 1] = first, closed
-    begin, along = begin[joined], (begin[following[joined]] - begin[joined])
-    squares = np.maximum((along * along).sum(axis=1), 1e-300)
-    result = np.empty(len(points))
-    for k, point in enumerate(points):
-        share = np.clip(((point - begin) * along).sum(axis=1) / squares, 0.0, 1.0)
-        result[k] = np.linalg.norm(begin + share[:, None] * along - point, axis=1).min()
-    return result
+    return geometry.distance_to_pieces(points, *geometry.ends_of(curve))
 
 
 def square_outline(size: float = 3.0) -> np.ndarray:
@@ -94,10 +82,7 @@ def border_edges(faces: np.ndarray) -> np.ndarray:
 
 def distance_from_border(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     edges = border_edges(faces)
-    begin, along = vertices[edges[:, 0]], vertices[edges[:, 1]] - vertices[edges[:, 0]]
-    share = ((points[:, None] - begin) * along).sum(axis=2) / (along * along).sum(axis=1)
-    nearest = begin + np.clip(share, 0.0, 1.0)[:, :, None] * along
-    return np.linalg.norm(nearest - points[:, None], axis=2).min(axis=1)
+    return geometry.distance_to_pieces(points, vertices[edges[:, 0]], vertices[edges[:, 1]])
 
 
 @pytest.mark.parametrize("cells", [1, 6, 15, 30])

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import itertools
 
+import geometry
 import numpy as np
 import pytest
+from conftest import polylines
 from meander import core
 from meander.model.geometry.nearest_places import closest_pair, spanning_tree
 from meander.model.toolpaths import bridges
@@ -14,48 +16,11 @@ from meander.model.toolpaths import bridges
 SPACING = 0.2
 
 
-def polylines(*lines: tuple[np.ndarray, bool]) -> core.Polylines:
-    points = np.vstack([line for line, _closed in lines])
-    return core.Polylines(
-        points,
-        np.tile([0.0, 0.0, 1.0], (len(points), 1)),
-        np.cumsum([0] + [len(line) for line, _closed in lines]).astype(np.uint32),
-        np.array([closed for _line, closed in lines], dtype=np.uint8),
-    )
-
-
 def ring(x: float, y: float, radius: float, count: int = 40, turn: float = 0.0) -> np.ndarray:
     angles = turn + 2 * np.pi * np.arange(count) / count
     return np.column_stack(
         [x + radius * np.cos(angles), y + radius * np.sin(angles), np.zeros(count)]
     )
-
-
-def pieces_of(curve: core.Polylines) -> np.ndarray:
-    """The straight pieces, (n, 2, 3)."""
-    found = []
-    for begin, end, closed in zip(curve.offsets[:-1], curve.offsets[1:], curve.closed):
-        own = curve.positions[begin:end]
-        pieces = np.stack([own, np.roll(own, -1, axis=0)], axis=1)
-        found.append(pieces if closed else pieces[:-1])
-    return np.vstack(found)
-
-
-def crossings(pieces: np.ndarray) -> int:
-    """Pairs of pieces in the plane that cross, by the signs of four areas."""
-    a, b = pieces[:, 0, :2], pieces[:, 1, :2]
-
-    def side(p, q, r):
-        return np.sign(
-            (q[..., 0] - p[..., 0]) * (r[..., 1] - p[..., 1])
-            - (q[..., 1] - p[..., 1]) * (r[..., 0] - p[..., 0])
-        )
-
-    i, j = np.triu_indices(len(pieces), 1)
-    proper = (side(a[i], b[i], a[j]) * side(a[i], b[i], b[j]) < 0) & (
-        side(a[j], b[j], a[i]) * side(a[j], b[j], b[i]) < 0
-    )
-    return int(proper.sum())
 
 
 def checked(curve: core.Polylines, guides: np.ndarray | None = None) -> bridges.Joined:
@@ -142,7 +107,7 @@ def test_rings_become_one_line_without_crossings() -> None:
             )
         )
         line = checked(curve)
-        assert crossings(pieces_of(line.polylines)) == 0
+        assert geometry.plane_crossings(*geometry.ends_of(line.polylines)) == 0
         # Bridges lie beside the nearest places, of a tree that is the shortest.
         sets = [curve.positions[a:b] for a, b in zip(curve.offsets[:-1], curve.offsets[1:])]
         tree = sum(closest_pair(sets[a], sets[b])[2] for a, b in spanning_tree(sets))
@@ -155,7 +120,7 @@ def test_many_bridges_on_one_ring_keep_apart_and_small_rings_are_cut_little() ->
     specks = [ring(0.62 * np.cos(a), 0.62 * np.sin(a), 0.01, 3) for a in (0.4, 2.0, 3.6)]
     curve = polylines((ring(0, 0, 0.5, 12), True), *((line, True) for line in petals + specks))
     line = checked(curve)
-    assert crossings(pieces_of(line.polylines)) == 0
+    assert geometry.plane_crossings(*geometry.ends_of(line.polylines)) == 0
     taken = core.Polylines(*line.polylines[:3], line.polylines.closed)
     for length in np.diff(taken.offsets):
         assert length > 3
@@ -173,7 +138,7 @@ def test_open_strands_make_an_open_line_and_guides_stay_out() -> None:
     assert line.guides.tolist() == [True, False] and line.line == 1
     assert line.sources.tolist() == [0, 1]
     assert np.array_equal(line.polylines.positions[:2], wall[0])
-    assert crossings(pieces_of(line.polylines)) == 0
+    assert geometry.plane_crossings(*geometry.ends_of(line.polylines)) == 0
     # End to end, then the ring by two more.
     assert sorted(np.round(line.bridge_lengths, 2))[-2:] == [0.5, 0.5]
 

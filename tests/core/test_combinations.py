@@ -402,10 +402,7 @@ def check_fixed(case: Case, first: State, state: State, near: float) -> None:
     strand = np.repeat(np.arange(len(first.curve.closed)), np.diff(first.curve.offsets.astype(int)))
     pieces = geometry.pieces_of(first.curve.offsets, first.curve.closed)
     start, end = line[pieces[first.guides[strand[pieces[:, 0]]]]].swapaxes(0, 1)
-    for place in added:
-        along = np.einsum("ij,ij->i", place - start, end - start)
-        share = np.clip(along / np.maximum(((end - start) ** 2).sum(axis=1), 1e-300), 0, 1)
-        assert np.linalg.norm(start + share[:, None] * (end - start) - place, axis=1).min() <= near
+    assert geometry.distance_to_pieces(np.array(added), start, end).max() <= near
 
 
 def check(case: Case, seed: core.Seed | None, states: list[State]) -> None:

@@ -43,14 +43,7 @@ def centres(size: int = SIZE) -> np.ndarray:
 def true_distances(mapped: Mapped, places: np.ndarray) -> np.ndarray:
     """From points of the plane to the curve, segment by segment."""
     ends = mapped.cut.positions[mapped.cut.line_edges()][:, :, :2]
-    start, along = ends[:, 0], ends[:, 1] - ends[:, 0]
-    nearest = np.full(len(places), np.inf)
-    for begin in range(0, len(places), 2000):
-        to = places[begin : begin + 2000, None] - start
-        t = np.clip((to * along).sum(2) / (along * along).sum(1), 0.0, 1.0)
-        away = np.linalg.norm(to - t[:, :, None] * along, axis=2)
-        nearest[begin : begin + 2000] = away.min(axis=1)
-    return nearest
+    return geometry.distance_to_pieces(places, ends[:, 0], ends[:, 1])
 
 
 def test_pixels_say_how_far_the_line_is(sheet: Mapped) -> None:

@@ -52,17 +52,10 @@ def free(pieces: list[tuple[np.ndarray, bool]]) -> np.ndarray:
         np.stack([p, np.roll(p, -1, axis=0)], axis=1)[: None if closed else -1, :, :2]
         for p, closed in pieces
     ]
-    start, along = np.vstack(ends)[:, 0], np.diff(np.vstack(ends), axis=1)[:, 0]
     steps = np.arange(-1, SIZE + 1) / SIZE + 0.5 / SIZE
     places = np.stack(np.meshgrid(steps, steps), axis=2).reshape(-1, 2)
-    square = np.maximum((along * along).sum(1), 1e-30)
-    found = np.empty(len(places), dtype=bool)
-    for begin in range(0, len(places), 2000):
-        to = places[begin : begin + 2000, None] - start
-        t = np.clip((to * along).sum(2) / square, 0.0, 1.0)
-        away = np.linalg.norm(to - t[:, :, None] * along, axis=2).min(axis=1)
-        found[begin : begin + 2000] = away > WIDTH / 2
-    return found.reshape(SIZE + 2, SIZE + 2)
+    away = geometry.distance_to_pieces(places, *np.vstack(ends).swapaxes(0, 1))
+    return (away > WIDTH / 2).reshape(SIZE + 2, SIZE + 2)
 
 
 def flood(open_pixels: np.ndarray, begin: tuple[int, int]) -> np.ndarray:

@@ -9,41 +9,11 @@ import time
 import geometry
 import numpy as np
 import pytest
+from conftest import polylines
 from meander import batch, core
 from meander.model.files import obj
 from meander.model.geometry import simplification, thinning
 from meander.model.geometry.simplification import Light
-
-
-def curve_of(strands, closed):
-    positions = np.vstack(strands)
-    offsets = np.cumsum([0] + [len(strand) for strand in strands]).astype(np.uint32)
-    return core.Polylines(
-        positions, np.zeros_like(positions), offsets, np.array(closed, dtype=np.uint8)
-    )
-
-
-def pieces(curve):
-    """Begin and end of every straight piece."""
-    begins, ends = [], []
-    for first, last, closed in zip(curve.offsets[:-1], curve.offsets[1:], curve.closed):
-        points = curve.positions[first:last]
-        points = np.vstack([points, points[:1]]) if closed else points
-        begins.append(points[:-1])
-        ends.append(points[1:])
-    return np.vstack(begins), np.vstack(ends)
-
-
-def farthest(points, begin, end):
-    """The greatest distance of points from pieces, pair by pair."""
-    along = end - begin
-    square = np.maximum((along**2).sum(axis=1), 1e-300)
-    worst = 0.0
-    for part in np.array_split(points, max(len(points) // 200, 1)):
-        share = np.clip(((part[:, None] - begin) * along).sum(axis=2) / square, 0.0, 1.0)
-        apart = begin + share[..., None] * along - part[:, None]
-        worst = max(worst, float(np.linalg.norm(apart, axis=2).min(axis=1).max()))
-    return worst
 
 
 def between(begin, end):
@@ -78,10 +48,10 @@ def test_a_light_curve_is_near_the_whole_one_and_crosses_nothing(model, name, sh
     assert (np.diff(kept) > 0).all() and light.closed.tolist() == grown.curve.closed.tolist()
     assert np.isin(grown.curve.offsets[:-1], kept).all()
     assert len(kept) < (0.5 if share < 0.1 else 0.12) * len(grown.curve.positions)
-    whole, few = pieces(grown.curve), pieces(light)
+    whole, few = geometry.ends_of(grown.curve), geometry.ends_of(light)
     tolerance = share * spacing * (1.0 + 1e-9)
-    assert farthest(between(*whole)[::5], *few) <= tolerance
-    assert farthest(between(*few)[::5], *whole) <= tolerance
+    assert geometry.distance_to_pieces(between(*whole)[::5], *few).max() <= tolerance
+    assert geometry.distance_to_pieces(between(*few)[::5], *whole).max() <= tolerance
     up = few[0] if name == "icosphere" else np.array([0.0, 0.0, 1.0])
     if name != "torus":  # which has no direction from which nothing hides anything
         assert crossings(*few, up) == 0
@@ -96,12 +66,12 @@ def test_a_spiral_into_which_another_is_wound_stays_one():
         strands.append(
             np.column_stack([out * np.cos(angle + phase), out * np.sin(angle + phase), 0 * angle])
         )
-    whole = curve_of(strands, [False, False])
+    whole = polylines(*((strand, False) for strand in strands))
     up = np.array([0.0, 0.0, 1.0])
-    rough = [strand[simplification.kept_within(strand, False, 0.03)] for strand in strands]
-    assert crossings(*pieces(curve_of(rough, [False, False])), up) > 0
+    rough = [(strand[simplification.kept_within(strand, False, 0.03)], False) for strand in strands]
+    assert crossings(*geometry.ends_of(polylines(*rough)), up) > 0
     light = thinning.with_points(whole, simplification.light_points(whole, Light(0.03), 1.0))
-    assert crossings(*pieces(light), up) == 0
+    assert crossings(*geometry.ends_of(light), up) == 0
     assert len(light.positions) < 1000
 
 
@@ -124,7 +94,7 @@ def test_what_is_small_or_straight_keeps_its_kind():
     ring = np.array([[1.0, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]) * 1e-3
     line = np.linspace([0.0, 0, 5], [9.0, 0, 5], 400)
     for scale in (1e-9, 1.0, 1e9):
-        whole = curve_of([ring * scale, line * scale], [True, False])
+        whole = polylines((ring * scale, True), (line * scale, False))
         kept = simplification.light_points(whole, Light(0.25), scale)
         light = thinning.with_points(whole, kept)
         assert np.diff(light.offsets).tolist() == [3, 2]
@@ -138,7 +108,7 @@ def test_two_hundred_thousand_points_take_less_than_a_second():
     y = rows * 0.1 + 0.01 * np.sin(4.0 * x)
     line = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
     begin = time.process_time()
-    kept = simplification.light_points(curve_of([line], [False]), Light(0.01), 0.1)
+    kept = simplification.light_points(polylines((line, False)), Light(0.01), 0.1)
     assert time.process_time() - begin < 4.0  # room for a machine a quarter as fast
     assert len(kept) < 0.5 * len(line)
 

@@ -3,17 +3,11 @@
 
 from __future__ import annotations
 
+import geometry
 import numpy as np
 import pytest
-from meander import core
+from conftest import polylines
 from meander.model.geometry import thinning
-
-
-def polylines(strands: list[np.ndarray], closed: list[bool]) -> core.Polylines:
-    positions = np.vstack(strands)
-    offsets = np.cumsum([0] + [len(strand) for strand in strands]).astype(np.uint32)
-    normals = np.arange(3.0 * len(positions)).reshape(-1, 3)
-    return core.Polylines(positions, normals, offsets, np.array(closed, dtype=np.uint8))
 
 
 def walk(count: int, seed: int, closed: bool) -> np.ndarray:
@@ -27,19 +21,12 @@ def walk(count: int, seed: int, closed: bool) -> np.ndarray:
     return points
 
 
-def distance_from(point: np.ndarray, line: np.ndarray) -> float:
-    a, b = line[:-1], line[1:]
-    along = b - a
-    squares = np.maximum((along * along).sum(axis=1), 1e-300)
-    t = np.clip(((point - a) * along).sum(axis=1) / squares, 0.0, 1.0)
-    return float(np.linalg.norm(a + t[:, None] * along - point, axis=1).min())
-
-
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("seed", range(6))
 def test_the_curve_moves_by_less_than_the_distance(closed, seed):
     strands = [walk(120, seed, closed), walk(90, seed + 100, closed) + 50.0]
-    before = polylines(strands, [closed, closed])
+    before = polylines(*((strand, closed) for strand in strands))
+    before = before._replace(normals=np.arange(3.0 * len(before.positions)).reshape(-1, 3))
     distance = 0.05
     after = thinning.with_points(before, thinning.kept_points(before, distance))
     assert after.closed.tolist() == before.closed.tolist()
@@ -53,8 +40,7 @@ def test_the_curve_moves_by_less_than_the_distance(closed, seed):
         # The last step may be short: nothing after it has to give way.
         assert (np.linalg.norm(np.diff(line, axis=0), axis=1)[:-1] >= distance).all()
         middles = (original[1:] + original[:-1]) / 2.0
-        for point in np.vstack([original, middles]):
-            assert distance_from(point, line) <= distance
+        assert geometry.farthest(np.vstack([original, middles]), line) <= distance
     # Normals stay with their points.
     rows = {point.tobytes(): normal for point, normal in zip(before.positions, before.normals)}
     for point, normal in zip(after.positions, after.normals):
@@ -66,7 +52,7 @@ def test_the_curve_moves_by_less_than_the_distance(closed, seed):
 def test_what_is_small_as_a_whole_stays():
     ring = 1e-3 * np.array([[1.0, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]])
     line = 1e-3 * np.array([[0.0, 0, 5], [0, 0, 5.1], [0, 0, 5.2]])
-    kept = thinning.kept_points(polylines([ring, line], [True, False]), 0.5)
+    kept = thinning.kept_points(polylines((ring, True), (line, False)), 0.5)
     assert kept.tolist() == [0, 1, 2, 3, 4, 6]
 
 

@@ -31,27 +31,13 @@ def _polylines():
     )
 
 
-def _pieces(points, closed):
-    return points, (np.roll(points, -1, axis=0) if closed else points[1:])
-
-
-def _farthest(points, path, closed):
-    """The greatest distance of points from a polyline, pair by pair."""
-    begin, end = _pieces(path, closed)
-    begin = begin[: len(end)]
-    piece = end - begin
-    square = np.maximum((piece**2).sum(axis=1), 1e-300)
-    share = np.clip(((points[:, None] - begin) * piece).sum(axis=2) / square, 0.0, 1.0)
-    nearest = begin + share[..., None] * piece
-    return np.linalg.norm(points[:, None] - nearest, axis=2).min(axis=1).max()
-
-
 @pytest.mark.parametrize("step", [0.011, 0.1, 0.37, 100.0])
 def test_steps_are_equal_and_on_the_polyline(step):
     strands = toolpath.strands_of(_polylines())
     for whole, strand in zip(strands, toolpath.resampled(strands, step=step), strict=True):
         assert strand.closed == whole.closed
-        assert _farthest(strand.points, whole.points, whole.closed) < 1e-12
+        way = np.vstack([whole.points, whole.points[: whole.closed]])
+        assert geometry.farthest(strand.points, way) < 1e-12
         arc_lengths = strand.arc_lengths
         if strand.closed:
             arc_lengths = np.append(arc_lengths, strand.length)
@@ -82,8 +68,8 @@ def test_chords_stay_within_the_tolerance(tolerance):
         ring = np.vstack([whole.points, whole.points[:1]])
         for begin, end in zip(kept, ends):
             if end - begin > 1:
-                chord = ring[[begin, end]]
-                assert _farthest(ring[begin : end + 1], chord, False) <= tolerance * (1 + 1e-9)
+                off = geometry.farthest(ring[begin : end + 1], ring[[begin, end]])
+                assert off <= tolerance * (1 + 1e-9)
         assert len(strand.points) >= (3 if strand.closed else 2)
         counts.append(len(strand.points))
     if tolerance >= 0.02:

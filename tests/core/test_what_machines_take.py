@@ -105,15 +105,6 @@ def zigzag(spacing: float, rows: int) -> toolpath.Strand:
     return toolpath.strand_of(flat, np.tile([0.0, 0.0, 1.0], (len(flat), 1)), False)
 
 
-def farthest(points: np.ndarray, way: np.ndarray) -> float:
-    """The largest distance of points from a polyline."""
-    a, b = way[:-1, None], way[1:, None]
-    along = b - a
-    share = ((points - a) * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-300)
-    foot = a + np.clip(share, 0.0, 1.0)[..., None] * along
-    return float(np.linalg.norm(points - foot, axis=-1).min(axis=0).max())
-
-
 @pytest.mark.parametrize("stitch", [1.0, 2.5, 4.0, 12.0])
 @pytest.mark.parametrize("tolerance", [0.0, 0.05, 0.3])
 def test_stitches_keep_within_the_tolerance(stitch: float, tolerance: float) -> None:
@@ -122,7 +113,7 @@ def test_stitches_keep_within_the_tolerance(stitch: float, tolerance: float) -> 
     thread = embroidery.stitched(drawing, stitch, tolerance)
     (strand,) = thread.strands
     allowed = tolerance or 0.1
-    assert farthest(drawing.strands[0].points, strand.points) <= allowed * (1 + 1e-9)
+    assert geometry.farthest(drawing.strands[0].points, strand.points) <= allowed * (1 + 1e-9)
     assert np.linalg.norm(np.diff(strand.points, axis=0), axis=1).max() <= stitch * (1 + 1e-9)
     assert len(thread.crossings()) == 0
     # The ends of the curve are those of the thread, and where it is straight stitches are long.
