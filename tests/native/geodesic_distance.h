@@ -14,9 +14,15 @@
 #include <span>
 #include <vector>
 
-#include "straight_walk.h"
+#include "geodesic/unfolding.h"
 
 namespace meander {
+
+/// A point in the plane of a face.
+struct FlatPoint {
+  uint32_t face = 0;
+  Vec2 place;
+};
 
 /// Scratch memory of one thread, reused from call to call.
 class GeodesicDistance {
