@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "api_flows.h"
 #include "api_results.h"
 #include "base/cancel_token.h"
 #include "base/failure.h"
@@ -392,26 +393,17 @@ struct PublicCall {
   std::function<meander_status(meander_context*, std::vector<double>& output)> make;
 };
 
-struct ContextDeleter {
-  void operator()(meander_context* context) const { meander_context_destroy(context); }
-};
-
 /// A cancel that comes while the call is at work ends it before it is done. When it comes is up to the system, so this
 /// is tried until it has come well after the beginning.
 TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
   const Mesh mesh = with_noise(sphere(4), 0.1, 5);
   const size_t vertices = mesh.vertex_count();
-  meander_surface* surface = nullptr;
-  ASSERT_EQ(meander_surface_create(mesh.vertices.data(), vertices, mesh.faces.data(), mesh.face_count(), nullptr,
-                                   &surface, nullptr, nullptr),
-            MEANDER_STATUS_OK);
-  meander_flow_options options;
-  ASSERT_EQ(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), MEANDER_STATUS_OK);
-  options.radius = 0.1;
-  options.threads = 1;
+  const SurfaceHandle owned = surface_of(mesh);
+  meander_flow_options options = options_with(0.2);
   options.iteration_limit = 25;
-  meander_flow* flow = nullptr;
-  ASSERT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, nullptr), MEANDER_STATUS_OK);
+  const FlowHandle grown = make_flow(owned.get(), options);
+  meander_surface* const surface = owned.get();
+  meander_flow* const flow = grown.get();
   ASSERT_EQ(meander_flow_run(flow, nullptr, nullptr), MEANDER_STATUS_OK);
   const double stroke[] = {1, 0, 0, 0, 1, 0};
   const uint64_t ends[] = {0, 2};
@@ -447,7 +439,7 @@ TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
   };
   meander_context* made = nullptr;
   ASSERT_EQ(meander_context_create(&made, nullptr), MEANDER_STATUS_OK);
-  const std::unique_ptr<meander_context, ContextDeleter> context(made);
+  const ContextHandle context(made);
   const std::vector<double> pattern(3 * vertices, 7);
   for (const PublicCall& call : calls) {
     SCOPED_TRACE(call.name);
@@ -482,8 +474,6 @@ TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
     ASSERT_EQ(call.make(context.get(), again), MEANDER_STATUS_OK);
     EXPECT_TRUE(again == whole);
   }
-  meander_flow_destroy(flow);
-  meander_surface_destroy(surface);
 }
 
 }  // namespace

@@ -11,58 +11,17 @@
 #include <string>
 #include <vector>
 
-#include "api/handles.h"
-#include "api_structs.h"
+#include "api_flows.h"
 #include "curves.h"
 
 namespace meander::test {
 namespace {
-
-struct Closer {
-  void operator()(meander_flow* f) const { meander_flow_destroy(f); }
-};
-using FlowHandle = std::unique_ptr<meander_flow, Closer>;
-
-FlowHandle make_flow(const Mesh& mesh, double spacing, uint32_t threads = 1, uint32_t preset = MEANDER_PRESET_EVEN,
-                     const meander_seed* seed = nullptr) {
-  auto error = prepared<meander_error>();
-  meander_flow_options options;
-  EXPECT_EQ(meander_flow_options_init(&options, sizeof options, preset), MEANDER_STATUS_OK);
-  options.radius = 0.5 * spacing;
-  options.threads = threads;
-  meander_surface* surface = nullptr;
-  meander_flow* flow = nullptr;
-  EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   nullptr, &surface, nullptr, &error),
-            MEANDER_STATUS_OK)
-      << error.text;
-  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, nullptr, &error), MEANDER_STATUS_OK)
-      << error.text;
-  meander_surface_destroy(surface);
-  return FlowHandle(flow);
-}
-
-void step(const FlowHandle& flow, int times) {
-  for (int k = 0; k < times; ++k) ASSERT_EQ(meander_flow_step(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
-}
 
 std::string set_vertices(const FlowHandle& flow, const std::vector<double>& vertices) {
   auto error = prepared<meander_error>();
   const meander_status status =
       meander_flow_set_vertices(flow.get(), vertices.data(), vertices.size() / 3, nullptr, &error);
   return status == MEANDER_STATUS_OK ? "" : error.text;
-}
-
-void expect_valid(const FlowHandle& flow) {
-  const Surface& s = flow->flow->surface();
-  const Curve& c = flow->flow->curve();
-  ASSERT_TRUE(whole(s, c));
-  ASSERT_TRUE(exact_crossings(s, c).empty());
-}
-
-double packing(const FlowHandle& flow) {
-  const Flow& f = *flow->flow;
-  return 2 * f.settings().radius * f.curve().length() / f.surface().area();
 }
 
 /// Applies `map` to every vertex.
@@ -91,14 +50,6 @@ Mesh tube() {
   double low = std::numeric_limits<double>::infinity();
   for (uint32_t v = 0; v < m.vertex_count(); ++v) low = std::min(low, m.at(v).z());
   return mapped(m, [&](const Vec3& p) { return Vec3(p.x(), p.y(), p.z() - low); });
-}
-
-bool same_nodes(const Curve& a, const Curve& b) {
-  if (a.size() != b.size()) return false;
-  for (uint32_t i = 0; i < a.size(); ++i) {
-    if (!same_bytes(a.nodes[i], b.nodes[i])) return false;
-  }
-  return true;
 }
 
 TEST(Deformation, SurfaceIsThatOfTheMovedMesh) {
@@ -141,7 +92,7 @@ struct PackingThere {
 /// Packing while a tube is bent by 90 degrees and stretched to twice its length, in 16 frames with 3 steps each, and
 /// while it goes back, where the curve has to become shorter.
 PackingThere bend_and_stretch(const Mesh& mesh, double radius) {
-  const FlowHandle flow = make_flow(mesh, radius);
+  const FlowHandle flow = make_flow(mesh, options_with(radius));
   PackingThere p{2, 0, 2, 0};
   EXPECT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
   EXPECT_TRUE(flow->flow->polishing());
@@ -196,7 +147,7 @@ TEST(Deformation, SpacingStaysEvenThroughBendAndStretch) {
 
 TEST(Deformation, PlateRollsUp) {
   const Mesh mesh = mapped(flat_grid(20), [](const Vec3& p) { return Vec3(10 * p.x(), p.z(), 10 * p.y()); });
-  const FlowHandle flow = make_flow(mesh, 1);
+  const FlowHandle flow = make_flow(mesh, options_with(1));
   ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
   for (int k = 1; k <= 10; ++k) {
     ASSERT_EQ(set_vertices(flow, bent(mesh, 10, 0.05 * kPi * k, 1 + 0.1 * k).vertices), "");
@@ -238,7 +189,7 @@ TEST(Deformation, LinesOfAFieldRide) {
 
 TEST(Deformation, RigidMotionKeepsEveryNode) {
   const Mesh mesh = torus(24, 12);
-  const FlowHandle flow = make_flow(mesh, 0.4);
+  const FlowHandle flow = make_flow(mesh, options_with(0.4));
   step(flow, 220);  // into the polish, where segments do not become finer any more
   // Whatever node the last step left to be split or removed goes now, not with the motion.
   ASSERT_EQ(set_vertices(flow, mesh.vertices), "");
@@ -258,7 +209,7 @@ TEST(Deformation, RigidMotionKeepsEveryNode) {
 // Except those that are split or removed, nodes keep their faces and weights; segments are geodesics.
 TEST(Deformation, NodesRideAndSegmentsStraighten) {
   const Mesh mesh = sphere(3);
-  const FlowHandle flow = make_flow(mesh, 0.3);
+  const FlowHandle flow = make_flow(mesh, options_with(0.3));
   step(flow, 60);
   const Curve before = flow->flow->curve();
   const Mesh sheared = mapped(mesh, [](const Vec3& p) { return Vec3(p.x() * 1.02, p.y(), p.z() + 0.05 * p.x()); });
@@ -288,7 +239,7 @@ TEST(Deformation, NodesRideAndSegmentsStraighten) {
 TEST(Deformation, WildMotionMakesNoCrossings) {
   const Mesh mesh = sphere(3);
   for (const uint32_t preset : {MEANDER_PRESET_EVEN, MEANDER_PRESET_PAPER}) {
-    const FlowHandle flow = make_flow(mesh, 0.35, 2, preset);
+    const FlowHandle flow = make_flow(mesh, options_with(0.35, 2, preset));
     step(flow, 30);
     Rng rng(11);
     for (int frame = 0; frame < 12; ++frame) {
@@ -319,7 +270,7 @@ TEST(Deformation, FixedNodesStayWhereTheyAreOnTheirFaces) {
   seed.offsets = offsets;
   seed.closed = closed;
   seed.fixed = fixed;
-  const FlowHandle flow = make_flow(mesh, 1, 1, MEANDER_PRESET_EVEN, &seed);
+  const FlowHandle flow = make_flow(mesh, options_with(1), &seed);
   step(flow, 40);
   const SurfacePoint first = flow->flow->curve().nodes.front(), last = flow->flow->curve().nodes.back();
   for (int k = 1; k <= 6; ++k) {
@@ -361,7 +312,7 @@ TEST(Deformation, GuidesRideAsDrawn) {
   seed.closed = &closed;
   seed.guides = &guides;
   seed.fill_regions = 1;
-  const FlowHandle flow = make_flow(mesh, 0.1, 1, MEANDER_PRESET_EVEN, &seed);
+  const FlowHandle flow = make_flow(mesh, options_with(0.1), &seed);
   step(flow, 30);
   const std::vector<double> line = line_of_guide(flow->flow->curve());
   const uint32_t nodes = flow->flow->curve().strands[0].count;
@@ -382,8 +333,9 @@ TEST(Deformation, GuidesRideAsDrawn) {
 
 TEST(Deformation, SameBytesForAnyScaleAndThreads) {
   const Mesh mesh = tube();
-  const FlowHandle one = make_flow(mesh, 0.7, 1), two = make_flow(mesh, 0.7, 2),
-                   large = make_flow(scaled(mesh, 1000), 700, 1), small = make_flow(scaled(mesh, 1e-3), 7e-4, 2);
+  const FlowHandle one = make_flow(mesh, options_with(0.7)), two = make_flow(mesh, options_with(0.7, 2)),
+                   large = make_flow(scaled(mesh, 1000), options_with(700)),
+                   small = make_flow(scaled(mesh, 1e-3), options_with(7e-4, 2));
   for (const FlowHandle* flow : {&one, &two, &large, &small}) step(*flow, 50);
   for (int k = 1; k <= 3; ++k) {
     const Mesh moved = bent(mesh, 5, 0.3 * k, 1 + 0.1 * k);
@@ -401,7 +353,7 @@ TEST(Deformation, SameBytesForAnyScaleAndThreads) {
 
 TEST(Deformation, CurveThatStillGrowsGoesOnGrowing) {
   const Mesh mesh = sphere(3);
-  const FlowHandle flow = make_flow(mesh, 0.25);
+  const FlowHandle flow = make_flow(mesh, options_with(0.25));
   step(flow, 10);
   ASSERT_EQ(set_vertices(flow, scaled(mesh, 1.1).vertices), "");
   EXPECT_FALSE(flow->flow->polishing());
@@ -419,7 +371,7 @@ TEST(Deformation, CurveThatStillGrowsGoesOnGrowing) {
 
 TEST(Deformation, RefusesWithOneSentenceAndStaysAsItWas) {
   const Mesh mesh = sphere(2);
-  const FlowHandle flow = make_flow(mesh, 0.4);
+  const FlowHandle flow = make_flow(mesh, options_with(0.4));
   step(flow, 10);
   const Curve before = flow->flow->curve();
   std::vector<double> v = mesh.vertices;

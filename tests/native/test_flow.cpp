@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "api_flows.h"
 #include "api_results.h"
 #include "flow/flow.h"
 #include "outputs/statistics.h"
@@ -232,30 +233,14 @@ struct Output {
 
 Output run(const Mesh& mesh, double spacing, uint32_t preset, uint32_t threads, int steps) {
   Output out;
-  meander_surface* surface = nullptr;
-  meander_flow* flow = nullptr;
-  meander_flow_options options;
-  auto error = prepared<meander_error>();
-  meander_flow_options_init(&options, sizeof options, preset);
-  options.radius = spacing / 2;
-  options.threads = threads;
-  EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
-                                   mesh.face_count(), nullptr, &surface, nullptr, &error),
-            MEANDER_STATUS_OK)
-      << error.text;
-  EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, &error), MEANDER_STATUS_OK)
-      << error.text;
-  meander_surface_destroy(surface);
-  for (int k = 0; k < steps; ++k) {
-    EXPECT_EQ(meander_flow_step(flow, nullptr, &error), MEANDER_STATUS_OK) << error.text;
-  }
-  const auto nodes = nodes_of(flow);
-  const auto curve = polylines_of(flow);
+  const FlowHandle flow = make_flow(mesh, options_with(spacing, threads, preset));
+  step(flow, steps);
+  const auto nodes = nodes_of(flow.get());
+  const auto curve = polylines_of(flow.get());
   out.faces = copied(nodes->faces, nodes->count);
   out.barycentrics = copied(nodes->barycentrics, 3 * nodes->count);
   out.positions = copied(curve->positions, 3 * curve->point_count);
   out.offsets = copied(curve->offsets, curve->strand_count + 1);
-  meander_flow_destroy(flow);
   return out;
 }
 

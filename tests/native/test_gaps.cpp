@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "api_flows.h"
 #include "api_results.h"
 #include "meshes.h"
 
@@ -51,14 +52,8 @@ class FlowRun {
  public:
   FlowRun(const Mesh& mesh, double radius, const Strands* strands = nullptr, uint32_t threads = 2,
           const std::vector<double>& density = {}) {
-    EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
-                                     mesh.face_count(), nullptr, &surface_, nullptr, nullptr),
-              MEANDER_STATUS_OK);
-    meander_flow_options options;
-    EXPECT_EQ(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), MEANDER_STATUS_OK);
-    options.radius = radius;
+    meander_flow_options options = options_with(2 * radius, threads);
     EXPECT_EQ(meander_flow_options_set_tuning(&options, "growth_coarsening", 1, nullptr), MEANDER_STATUS_OK);
-    options.threads = threads;
     auto seed = prepared<meander_seed>();
     std::vector<uint8_t> fixed;
     if (strands) {
@@ -70,29 +65,16 @@ class FlowRun {
       seed.closed = strands->closed.data();
       seed.fixed = fixed.data();
     }
-    auto error = prepared<meander_error>();
-    EXPECT_EQ(
-        meander_flow_create(surface_, strands ? &seed : nullptr,
-                            density.empty() ? nullptr : density.data(), density.size(), &options, &flow_,
-                            nullptr, &error),
-        MEANDER_STATUS_OK)
-        << error.text;
+    flow_ = make_flow(surface_of(mesh).get(), options, strands ? &seed : nullptr, density);
   }
-  ~FlowRun() {
-    meander_flow_destroy(flow_);
-    meander_surface_destroy(surface_);
-  }
-  FlowRun(const FlowRun&) = delete;
-  FlowRun& operator=(const FlowRun&) = delete;
 
   void steps(int count) {
-    for (int k = 0; k < count; ++k)
-      ASSERT_EQ(meander_flow_step(flow_, nullptr, nullptr), MEANDER_STATUS_OK);
+    step(flow_, count);
   }
 
   Gaps gaps(double least_size = 0) {
     Result<meander_gaps> found;
-    EXPECT_EQ(meander_flow_find_gaps(flow_, least_size, &found, nullptr, nullptr), MEANDER_STATUS_OK);
+    EXPECT_EQ(meander_flow_find_gaps(flow_.get(), least_size, &found, nullptr, nullptr), MEANDER_STATUS_OK);
     Gaps g;
     g.positions = copied(found->positions, 3 * found->count);
     g.radii = copied(found->radii, found->count);
@@ -103,7 +85,7 @@ class FlowRun {
 
   /// The straight pieces of the curve, both ends of each.
   std::vector<Vec3> pieces() const {
-    const auto curve = polylines_of(flow_);
+    const auto curve = polylines_of(flow_.get());
     std::vector<Vec3> ends;
     for (size_t s = 0; s < curve->strand_count; ++s) {
       const uint64_t first = curve->offsets[s], count = curve->offsets[s + 1] - first;
@@ -115,11 +97,10 @@ class FlowRun {
     return ends;
   }
 
-  meander_flow* flow() { return flow_; }
+  meander_flow* flow() { return flow_.get(); }
 
  private:
-  meander_surface* surface_ = nullptr;
-  meander_flow* flow_ = nullptr;
+  FlowHandle flow_;
 };
 
 double distance(const Vec3& p, const std::vector<Vec3>& pieces) {

@@ -292,8 +292,8 @@ meander_flow_options of_radius_one() {
   return options;
 }
 
-/// Whether a ball beside a node holds another node, by definition: its centre is the end of a geodesic, and distances go
-/// along the surface.
+/// Whether a ball beside a node holds another node, by definition: its centre is the end of a geodesic, and distances
+/// go along the surface.
 bool holds_a_node(const Filling& f, GeodesicDistance& geodesic, uint32_t i, size_t side, double radius) {
   const Vec2 outward = (side == 0 ? radius : -radius) * f.frames.bitangent2[i];
   Path path;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "api_flows.h"
 #include "api_results.h"
 #include "meshes.h"
 
@@ -36,18 +37,9 @@ struct Curve3 {
 class Host {
  public:
   explicit Host(uint32_t iteration_limit = 0) {
-    const Mesh mesh = sphere(3);
-    meander_surface* surface = nullptr;
-    EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(),
-                                     mesh.face_count(), nullptr, &surface, nullptr, nullptr),
-              MEANDER_STATUS_OK);
-    meander_flow_options options;
-    EXPECT_EQ(meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN), MEANDER_STATUS_OK);
-    options.radius = 0.5 * kSpacing;
-    options.threads = 2;
+    meander_flow_options options = options_with(kSpacing, 2);
     if (iteration_limit) options.iteration_limit = iteration_limit;
-    EXPECT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, nullptr), MEANDER_STATUS_OK);
-    meander_surface_destroy(surface);
+    flow = make_flow(sphere(3), options).release();
   }
   ~Host() {
     meander_flow_destroy(flow);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "api_flows.h"
 #include "api_results.h"
 #include "meshes.h"
 
@@ -25,17 +26,9 @@ struct Grown {
 };
 
 Grown grow(const Mesh& mesh, double spacing, int steps, const meander_seed* seed = nullptr) {
-  meander_flow_options options;
-  meander_flow_options_init(&options, sizeof options, MEANDER_PRESET_EVEN);
-  options.radius = 0.5 * spacing;
-  options.threads = 1;
-  meander_surface* surface = nullptr;
-  meander_flow* flow = nullptr;
-  EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   nullptr, &surface, nullptr, nullptr),
-            MEANDER_STATUS_OK);
-  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, nullptr, nullptr), MEANDER_STATUS_OK);
-  for (int k = 0; k < steps; ++k) meander_flow_step(flow, nullptr, nullptr);
+  const FlowHandle handle = make_flow(mesh, options_with(spacing), seed);
+  meander_flow* const flow = handle.get();
+  step(handle, steps);
   Grown r;
   const auto curve = polylines_of(flow);
   const size_t points = curve->point_count;
@@ -66,8 +59,6 @@ Grown grow(const Mesh& mesh, double spacing, int steps, const meander_seed* seed
   r.node_faces = copied(nodes->faces, nodes->count);
   r.node_weights = copied(nodes->barycentrics, 3 * nodes->count);
   r.node_radii = copied(nodes->radii, 2 * nodes->count);
-  meander_flow_destroy(flow);
-  meander_surface_destroy(surface);
   return r;
 }
 

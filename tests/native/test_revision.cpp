@@ -9,46 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "api/handles.h"
-#include "api_structs.h"
+#include "api_flows.h"
 #include "outputs/statistics.h"
 #include "curves.h"
 
 namespace meander::test {
 namespace {
 
-struct Closer {
-  void operator()(meander_flow* f) const { meander_flow_destroy(f); }
-};
-using FlowHandle = std::unique_ptr<meander_flow, Closer>;
-
-meander_flow_options options_with(double spacing, uint32_t threads = 1, meander_preset preset = MEANDER_PRESET_EVEN) {
-  meander_flow_options options;
-  EXPECT_EQ(meander_flow_options_init(&options, sizeof options, preset), MEANDER_STATUS_OK);
-  options.radius = 0.5 * spacing;
-  options.threads = threads;
-  return options;
-}
-
-FlowHandle make_flow(const Mesh& mesh, const meander_flow_options& options, const meander_seed* seed = nullptr) {
-  auto error = prepared<meander_error>();
-  meander_surface* surface = nullptr;
-  meander_flow* flow = nullptr;
-  EXPECT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   nullptr, &surface, nullptr, &error),
-            MEANDER_STATUS_OK)
-      << error.text;
-  EXPECT_EQ(meander_flow_create(surface, seed, nullptr, 0, &options, &flow, nullptr, &error), MEANDER_STATUS_OK)
-      << error.text;
-  meander_surface_destroy(surface);
-  return FlowHandle(flow);
-}
-
 void run(const FlowHandle& flow) { ASSERT_EQ(meander_flow_run(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK); }
-
-void step(const FlowHandle& flow, int times) {
-  for (int k = 0; k < times; ++k) ASSERT_EQ(meander_flow_step(flow.get(), nullptr, nullptr), MEANDER_STATUS_OK);
-}
 
 /// The sentence of a refusal; empty where there was none.
 std::string set_spacing(const FlowHandle& flow, double spacing) {
@@ -67,16 +35,6 @@ std::string set_options(const FlowHandle& flow, const meander_flow_options& opti
   return meander_flow_set_options(flow.get(), &options, &error) == MEANDER_STATUS_OK ? "" : error.text;
 }
 
-void expect_valid(const FlowHandle& flow) {
-  ASSERT_TRUE(whole(flow->flow->surface(), flow->flow->curve()));
-  ASSERT_TRUE(exact_crossings(flow->flow->surface(), flow->flow->curve()).empty());
-}
-
-double packing(const FlowHandle& flow) {
-  const Flow& f = *flow->flow;
-  return 2 * f.settings().radius * f.curve().length() / f.surface().area();
-}
-
 /// Of both sides of all nodes, the share with a medial radius within a fifth of r.
 double near_target(const FlowHandle& flow) {
   const Statistics measure = statistics_of(*flow->flow);
@@ -84,14 +42,6 @@ double near_target(const FlowHandle& flow) {
   double near = 0;
   for (const double spacing : measure.spacing) near += std::abs(spacing / wanted - 1) <= 0.2;
   return near / static_cast<double>(measure.spacing.size());
-}
-
-bool same_nodes(const Curve& a, const Curve& b) {
-  if (a.size() != b.size()) return false;
-  for (uint32_t i = 0; i < a.size(); ++i) {
-    if (!same_bytes(a.nodes[i], b.nodes[i])) return false;
-  }
-  return true;
 }
 
 /// Where a node is, in the units of the mesh that the flow was made with.

@@ -12,6 +12,7 @@
 
 #include "api/flow_options.h"
 #include "api/structs.h"
+#include "api_flows.h"
 #include "api_structs.h"
 #include "meshes.h"
 
@@ -134,16 +135,9 @@ TEST(Structs, RecordsOfTheHistoryStandAsFarApartAsTheCallerSays) {
     meander_iteration known;
     uint64_t unknown;
   };
-  const Mesh mesh = sphere(1);
-  meander_surface* surface = nullptr;
-  meander_flow* flow = nullptr;
-  auto options = prepared<meander_flow_options>();
-  options.radius = 0.3;
-  ASSERT_EQ(meander_surface_create(mesh.vertices.data(), mesh.vertex_count(), mesh.faces.data(), mesh.face_count(),
-                                   nullptr, &surface, nullptr, nullptr),
-            MEANDER_STATUS_OK);
-  ASSERT_EQ(meander_flow_create(surface, nullptr, nullptr, 0, &options, &flow, nullptr, nullptr), MEANDER_STATUS_OK);
-  for (int k = 0; k < 3; ++k) ASSERT_EQ(meander_flow_step(flow, nullptr, nullptr), MEANDER_STATUS_OK);
+  const FlowHandle handle = make_flow(sphere(1), options_with(0.6));
+  meander_flow* const flow = handle.get();
+  step(handle, 3);
   std::vector<Wide> records(4, Wide{{}, 5});
   size_t count = 0;
   ASSERT_EQ(meander_flow_get_history(flow, &records[0].known, sizeof(Wide), 4, &count, nullptr), MEANDER_STATUS_OK);
@@ -158,8 +152,6 @@ TEST(Structs, RecordsOfTheHistoryStandAsFarApartAsTheCallerSays) {
     EXPECT_EQ(meander_flow_get_history(flow, &records[0].known, size, 4, &count, nullptr),
               MEANDER_STATUS_INVALID_ARGUMENT);
   }
-  meander_flow_destroy(flow);
-  meander_surface_destroy(surface);
 }
 
 }  // namespace

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "api/handles.h"
-#include "api_structs.h"
+#include "api_flows.h"
 #include "base/failure.h"
 #include "curves.h"
 
@@ -19,15 +18,6 @@ namespace {
 
 constexpr int kDraws = 120;
 constexpr int kIterations = 15;
-
-struct FreeSurface {
-  void operator()(meander_surface* s) const { meander_surface_destroy(s); }
-};
-struct FreeFlow {
-  void operator()(meander_flow* f) const { meander_flow_destroy(f); }
-};
-using SurfaceHandle = std::unique_ptr<meander_surface, FreeSurface>;
-using FlowHandle = std::unique_ptr<meander_flow, FreeFlow>;
 
 Mesh random_mesh(Rng& rng) {
   switch (rng.below(8)) {
@@ -45,11 +35,7 @@ Mesh random_mesh(Rng& rng) {
 /// Everything that one flow is made from; built twice, it has to give the same curve twice.
 class Draw {
  public:
-  explicit Draw(uint64_t number) : rng_(number), mesh_(random_mesh(rng_)) {
-    meander_surface* surface = nullptr;
-    check(meander_surface_create(mesh_.vertices.data(), mesh_.vertex_count(), mesh_.faces.data(), mesh_.face_count(),
-                                 nullptr, &surface, nullptr, &error_));
-    surface_.reset(surface);
+  explicit Draw(uint64_t number) : rng_(number), mesh_(random_mesh(rng_)), surface_(surface_of(mesh_)) {
     choose_options();
     if (maybe()) {
       for (uint32_t v = 0; v < mesh_.vertex_count(); ++v) density_.push_back(rng_.in(0.5, 2));
@@ -67,15 +53,11 @@ class Draw {
     seed.offsets = offsets_.data();
     seed.closed = closed_.data();
     seed.fixed = fixed_.data();
-    meander_flow* flow = nullptr;
-    check(meander_flow_create(surface_.get(), closed_.empty() ? nullptr : &seed,
-                              density_.empty() ? nullptr : density_.data(), density_.size(), &options_, &flow,
-                              nullptr, &error_));
-    FlowHandle handle(flow);
+    FlowHandle flow = make_flow(surface_.get(), options_, closed_.empty() ? nullptr : &seed, density_);
     if (flow && options_.alignment_weight > 0) {
-      check(meander_flow_set_directions(flow, directions_.data(), mesh_.vertex_count(), across_, &error_));
+      check(meander_flow_set_directions(flow.get(), directions_.data(), mesh_.vertex_count(), across_, &error_));
     }
-    return handle;
+    return flow;
   }
 
   std::string described() const {
