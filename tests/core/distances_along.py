@@ -8,6 +8,8 @@ shortest ones by a small part of the distance between those.
 
 from __future__ import annotations
 
+from functools import cache
+
 import geometry
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +36,7 @@ def _points_of_faces(mesh: geometry.Mesh, gap: float) -> tuple[NDArray, list[NDA
 
 
 def _apart(a: NDArray, b: NDArray) -> NDArray:
-    return np.linalg.norm(a[:, None] - b[None], axis=2)
+    return np.sqrt(sum((a[:, k, None] - b[:, k]) ** 2 for k in range(3)))
 
 
 def distances_along(
@@ -60,13 +62,14 @@ def distances_along(
         members = of_faces[face]
         near = _apart(points[members], sources[0][chosen]).min(axis=1)
         distance[members] = np.minimum(distance[members], near)
+    within = cache(lambda face: _apart(points[of_faces[face]], points[of_faces[face]]))
     reached = np.nonzero(np.isfinite(distance))[0].tolist()
     while reached:
         changed = {face for point in reached for face in faces_of[point]}
         reached = []
         for face in changed:
             members = of_faces[face]
-            through = (_apart(points[members], points[members]) + distance[members]).min(axis=1)
+            through = (within(face) + distance[members]).min(axis=1)
             better = through < distance[members]
             distance[members[better]] = through[better]
             reached += members[better].tolist()

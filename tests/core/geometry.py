@@ -211,14 +211,17 @@ def crossings(
         rows, columns = np.nonzero(off_faces(surface, middles) < tolerance)
         for row, column in zip(rows.tolist(), columns.tolist(), strict=True):
             inside.setdefault(column, []).append(first + row)
+    # Every face has its first vertex for an origin, and its first side for the x axis.
+    origin, second, third = (surface.vertices[surface.faces[:, corner]] for corner in range(3))
+    x, normal = second - origin, np.cross(second - origin, third - origin)
+    x /= np.linalg.norm(x, axis=1, keepdims=True)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    axes = np.stack([x, np.cross(normal, x)], axis=2)
     found = []
     for face, members in inside.items():
-        origin, second, third = surface.vertices[surface.faces[face]]
-        x = (second - origin) / np.linalg.norm(second - origin)
-        normal = np.cross(x, third - origin)
-        y = np.cross(normal / np.linalg.norm(normal), x)
-        axes = np.stack([x, y], axis=1)
-        p, q = (start[members] - origin) @ axes, (end[members] - origin) @ axes
+        if len(members) == 1:
+            continue
+        p, q = ((of[members] - origin[face]) @ axes[face] for of in (start, end))
 
         # side[i, j]: on which side of piece i the point j lies
         direction = q - p

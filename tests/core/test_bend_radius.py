@@ -56,7 +56,7 @@ def test_the_report_has_it(tmp_path: Path) -> None:
     report = tmp_path / "r.json"
     radii = []
     for stiffness in ("0", "3"):
-        given = ["--input", mesh, "--output", tmp_path / "a.obj", "--spacing", "0.25", "--quiet"]
+        given = ["--input", mesh, "--output", tmp_path / "a.obj", "--spacing", "0.4", "--quiet"]
         given += ["--report", report, "--bending", stiffness]
         assert batch.main([str(a) for a in given]) == 0
         bend = json.loads(report.read_text())["bend"]

@@ -297,7 +297,7 @@ print(json.dumps([1024 * (kilobytes("VmHWM") - before), cost.memory]))
 
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="Linux tells of peaks")
 @pytest.mark.parametrize(
-    ("preset", "spacing", "subdivisions"), [("paper", 0.06, 4), ("paper", 0.4, 7), ("even", 0.4, 7)]
+    ("preset", "spacing", "subdivisions"), [("paper", 0.06, 4), ("paper", 0.4, 6), ("even", 0.4, 6)]
 )
 def test_the_memory_that_a_run_takes(preset, spacing, subdivisions):
     given = [PACKAGE, Path(geometry.__file__).parent, preset, spacing, subdivisions]

@@ -45,7 +45,7 @@ def within(extra, work):
 _CALLS = """
 outcomes = {"surface": [], "flow": [], "run": []}
 expected = None
-for extra in [k << 20 for k in (*range(0, 24, 2), *range(24, 100, 8), 1024)]:
+for extra in [k << 20 for k in (*range(0, 24, 4), *range(24, 100, 16), 1024)]:
     surface, outcome = within(extra, lambda: core.Surface(mesh.vertices, mesh.faces))
     outcomes["surface"].append(outcome)
     surface = surface or core.Surface(mesh.vertices, mesh.faces)

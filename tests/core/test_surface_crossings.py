@@ -15,9 +15,9 @@ from meander import batch
 from meander.model.geometry.surface_crossings import crossings
 
 
-def run(mesh: Path, kind: str, *extra: str) -> tuple[dict, Path]:
+def run(mesh: Path, kind: str, *extra: str, spacing: str = "0.15") -> tuple[dict, Path]:
     output, report = mesh.with_name(f"a{kind}"), mesh.with_name("r.json")
-    given = ["--input", mesh, "--output", output, "--report", report, "--spacing", "0.15"]
+    given = ["--input", mesh, "--output", output, "--report", report, "--spacing", spacing]
     assert batch.main([str(a) for a in (*given, "--quiet", *extra)]) == 0
     return json.loads(report.read_text())["points"], output
 
@@ -78,7 +78,8 @@ def test_on_a_sheet_as_a_search_of_every_pair_finds_them(tmp_path, capsys, kind,
     ("kind", "extra"), [(".csv", ()), (".json", ("--poses",)), (".obj", ("--light", "0.01"))]
 )
 def test_what_is_near_the_curve_does_not_cross(tmp_path, capsys, mesh, kind, extra) -> None:
-    points, path = run(geometry.write_obj(tmp_path / "mesh.obj", mesh), kind, *extra)
+    path = geometry.write_obj(tmp_path / "mesh.obj", mesh)
+    points, path = run(path, kind, *extra, spacing="0.25")
     assert points["crossings"] == 0 and "crosses" not in capsys.readouterr().err
     if np.ptp(mesh.vertices[:, 2]) == 0.0:
         assert crossing_pairs(ways_of(path)) == 0
