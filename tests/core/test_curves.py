@@ -8,15 +8,11 @@ from collections.abc import Callable
 import geometry
 import numpy as np
 import pytest
-from conftest import MODELS, Grown, grow
+from conftest import Grown, grow
 from meander import core
 
 # Rounding of sums of doubles.
 ROUNDING = 1e-12
-
-# The library keeps points clear of edges and coordinates on a lattice, both by 2^-30 of the size;
-# a point may so be moved by a few times that when it is placed.
-PLACEMENT = 4 * 2.0**-30
 
 
 def size_of(mesh: geometry.Mesh) -> float:
@@ -127,37 +123,6 @@ def test_every_component_is_filled(model: Callable[[str], Grown]) -> None:
     assert lengths[0] == pytest.approx(lengths[1], rel=0.1)
 
 
-def test_surface_statistics() -> None:
-    for name, components, loops, area in (
-        ("grid", 1, 1, 1.0),
-        ("cube", 1, 0, 24.0),
-        ("two_spheres", 2, 0, None),
-        ("torus", 1, 0, None),
-    ):
-        mesh = MODELS[name][0]()
-        with core.Surface(*mesh) as surface:
-            figures = surface.statistics()
-        assert figures["components"] == components
-        assert figures["boundary_loops"] == loops
-        assert figures["vertices"] == len(mesh.vertices)
-        assert figures["faces"] == len(mesh.faces)
-        assert figures["turned_faces"] == figures["unused_vertices"] == 0
-        if area is not None:
-            assert figures["area"] == pytest.approx(area, rel=PLACEMENT)
-
-
-def test_turned_faces_and_unused_vertices_are_counted() -> None:
-    mesh = geometry.icosphere(1)
-    faces = mesh.faces.copy()
-    faces[[5, 9]] = faces[[5, 9], ::-1]
-    vertices = np.vstack([mesh.vertices, [[9.0, 9.0, 9.0]]])
-    with core.Surface(vertices, faces) as surface:
-        figures = surface.statistics()
-    assert figures["turned_faces"] == 2
-    assert figures["unused_vertices"] == 1
-    assert figures["vertices"] == len(mesh.vertices)
-
-
 # ------------------------------------------------------------------------------------------------
 # The paper's preset
 
@@ -172,14 +137,6 @@ def test_paper_preset_fills_as_well() -> None:
 
 # ------------------------------------------------------------------------------------------------
 # Invariance
-
-
-@pytest.mark.parametrize("name", ["torus", "grid"])
-def test_same_bytes_for_any_number_of_threads(name: str) -> None:
-    make, radius = MODELS[name]
-    one, two = (grow(make(), radius, threads=threads, iteration_limit=60) for threads in (1, 2))
-    for ours, theirs in zip((*one.curve, *one.nodes), (*two.curve, *two.nodes), strict=True):
-        assert ours.tobytes() == theirs.tobytes()
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1e3, 2.0**-10, 2.0**10])
@@ -224,53 +181,6 @@ def strand(points: list, closed: bool, fixed: list | None = None) -> core.Seed:
         np.array([closed], dtype=np.uint8),
         None if fixed is None else np.array(fixed, dtype=np.uint8),
     )
-
-
-def test_open_strands_stay_open() -> None:
-    seed = core.Seed(
-        np.array(
-            [[0.2, 0.2, 0], [0.8, 0.2, 0], [0.3, 0.5, 0], [0.5, 0.7, 0], [0.7, 0.5, 0]], dtype=float
-        ),
-        np.array([0, 2, 5], dtype=np.uint32),
-        np.array([0, 1], dtype=np.uint8),
-    )
-    grown = grow(geometry.grid(8), 0.05, seed)
-    assert grown.curve.closed.tolist() == [0, 1]
-    assert grown.statistics["strands"] == 2 and grown.statistics["closed_strands"] == 1
-    assert geometry.crossings(grown.mesh, *curve_of(grown)) == []
-
-
-def test_fixed_nodes_never_move() -> None:
-    mesh = geometry.grid(8)
-    seed = strand([[0.1, 0.5, 0], [0.5, 0.52, 0], [0.9, 0.5, 0]], False, fixed=[1, 1, 1])
-    options = core.default_options()
-    options.radius = 0.05
-    with core.Surface(*mesh) as surface, core.Flow(surface, options, seed) as flow:
-        before = flow.nodes()
-        for _ in range(40):
-            flow.step()
-        after = flow.nodes()
-        ends = flow.polylines().positions[[0, -1]]
-    was, now = before.fixed.astype(bool), after.fixed.astype(bool)
-    assert was.sum() == now.sum() == 3
-    assert before.faces[was].tobytes() == after.faces[now].tobytes()
-    assert before.barycentrics[was].tobytes() == after.barycentrics[now].tobytes()
-    positions = geometry.points_at(mesh, after.faces[now], after.barycentrics[now])
-    np.testing.assert_allclose(positions, seed.points, rtol=0, atol=PLACEMENT)
-    np.testing.assert_allclose(ends, seed.points[[0, 2]], rtol=0, atol=PLACEMENT)
-    assert len(now) > len(was)  # the rest did move, and was refined
-
-
-def test_seed_near_the_surface_is_moved_onto_it() -> None:
-    mesh = geometry.grid(8)
-    seed = strand([[0.3, 0.3, 0.02], [0.7, 0.3, -0.02], [0.5, 0.7, 0.01]], True)
-    options = core.default_options()
-    options.radius = 0.05
-    with core.Surface(*mesh) as surface, core.Flow(surface, options, seed) as flow:
-        positions = flow.polylines().positions
-    assert np.abs(positions[:, 2]).max() == 0.0
-    corners = seed.points * (1.0, 1.0, 0.0)
-    assert geometry.distance_to_samples(corners, positions).max() <= PLACEMENT
 
 
 def test_strand_on_one_component_leaves_the_other_alone() -> None:

@@ -56,16 +56,6 @@ def test_what_makes_a_flow_heeds_a_cancelled_context():
         _refused_as_cancelled(lambda: open_flow(problem, context))
 
 
-def test_outlines_that_take_long_end_when_they_are_cancelled():
-    # At a distance of 1 / 200,000 of the square the outlines would take minutes and gigabytes.
-    mesh = geometry.grid(1)
-    with core.Surface(mesh.vertices, mesh.faces) as surface, core.Context() as context:
-        timer = threading.Timer(0.1, context.cancel)
-        timer.start()
-        _refused_as_cancelled(lambda: surface.outlines(5e-6, 1e-5, context))
-        timer.join()
-
-
 def test_a_field_that_takes_long_ends_when_it_is_cancelled():
     # Directions of curvature of 40,000 vertices take seconds, and so does their density.
     mesh = geometry.grid(200)

@@ -56,28 +56,6 @@ def test_cancelled_before_a_step_changes_nothing() -> None:
         assert len(flow.history()) == 4
 
 
-def test_cancel_from_another_thread_stops_within_one_step() -> None:
-    context = core.Context()
-    with new_flow(16, 0.01) as flow:
-        reasons: list[str] = []
-        worker = threading.Thread(target=lambda: reasons.append(flow.run(context)))
-        worker.start()
-        wait_for(lambda: context.progress > 0 or not worker.is_alive())
-        context.cancel()
-        cancelled_at = time.monotonic()
-        worker.join(PATIENCE)
-        waited = time.monotonic() - cancelled_at
-        assert reasons == ["cancelled"]
-        assert flow.statistics()["stop_reason"] == "cancelled"
-        history = flow.history()
-        # Within one step: no longer than the slowest so far, with room for a busy machine.
-        assert waited <= 5 * max(record["seconds"] for record in history) + 1.0
-        assert flow.statistics()["crossings"] == 0
-        context.reset()
-        assert flow.step(context) in ("running", "cancelled")
-        assert len(flow.history()) == len(history) + 1
-
-
 def test_everything_can_be_asked_before_the_first_step() -> None:
     with new_flow() as flow:
         assert np.all(flow.nodes().radii == 0)
@@ -100,32 +78,6 @@ def test_steps_and_a_run_give_the_same_curve() -> None:
         assert stepped.statistics()["stop_reason"] == reason == "converged"
         for ours, theirs in zip(stepped.polylines(), run.polylines(), strict=True):
             assert ours.tobytes() == theirs.tobytes()
-
-
-def test_progress_never_falls_and_ends_at_one() -> None:
-    context = core.Context()
-    assert context.progress == 0.0
-    seen = [0.0]
-    with new_flow(radius=0.02) as flow:
-        worker = threading.Thread(target=flow.run, args=(context,))
-        worker.start()
-        while worker.is_alive():
-            seen.append(context.progress)
-            time.sleep(0.001)
-        worker.join()
-    assert np.all(np.diff(seen) >= 0)
-    assert context.progress == 1.0
-
-
-def test_iteration_limit_is_a_reason_and_not_an_error() -> None:
-    options = core.default_options()
-    options.radius = 0.03
-    options.iteration_limit = 2
-    with core.Surface(*geometry.grid(8)) as surface, core.Flow(surface, options) as flow:
-        assert flow.run() == "iteration_limit"
-        assert flow.statistics()["iterations"] == 2
-        assert flow.run() == "iteration_limit"
-        assert flow.statistics()["iterations"] == 2
 
 
 def test_flow_belongs_to_one_thread_at_a_time() -> None:
@@ -154,26 +106,6 @@ def test_context_closed_during_a_run_is_freed_after_it() -> None:
         assert not worker.is_alive()
     with pytest.raises(core.MeanderError, match="closed"):
         context.cancel()
-
-
-def test_flows_on_two_threads_share_a_surface() -> None:
-    options = core.default_options()
-    options.radius = 0.05
-    options.iteration_limit = 20
-    results: list[bytes] = []
-    with core.Surface(*geometry.grid(8)) as surface:
-
-        def work() -> None:
-            with core.Flow(surface, options) as flow:
-                flow.run()
-                results.append(flow.polylines().positions.tobytes())
-
-        workers = [threading.Thread(target=work) for _ in range(2)]
-        for worker in workers:
-            worker.start()
-        for worker in workers:
-            worker.join(PATIENCE)
-    assert len(results) == 2 and results[0] == results[1]
 
 
 def test_closed_handles_say_so() -> None:
@@ -260,19 +192,6 @@ def watch(flow: core.Flow, copies: int) -> list[core.Preview]:
     return previews
 
 
-def test_a_started_run_gives_the_bytes_of_a_run() -> None:
-    with new_flow(radius=0.06) as plain, new_flow(radius=0.06) as started:
-        reason = plain.run()
-        context = core.Context()
-        started.start(context)
-        while started.running:
-            started.preview()
-        assert started.wait() == reason == "converged"
-        assert context.progress == 1.0
-        for ours, theirs in zip(started.polylines(), plain.polylines(), strict=True):
-            assert ours.tobytes() == theirs.tobytes()
-
-
 def test_previews_are_whole_curves_that_grow() -> None:
     mesh = geometry.grid(16)
     with new_flow(16, 0.01) as flow:
@@ -298,18 +217,6 @@ def test_previews_are_whole_curves_that_grow() -> None:
         assert 3 <= preview.nodes <= len(curve.positions)
         length = geometry.curve_length(curve.positions, curve.offsets, curve.closed)
         assert preview.length == pytest.approx(length, rel=1e-6)
-
-
-def test_a_preview_is_handed_out_once() -> None:
-    with new_flow() as flow, core.Context() as context:
-        context.cancel()
-        flow.start(context)
-        wait_for(lambda: not flow.running)
-        assert flow.preview().iterations == 0
-        # Cancelled before its first iteration, the run may have copied the same curve once more.
-        while (again := flow.preview()) is not None:
-            assert again.iterations == 0
-        assert flow.wait() == "cancelled"
 
 
 def test_cancel_ends_a_started_run_within_one_step() -> None:
@@ -417,20 +324,6 @@ def test_a_flow_is_not_closed_under_a_thread_that_asks_whether_it_runs(monkeypat
     assert answers == [True]
     with pytest.raises(core.MeanderError, match="closed"):
         assert flow.running
-
-
-def test_two_runs_at_once() -> None:
-    options = core.default_options()
-    options.radius = 0.05
-    options.iteration_limit = 20
-    with core.Surface(*geometry.grid(8)) as surface:
-        flows = [core.Flow(surface, options) for _ in range(2)]
-    for flow in flows:
-        flow.start()
-    # In the other order, which must not matter.
-    assert [flow.wait() for flow in reversed(flows)] == ["iteration_limit"] * 2
-    one, two = (flow.polylines().positions.tobytes() for flow in flows)
-    assert one == two
 
 
 def test_the_interpreter_may_exit_under_a_run() -> None:

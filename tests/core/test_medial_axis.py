@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import time
-
 import geometry
 import numpy as np
 import pytest
@@ -156,64 +154,6 @@ def test_the_preset_chooses_the_measure(preset: str) -> None:
 
 # ------------------------------------------------------------------------------------------------
 # What holds in any mode
-
-
-@pytest.mark.parametrize("scale", [1e-3, 1e3])
-def test_scale_changes_nothing_else(scale: float) -> None:
-    mesh = SHAPES["plate of 0.1 r"]
-    nominal = grown(mesh)
-    scaled = grown(geometry.Mesh(mesh.vertices * scale, mesh.faces), scale)
-    assert scaled.statistics()["iterations"] == nominal.statistics()["iterations"]
-    expected, found = nominal.polylines(), scaled.polylines()
-    assert found.offsets.tolist() == expected.offsets.tolist()
-    np.testing.assert_allclose(found.positions / scale, expected.positions, atol=1e-12)
-
-
-@pytest.mark.parametrize("name", ["plate of 0.1 r", "blade", "folded cloth", "hollow ball"])
-def test_any_number_of_threads_gives_the_same_bytes(name: str) -> None:
-    one, two = (grown(SHAPES[name], threads=threads).polylines() for threads in (1, 2))
-    assert one.positions.tobytes() == two.positions.tobytes()
-
-
-def test_looking_at_a_flow_changes_nothing() -> None:
-    left_alone, watched = flow_on(SHAPES["blade"]), flow_on(SHAPES["blade"])
-    for _ in range(30):
-        left_alone.step()
-        watched.step()
-        watched.statistics()
-        watched.nodes()
-    assert left_alone.polylines().positions.tobytes() == watched.polylines().positions.tobytes()
-
-
-def test_a_cancelled_run_ends_after_a_whole_iteration_and_goes_on() -> None:
-    mesh = thin_shapes.plate(0.1, cells=20, size=40.0)
-    flow = flow_on(mesh)
-    with core.Context() as context:
-        flow.start(context)
-        deadline, iterations = time.monotonic() + 60.0, 0
-        while iterations < 3 and time.monotonic() < deadline:
-            seen = flow.preview()
-            iterations = iterations if seen is None else seen.iterations
-        context.cancel()
-        assert flow.wait() == "cancelled"
-    again = flow_on(mesh)
-    for _ in range(flow.statistics()["iterations"]):
-        again.step()
-    for _ in range(2):
-        assert flow.polylines().positions.tobytes() == again.polylines().positions.tobytes()
-        flow.step()
-        again.step()
-
-
-def test_a_flow_that_is_cancelled_before_it_begins_is_not_made() -> None:
-    mesh = SHAPES["hollow ball"]
-    options = core.default_options("even")
-    options.radius = 1.0
-    with core.Surface(mesh.vertices, mesh.faces) as surface, core.Context() as context:
-        context.cancel()
-        with pytest.raises(core.MeanderError) as refusal:
-            core.Flow(surface, options, context=context)
-        assert refusal.value.status == core.Status.CANCELLED
 
 
 def test_noise_in_the_vertices_does_not_matter() -> None:

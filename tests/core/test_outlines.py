@@ -78,11 +78,3 @@ def test_a_closed_surface_has_none_and_nonsense_is_refused() -> None:
         with pytest.raises(core.MeanderError) as refusal:
             surface.outlines(distance, spacing)
         assert_sentence(str(refusal.value))
-
-
-def test_outlines_scale_with_the_mesh() -> None:
-    vertices, faces = grid(7)
-    one, _ = core.Surface(vertices, faces).outlines(0.1, 0.2)
-    other, _ = core.Surface(1000.0 * vertices, faces).outlines(100.0, 200.0)
-    assert len(one.points) == len(other.points)
-    assert np.abs(1000.0 * one.points - other.points).max() < 1e-4

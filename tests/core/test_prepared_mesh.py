@@ -87,15 +87,6 @@ def test_a_soup_of_triangles_is_welded() -> None:
     assert_on_curve(node_positions(flow, loose, loose_faces), flow.polylines(), 1e-6)
 
 
-def test_merging_takes_what_is_near_enough_and_nothing_else() -> None:
-    vertices, faces = soup(*grid(4))
-    generator = np.random.default_rng(4)
-    moved = vertices + generator.uniform(-1e-3, 1e-3, vertices.shape) / 4
-    for distance, count in ((1e-3, 25), (1e-9, len(vertices))):
-        options = core.SurfaceOptions(merge_distance=distance)
-        assert core.Surface(moved, faces, options).statistics()["vertices"] == count
-
-
 def test_bow_ties_are_split_when_asked() -> None:
     vertices = np.array([[0, 0, 0], [-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], dtype=float)
     faces = np.array([[0, 1, 2], [0, 3, 4]])
@@ -244,29 +235,6 @@ def test_random_thresholds_never_leave_what_the_check_refuses() -> None:
         assert 0 < figures["area"] <= 9.0 + 1e-9
 
 
-def test_a_random_mess_is_either_usable_or_refused_with_a_sentence() -> None:
-    generator = np.random.default_rng(11)
-    usable = 0
-    for _ in range(200):
-        points = np.round(generator.uniform(0, 2, (12, 3)))
-        faces = generator.integers(0, 12, (int(generator.integers(1, 16)), 3))
-        options = core.SurfaceOptions(
-            merge_distance=float(generator.choice([0.0, 1e-3, 0.6])),
-            drop_degenerate=True,
-            split_bow_ties=True,
-            cut_non_manifold=True,
-            vertex_mask=generator.normal(size=12) if generator.integers(2) else None,
-            mask_threshold=-0.2,
-        )
-        try:
-            core.Surface(points, faces, options)
-            usable += 1
-        except core.MeanderError as refusal:
-            assert refusal.status == core.Status.INVALID_MESH
-            assert "no faces" in str(refusal) or "one side" in str(refusal)
-    assert usable > 100
-
-
 def test_errors_name_what_the_caller_passed() -> None:
     vertices, faces = grid(4)
     bow_tie = np.vstack([vertices, [[-1, 0, 0], [-1, -1, 0]]])
@@ -320,15 +288,3 @@ def test_bad_options_are_refused_with_one_sentence() -> None:
         with pytest.raises(core.MeanderError, match=words) as refusal:
             core.Surface(vertices, faces, options)
         assert_sentence(str(refusal.value))
-
-
-def test_any_number_of_threads_makes_the_same_surface() -> None:
-    vertices, faces = grid(60)  # more faces than one thread takes at once
-    figures = []
-    for threads in (1, 2, 0):
-        with core.Surface(vertices, faces, threads=threads) as surface:
-            figures.append(surface.statistics())
-    assert figures[0]["faces"] == 7200
-    assert figures[0] == figures[1] == figures[2]
-    with pytest.raises(core.MeanderError, match="threads"):
-        core.Surface(vertices, faces, threads=257)

@@ -26,45 +26,6 @@ def refused(call, *arguments, **keywords) -> core.MeanderError:
 # Meshes
 
 
-# name: vertices, faces, kind of element, admissible elements
-BAD_MESHES = {
-    "no faces": (SQUARE, [], None, None),
-    "NaN": ([[0, 0, 0], [1, 0, 0], [1, NAN, 0]], [[0, 1, 2]], "vertex", [(2,)]),
-    "infinite": ([[0, 0, 0], [INF, 0, 0], [1, 1, 0]], [[0, 1, 2]], "vertex", [(1,)]),
-    "index out of range": (SQUARE, [[0, 1, 2], [0, 2, 9]], "face", [(1,)]),
-    "vertex twice in a face": (SQUARE, [[0, 1, 2], [0, 2, 2]], "face", [(1,)]),
-    "zero area": ([*SQUARE, [2, 0, 0]], [[0, 1, 2], [0, 1, 4]], "face", [(1,)]),
-    "three faces on an edge": (
-        [*SQUARE, [0.5, 0.5, 1], [0.5, 0.5, -1]],
-        [[0, 1, 2], [0, 2, 3], [0, 2, 4]],
-        "edge",
-        [(0, 2), (2, 0)],
-    ),
-    "bow-tie": (
-        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [-1, 0, 0], [-1, -1, 0]],
-        [[0, 1, 2], [0, 3, 4]],
-        "vertex",
-        [(0,)],
-    ),
-}
-
-
-@pytest.mark.parametrize("name", BAD_MESHES)
-def test_bad_mesh(name: str) -> None:
-    vertices, faces, kind, elements = BAD_MESHES[name]
-    error = refused(core.Surface, *geometry.mesh(vertices, faces))
-    assert error.status == core.Status.INVALID_MESH
-    assert error.element_kind == kind
-    if elements is not None:
-        assert error.elements in elements
-        assert all(str(index) in str(error) for index in error.elements)
-
-
-def test_moebius_strip() -> None:
-    error = refused(core.Surface, *geometry.moebius())
-    assert error.status == core.Status.INVALID_MESH
-
-
 def test_wrong_arrays() -> None:
     good = geometry.grid(2)
     refused(core.Surface, good.vertices[:, :2], good.faces)
@@ -224,12 +185,6 @@ def test_a_reach_that_is_no_length(square: core.Surface, reach: float) -> None:
     seed = replace(seed_of([[0.2, 0.2, 0], [0.8, 0.8, 0]]), max_distance=reach)
     error = refused(core.Flow, square, options_with(), seed)
     assert error.status == core.Status.INVALID_ARGUMENT
-
-
-def test_seed_between_components() -> None:
-    surface = core.Surface(*geometry.two_spheres())
-    error = refused(core.Flow, surface, options_with(), seed_of([[0, 0, 1], [3, 0, 1]]))
-    assert error.status == core.Status.INVALID_SEED
 
 
 def test_seed_arrays_that_disagree(square: core.Surface) -> None:
