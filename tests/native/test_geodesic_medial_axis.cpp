@@ -16,15 +16,45 @@
 namespace meander::test {
 namespace {
 
+struct Balls {
+  NodeData<Radii> radii, euclidean;
+  NodeData<Reach> reach;
+};
+
+/// A surface whose curves have an even spacing, `r`, and balls of at most 3 r.
+struct Scene {
+  /// `step`, `apart`  of the boundary's samples, see BoundaryObstacle; the step in r
+  Scene(const Mesh& mesh, double step, bool apart = false)
+      : surface(make_surface(mesh)), boundary(surface, step * r, apart) {}
+
+  Balls balls(const Curve& curve, bool measure, BoundaryRule rule = BoundaryRule::kCentre, double least_rest = 0) {
+    const LocalMetric metric = even_metric(curve, r, kClamp * r, 0, least_rest);
+    Frames frames;
+    compute_frames(surface, curve, metric, RadiusField(r), pool, frames);
+    Balls found;
+    compute_reach({surface, curve, frames, boundary, rule, &patches, metric}, {}, pool, found.reach);
+    CurveBvh tree;
+    compute_geodesic_medial_axis(surface, patches, curve, frames, boundary, rule, measure, metric, found.reach, pool,
+                                 tree, found.radii);
+    compute_medial_axis(frames, boundary, rule, found.reach, pool, tree, found.euclidean);
+    return found;
+  }
+
+  static constexpr double kClamp = 3;
+  Surface surface;
+  double r = 1 / surface.scale();
+  ThreadPool pool{1};
+  SurfacePatches patches{surface, RadiusField(r), kClamp, pool};
+  BoundaryObstacle boundary;
+};
+
 /// The layer after the next of a cloth faces the same way, and large balls reach past all that patches are compared
 /// with: one that saw the strands there would hold a growing curve back.
 TEST(GeodesicMedialAxis, LargeBallsDoNotSeeTheLayerAfterTheNext) {
   constexpr double kGap = 0.1, kReach = 6, kWidth = 24;
-  const Surface s = make_surface(folded_cloth(kWidth, 30, kGap, 3, 30));
-  const double r = 1 / s.scale(), clamp = 3;
-  ThreadPool pool(1);
-  const SurfacePatches patches(s, RadiusField(r), clamp, pool);
-  const BoundaryObstacle boundary(s, 0.5 * r);
+  Scene scene(folded_cloth(kWidth, 30, kGap, 3, 30), 0.5);
+  const Surface& s = scene.surface;
+  const double r = scene.r;
   const auto caller = [&](const SurfacePoint& p) {
     const Triangle& t = s.face(p.face);
     return Vec3(p.weight(0) * s.caller_position(t[0]) + p.b.x * s.caller_position(t[1]) +
@@ -44,31 +74,17 @@ TEST(GeodesicMedialAxis, LargeBallsDoNotSeeTheLayerAfterTheNext) {
   add_strands(top, 71, 2);
   add_strands(both, 71, 2);
   add_strands(both, 72, 0);
-  const auto radii_of = [&](const Curve& curve, bool measure, NodeData<Radii>& euclidean) {
-    const LocalMetric metric = even_metric(curve, r, clamp * r);
-    Frames frames;
-    compute_frames(s, curve, metric, RadiusField(r), pool, frames);
-    NodeData<Reach> reach;
-    compute_reach({s, curve, frames, boundary, BoundaryRule::kCentre, &patches, metric}, {}, pool, reach);
-    CurveBvh tree;
-    NodeData<Radii> radii;
-    compute_geodesic_medial_axis(s, patches, curve, frames, boundary, BoundaryRule::kCentre, measure, metric, reach,
-                                 pool, tree, radii);
-    compute_medial_axis(frames, boundary, BoundaryRule::kCentre, reach, pool, tree, euclidean);
-    return radii;
-  };
   for (const bool measure : {false, true}) {
-    NodeData<Radii> euclidean, straight;
-    const NodeData<Radii> alone = radii_of(top, measure, euclidean), together = radii_of(both, measure, straight);
+    const Balls alone = scene.balls(top, measure), together = scene.balls(both, measure);
     size_t large = 0, disturbed = 0;
     for (uint32_t i = 0; i < top.size(); ++i) {
       const Vec3 x = caller(top.nodes[i]);
       // Where the curve turns back to the layer below, and no ball reaches.
       if (std::abs(x.z() - 2 * kGap) > 0.5 * kGap || x.x() < kReach) continue;
       for (int side = 0; side < 2; ++side) {
-        EXPECT_EQ(together[i][side], alone[i][side]) << "node " << i << " side " << side;
-        large += alone[i][side] > 1.5 * r;
-        disturbed += straight[i][side] < euclidean[i][side];
+        EXPECT_EQ(together.radii[i][side], alone.radii[i][side]) << "node " << i << " side " << side;
+        large += alone.radii[i][side] > 1.5 * r;
+        disturbed += together.euclidean[i][side] < alone.euclidean[i][side];
       }
     }
     EXPECT_GT(large, 50u);
@@ -93,11 +109,9 @@ TEST(GeodesicMedialAxis, LoosePiecesDoNotSeeEachOther) {
     }
     pieces = joined(pieces, piece, 0);
   }
-  const Surface s = make_surface(pieces);
-  const double r = 1 / s.scale(), clamp = 3;
-  ThreadPool pool(1);
-  const SurfacePatches patches(s, RadiusField(r), clamp, pool);
-  const BoundaryObstacle boundary(s, 0.25 * r, true);
+  Scene scene(pieces, 0.25, true);
+  const Surface& s = scene.surface;
+  const double r = scene.r;
   const auto add_strands = [&](Curve& curve, uint32_t piece) {
     Rng own(80 + piece);
     for (int k = 0; k < 2; ++k) {
@@ -107,34 +121,17 @@ TEST(GeodesicMedialAxis, LoosePiecesDoNotSeeEachOther) {
       add_walk(s, curve, p, 0.2 * r, 5, 0.3, own);
     }
   };
-  struct Balls {
-    NodeData<Radii> radii, euclidean;
-    NodeData<Reach> reach;
-  };
-  const auto balls_of = [&](const Curve& curve, BoundaryRule rule, bool measure) {
-    const LocalMetric metric = even_metric(curve, r, clamp * r, 0, r);
-    Frames frames;
-    compute_frames(s, curve, metric, RadiusField(r), pool, frames);
-    Balls balls;
-    const ReachScene scene{s, curve, frames, boundary, rule, &patches, metric};
-    compute_reach(scene, {}, pool, balls.reach);
-    CurveBvh tree;
-    compute_geodesic_medial_axis(s, patches, curve, frames, boundary, rule, measure, metric, balls.reach, pool, tree,
-                                 balls.radii);
-    compute_medial_axis(frames, boundary, rule, balls.reach, pool, tree, balls.euclidean);
-    return balls;
-  };
   Curve all;
   for (uint32_t piece = 0; piece < s.component_count(); ++piece) add_strands(all, piece);
   for (const BoundaryRule rule : {BoundaryRule::kCentre, BoundaryRule::kObstacle}) {
     for (const bool measure : {false, true}) {
-      const Balls together = balls_of(all, rule, measure);
+      const Balls together = scene.balls(all, measure, rule, r);
       uint32_t first = 0;
       size_t disturbed = 0;
       for (uint32_t piece = 0; piece < s.component_count(); ++piece) {
         Curve curve;
         add_strands(curve, piece);
-        const Balls alone = balls_of(curve, rule, measure);
+        const Balls alone = scene.balls(curve, measure, rule, r);
         for (uint32_t i = 0; i < curve.size(); ++i) {
           EXPECT_EQ(together.radii[first + i], alone.radii[i]) << "piece " << piece << " node " << i;
           EXPECT_EQ(together.reach[first + i], alone.reach[i]) << "piece " << piece << " node " << i;
@@ -173,11 +170,9 @@ TEST(GeodesicMedialAxis, DoesNotDependOnTheOrderOfStrandsNorOnWhereTheyBegin) {
   constexpr uint32_t kRun = CurveBvh::kRun;
   size_t all = 0, different = 0;
   for (const Mesh& mesh : {scaled(cube(), 6), scaled(octahedron(), 6), wedge(10, 3, 20), plate(10, 1, 20)}) {
-    const Surface s = make_surface(mesh);
-    const double r = 1 / s.scale(), clamp = 3;
-    ThreadPool pool(1);
-    const SurfacePatches patches(s, RadiusField(r), clamp, pool);
-    const BoundaryObstacle boundary(s, 0.5 * r);
+    Scene scene(mesh, 0.5);
+    const Surface& s = scene.surface;
+    const double r = scene.r;
     Curve curve;
     Rng rng(91);
     for (int k = 0; k < 40; ++k) {
@@ -186,19 +181,7 @@ TEST(GeodesicMedialAxis, DoesNotDependOnTheOrderOfStrandsNorOnWhereTheyBegin) {
     }
     std::vector<uint32_t> from;
     const Curve other = told_otherwise(curve, kRun, from);
-    const auto radii_of = [&](const Curve& c) {
-      const LocalMetric metric = even_metric(c, r, clamp * r);
-      Frames frames;
-      compute_frames(s, c, metric, RadiusField(r), pool, frames);
-      NodeData<Reach> reach;
-      compute_reach({s, c, frames, boundary, BoundaryRule::kCentre, &patches, metric}, {}, pool, reach);
-      CurveBvh tree;
-      NodeData<Radii> radii;
-      compute_geodesic_medial_axis(s, patches, c, frames, boundary, BoundaryRule::kCentre, true, metric, reach, pool,
-                                   tree, radii);
-      return radii;
-    };
-    const NodeData<Radii> radii = radii_of(curve), again = radii_of(other);
+    const NodeData<Radii> radii = scene.balls(curve, true).radii, again = scene.balls(other, true).radii;
     for (uint32_t i = 0; i < other.size(); ++i) {
       for (size_t side = 0; side < 2; ++side) {
         ++all;

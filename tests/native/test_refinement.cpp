@@ -9,6 +9,7 @@
 
 #include "blocked_changes.h"
 #include "curve/refinement.h"
+#include "random_curves.h"
 
 namespace meander::test {
 namespace {
@@ -86,43 +87,19 @@ void expect_origin(const Curve& old, const Refined& r) {
   }
 }
 
-std::vector<Mesh> meshes() {
-  return {sphere(2),
-          torus(16, 8),
-          cube(),
-          octahedron(),
-          with_noise(sphere(2), 0.3, 19),
-          grid_with_hole(7),
-          cone(12, 3, 1, true),
-          flat_grid(1)};
-}
-
-/// Rings of very unequal segments, and an open strand.
-Curve random_curve(const Surface& s, Rng& rng) {
-  Curve curve;
-  for (int k = 0; k < 40 && curve.strands.size() < 4; ++k) {
-    Curve next = curve;
-    if (!add_ring(s, next, random_point(s, rng), rng.in(0.04, 0.15), 4 + rng.below(60), 0.15, rng))
-      continue;
-    if (exact_crossings(s, next).empty()) curve = next;
-  }
-  for (int k = 0; k < 20; ++k) {
-    Curve next = curve;
-    add_walk(s, next, random_point(s, rng), rng.in(0.005, 0.06), 15, 0.3, rng);
-    if (!exact_crossings(s, next).empty()) continue;
-    curve = next;
-    break;
-  }
+/// Some of whose nodes are fixed.
+Curve partly_fixed(const Surface& s, Rng& rng) {
+  Curve curve = random_curve(s, 4, rng);
   for (uint8_t& f : curve.fixed) f = rng() < 0.05;
   return curve;
 }
 
 TEST(Refine, KeepsTheCurveWholeAndItsSegmentsShort) {
-  for (const Mesh& mesh : meshes()) {
+  for (const Mesh& mesh : varied_meshes()) {
     const Surface s = make_surface(mesh);
     Rng rng(81);
     for (int round = 0; round < 12; ++round) {
-      const Curve old = random_curve(s, rng);
+      const Curve old = partly_fixed(s, rng);
       const double h = rng.in(0.002, 0.06);
       const Refined r = refine(s, old, h);
       ASSERT_TRUE(whole(s, r.curve));
@@ -144,11 +121,11 @@ TEST(Refine, KeepsTheCurveWholeAndItsSegmentsShort) {
 }
 
 TEST(Refine, SplittingKeepsLengthAndPlace) {
-  for (const Mesh& mesh : meshes()) {
+  for (const Mesh& mesh : varied_meshes()) {
     const Surface s = make_surface(mesh);
     Rng rng(82);
     for (int round = 0; round < 8; ++round) {
-      const Curve old = random_curve(s, rng);
+      const Curve old = partly_fixed(s, rng);
       const double h = 0.99 * std::min(shortest(old), longest(old) / 3);  // nothing is short
       const Refined r = refine(s, old, h);
       EXPECT_GT(r.curve.size(), old.size());
@@ -170,11 +147,11 @@ TEST(Refine, SplittingKeepsLengthAndPlace) {
 /// One pass removes at most every other node; the passes come to an end, and none splits what an
 /// earlier one joined.
 TEST(Refine, RepeatedComesToRest) {
-  for (const Mesh& mesh : meshes()) {
+  for (const Mesh& mesh : varied_meshes()) {
     const Surface s = make_surface(mesh);
     Rng rng(83);
     for (int round = 0; round < 8; ++round) {
-      Refined r{random_curve(s, rng), {}};
+      Refined r{partly_fixed(s, rng), {}};
       const double h = rng.in(0.002, 0.06);
       r = refine(s, r.curve, h);
       bool rest = false;

@@ -6,45 +6,15 @@
 #include <algorithm>
 
 #include "curve/retraction.h"
-#include "curves.h"
+#include "random_curves.h"
 
 namespace meander::test {
 namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of lengths that are walked face by face
 
-/// Some rings, wherever there is room, and an open strand if there is still room for one.
-Curve random_curve(const Surface& s, uint32_t rings, Rng& rng) {
-  Curve curve;
-  for (uint32_t k = 0; k < 10 * rings && curve.strands.size() < rings; ++k) {
-    Curve next = curve;
-    if (!add_ring(s, next, random_point(s, rng), rng.in(0.03, 0.12), 6 + rng.below(30), 0.1, rng))
-      continue;
-    if (exact_crossings(s, next).empty()) curve = next;
-  }
-  for (int k = 0; k < 20; ++k) {
-    Curve next = curve;
-    add_walk(s, next, random_point(s, rng), 0.02, 12, 0.4, rng);
-    if (!exact_crossings(s, next).empty()) continue;
-    curve = next;
-    break;
-  }
-  return curve;
-}
-
-std::vector<Mesh> meshes() {
-  return {sphere(2),
-          torus(16, 8),
-          cube(),
-          octahedron(),
-          with_noise(sphere(2), 0.3, 19),
-          grid_with_hole(7),
-          cone(12, 3, 1, true),
-          flat_grid(1)};
-}
-
 TEST(Move, OfAnySizeLeavesNoCrossings) {
-  for (const Mesh& mesh : meshes()) {
+  for (const Mesh& mesh : varied_meshes()) {
     const Surface s = make_surface(mesh);
     Rng rng(71);
     ThreadPool pool(2);
