@@ -14,7 +14,7 @@ usual. What survives is listed.
 
 After a test was added, --again tries the survivors again. --only takes a part of a file's name.
 
-build/mutants/mutants.json has the mutants, results.jsonl a line for each that was tried.
+build/mutants/results.jsonl has a line for each that was tried.
 """
 
 from __future__ import annotations
@@ -27,7 +27,6 @@ import resource
 import subprocess
 import sys
 from collections import Counter, defaultdict
-from dataclasses import asdict
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
@@ -59,12 +58,7 @@ MEMORY = 4 << 30  # bytes
 COPIED = ["CMakeLists.txt", "CMakePresets.json", "LICENSE", "THIRD_PARTY_NOTICES.md"]
 COPIED += ["cmake", "native", "tests/native", "tests/sweep", "scripts", "addon/meander"]
 
-Key = tuple[str, int, int, str, str]
 Tests = list[tuple[float, str, str]]  # seconds, program, test
-
-
-def key_of(m: Mutant) -> Key:
-    return (m.file, m.line, m.column, m.was, m.becomes)
 
 
 def main() -> int:
@@ -143,7 +137,6 @@ def write() -> list[Mutant]:
             mutant.file = name
         every += schemata.mutants
         print(f"{name}: {len(schemata.mutants)} mutants, not in {len(dropped)} places", flush=True)
-    put(TREE / "mutants.json", json.dumps([asdict(m) for m in every], indent=1).encode())
     return every
 
 
@@ -230,13 +223,13 @@ def run(mutants: list[Mutant], seconds: float, again: bool) -> None:
     table, known = tests_of_mutants(), results()
     # Every third one first, so that a run that is interrupted is a sample of the whole.
     for mutant in sorted(mutants, key=lambda m: m.number % 3):
-        outcome = known.get(key_of(mutant), {}).get("outcome")
+        outcome = known.get(in_words(mutant))
         if outcome == "killed" or (outcome and not again):
             continue
         own = f"test_{Path(mutant.file).stem}"
         result = try_mutant(mutant.number, table.get(mutant.number, []), seconds, own)
         with (TREE / "results.jsonl").open("a") as file:
-            file.write(json.dumps({"key": key_of(mutant), **result}) + "\n")
+            file.write(json.dumps({"mutant": in_words(mutant), **result}) + "\n")
         if result["outcome"] != "killed":
             print(f"{result['outcome']}: {in_words(mutant)}", flush=True)
 
@@ -292,14 +285,15 @@ def failure(program: Path, tests: list[str], number: int, usual: float) -> str |
 # What came of it
 
 
-def results() -> dict[Key, dict[str, str]]:
-    path = TREE / "results.jsonl"
-    lines = path.read_text().splitlines() if path.exists() else []
-    return {tuple(r["key"]): r for r in map(json.loads, lines)}
-
-
 def in_words(m: Mutant) -> str:
     return f"{m.file}:{m.line}:{m.column} {m.function}: {m.was} -> {m.becomes}    {m.text}"
+
+
+def results() -> dict[str, str]:
+    """What came of each mutant, in words."""
+    path = TREE / "results.jsonl"
+    lines = path.read_text().splitlines() if path.exists() else []
+    return {found["mutant"]: found["outcome"] for found in map(json.loads, lines)}
 
 
 def report(mutants: list[Mutant]) -> None:
@@ -307,7 +301,7 @@ def report(mutants: list[Mutant]) -> None:
     known = results()
     rows: dict[str, Counter[str]] = defaultdict(Counter)
     for mutant in mutants:
-        outcome = known.get(key_of(mutant), {"outcome": "not tried"})["outcome"]
+        outcome = known.get(in_words(mutant), "not tried")
         rows[mutant.file][outcome] += 1
         if outcome != "killed":
             print(f"{outcome}: {in_words(mutant)}")

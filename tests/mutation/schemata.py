@@ -33,7 +33,6 @@ EQUALITY = {"==": "!=", "!=": "=="}
 # An operand that a mutant leaves out is true beside && and false beside ||. The other operator is
 # no mutant: it differs where just one operand is true, and so dies with one of these.
 LOGICAL = {"&&": "({} || mutants::is({}))", "||": "({} && !mutants::is({}))"}
-BOOLEAN = {*ORDER, *EQUALITY, *LOGICAL}
 LITERALS = {"0": "1", "1": "0", "2": "1"}
 CALLS = {"min": ("least", "max"), "max": ("most", "min"), "abs": ("magnitude", "itself")}
 
@@ -206,35 +205,24 @@ class Schemata:
         return self._visit(child)
 
     def _condition(self, cursor: Cursor, kind: CursorKind) -> str:
-        """What never holds, and what always does unless operators within see to that."""
+        """What never holds, and what always does unless an operator sees to that."""
         start = extent(cursor)[0]
         before = self._source[max(0, start - 20) : start]
-        if not cursor.kind.is_expression() or re.search(rb"constexpr\s*\($", before):
-            return self._visit(cursor)
-        inner = cursor
-        while inner.kind in {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR}:
-            children = list(inner.get_children())
-            if len(children) != 1:
-                break
-            inner = children[0]
-        becomes = ["never"]
-        if self._operator(*operands_of(inner)) not in BOOLEAN and kind != CursorKind.WHILE_STMT:
-            becomes.append("always")
-        number = self._new(start, "condition", *becomes)
         text = self._visit(cursor)
+        if not cursor.kind.is_expression() or re.search(rb"constexpr\s*\($", before):
+            return text
+        decided = re.match(r"\(*(mutants::compared|!?static_cast<bool>)", text)
+        becomes = ["never"] if decided or kind == CursorKind.WHILE_STMT else ["never", "always"]
+        number = self._new(start, "condition", *becomes)
         if number is None:
             return text
         text = f"(static_cast<bool>({text}) && !mutants::is({number}))"
         return f"({text} || mutants::is({number + 1}))" if len(becomes) == 2 else text
 
-    def _operator(self, left: Cursor | None = None, right: Cursor | None = None) -> str:
-        if left is None or right is None:
-            return ""
-        return self._between(extent(left)[1], extent(right)[0]).strip()
-
     def _binary(self, left: Cursor, right: Cursor) -> str | None:
-        operator, at = self._operator(left, right), extent(left)[1]
+        at = extent(left)[1]
         between = self._between(at, extent(right)[0])
+        operator = between.strip()
         plain = operator.removesuffix("=")
         if operator in LOGICAL and (number := self._new(at, operator, "right", "left")):
             sides = (f"static_cast<bool>({self._visit(side)})" for side in (left, right))
