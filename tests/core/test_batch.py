@@ -327,7 +327,7 @@ def test_curvature_makes_a_mesh_file_denser(run, tmp_path: Path) -> None:
     for name in ("mean", "gaussian", None):
         density = ("--density-curvature", name) if name else ()
         for mesh in (ball, egg):
-            code, _out, err = run(mesh, "--spacing", "0.3", "--iterations", "300", *density)
+            code, _out, err = run(mesh, "--spacing", "0.4", "--iterations", "300", *density)
             assert code == 0, err
             length = json.loads((tmp_path / "out.json").read_text())["length"]
             lengths[mesh, name] = length

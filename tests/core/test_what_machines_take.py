@@ -77,7 +77,7 @@ def test_a_drawing_that_crosses_itself_says_so(tmp_path: Path, capsys) -> None:
 def test_a_flat_surface_has_a_drawing_without_crossings(tmp_path: Path, capsys) -> None:
     sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(8))
     for name in ("a.svg", "a.dxf", "a.gcode"):
-        assert run(sheet, name, "--layout", "top", "--size", "100", spacing=0.05) == 0
+        assert run(sheet, name, "--layout", "top", "--size", "100", spacing=0.08) == 0
         assert figures(sheet)["drawing"]["crossings"] == 0
     assert run(sheet, "b.svg", "--chord-tolerance", "0.03", "--size", "100", spacing=0.05) == 0
     drawing, said = figures(sheet)["drawing"], capsys.readouterr().err
