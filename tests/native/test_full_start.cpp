@@ -91,7 +91,7 @@ TEST(FullStart, IsAsLongAsACurveAtTheSpacing) {
   for (const auto& [name, mesh] : {std::pair{"sphere", sphere(4)}, {"noisy", with_noise(sphere(4), 0.3, 5)},
                                    {"torus", torus(48, 24)}, {"leaf", leaf(1, 0.3, 0.5, 24)}}) {
     const Surface surface = make_surface(mesh);
-    for (const double side : {30.0, 34.0, 38.0, 42.0}) {
+    for (const double side : {30.0, 38.0}) {
       SCOPED_TRACE(name + std::to_string(side));
       const double r = 0.5 * std::sqrt(surface.area()) / side;
       const Flow flow = flow_of(std::make_shared<const Surface>(make_surface(mesh)), 2 * r * surface.scale());

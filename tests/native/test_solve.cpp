@@ -221,8 +221,8 @@ TEST(Step, OfLongStrandsLeavesNoResidual) {
     Scene scene(mesh);
     const uint32_t nodes = mesh.vertex_count() > 300 ? 2 * kLeastChunk + 500 : 500;
     add_walk(scene.surface, scene.curve, random_point(scene.surface, rng), 0.02, nodes, 0.8, rng);
-    add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.2, 1000, 0.02, rng);
-    add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.3, 600, 0.02, rng);
+    add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.2, 400, 0.02, rng);
+    add_ring(scene.surface, scene.curve, random_point(scene.surface, rng), 0.3, 250, 0.02, rng);
     for (const Range& range : kRanges) {
       scene.fill(rng, range, 0.01);
       const Eigen::VectorXd step = scene.banded_step();
