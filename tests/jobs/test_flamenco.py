@@ -10,12 +10,10 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from conftest import FARM, ROOT
-from meander.jobs import command
 
 SCRIPT = ROOT / "addon" / "meander" / "jobs" / "meander_fill.js"
 STAND_IN = Path(__file__).with_name("flamenco.js")
@@ -64,7 +62,7 @@ def test_required_settings_are_asked_for(tmp_path):
     assert compiled(tmp_path, {"job_file": "/farm/job.toml"}).returncode != 0
 
 
-def test_the_commands_of_the_tasks_do_the_job(tmp_path, job, capsys):
+def test_the_commands_of_the_tasks_do_the_job(tmp_path, job):
     """In this process, with the arguments that a worker's Blender would be given."""
     job.meshes(a="ok curve", b="refuse it; see", c="ok curve")
     job.fill_all()
@@ -72,12 +70,9 @@ def test_the_commands_of_the_tasks_do_the_job(tmp_path, job, capsys):
     codes = []
     for task in found:
         arguments = task["commands"][0]["parameters"]["args"]
-        own = arguments[arguments.index("--") + 1 :]
-        done = subprocess.run(
-            [sys.executable, str(FARM), *own], env=job.environment, capture_output=True
-        )
-        codes.append(done.returncode)
+        file, *own = arguments[arguments.index("--") + 1 :]
+        assert file == str(job.file)
+        codes.append(job.run(*own).returncode)
     assert codes == [0, 1, 1]
     assert job.runs == ["a", "b", "c"]
-    assert command.main([str(job.file), "--list"]) == 0
-    assert capsys.readouterr().out.count("done") == 2
+    assert job.run("--list").stdout.count("done") == 2
