@@ -73,7 +73,7 @@ def growing() -> Generator[float, None, dict]:
         counts.append(shown_points())
     assert counts == sorted(set(counts)), counts
     # Grown enough for a picture worth looking at.
-    yield from until(grown_to(12000), "a third of it")
+    yield from until(grown_to(6000), "a third of it")
     yield from seen("2_running")
     changed = changed_share("1_plain", "2_running")
     assert changed > 0.02, f"only {changed:.1%} of the view has changed"

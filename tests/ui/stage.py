@@ -42,7 +42,7 @@ PATIENCE = 60.0
 SURFACE = "Suzanne"
 # A run at the coarse spacing comes to its end within seconds, and one at half of it within some
 # more. One that is finer goes on until it is stopped, however fast the machine: see options_of().
-FINE, COARSE = 0.04, 0.12
+FINE, COARSE = 0.055, 0.12
 FINEST_THAT_ENDS = 0.5 * COARSE
 RESULT = "Suzanne Meander"
 
