@@ -102,7 +102,7 @@ def test_weights_panel_warns_of_what_is_seldom_meant():
 
 
 def test_panel_on_a_result():
-    fill(cube(), 0.5)
+    fill(cube(), 0.5, use_bevel=True)
     shown = texts_of(panels.MEANDER_PT_main)
     assert {"Cube", "Continue", "Fill Again"} <= set(shown)
     shown = texts_of(panels.MEANDER_PT_figures)

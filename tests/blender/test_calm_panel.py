@@ -62,7 +62,7 @@ def test_every_text_fits_on_a_mesh():
 
 
 def test_every_text_fits_on_a_result():
-    result = fill(cube(), 0.5)
+    result = fill(cube(), 0.5, use_bevel=True)
     found = list(of_every_setting(result.meander))
     figures = result.meander.figures
     figures.lines, figures.closed_lines, figures.wide_gaps = 1234, 0, 1234
@@ -106,7 +106,7 @@ def shown_below(parent: str) -> list[str]:
 def test_the_panels_are_few_and_in_the_order_of_use():
     surface = cube()
     assert shown_below("MEANDER_PT_main") == ["Look", "Guidance", "Output", "Advanced"]
-    fill(surface, 0.5)
+    fill(surface, 0.5, use_bevel=True)
     assert shown_below("MEANDER_PT_main") == ["Last Run", "Look", "Guidance", "Output", "Advanced"]
     assert shown_below("MEANDER_PT_look") == ["Along the Line"]
     guidance = ["Density", "Seed and Strands", "Direction", "Region"]

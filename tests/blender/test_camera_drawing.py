@@ -180,7 +180,7 @@ def test_what_another_object_hides_is_left_out(tmp_path: Path) -> None:
     bpy.ops.mesh.primitive_cube_add(size=1.2)
     cube = scenes.activate(bpy.context.active_object)
     cube.name = 'Cube & "Co"'
-    found = drawn(tmp_path / "a.svg", 8.0)
+    found = drawn(tmp_path / "a.svg", 10.0)
     assert set(found) == {"Wall", 'Cube & "Co"'}
     page = frame()
     front = page.on_paper([[x, -0.6, z] for x in (-0.6, 0.6) for z in (-0.6, 0.6)])
@@ -199,12 +199,12 @@ def test_what_another_object_hides_is_left_out(tmp_path: Path) -> None:
     assert within(found['Cube & "Co"'], 0.02).all()
     # A holdout hides, and is not drawn.
     cube.is_holdout = True
-    held = drawn(tmp_path / "b.svg", 8.0)
+    held = drawn(tmp_path / "b.svg", 10.0)
     assert set(held) == {"Wall"}
     assert all(map(np.array_equal, held["Wall"], found["Wall"]))
     # One that is not rendered does neither.
     cube.is_holdout, cube.hide_render = False, True
-    bare = drawn(tmp_path / "c.svg", 8.0)
+    bare = drawn(tmp_path / "c.svg", 10.0)
     assert set(bare) == {"Wall"} and within(bare["Wall"], -0.05).sum() > 100
 
 

@@ -142,7 +142,7 @@ def test_the_room_is_known_until_the_points_change(tmp_path: Path) -> None:
 
 
 def test_points_to_hair_curves() -> None:
-    result = scenes.fill(scenes.sphere(), 0.4)
+    result = scenes.fill(scenes.sphere(), 0.4, use_bevel=True)
     if bpy.app.version < (4, 2):
         with pytest.raises(RuntimeError, match="4.2"):
             bpy.ops.meander.points_to_curves()

@@ -47,7 +47,7 @@ def near(thing: bpy.types.Object) -> float:
 def test_a_surface_is_filled_without_a_seed(build):
     surface = build()
     before = counts()
-    result = fill(surface, 0.3)
+    result = fill(surface, 0.3, use_bevel=True)
     assert result.type == "CURVE"
     assert result.parent == surface
     assert surface.users_collection == result.users_collection
@@ -128,7 +128,8 @@ def test_spacing_is_proposed_the_first_time():
 def test_the_result_knows_its_surface_settings_and_figures():
     surface = sphere()
     seed = poly_curve("Seed", [circle_points(0.45, 0.89)], True)
-    result = fill(surface, 0.3, seed=seed, preset="PAPER", threads=1, bevel_share=0.1)
+    chosen = {"preset": "PAPER", "threads": 1, "use_bevel": True, "bevel_share": 0.1}
+    result = fill(surface, 0.3, seed=seed, **chosen)
     settings = result.meander
     assert (settings.surface, settings.seed) == (surface, seed)
     assert (settings.preset, settings.threads) == ("PAPER", 1)

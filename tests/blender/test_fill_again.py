@@ -22,7 +22,7 @@ from scenes import (
 )
 from watched_runs import begin, tick_until
 
-QUICK = {"spacing": 0.5, "iteration_limit": 20}
+QUICK = {"spacing": 0.5, "iteration_limit": 20, "use_bevel": True}
 
 
 def run_again(surface: bpy.types.Object, spacing: float, **options) -> bpy.types.Object | None:
@@ -232,7 +232,7 @@ def test_a_linked_surface_is_filled_again_into_its_curve(tmp_path):
     """It cannot note its result, so the scene is looked through; New Curve makes another one."""
     surface = sphere()
     surface.name = "Lib"
-    surface.meander.spacing, surface.meander.iteration_limit = QUICK.values()
+    surface.meander.spacing, surface.meander.iteration_limit = 0.5, 20
     path = tmp_path / "library.blend"
     bpy.data.libraries.write(str(path), {surface})
     bpy.data.objects.remove(surface)

@@ -63,7 +63,7 @@ def test_names_and_counts_are_read_whole():
     """Those that Blender and the add-on give."""
     surface = grid()
     surface.name = "Suzanne.001"
-    result = fill(surface, 0.4)
+    result = fill(surface, 0.4, use_bevel=True)
     assert result.name == "Suzanne.001 Meander"
     assert too_wide() == []
     activate(surface)

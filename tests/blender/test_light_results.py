@@ -17,7 +17,7 @@ def test_a_run_makes_a_light_result_that_goes_on(tmp_path: Path) -> None:
     ball = scenes.sphere()
     whole = scenes.fill(ball, 0.3)
     length, many = scenes.length_of(whole), scenes.point_count(whole)
-    result = scenes.fill(scenes.sphere(), 0.3, use_light=True, radius_follows=True)
+    result = scenes.fill(scenes.sphere(), 0.3, use_light=True, radius_follows=True, use_bevel=True)
     assert result != whole
     few = scenes.point_count(result)
     assert few < 0.5 * many

@@ -6,6 +6,7 @@ from __future__ import annotations
 import bpy
 import numpy as np
 import pytest
+import scenes
 from mathutils.kdtree import KDTree
 from meander.scene import assets, curve_reader, look
 from meander.scene.results import last_result
@@ -13,7 +14,6 @@ from scenes import (
     activate,
     circle_points,
     cube,
-    fill,
     pieces_of,
     points_of,
     poly_curve,
@@ -22,6 +22,10 @@ from scenes import (
 )
 
 SPACING = 0.3
+
+
+def fill(thing: bpy.types.Object, spacing: float, **settings) -> bpy.types.Object:
+    return scenes.fill(thing, spacing, **{"use_bevel": True} | settings)
 
 
 def small(**settings) -> bpy.types.Object:

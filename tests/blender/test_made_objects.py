@@ -25,7 +25,7 @@ def texts() -> str:
 @pytest.mark.parametrize("maker", MAKERS)
 def test_the_panel_leads_from_what_was_made_to_its_curve(maker: str) -> None:
     surface = scenes.sphere()
-    result = scenes.fill(surface, SPACING)
+    result = scenes.fill(surface, SPACING, use_bevel=True)
     assert getattr(bpy.ops.meander, maker)() == {"FINISHED"}
     made = bpy.context.active_object
     assert made != result and result.hide_get()

@@ -119,7 +119,7 @@ def test_one_that_was_stopped_is_mirrored_too(monkeypatch):
     monkeypatch.setattr(session, "Window", FakeWindow)
     surface = ball()
     surface.meander.mirror = "X"
-    running = begin(surface, 0.06)
+    running = begin(surface, 0.1)
     tick_until(running, lambda: running.latest is not None and running.latest.iterations > 3)
     running.stop_wanted = True
     tick_until(running, lambda: False)

@@ -51,7 +51,7 @@ def tube() -> bpy.types.Object:
 
 @pytest.fixture
 def result(tube: bpy.types.Object) -> bpy.types.Object:
-    return scenes.fill(tube, 0.6, use_bevel=False)
+    return scenes.fill(tube, 0.6)
 
 
 def test_follow_keeps_the_spacing_and_the_surface(
@@ -253,7 +253,7 @@ def _spacings_from_the_ends(tube: bpy.types.Object, curve: bpy.types.Object) -> 
 
 
 def test_growth_has_the_outline_of_the_run(tube: bpy.types.Object) -> None:
-    result = scenes.fill(tube, 0.6, use_bevel=False, use_outline=True)
+    result = scenes.fill(tube, 0.6, use_outline=True)
     assert len(result.data.splines) == 3  # the curve, and one strand along each end
     assert bpy.ops.meander.bake_growth(every=20) == {"FINISHED"}
     frames = list(result.meander.bake.objects)
@@ -265,7 +265,7 @@ def test_growth_has_the_outline_of_the_run(tube: bpy.types.Object) -> None:
 
 
 def test_growth_leaves_guides_out_as_the_result_does(tube: bpy.types.Object) -> None:
-    result = scenes.fill(tube, 0.6, use_bevel=False, use_outline=True, keep_guides=False)
+    result = scenes.fill(tube, 0.6, use_outline=True, keep_guides=False)
     assert len(result.data.splines) == 1
     assert _spacings_from_the_ends(tube, result) > 1.1
     assert bpy.ops.meander.bake_growth(every=20) == {"FINISHED"}
@@ -280,7 +280,6 @@ def test_a_follower_keeps_clear_of_an_outline_that_is_not_shown(
     result = scenes.fill(
         tube,
         0.6,
-        use_bevel=False,
         use_outline=True,
         keep_guides=False,
         radius_follows=radius_follows,

@@ -82,7 +82,7 @@ def test_the_profile_has_x_along_the_normal(shape, cyclic: bool) -> None:
 
 
 def test_a_result_lies_flat_on_its_surface() -> None:
-    result = scenes.fill(scenes.sphere(), 0.4, use_bevel=False)
+    result = scenes.fill(scenes.sphere(), 0.4)
     result.data.extrude = 0.05
     points = scenes.points_of(result)
     mesh = _evaluated(result).reshape(-1, 2, 3)
@@ -116,7 +116,7 @@ def test_radius_follows_the_room() -> None:
 def test_a_ribbon_lies_flat_on_the_faces_of_a_cube():
     """What is drawn of it, away from edges: its upper side looks where the face does."""
     cube = scenes.cube()
-    result = scenes.fill(cube, 0.3, profile="RIBBON", bevel_share=0.3)
+    result = scenes.fill(cube, 0.3, profile="RIBBON", bevel_share=0.3, use_bevel=True)
     depsgraph = bpy.context.evaluated_depsgraph_get()
     mesh = result.evaluated_get(depsgraph).to_mesh()
     leans, areas = [], []

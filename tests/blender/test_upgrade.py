@@ -43,7 +43,7 @@ def submodules() -> dict[str, ModuleType]:
 
 
 def test_every_submodule_is_that_of_the_new_version(installed: ModuleType) -> None:
-    fill(cube(), 0.5)  # what is imported late is there as well
+    fill(cube(), 0.5, use_bevel=True)  # what is imported late is there as well
     importlib.import_module(f"{NAME}.batch")
     before = submodules()
     assert f"{NAME}.core" in before and f"{NAME}.batch" in before
@@ -55,7 +55,7 @@ def test_every_submodule_is_that_of_the_new_version(installed: ModuleType) -> No
     importlib.reload(installed)
     installed.register()
 
-    fill(cube(), 0.5)
+    fill(cube(), 0.5, use_bevel=True)
     importlib.import_module(f"{NAME}.batch")
     after = submodules()
     assert set(after) == set(before)
