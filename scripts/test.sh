@@ -154,46 +154,48 @@ if $all; then
   wait $!
 fi
 
-# The rest runs in one process at a time, so two rows of suites share the processors.
-first_row() {
-  profile core
-  suite core 900 "${in_profile[@]}" \
-    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/core
-  profile sweep
-  suite sweep 600 "${in_profile[@]}" \
-    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/sweep tests/mutation
-  profile blender-4.5
-  suite blender-4.5 900 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
-  # What is written for machines, by readers from the Python index that /usr/bin/python3 does not have.
-  profile readers
-  suite readers 300 "${in_profile[@]}" "$bpy_python" -m pytest -q -p no:cacheprovider \
-    tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/test_parts_by_length.py \
-    tests/core/test_what_machines_take.py
-  window ui 100 run undo live look make mirror
-  check site 120 bash scripts/build_site.sh
-  check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
-  check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
+# The rest runs in one process at a time, so two suites share the processors, the longest first.
+beside() { # COMMAND...: begins it as soon as fewer than two others run
+  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n || true; done
+  "$@" &
 }
-second_row() {
-  profile blender-3.4
-  suite blender-3.4 900 "${in_profile[@]}" \
-    blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
-  # This suite makes its own profiles.
-  suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
-    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
-  profile jobs
-  suite jobs 300 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/jobs
-  window ui-more 200 nothing_lost calm_panel seeds first_try export camera
-}
-first_row &
-second_row
-wait $!
+# What is written for machines, by readers from the Python index that /usr/bin/python3 does not have.
+for_machines=(tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/test_parts_by_length.py
+  tests/core/test_what_machines_take.py)
 
-# One process as well, so the other processor compiles; what compiles on both does not hold it up.
-if $all; then suite threads 1800 bash scripts/test_threads.sh & else suite fuzz 1800 nice bash scripts/test_sanitized.sh --fuzz & fi
+# What compiles here has one of the two processors.
+export CMAKE_BUILD_PARALLEL_LEVEL=1
+if $all; then
+  beside suite threads 1800 bash scripts/test_threads.sh
+else
+  beside suite fuzz 1800 bash scripts/test_sanitized.sh --fuzz
+fi
+profile blender-3.4
+beside suite blender-3.4 900 "${in_profile[@]}" \
+  blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
+profile blender-4.5
+beside suite blender-4.5 900 "${in_profile[@]}" "$bpy_python" tests/blender/run.py
+profile core
+beside suite core 900 "${in_profile[@]}" \
+  /usr/bin/python3 -m pytest -q -p no:cacheprovider "${for_machines[@]/#/--ignore=}" tests/core
+beside window ui 100 run undo live look make mirror
+beside window ui-more 200 nothing_lost calm_panel seeds first_try export camera
+# This suite makes its own profiles.
+beside suite package 600 env MEANDER_ZIP="$root/$zip" MEANDER_BPY_PYTHON="$root/$bpy_python" \
+  /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/package
+profile jobs
+beside suite jobs 300 "${in_profile[@]}" /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/jobs
+profile sweep
+beside suite sweep 600 "${in_profile[@]}" \
+  /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/sweep tests/mutation
+profile readers
+beside suite readers 300 "${in_profile[@]}" "$bpy_python" -m pytest -q -p no:cacheprovider "${for_machines[@]}"
+beside check site 120 bash scripts/build_site.sh
+beside check lint 60 "$(dirname "$bpy_python")/ruff" check --no-cache .
+beside check rooms 60 env PYTHONPATH=addon "$(dirname "$bpy_python")/lint-imports" --no-cache
 profile documents
-suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
-wait $!
+beside suite documents 300 "${in_profile[@]}" /usr/bin/python3 scripts/run_documents.py
+wait
 
 printf '\n'
 cut -d ' ' -f 3- "$results"
