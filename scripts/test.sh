@@ -3,14 +3,15 @@
 #
 # test.sh [--all]
 #
-# Installs what is missing, builds, and runs the tests: native, fuzzing of the C API under sanitizers, Python
-# without Blender, inside Debian's Blender, inside Blender 4.5 as a Python module, the installed zip in both, jobs
-# of many surfaces, hard surfaces, UI tests in a window, the commands of the documents, the linter, and the rule
-# which module may import which. Every suite runs, even if others fail. Logs stay in build/logs; the last line counts
-# the tests, and the exit code is 0 only when nothing failed.
+# Installs what is missing, builds, and runs the tests: native, Python without Blender, inside Debian's Blender,
+# inside Blender 4.5 as a Python module, the installed zip in both, jobs of many surfaces, hard surfaces, UI tests in a
+# window, the commands of the documents, the linter, and the rule which module may import which. Every suite runs, even
+# if others fail. Logs stay in build/logs; the last line counts the tests, and the exit code is 0 only when nothing
+# failed.
 #
-# With --all, every night or by hand, also what is compiled anew for it, which takes as long again: the native tests
-# under sanitizers, what runs in threads under ThreadSanitizer, and the library of a release for Windows.
+# With --all, every night or by hand, also what is compiled anew for it, which takes longer than all else: the native
+# tests and a minute of fuzzing the C API under sanitizers, what runs in threads under ThreadSanitizer, and the library
+# of a release for Windows.
 #
 # The summary names the slowest test of each suite with its processor seconds; all are in
 # build/logs/SUITE.times. Where MEANDER_TEST_LIMIT is set, a test that takes more processor seconds
@@ -163,13 +164,8 @@ beside() { # COMMAND...: begins it as soon as fewer than two others run
 for_machines=(tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/test_parts_by_length.py
   tests/core/test_what_machines_take.py)
 
-# What compiles here has one of the two processors.
-export CMAKE_BUILD_PARALLEL_LEVEL=1
-if $all; then
-  beside suite threads 1800 bash scripts/test_threads.sh
-else
-  beside suite fuzz 1800 bash scripts/test_sanitized.sh --fuzz
-fi
+# It compiles with one of the two processors.
+if $all; then beside suite threads 1800 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_threads.sh; fi
 profile blender-3.4
 beside suite blender-3.4 900 "${in_profile[@]}" \
   blender -b --factory-startup --python-exit-code 1 --python tests/blender/run.py
