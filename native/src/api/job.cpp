@@ -29,7 +29,7 @@ meander_status meander_flow_keep_growth(meander_flow* flow, double length_step, 
     require_idle(flow);
     require(std::isfinite(length_step) && length_step >= 0,
             "The length step of copies is negative or not finite; give 0 for none.");
-    flow->job.keep_growth(length_step, point_limit);
+    flow->job.previews().keep_growth(length_step, point_limit);
   });
 }
 
@@ -38,7 +38,7 @@ meander_status meander_flow_take_preview(meander_flow* flow, meander_preview* pr
     require_started(flow);
     require_struct(preview);
     auto owner = std::make_unique<OwnedResult<Preview>>();  // before the copy is taken out, since memory may run out
-    const std::optional<size_t> kept = flow->job.take(owner->found);
+    const std::optional<size_t> kept = flow->job.previews().take(owner->found);
     if (!kept) {
       write_struct(preview, {});
       return;
