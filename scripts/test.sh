@@ -164,7 +164,7 @@ beside() { # COMMAND...: begins it as soon as fewer than two others run
 for_machines=(tests/core/test_arcs.py tests/core/test_gcode_tools.py tests/core/test_parts_by_length.py
   tests/core/test_what_machines_take.py)
 
-# It compiles with one of the two processors.
+# This one compiles, with one of the two processors.
 if $all; then beside suite threads 1800 env CMAKE_BUILD_PARALLEL_LEVEL=1 bash scripts/test_threads.sh; fi
 profile blender-3.4
 beside suite blender-3.4 900 "${in_profile[@]}" \

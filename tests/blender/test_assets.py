@@ -105,3 +105,16 @@ def test_a_missing_file_is_said_in_a_sentence(monkeypatch, tmp_path):
     monkeypatch.setattr(assets, "FILE", tmp_path / "meander.blend")
     with pytest.raises(DataError, match="install Meander again"):
         assets.node_group("Meander Look")
+
+
+def test_what_another_add_on_gives_nodes_is_no_setting_of_theirs():
+    tree = bpy.data.node_groups.new("Any", "GeometryNodeTree")
+    tree.nodes.new("GeometryNodeCurveToMesh")
+    plain = assets.fingerprint(tree)
+    assets._settings_of.cache_clear()
+    bpy.types.Node.noted = bpy.props.StringProperty()
+    try:
+        assert assets.fingerprint(tree) == plain
+    finally:
+        del bpy.types.Node.noted
+    assert assets.fingerprint(tree) == plain

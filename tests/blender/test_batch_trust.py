@@ -190,7 +190,7 @@ def test_a_scene_survives_a_writer_that_is_killed(tmp_path: Path) -> None:
     script.write_text(SAVER.format(addon=str(ADDON), path=str(path)))
     bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True)
     with begun(script) as saver:
-        time.sleep(random.uniform(0.05, 0.2))
+        time.sleep(0.1)
         saver.kill()
         assert saver.wait() == -signal.SIGKILL
     bpy.ops.wm.open_mainfile(filepath=str(path), load_ui=False)

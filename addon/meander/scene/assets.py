@@ -121,11 +121,15 @@ def _declared(socket: Any) -> list[Any]:
 
 @cache
 def _settings_of(kind: type[bpy.types.Node]) -> list[str]:
-    """The names of the settings that nodes of a kind have."""
+    """The names of the settings that nodes of a kind have by themselves: what another add-on gives
+    them can go while Blender runs.
+    """
     return [
         name
         for name, prop in kind.bl_rna.properties.items()
-        if name not in _DRAWN and (not prop.is_readonly or prop.type == "POINTER")
+        if name not in _DRAWN
+        and not prop.is_runtime
+        and (not prop.is_readonly or prop.type == "POINTER")
     ]
 
 
