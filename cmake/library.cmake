@@ -17,7 +17,16 @@ add_custom_command(
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/native/src/*.cpp" "${PROJECT_SOURCE_DIR}/native/src/*.h")
 
-add_library(meander_core STATIC ${sources} "${generated_dir}/structs.inc")
+# OpenMesh's connectivity, whose warnings and assertions are not ours (native/third_party/openmesh). A section for
+# each function lets the linker leave out what nobody calls.
+set(openmesh_dir "${PROJECT_SOURCE_DIR}/native/third_party/openmesh")
+file(GLOB_RECURSE openmesh_sources CONFIGURE_DEPENDS "${openmesh_dir}/*.cc")
+set_source_files_properties(${openmesh_sources} PROPERTIES
+  COMPILE_OPTIONS "-w;-DNDEBUG;-ffunction-sections;-fdata-sections"
+  SKIP_UNITY_BUILD_INCLUSION ON
+  SKIP_PRECOMPILE_HEADERS ON)
+
+add_library(meander_core STATIC ${sources} ${openmesh_sources} "${generated_dir}/structs.inc")
 set_target_properties(meander_core PROPERTIES
   POSITION_INDEPENDENT_CODE ON
   CXX_VISIBILITY_PRESET hidden
@@ -26,6 +35,7 @@ target_include_directories(meander_core
   PUBLIC "${PROJECT_SOURCE_DIR}/native/include"
          "${PROJECT_SOURCE_DIR}/native/src"
          "${generated_dir}")
+target_include_directories(meander_core SYSTEM PUBLIC "${openmesh_dir}")
 # EIGEN_MPL2_ONLY makes it an error to use one of the few LGPL parts of Eigen.
 # The objects go into the shared library, which exports the C API; programs linked with the static
 # library do not import it.
