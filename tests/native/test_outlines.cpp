@@ -9,7 +9,7 @@
 
 #include "base/failure.h"
 #include "geodesic/boundary_distance.h"
-#include "mesh/halfedge_mesh.h"
+#include "mesh/refined_surface.h"
 #include "seed/outline.h"
 #include "meshes.h"
 
@@ -34,16 +34,18 @@ Mesh angle() {
 }
 
 /// Every face has three half-edges in a ring, and circulating round the vertices meets each of them once.
-void expect_whole(const HalfedgeMesh& mesh) {
+void expect_whole(const RefinedSurface& mesh) {
   std::set<HalfEdge> of_faces, of_vertices;
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const HalfEdge a = mesh.first(f), b = mesh.next(a), c = mesh.next(b);
+    const auto [a, b, c] = mesh.corners(f);
+    EXPECT_EQ(mesh.next(a), b);
+    EXPECT_EQ(mesh.next(b), c);
     EXPECT_EQ(mesh.next(c), a);
     EXPECT_EQ(mesh.prev(a), c);
     for (const HalfEdge h : {a, b, c}) {
       EXPECT_EQ(mesh.face(h), f);
       EXPECT_EQ(mesh.to(h), mesh.from(mesh.next(h)));
-      EXPECT_EQ(mesh.to(h), mesh.from(HalfedgeMesh::opposite(h)));
+      EXPECT_EQ(mesh.to(h), mesh.from(RefinedSurface::opposite(h)));
       EXPECT_TRUE(of_faces.insert(h).second);
     }
   }
@@ -56,7 +58,7 @@ void expect_whole(const HalfedgeMesh& mesh) {
   EXPECT_EQ(of_vertices, of_faces);
 }
 
-double area(const HalfedgeMesh& mesh) {
+double area(const RefinedSurface& mesh) {
   double sum = 0;
   for (uint32_t f = 0; f < mesh.face_count(); ++f) {
     const HalfEdge h = mesh.first(f);
@@ -66,44 +68,88 @@ double area(const HalfedgeMesh& mesh) {
   return sum;
 }
 
-TEST(HalfedgeMesh, IsTheSurface) {
+/// Every corner is where its weights say, in the face of the surface that it came from.
+void expect_weights(const Surface& s, const RefinedSurface& mesh) {
+  for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    for (const HalfEdge h : mesh.corners(f)) {
+      const SurfacePoint at{mesh.origin(f), mesh.at(h)};
+      EXPECT_LT((position(s, at) - mesh.position(mesh.from(h))).norm(), 1e-14);
+    }
+  }
+}
+
+TEST(RefinedSurface, IsTheSurface) {
   Mesh with_unused = grid(5, 0.2, [](double x, double y) { return Vec3(x, y, x * y); }, no_hole);
   with_unused.add(0.3, 0.4, 0.5);
   for (const Mesh& m : {sphere(1), with_unused, joined(square(), angle(), 3)}) {
     const Surface s = make_surface(m);
-    const HalfedgeMesh mesh(s);
+    const RefinedSurface mesh(s);
     EXPECT_EQ(mesh.vertex_count(), s.vertex_count());
-    EXPECT_EQ(mesh.edge_count(), (3 * s.face_count() + s.boundary().size()) / 2);
+    EXPECT_EQ(mesh.half_edge_count(), 3 * s.face_count() + s.boundary().size());
     expect_whole(mesh);
     for (uint32_t f = 0; f < s.face_count(); ++f) {
       HalfEdge h = mesh.first(f);
       for (uint32_t k = 0; k < 3; ++k, h = mesh.next(h)) {
         EXPECT_EQ(mesh.from(h), s.face(f)[k]);
         const HalfEdge twin = s.twin(3 * f + k);
-        EXPECT_EQ(mesh.face(HalfedgeMesh::opposite(h)), twin == kNone ? kNone : face_of(twin));
+        EXPECT_EQ(mesh.face(RefinedSurface::opposite(h)), twin == kNone ? kNone : face_of(twin));
       }
     }
   }
 }
 
-TEST(HalfedgeMesh, KeepsItsShapeWhenEdgesAreSplit) {
+TEST(RefinedSurface, KeepsItsShapeWhenEdgesAreSplit) {
   constexpr double kRounding = 1e-12;
   for (const Mesh& m : {square(), angle(), sphere(1)}) {
     const Surface s = make_surface(m);
-    HalfedgeMesh mesh(s);
-    const auto euler = [&] { return int(mesh.vertex_count()) - int(mesh.edge_count()) + int(mesh.face_count()); };
+    RefinedSurface mesh(s);
+    const auto euler = [&] {
+      return int(mesh.vertex_count()) - int(mesh.half_edge_count() / 2) + int(mesh.face_count());
+    };
     const int euler_before = euler();
     Rng rng(5);
     for (int k = 0; k < 300; ++k) {
-      const auto h = static_cast<HalfEdge>(rng.below(2 * mesh.edge_count()));
+      const auto h = static_cast<HalfEdge>(rng.below(mesh.half_edge_count()));
       const Vec3 middle = mesh.middle(h);
-      const uint32_t v = mesh.split(h);
-      EXPECT_EQ(mesh.position(v), middle);
-      EXPECT_LT((s.to_inside(mesh.caller_position(v)) - middle).norm(), 4 * 0x1p-30);
+      const uint32_t v = mesh.add_vertex(middle);
+      mesh.split_edge(h, v, 0.5);
+      EXPECT_FALSE(mesh.isolated(v));
     }
+    expect_weights(s, mesh);
     expect_whole(mesh);
     EXPECT_EQ(euler(), euler_before);
     EXPECT_NEAR(area(mesh), s.area(), kRounding);
+  }
+}
+
+TEST(RefinedSurface, KeepsItsShapeWhenFacesAreSplitAndEdgesFlipped) {
+  for (const Mesh& m : {square(), angle(), sphere(1)}) {
+    const Surface s = make_surface(m);
+    RefinedSurface mesh(s);
+    mesh.fix(0);
+    Rng rng(6);
+    for (int k = 0; k < 100; ++k) {
+      const auto f = static_cast<uint32_t>(rng.below(mesh.face_count()));
+      const auto [a, b, c] = mesh.corners(f);
+      const Vec2 at = (1.0 / 3) * (mesh.at(a) + mesh.at(b) + mesh.at(c));
+      const Vec3 x = position(s, SurfacePoint{mesh.origin(f), at});
+      mesh.split_face(f, mesh.add_vertex(x), at);
+    }
+    EXPECT_FALSE(mesh.inside(0));
+    size_t flipped = 0;
+    for (HalfEdge h = 0; h < mesh.half_edge_count(); ++h) {
+      const HalfEdge o = RefinedSurface::opposite(h);
+      if (!mesh.inside(h) || orientation(mesh.at(h), mesh.at(mesh.prev(o)), mesh.at(mesh.prev(h))) <= 0 ||
+          orientation(mesh.at(o), mesh.at(mesh.prev(h)), mesh.at(mesh.prev(o))) <= 0) {
+        continue;
+      }
+      mesh.flip(h);
+      ++flipped;
+    }
+    EXPECT_GT(flipped, 20u);
+    expect_whole(mesh);
+    expect_weights(s, mesh);
+    EXPECT_NEAR(area(mesh), s.area(), 1e-12);
   }
 }
 
@@ -120,7 +166,7 @@ TEST(BoundaryDistance, IsExactAlongStraightBoundaries) {
       EXPECT_NEAR(d.at(v), exact, kRounding * side);
     }
   }
-  for (HalfEdge h = 0; h < 2 * d.mesh().edge_count(); h += 2) {
+  for (HalfEdge h = 0; h < d.mesh().half_edge_count(); h += 2) {
     const Vec3 m = d.mesh().middle(h);
     if (std::min({m.x(), m.y(), side - m.x(), side - m.y()}) < reach) {
       EXPECT_LE(d.mesh().length(h), reach / 4);

@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "base/point_tree.h"
+#include "geodesic/marching.h"
 
 namespace meander {
 namespace {
@@ -37,10 +38,18 @@ std::vector<Vec3> boundary_samples(const Surface& surface, double step, CancelTo
 BoundaryDistance::BoundaryDistance(const Surface& surface, double reach, double edge,
                                    const CancelToken& cancel)
     : mesh_(surface) {
+  caller_.reserve(surface.vertex_count());
+  for (uint32_t v = 0; v < surface.vertex_count(); ++v) caller_.push_back(surface.caller_position(v));
   const PointTree boundary(boundary_samples(surface, edge, cancel.every(64 * kPieces)));
   refine(boundary, reach, edge, cancel);
   front_ = FrontSearch(AllNodes(mesh_.vertex_count()));
   march(reach + 2 * edge, cancel);
+}
+
+void BoundaryDistance::halve(HalfEdge h) {
+  const Vec3 middle = mesh_.middle(h), callers = 0.5 * (caller_[mesh_.from(h)] + caller_[mesh_.to(h)]);
+  caller_.push_back(callers);
+  mesh_.split_edge(h, mesh_.add_vertex(middle), 0.5);
 }
 
 /// Longest edges first, so that an edge is the longest of its faces when it is split, and no angle becomes small
@@ -63,7 +72,7 @@ void BoundaryDistance::refine(const PointTree& boundary, double reach, double ed
     const double near = reach + 0.5 * (length + edge);
     if (boundary.any_within(mesh_.middle(h), near * near)) queue.push({length, h});
   };
-  for (HalfEdge h = 0; h < 2 * mesh_.edge_count(); h += 2) {
+  for (HalfEdge h = 0; h < mesh_.half_edge_count(); h += 2) {
     poll();
     consider(h);
   }
@@ -71,30 +80,25 @@ void BoundaryDistance::refine(const PointTree& boundary, double reach, double ed
     poll();
     const HalfEdge half = queue.top().half;
     queue.pop();
-    const HalfEdge added = static_cast<HalfEdge>(2 * mesh_.edge_count());
-    mesh_.split(half);
+    const HalfEdge added = mesh_.half_edge_count();
+    halve(half);
     consider(half);
-    for (HalfEdge h = added; h < 2 * mesh_.edge_count(); h += 2) consider(h);
+    for (HalfEdge h = added; h < mesh_.half_edge_count(); h += 2) consider(h);
   }
 }
 
 void BoundaryDistance::march(double last, const CancelToken& cancel) {
   CancelToken poll = cancel.every(kPieces);
-  for (HalfEdge h = 0; h < 2 * mesh_.edge_count(); ++h) {
+  for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
     if (mesh_.face(h) == kNone) front_.offer(mesh_.from(h), 0);
   }
   while (const auto v = front_.next()) {
     poll();
     if (at(*v) > last) break;
-    const auto reach = [&](uint32_t c, uint32_t other) {
-      if (front_.done(c)) return;
+    reach_from(mesh_, front_, *v, [&](HalfEdge, HalfEdge corner, HalfEdge other, bool passed) {
+      const uint32_t c = mesh_.from(corner);
       const double along_edge = at(*v) + (mesh_.position(c) - mesh_.position(*v)).norm();
-      front_.offer(c, front_.done(other) ? across(*v, other, c) : along_edge);
-    };
-    mesh_.each_leaving(*v, [&](HalfEdge h) {
-      const uint32_t a = mesh_.to(h), b = mesh_.to(mesh_.next(h));
-      reach(a, b);
-      reach(b, a);
+      front_.offer(c, passed ? across(*v, mesh_.from(other), c) : along_edge);
     });
   }
 }
@@ -103,14 +107,11 @@ void BoundaryDistance::march(double last, const CancelToken& cancel) {
 double BoundaryDistance::across(uint32_t a, uint32_t b, uint32_t c) const {
   const Vec3 u = mesh_.position(b) - mesh_.position(a), w = mesh_.position(c) - mesh_.position(a);
   const double by_edges = std::min(at(a) + w.norm(), at(b) + (w - u).norm());
-  const double length = u.norm(), slope = (at(b) - at(a)) / length;
-  if (!(std::abs(slope) < 1)) return by_edges;
-  // In coordinates along ab and across: the front's normal is (slope, rise).
-  const double x = w.dot(u) / length, y = std::sqrt(std::max(0.0, w.squaredNorm() - x * x));
-  const double rise = std::sqrt(1 - slope * slope);
-  const double foot = x - y * slope / rise;  // where the ray to c crosses ab
-  if (!(foot >= 0 && foot <= length)) return by_edges;
-  return std::min(by_edges, at(a) + slope * x + rise * y);
+  const FrontOverEdge front(u, w, at(a), at(b));
+  if (!front.is_possible()) return by_edges;
+  const double foot = front.foot();
+  if (!(foot >= 0 && foot <= front.length)) return by_edges;
+  return std::min(by_edges, front.distance());
 }
 
 }  // namespace meander

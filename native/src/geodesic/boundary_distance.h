@@ -5,7 +5,7 @@
 
 #include "base/cancel_token.h"
 #include "base/front_search.h"
-#include "mesh/halfedge_mesh.h"
+#include "mesh/refined_surface.h"
 
 namespace meander {
 
@@ -23,16 +23,20 @@ class BoundaryDistance {
   /// Failure(FailureKind::kCancelled) where it stops this.
   BoundaryDistance(const Surface& surface, double reach, double edge, const CancelToken& cancel);
 
-  const HalfedgeMesh& mesh() const { return mesh_; }
+  const RefinedSurface& mesh() const { return mesh_; }
+  /// A vertex of the mesh in the caller's space.
+  const Vec3& caller_position(uint32_t v) const { return caller_[v]; }
   /// Infinite where the front has not been.
   double at(uint32_t v) const { return front_.cost(v); }
 
  private:
   void refine(const PointTree& boundary, double reach, double edge, const CancelToken& cancel);
   void march(double last, const CancelToken& cancel);
+  void halve(HalfEdge h);
   double across(uint32_t a, uint32_t b, uint32_t c) const;
 
-  HalfedgeMesh mesh_;
+  RefinedSurface mesh_;
+  std::vector<Vec3> caller_;  // per vertex
   FrontSearch<AllNodes> front_{AllNodes(0)};
 };
 

@@ -53,8 +53,7 @@ class LevelLines {
 
   /// The half-edge by which a line enters the face; kNone where none does.
   HalfEdge entry_of(uint32_t face) const {
-    const HalfEdge first = mesh_.first(face);
-    for (const HalfEdge h : {first, mesh_.next(first), mesh_.prev(first)}) {
+    for (const HalfEdge h : mesh_.corners(face)) {
       if (above(mesh_.from(h)) && !above(mesh_.to(h))) return h;
     }
     return kNone;
@@ -70,11 +69,12 @@ class LevelLines {
     const double t = (level_ - distance_.at(a)) / (distance_.at(b) - distance_.at(a));
     const double share = std::clamp(t, kOffVertices, 1 - kOffVertices);
     loop.points.push_back(mesh_.position(a) + share * (mesh_.position(b) - mesh_.position(a)));
-    loop.caller.push_back(mesh_.caller_position(a) + share * (mesh_.caller_position(b) - mesh_.caller_position(a)));
+    const Vec3 &from = distance_.caller_position(a), &to = distance_.caller_position(b);
+    loop.caller.push_back(from + share * (to - from));
   }
 
   const BoundaryDistance& distance_;
-  const HalfedgeMesh& mesh_;
+  const RefinedSurface& mesh_;
   double level_;
 };
 
