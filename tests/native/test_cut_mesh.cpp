@@ -16,9 +16,11 @@
 namespace meander::test {
 namespace {
 
-double area_of(const CutMesh& m, const CutMesh::Face& f) {
-  const Vec3 a = m.position(f.vertices[0]), b = m.position(f.vertices[1]), c = m.position(f.vertices[2]);
-  return 0.5 * (b - a).cross(c - a).norm();
+/// Twice the area of a face, along its normal.
+Vec3 span_of(const CutMesh& m, uint32_t f) {
+  const auto [a, b, c] = m.corners(f);
+  const Vec3 start = m.position(m.from(a));
+  return (m.position(m.from(b)) - start).cross(m.position(m.from(c)) - start);
 }
 
 /// A closed line in each of several rings and an open one, without crossings; the same for the same seed.
@@ -48,17 +50,19 @@ void check(const Surface& s, const Curve& curve, const CutMesh& m) {
   std::vector<double> area(s.face_count(), 0);
   std::set<std::pair<uint32_t, uint32_t>> directed, undirected;
   std::set<uint32_t> used;
-  for (const CutMesh::Face& f : m.faces()) {
-    area[f.origin] += area_of(m, f);
-    const Vec3 a = m.position(f.vertices[0]), b = m.position(f.vertices[1]), c = m.position(f.vertices[2]);
-    EXPECT_GT((b - a).cross(c - a).dot(s.face_normal(f.origin)), -1e-15);
-    for (uint32_t k = 0; k < 3; ++k) {
-      const uint32_t p = f.vertices[k], q = f.vertices[next_corner(k)];
+  for (uint32_t f = 0; f < m.face_count(); ++f) {
+    const uint32_t origin = m.origin(f);
+    area[origin] += 0.5 * span_of(m, f).norm();
+    EXPECT_GT(span_of(m, f).dot(s.face_normal(origin)), -1e-15);
+    for (const HalfEdge h : m.corners(f)) {
+      const uint32_t p = m.from(h), q = m.to(h);
       EXPECT_TRUE(directed.insert({p, q}).second) << "an edge is used twice in one direction";
       undirected.insert(std::minmax(p, q));
       used.insert(p);
+      EXPECT_EQ(m.face(h), f);
+      EXPECT_EQ(m.to(m.opposite(h)), p);
       // Corners are where their weights say.
-      const SurfacePoint at{f.origin, f.at[k]};
+      const SurfacePoint at{origin, m.at(h)};
       EXPECT_LT((position(s, at) - m.position(p)).norm(), 1e-14);
     }
   }
@@ -73,11 +77,11 @@ void check(const Surface& s, const Curve& curve, const CutMesh& m) {
     }
   }
   EXPECT_EQ(static_cast<int64_t>(used.size()) - static_cast<int64_t>(undirected.size()) +
-                static_cast<int64_t>(m.faces().size()),
+                static_cast<int64_t>(m.face_count()),
             static_cast<int64_t>(vertices.size()) - static_cast<int64_t>(edges.size()) +
                 static_cast<int64_t>(s.face_count()));
   size_t open = 0;
-  for (const uint32_t t : m.twins()) open += t == kNone;
+  for (HalfEdge h = 0; h < m.half_edge_count(); ++h) open += m.face(h) == kNone;
   size_t boundary = 0;
   for (const auto& [p, q] : directed) boundary += !directed.contains({q, p});
   EXPECT_EQ(open, boundary);
@@ -98,12 +102,13 @@ void check(const Surface& s, const Curve& curve, const CutMesh& m) {
 }
 
 size_t regions(const CutMesh& m) {
-  DisjointSets sets(m.faces().size());
-  for (uint32_t e = 0; e < m.twins().size(); ++e) {
-    if (m.twins()[e] != kNone && m.line_side(e) == 0) sets.join(e / 3, m.twins()[e] / 3);
+  DisjointSets sets(m.face_count());
+  for (HalfEdge h = 0; h < m.half_edge_count(); ++h) {
+    const uint32_t f = m.face(h), beyond = m.face(m.opposite(h));
+    if (f != kNone && beyond != kNone && m.line_side(h) == 0) sets.join(f, beyond);
   }
   size_t count = 0;
-  for (uint32_t f = 0; f < m.faces().size(); ++f) count += sets.find(f) == f;
+  for (uint32_t f = 0; f < m.face_count(); ++f) count += sets.find(f) == f;
   return count;
 }
 
@@ -111,27 +116,28 @@ size_t regions(const CutMesh& m) {
 /// as far apart as on the surface, but for the few in which several middle lines end.
 void check_turns(const CutMesh& m, const LineFields& fields) {
   size_t torn = 0;
-  for (uint32_t f = 0; f < m.faces().size(); ++f) {
+  for (uint32_t f = 0; f < m.face_count(); ++f) {
     const FaceLine& line = fields.of_face(f);
-    const auto& v = m.faces()[f].vertices;
+    const std::array<HalfEdge, 3> corners = m.corners(f);
     double most = 0, edge = 0;
     for (uint32_t k = 0; k < 3; ++k) {
       most = std::max(most, std::abs(line.along[k] - line.along[next_corner(k)]));
-      edge = std::max(edge, (m.position(v[k]) - m.position(v[next_corner(k)])).norm());
+      edge = std::max(edge, m.length(corners[k]));
       EXPECT_GE(line.distance[k], 0);
     }
     torn += most > 4.01 * edge;
     // The two sides of an edge of the line are its left and its right.
-    for (uint32_t e = 3 * f; e < 3 * f + 3; ++e) {
-      if (m.line_side(e) == 0) continue;
-      EXPECT_EQ(line.nearest_side, m.line_side(e));
+    for (const HalfEdge h : corners) {
+      if (m.line_side(h) == 0) continue;
+      EXPECT_EQ(line.nearest_side, m.line_side(h));
       if (fields.sides_differ(f)) {
-        EXPECT_EQ(line.side, -fields.of_face(m.twins()[e] / 3).side);
-        EXPECT_NE(line.region, fields.of_face(m.twins()[e] / 3).region);
+        const FaceLine& beyond = fields.of_face(m.face(m.opposite(h)));
+        EXPECT_EQ(line.side, -beyond.side);
+        EXPECT_NE(line.region, beyond.region);
       }
     }
   }
-  EXPECT_LT(static_cast<double>(torn), 0.02 * static_cast<double>(m.faces().size()));
+  EXPECT_LT(static_cast<double>(torn), 0.02 * static_cast<double>(m.face_count()));
 }
 
 TEST(CutMesh, IsTheSurfaceWithTheCurveAmongItsEdges) {
@@ -221,10 +227,10 @@ TEST(LineDistance, GoesAlongTheSurface) {
       return FlatPoint{p.face, flat(s, p)};
     };
     std::vector<GeodesicDistance::Target> line;
-    for (uint32_t e = 0; e < m.twins().size(); ++e) {
-      if (m.line_side(e) != 1) continue;
+    for (HalfEdge h = 0; h < m.half_edge_count(); ++h) {
+      if (m.line_side(h) != 1) continue;
       for (int k = 0; k <= 10; ++k) {
-        const FlatPoint p = inside(m.faces()[e / 3].origin, m.at_share(e, 0.1 * k));
+        const FlatPoint p = inside(m.origin(m.face(h)), m.at_share(h, 0.1 * k));
         line.push_back({p, position(s, point_at(s, p.face, p.place)), 0, {}, false});
       }
     }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/failure.h"
-#include "base/triangulation.h"
+#include "mesh/face_triangulation.h"
 
 namespace meander {
 namespace {
@@ -28,27 +28,24 @@ void check_room(double vertices) {
 
 }  // namespace
 
-/// Distributes the curve over the faces of the surface and triangulates one after the other.
+/// Puts the curve into the refined surface: first all points of edges, then the pieces between them.
 class CutMesh::Builder {
  public:
   Builder(CutMesh& mesh, const Curve& curve, double detail, CancelToken& poll)
-      : mesh_(mesh), surface_(mesh.surface_), curve_(curve), detail_(detail), poll_(poll) {}
+      : mesh_(mesh),
+        surface_(mesh.surface_),
+        curve_(curve),
+        detail_(detail),
+        poll_(poll),
+        triangulation_(mesh.surface_, mesh) {}
 
   void run() {
-    add_corners();
+    place_corners();
     add_line();
+    mesh_.reserve_divisions(mesh_.line_.size() + expected_points());
     divide_edges();
-    sort_on_edges();
-    std::sort(pieces_.begin(), pieces_.end(), [this](const FacePiece& a, const FacePiece& b) {
-      poll_();
-      return a.face != b.face ? a.face < b.face : a.order < b.order;
-    });
-    size_t piece = 0;
-    for (uint32_t f = 0; f < surface_.face_count(); ++f) {
-      const size_t first = piece;
-      while (piece < pieces_.size() && pieces_[piece].face == f) ++piece;
-      fill_face(f, first, piece);
-    }
+    for (const LineStrand& line : mesh_.strands_) insert_line(line);
+    for (uint32_t f = 0; f < surface_.face_count(); ++f) add_inside(f);
   }
 
  private:
@@ -59,28 +56,15 @@ class CutMesh::Builder {
     uint32_t vertex;
     bool operator<(const OnEdge& other) const { return e != other.e ? e < other.e : t < other.t; }
   };
-  struct FacePiece {
-    uint32_t face, order, from, to;
-    Vec2 a, b;
-  };
 
-  void sort_on_edges() {
-    std::sort(on_edges_.begin(), on_edges_.end(), [this](const OnEdge& a, const OnEdge& b) {
-      poll_();
-      return a < b;
-    });
-  }
-
-  void add_corners() {
-    vertex_of_.assign(surface_.vertex_count(), kNone);
+  void place_corners() {
+    mesh_.places_.resize(surface_.vertex_count());
+    constexpr Vec2 kCorners[] = {{0, 0}, {1, 0}, {0, 1}};
     for (uint32_t f = 0; f < surface_.face_count(); ++f) {
       poll_();
       for (uint32_t k = 0; k < 3; ++k) {
-        uint32_t& vertex = vertex_of_[surface_.face(f)[k]];
-        if (vertex != kNone) continue;
-        const Vec2 corner[] = {{0, 0}, {1, 0}, {0, 1}};
-        vertex = mesh_.add_vertex({f, corner[k]});
-        mesh_.positions_[vertex] = surface_.position(surface_.face(f)[k]);
+        Place& place = mesh_.places_[surface_.face(f)[k]];
+        if (place.face == kNone) place = {f, kCorners[k]};
       }
     }
   }
@@ -104,7 +88,6 @@ class CutMesh::Builder {
       }
       line.count = static_cast<uint32_t>(mesh_.line_.size()) - line.first;
       measure(line);
-      add_pieces(strand, line);
       mesh_.strands_.push_back(line);
     }
   }
@@ -123,31 +106,28 @@ class CutMesh::Builder {
       const bool last = k + 1 == line.count;
       if (last && !line.closed) break;
       const uint32_t from = mesh_.line_[line.first + k], to = mesh_.line_[line.first + (last ? 0 : k + 1)];
-      line.length += (mesh_.positions_[to] - mesh_.positions_[from]).norm();
+      line.length += (mesh_.position(to) - mesh_.position(from)).norm();
     }
   }
 
-  void add_pieces(const Strand& strand, const LineStrand& line) {
-    uint32_t point = 0;
-    for (uint32_t i = strand.first; i < strand.end(); ++i) {
-      if (!curve_.has_segment(i)) break;
-      curve_.pieces_of(i, [&](const Piece& p) {
-        poll_();
-        const uint32_t from = mesh_.line_[line.first + point];
-        point = point + 1 == line.count ? 0 : point + 1;
-        pieces_.push_back({p.face, static_cast<uint32_t>(pieces_.size()), from, mesh_.line_[line.first + point],
-                           p.from, p.to});
-      });
-    }
-  }
-
-  /// Further points on the edges, where they are far apart.
-  void divide_edges() {
-    if (!(detail_ > 0)) return;
+  /// About so many come with the detail.
+  size_t expected_points() const {
+    if (!(detail_ > 0)) return 0;
     check_room(surface_.area() / (detail_ * detail_));
-    sort_on_edges();
-    std::vector<OnEdge> more;
-    size_t next = 0;
+    double points = surface_.area() / (detail_ * detail_ * std::sqrt(0.75));
+    for (HalfEdge h = 0; h < mesh_.half_edge_count(); h += 2) points += std::floor(mesh_.length(h) / detail_);
+    check_room(points);
+    return static_cast<size_t>(points);
+  }
+
+  /// The points on the edges of the surface: those of the line, and further ones where they are far apart.
+  void divide_edges() {
+    std::sort(on_edges_.begin(), on_edges_.end(), [this](const OnEdge& a, const OnEdge& b) {
+      poll_();
+      return a < b;
+    });
+    auto next = on_edges_.begin();
+    HalfEdge h = 0;  // of the rest of the edge, in the direction of its lower half-edge
     for (HalfEdge e = 0; e < 3 * surface_.face_count(); ++e) {
       poll_();
       const HalfEdge twin = surface_.twin(e);
@@ -155,49 +135,43 @@ class CutMesh::Builder {
       const double length = norm(surface_.along(e));
       double from = 0;
       do {
-        const bool taken = next < on_edges_.size() && on_edges_[next].e == e;
-        const double to = taken ? on_edges_[next++].t : 1;
-        const double parts = std::ceil((to - from) * length / detail_);
+        const bool taken = next != on_edges_.end() && next->e == e;
+        const double to = taken ? next->t : 1;
+        const double parts = detail_ > 0 ? std::ceil((to - from) * length / detail_) : 1;
         check_room(static_cast<double>(mesh_.vertex_count()) + parts);
         for (double k = 1; k < parts; ++k) {
-          poll_();
           const double t = snap(from + (to - from) * (k / parts));
-          more.push_back({e, t, mesh_.add_vertex({face_of(e), on_edge(e, t)})});
+          divide(h, e, t, mesh_.add_vertex({face_of(e), on_edge(e, t)}));
         }
+        if (taken) divide(h, e, to, next++->vertex);
         from = to;
       } while (from < 1);
+      h += 2;
     }
-    on_edges_.insert(on_edges_.end(), more.begin(), more.end());
+    on_edges_ = {};
   }
 
-  /// Tells the points of a face's edge, counted as the face does.
-  template <class Put>
-  void for_edge(HalfEdge e, const Put& put) const {
-    const HalfEdge twin = surface_.twin(e), low = twin == kNone ? e : std::min(e, twin);
-    auto point = std::lower_bound(on_edges_.begin(), on_edges_.end(), OnEdge{low, -1, 0});
-    for (; point != on_edges_.end() && point->e == low; ++point) {
-      put(on_edge(e, low == e ? point->t : 1 - point->t), point->vertex);
-    }
+  void divide(HalfEdge h, HalfEdge e, double t, uint32_t vertex) {
+    poll_(kInsertion);
+    const HalfEdge twin = surface_.twin(e);
+    triangulation_.split_side(h, vertex, on_edge(e, t), twin == kNone ? Vec2{} : on_edge(twin, 1 - t));
   }
 
-  void fill_face(uint32_t f, size_t first, size_t end) {
-    const Triangle& corners = surface_.face(f);
-    vertices_ = {vertex_of_[corners[0]], vertex_of_[corners[1]], vertex_of_[corners[2]]};
-    triangulation_.start(surface_.corner(f, 1), surface_.corner(f, 2));
-    for (uint32_t k = 0; k < 3; ++k) {
-      for_edge(3 * f + k, [&](Vec2 at, uint32_t vertex) { insert(f, at, vertex); });
+  void insert_line(const LineStrand& line) {
+    const Strand& strand = curve_.strands[line.strand];
+    uint32_t point = 0;
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      insert(curve_.nodes[i].face, mesh_.line_[line.first + point], curve_.nodes[i].b);
+      point += 1 + static_cast<uint32_t>(curve_.paths[i].size());
     }
-    for (size_t i = first; i < end; ++i) {
-      const FacePiece& p = pieces_[i];
-      const uint32_t a = insert(f, p.a, p.from), b = insert(f, p.b, p.to);
-      if (!triangulation_.constrain(a, b)) refuse(f);
-    }
-    add_inside(f);
-    for (const Triangulation::Corners& t : triangulation_.triangles()) {
-      poll_();
-      Face face{{vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]}, f, {}};
-      for (uint32_t k = 0; k < 3; ++k) face.at[k] = triangulation_.weights(t[k]);
-      mesh_.faces_.push_back(face);
+    point = 0;
+    for (uint32_t i = strand.first; i < strand.end() && curve_.has_segment(i); ++i) {
+      curve_.pieces_of(i, [&](const Piece& p) {
+        poll_(kInsertion);
+        const uint32_t from = mesh_.line_[line.first + point];
+        point = point + 1 == line.count ? 0 : point + 1;
+        if (!triangulation_.constrain(p.face, from, mesh_.line_[line.first + point], p.to)) refuse(p.face);
+      });
     }
   }
 
@@ -206,13 +180,9 @@ class CutMesh::Builder {
                                               ", so the surface cannot be cut; please report this.");
   }
 
-  /// The number of a point in the triangulation of the face, where another one must not be.
-  uint32_t insert(uint32_t f, Vec2 at, uint32_t vertex) {
+  void insert(uint32_t f, uint32_t vertex, Vec2 at) {
     poll_(kInsertion);
-    const uint32_t point = triangulation_.insert(at);
-    if (point == vertices_.size()) vertices_.push_back(vertex);
-    if (point == Triangulation::kNothing || vertices_[point] != vertex) refuse(f);
-    return point;
+    if (!triangulation_.insert(f, vertex, at)) refuse(f);
   }
 
   /// Rows of vertices, each half a step beside the ones before and after it.
@@ -230,8 +200,7 @@ class CutMesh::Builder {
         const Vec2 at{snap((x - share * c2.x) / c1.x), snap(share)};
         if (!(at.x > 0) || !(at.y > 0) || !(at.x + at.y < 1)) continue;
         poll_(kInsertion);
-        if (triangulation_.insert_clear(at, kClear * detail_) == Triangulation::kNothing) continue;
-        vertices_.push_back(mesh_.add_vertex({f, at}));
+        if (triangulation_.is_clear(f, at, kClear * detail_)) insert(f, mesh_.add_vertex({f, at}), at);
       }
     }
   }
@@ -241,40 +210,26 @@ class CutMesh::Builder {
   const Curve& curve_;
   const double detail_;
   CancelToken& poll_;
-  std::vector<uint32_t> vertex_of_;  // per vertex of the surface
-  std::vector<OnEdge> on_edges_;
-  std::vector<FacePiece> pieces_;
-  // Of the present face.
-  Triangulation triangulation_;
-  std::vector<uint32_t> vertices_;  // per point of the triangulation
+  FaceTriangulation triangulation_;
+  std::vector<OnEdge> on_edges_;  // of the line
 };
 
-CutMesh::CutMesh(const Surface& surface, const Curve& curve, double detail, CancelToken poll) : surface_(surface) {
+CutMesh::CutMesh(const Surface& surface, const Curve& curve, double detail, CancelToken poll)
+    : RefinedSurface(surface, poll), surface_(surface) {
   Builder(*this, curve, detail, poll).run();
-  connect(poll);
 }
 
 uint32_t CutMesh::add_vertex(const Place& place) {
   places_.push_back(place);
   const Vec2 b = place.at;
   const Triangle& t = surface_.face(place.face);
-  positions_.push_back((1 - b.x - b.y) * surface_.position(t[0]) + b.x * surface_.position(t[1]) +
-                       b.y * surface_.position(t[2]));
-  return static_cast<uint32_t>(places_.size() - 1);
+  return RefinedSurface::add_vertex((1 - b.x - b.y) * surface_.position(t[0]) + b.x * surface_.position(t[1]) +
+                                    b.y * surface_.position(t[2]));
 }
 
-Vec2 CutMesh::at_share(uint32_t edge, double t) const {
-  const Face& face = faces_[edge / 3];
-  return (1 - t) * face.at[edge % 3] + t * face.at[next_corner(edge % 3)];
-}
-
-uint32_t CutMesh::add_vertex_on(uint32_t edge, double t) {
-  return add_vertex({faces_[edge / 3].origin, at_share(edge, t)});
-}
-
-void CutMesh::replace_faces(std::vector<Face> faces, CancelToken& poll) {
-  faces_ = std::move(faces);
-  connect(poll);
+int CutMesh::line_side(HalfEdge h) const {
+  if (!fixed(h)) return 0;
+  return next_point(line_point(from(h))) == line_point(to(h)) ? 1 : -1;
 }
 
 uint32_t CutMesh::next_point(uint32_t point) const {
@@ -294,39 +249,6 @@ uint32_t CutMesh::point_before(uint32_t strand, double along) const {
   const auto begin = arc_lengths_.begin() + s.first, end = begin + s.count - (s.closed ? 0 : 1);
   const auto after = std::upper_bound(begin, end, along);
   return s.first + static_cast<uint32_t>(std::max<std::ptrdiff_t>(0, after - begin - 1));
-}
-
-void CutMesh::connect(CancelToken& poll) {
-  struct Ends {
-    uint32_t low, high, edge;
-    bool operator<(const Ends& other) const {
-      if (low != other.low) return low < other.low;
-      return high != other.high ? high < other.high : edge < other.edge;
-    }
-  };
-  const size_t count = 3 * faces_.size();
-  std::vector<Ends> all(count);
-  line_side_.assign(count, 0);
-  for (uint32_t e = 0; e < count; ++e) {
-    poll();
-    const uint32_t a = faces_[e / 3].vertices[e % 3], b = faces_[e / 3].vertices[next_corner(e % 3)];
-    all[e] = {std::min(a, b), std::max(a, b), e};
-    const uint32_t p = line_point(a), q = line_point(b);
-    if (p == kNone || q == kNone) continue;
-    if (next_point(p) == q) line_side_[e] = 1;
-    if (previous_point(p) == q) line_side_[e] = -1;
-  }
-  std::sort(all.begin(), all.end(), [&poll](const Ends& a, const Ends& b) {
-    poll();
-    return a < b;
-  });
-  twins_.assign(count, kNone);
-  for (size_t i = 0; i + 1 < count; ++i) {
-    poll();
-    if (all[i].low != all[i + 1].low || all[i].high != all[i + 1].high) continue;
-    twins_[all[i].edge] = all[i + 1].edge;
-    twins_[all[i + 1].edge] = all[i].edge;
-  }
 }
 
 }  // namespace meander

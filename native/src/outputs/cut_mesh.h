@@ -3,27 +3,22 @@
 // The surface with the curve among its edges.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/cancel_token.h"
 #include "curve/curve.h"
+#include "mesh/refined_surface.h"
 
 namespace meander {
 
-/// A triangle mesh that covers a surface exactly, in which every straight piece of the curve's strands is an edge.
-/// Lengths are in the surface's own unit. Guides are left out: they may cross one another.
+/// A refinement of a surface in which every straight piece of the curve's strands is an edge: fixed ones, and there are
+/// no others. Lengths are in the surface's own unit. Guides are left out: they may cross one another.
 ///
-/// Every piece lies in one face of the surface, so each face is triangulated by itself, and the points on its edges
-/// are the same from both sides (see Crossing).
-class CutMesh {
+/// Every piece lies in one face of the surface, and the points on the edges of the surface are the same from both sides
+/// (see Crossing).
+class CutMesh : public RefinedSurface {
  public:
-  struct Face {
-    std::array<uint32_t, 3> vertices;
-    uint32_t origin;         ///< the face of the surface that it is a part of, in whose orientation it is
-    std::array<Vec2, 3> at;  ///< where its corners are in that face: the weights of the face's corners 1 and 2
-  };
   /// A face of the surface that holds a vertex, and where in it.
   struct Place {
     uint32_t face = kNone;
@@ -43,15 +38,9 @@ class CutMesh {
   CutMesh(const Surface& surface, const Curve& curve, double detail, CancelToken poll = {});
 
   const Surface& surface() const { return surface_; }
-  size_t vertex_count() const { return places_.size(); }
   const Place& place(uint32_t v) const { return places_[v]; }
-  const Vec3& position(uint32_t v) const { return positions_[v]; }
-  const std::vector<Face>& faces() const { return faces_; }
-  /// Per edge of a face, 3 f + k from its corner k to corner k + 1: the same edge of the neighbour, kNone at the
-  /// boundary.
-  const std::vector<uint32_t>& twins() const { return twins_; }
-  /// Per edge of a face: 1 where the face lies on the left of the line along it, -1 on the right, 0 for other edges.
-  int line_side(uint32_t edge) const { return line_side_[edge]; }
+  /// 1 where the face of a half-edge lies on the left of the line along it, -1 on the right, 0 for other edges.
+  int line_side(HalfEdge h) const;
 
   /// The points of the line, strand after strand.
   const std::vector<LineStrand>& strands() const { return strands_; }
@@ -68,24 +57,14 @@ class CutMesh {
   /// The point of a strand where the piece begins that is `along` from its first point.
   uint32_t point_before(uint32_t strand, double along) const;
 
-  /// Adds a vertex at the share t from corner k to corner k + 1 of a face, for use in replace_faces.
-  uint32_t add_vertex_on(uint32_t edge, double t);
+  /// Adds an isolated vertex in this place.
   uint32_t add_vertex(const Place& place);
-  /// Where the share t of an edge is in the face of the surface.
-  Vec2 at_share(uint32_t edge, double t) const;
-  /// Puts other faces in the place of all; they cover the same surface and leave the line's edges as they are.
-  void replace_faces(std::vector<Face> faces, CancelToken& poll);
 
  private:
   class Builder;
-  void connect(CancelToken& poll);
 
   const Surface& surface_;
-  std::vector<Place> places_;
-  std::vector<Vec3> positions_;
-  std::vector<Face> faces_;
-  std::vector<uint32_t> twins_;
-  std::vector<int8_t> line_side_;
+  std::vector<Place> places_;  // per vertex
   std::vector<LineStrand> strands_;
   std::vector<uint32_t> line_, line_points_, line_strand_;
   std::vector<double> arc_lengths_;

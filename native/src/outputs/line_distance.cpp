@@ -3,9 +3,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <tuple>
 
 #include "base/elementary.h"
-#include "base/front_search.h"
+#include "geodesic/marching.h"
 
 namespace meander {
 namespace {
@@ -25,8 +26,8 @@ constexpr double kPointSource = 0.25;
 /// then at most 1.6 per cent shorter than the way along the surface.
 constexpr double kFlat = 0.94;
 
-uint32_t next_edge(uint32_t e) { return 3 * (e / 3) + next_corner(e % 3); }
-uint32_t edge_before(uint32_t e) { return 3 * (e / 3) + prev_corner(e % 3); }
+/// The nearer one comes first, and of equally near ones the first on the line.
+auto before(const NearestOnLine& n) { return std::tuple(n.distance, n.strand, n.along); }
 
 double angle(const Vec3& u, const Vec3& v) { return elementary::atan2(u.cross(v).norm(), u.dot(v)); }
 
@@ -40,47 +41,43 @@ LineDistance::LineDistance(const CutMesh& mesh, CancelToken poll) : mesh_(mesh),
 /// On which side of the line the corners of faces at it lie. No point of the line is on the boundary, so faces
 /// surround each of them.
 void LineDistance::find_corner_sides(CancelToken& poll) {
-  const uint32_t edges = static_cast<uint32_t>(3 * mesh_.faces().size());
-  corner_side_.assign(edges, 0);
+  corner_side_.assign(mesh_.half_edge_count(), 0);
   piece_face_.assign(mesh_.line_point_count(), kNone);
-  for (uint32_t e = 0; e < edges; ++e) {
+  for (HalfEdge h = 0; h < mesh_.half_edge_count(); ++h) {
     poll();
-    const uint32_t point = mesh_.line_point(vertex(e));
-    if (point == kNone || mesh_.line_side(e) == 0) continue;
-    if (mesh_.line_side(e) > 0) piece_face_[point] = mesh_.faces()[e / 3].origin;
-    mark(e);
+    if (mesh_.line_side(h) == 0) continue;
+    if (mesh_.line_side(h) > 0) piece_face_[mesh_.line_point(mesh_.from(h))] = mesh_.origin(mesh_.face(h));
+    mark(h);
   }
 }
 
 /// Marks the corners from an edge that leaves a point of the line along it, counter-clockwise, up to the other edge of
 /// the line there. Beyond an end of the line the sides meet half way round.
-void LineDistance::mark(uint32_t leaving) {
+void LineDistance::mark(HalfEdge leaving) {
   const int8_t side = static_cast<int8_t>(mesh_.line_side(leaving));
-  const Vec3& x = mesh_.position(vertex(leaving));
-  const auto corner = [&](uint32_t e) {
-    return angle(mesh_.position(vertex(next_edge(e))) - x, mesh_.position(vertex(edge_before(e))) - x);
-  };
-  const auto next = [&](uint32_t e) { return mesh_.twins()[edge_before(e)]; };
+  const Vec3& x = place(leaving);
+  const auto corner = [&](HalfEdge h) { return angle(place(mesh_.next(h)) - x, place(mesh_.prev(h)) - x); };
+  const auto next = [&](HalfEdge h) { return CutMesh::opposite(mesh_.prev(h)); };
   double whole = 0;
-  uint32_t e = leaving;
+  HalfEdge h = leaving;
   do {
-    whole += corner(e);
-    e = next(e);
-  } while (e != kNone && mesh_.line_side(e) == 0);
-  const bool is_end = e == leaving;
+    whole += corner(h);
+    h = next(h);
+  } while (mesh_.line_side(h) == 0);
+  const bool is_end = h == leaving;
   double turned = 0;
-  e = leaving;
+  h = leaving;
   do {
-    const double half = 0.5 * corner(e);
+    const double half = 0.5 * corner(h);
     turned += half;
-    corner_side_[e] = is_end && turned > 0.5 * whole ? static_cast<int8_t>(-side) : side;
+    corner_side_[h] = is_end && turned > 0.5 * whole ? static_cast<int8_t>(-side) : side;
     turned += half;
-    e = next(e);
-  } while (e != kNone && mesh_.line_side(e) == 0);
+    h = next(h);
+  } while (mesh_.line_side(h) == 0);
 }
 
-NearestOnLine LineDistance::in_face(uint32_t corner) const {
-  NearestOnLine n = nearest_[vertex(corner)];
+NearestOnLine LineDistance::in_face(HalfEdge corner) const {
+  NearestOnLine n = nearest_[mesh_.from(corner)];
   if (n.side == 0) n.side = corner_side_[corner];
   return n;
 }
@@ -91,29 +88,15 @@ double LineDistance::between(const NearestOnLine& from, const NearestOnLine& to)
   return s.closed ? std::remainder(d, s.length) : d;
 }
 
-bool LineDistance::one_sheet(uint32_t corner, uint32_t other) const {
+bool LineDistance::one_sheet(HalfEdge corner, HalfEdge other) const {
   const NearestOnLine a = in_face(corner), b = in_face(other);
   if (a.strand != b.strand || a.side != b.side || a.strand == kNone) return false;
-  const uint32_t p = mesh_.line_point(vertex(corner)), q = mesh_.line_point(vertex(other));
+  const uint32_t p = mesh_.line_point(mesh_.from(corner)), q = mesh_.line_point(mesh_.from(other));
   if (p != kNone && q != kNone) return mesh_.next_point(p) == q || mesh_.previous_point(p) == q;
-  const double length = (mesh_.position(vertex(other)) - mesh_.position(vertex(corner))).norm();
-  return std::abs(between(a, b)) <= kFastest * length;
+  return std::abs(between(a, b)) <= kFastest * (place(other) - place(corner)).norm();
 }
 
 void LineDistance::march(CancelToken& poll) {
-  // The corners of each vertex, vertex after vertex.
-  std::vector<uint32_t> first(mesh_.vertex_count() + 1, 0), corners(3 * mesh_.faces().size());
-  for (uint32_t c = 0; c < corners.size(); ++c) {
-    poll();
-    ++first[vertex(c) + 1];
-  }
-  for (size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
-  std::vector<uint32_t> end(first.begin(), first.end() - 1);
-  for (uint32_t c = 0; c < corners.size(); ++c) {
-    poll();
-    corners[end[vertex(c)]++] = c;
-  }
-
   FrontSearch front{AllNodes(mesh_.vertex_count())};
   for (uint32_t s = 0; s < mesh_.strands().size(); ++s) {
     const CutMesh::LineStrand& strand = mesh_.strands()[s];
@@ -123,52 +106,41 @@ void LineDistance::march(CancelToken& poll) {
       front.offer(mesh_.line_vertex(p), 0);
     }
   }
-  const auto offer = [&](uint32_t corner, NearestOnLine n) {
-    const uint32_t v = vertex(corner);
-    straighten(n, mesh_.position(v), mesh_.faces()[corner / 3].origin);
-    if (!(n.distance < nearest_[v].distance)) return;
-    nearest_[v] = n;
-    front.offer(v, n.distance);
-  };
-  while (const auto v = front.next()) {
-    for (uint32_t i = first[*v]; i < first[*v + 1]; ++i) {
+  while (const auto vertex = front.next()) {
+    reach_from(mesh_, front, *vertex, [&](HalfEdge at, HalfEdge corner, HalfEdge other, bool passed) {
       poll(kPassing);
-      const uint32_t at = corners[i], a = next_edge(at), b = edge_before(at);
-      if (!front.done(vertex(a))) offer(a, front.done(vertex(b)) ? across(at, b, a) : by_edge(at, a));
-      if (!front.done(vertex(b))) offer(b, front.done(vertex(a)) ? across(at, a, b) : by_edge(at, b));
-    }
+      const uint32_t v = mesh_.from(corner);
+      NearestOnLine n = passed ? across(at, other, corner) : by_edge(at, corner);
+      straighten(n, mesh_.position(v), mesh_.origin(mesh_.face(corner)));
+      if (!(before(n) < before(nearest_[v]))) return;
+      nearest_[v] = n;
+      front.offer(v, n.distance);
+    });
   }
 }
 
-NearestOnLine LineDistance::by_edge(uint32_t a, uint32_t c) const {
+NearestOnLine LineDistance::by_edge(HalfEdge a, HalfEdge c) const {
   NearestOnLine n = in_face(a);
-  n.distance += (mesh_.position(vertex(c)) - mesh_.position(vertex(a))).norm();
+  n.distance += (place(c) - place(a)).norm();
   return n;
 }
 
 /// The nearest place of corner c by those of a and b: the front that passes these passes it later.
-NearestOnLine LineDistance::across(uint32_t a, uint32_t b, uint32_t c) const {
+NearestOnLine LineDistance::across(HalfEdge a, HalfEdge b, HalfEdge c) const {
   const NearestOnLine by_a = by_edge(a, c), by_b = by_edge(b, c);
   const NearestOnLine& by_edges = by_a.distance <= by_b.distance ? by_a : by_b;
   if (!one_sheet(a, b)) return by_edges;
   const NearestOnLine from = in_face(a), to = in_face(b);
-  const Vec3 u = mesh_.position(vertex(b)) - mesh_.position(vertex(a));
-  const Vec3 w = mesh_.position(vertex(c)) - mesh_.position(vertex(a));
-  const double length = u.norm(), slope = (to.distance - from.distance) / length;
-  if (!(std::abs(slope) < 1)) return by_edges;
-  // In coordinates along ab and across.
-  const double x = w.dot(u) / length, y = std::sqrt(std::max(0.0, w.squaredNorm() - x * x));
-  const double rise = std::sqrt(1 - slope * slope), moved = between(from, to);
-  double foot, distance;  // where the way to c crosses ab
-  if (moved * moved < kPointSource * rise * rise * length * length) {
+  const FrontOverEdge front(place(b) - place(a), place(c) - place(a), from.distance, to.distance);
+  if (!front.is_possible()) return by_edges;
+  const double length = front.length, moved = between(from, to);
+  double foot = front.foot(), distance = front.distance();
+  if (moved * moved < kPointSource * front.rise * front.rise * length * length) {
     // A bend of the line or its end: the front is a circle.
     const double sx = (from.distance * from.distance - to.distance * to.distance + length * length) / (2 * length);
     const double sy = std::sqrt(std::max(0.0, from.distance * from.distance - sx * sx));
-    foot = sx + (x - sx) * sy / (sy + y);
-    distance = elementary::hypot(x - sx, y + sy);
-  } else {
-    foot = x - y * slope / rise;  // the front's normal is (slope, rise)
-    distance = from.distance + slope * x + rise * y;
+    foot = sx + (front.x - sx) * sy / (sy + front.y);
+    distance = elementary::hypot(front.x - sx, front.y + sy);
   }
   if (!(foot >= 0 && foot <= length)) return by_edges;
   if (!(distance < by_edges.distance)) return by_edges;

@@ -29,7 +29,7 @@ class LineDistance {
 
   const NearestOnLine& at(uint32_t v) const { return nearest_[v]; }
   /// The nearest place of a corner of a face, seen from inside that face: a vertex of the line has a side there.
-  NearestOnLine in_face(uint32_t corner) const;
+  NearestOnLine in_face(HalfEdge corner) const;
   /// How much farther along the line the second place is; the shorter way round closed strands.
   double between(const NearestOnLine& from, const NearestOnLine& to) const;
   /// The nearest place of a point `x` in a part of face `origin` of the surface, if that place is close to the one of
@@ -41,17 +41,17 @@ class LineDistance {
   /// Follows a mesh that has got more vertices, which have these nearest places, and other faces.
   void follow(const std::vector<NearestOnLine>& more, CancelToken& poll);
   /// Do the nearest places of two corners of a face, next to one another, lie next to one another too?
-  bool one_sheet(uint32_t corner, uint32_t other) const;
+  bool one_sheet(HalfEdge corner, HalfEdge other) const;
 
  private:
   void find_corner_sides(CancelToken& poll);
-  void mark(uint32_t leaving);
+  void mark(HalfEdge leaving);
   void march(CancelToken& poll);
-  NearestOnLine across(uint32_t a, uint32_t b, uint32_t c) const;
-  NearestOnLine by_edge(uint32_t a, uint32_t c) const;
+  NearestOnLine across(HalfEdge a, HalfEdge b, HalfEdge c) const;
+  NearestOnLine by_edge(HalfEdge a, HalfEdge c) const;
   bool flat_from(uint32_t piece, const Vec3& normal) const;
   void straighten(NearestOnLine& nearest, const Vec3& x, uint32_t origin) const;
-  uint32_t vertex(uint32_t corner) const { return mesh_.faces()[corner / 3].vertices[corner % 3]; }
+  const Vec3& place(HalfEdge corner) const { return mesh_.position(mesh_.from(corner)); }
 
   const CutMesh& mesh_;
   std::vector<int8_t> corner_side_;  // per corner on the line

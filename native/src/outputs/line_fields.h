@@ -11,7 +11,7 @@
 
 namespace meander {
 
-/// A face and the turn of the line that it belongs to. Lengths are in the surface's own unit.
+/// A face and the turn of the line that it belongs to; corners as CutMesh::corners() has them. Lengths are in the surface's own unit.
 struct FaceLine {
   uint32_t strand = kNone;           ///< of the curve; kNone where no line is
   int8_t nearest_side = 0;           ///< 1: on the left of the strand, -1: on its right; 0 where no line is
@@ -31,12 +31,14 @@ class LineFields {
   uint32_t region_count() const { return region_count_; }
   /// Whether sides differ across every edge of the line on the component of the surface that face f belongs to, as they
   /// can where the line parts it. Where they cannot, `side` is `nearest_side`.
-  bool sides_differ(uint32_t f) const { return parted_[mesh_.surface().component(mesh_.faces()[f].origin)] != 0; }
+  bool sides_differ(uint32_t f) const { return parted_[component(f)] != 0; }
 
  private:
   void find_places(const LineDistance& distance, CancelToken& poll);
   void find_regions(CancelToken& poll);
   void find_sides(CancelToken& poll);
+  uint32_t component(uint32_t f) const { return mesh_.surface().component(mesh_.origin(f)); }
+  uint32_t region(HalfEdge h) const { return faces_[mesh_.face(h)].region; }
 
   const CutMesh& mesh_;
   std::vector<FaceLine> faces_;

@@ -2,6 +2,7 @@
 #include "outputs/middle_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace meander {
@@ -13,135 +14,134 @@ constexpr double kLeastShare = 0.02;
 /// Halvings of the interval in which the middle of an edge is sought.
 constexpr int kHalvings = 16;
 
-/// Pieces of work that an edge counts for which is divided.
-constexpr size_t kDivision = 256;
+/// Pieces of work that an edge counts for where its middle is sought, and what is divided.
+constexpr size_t kSearch = 256;
+constexpr size_t kDivision = 4;
 
 class MiddleLines {
  public:
   MiddleLines(CutMesh& mesh, LineDistance& distance, CancelToken& poll)
-      : mesh_(mesh), distance_(distance), poll_(poll) {}
+      : mesh_(mesh), distance_(distance), poll_(poll), division_of_(mesh.half_edge_count() / 2, kNone) {}
 
+  /// Finds all new vertices before it divides anything, since distances are known of the faces that there are.
   void add() {
-    divided_.assign(mesh_.twins().size(), kNone);
-    for (uint32_t e = 0; e < divided_.size(); ++e) {
+    for (HalfEdge h = 0; h < mesh_.half_edge_count(); h += 2) {
       poll_();
-      const uint32_t twin = mesh_.twins()[e];
-      if ((twin != kNone && twin < e) || mesh_.line_side(e) != 0) continue;
-      divided_[e] = divide(e);
-      if (twin != kNone) divided_[twin] = divided_[e];
+      if (mesh_.line_side(h) == 0) look_at_edge(h);
     }
-    std::vector<CutMesh::Face> faces;
-    faces.reserve(mesh_.faces().size());
-    for (uint32_t f = 0; f < mesh_.faces().size(); ++f) {
+    for (uint32_t f = 0; f < mesh_.face_count(); ++f) {
       poll_();
-      divide_face(f, faces);
+      look_at_face(f);
     }
-    mesh_.replace_faces(std::move(faces), poll_);
+    mesh_.reserve_divisions(divisions_.size() + centres_.size());
+    for (const Centre& c : centres_) {
+      poll_(kDivision);
+      mesh_.split_face(c.face, c.vertex, c.at);
+    }
+    for (const Division& d : divisions_) {
+      poll_(kDivision);
+      mesh_.split_edge(d.edge, d.vertex, d.t);
+    }
+    for (const auto& [from, to] : turned_) turn(from, to);
     distance_.follow(more_, poll_);
   }
 
  private:
-  /// Where in a face a vertex is, so that new faces can be made of it.
-  struct Corner {
+  /// A vertex at the share t of an edge.
+  struct Division {
+    HalfEdge edge;
+    double t;
     uint32_t vertex;
+  };
+  struct Centre {
+    uint32_t face, vertex;
     Vec2 at;
   };
 
-  /// The new vertex of an edge whose ends belong to different turns, kNone for other edges.
-  uint32_t divide(uint32_t e) {
-    const uint32_t other = 3 * (e / 3) + next_corner(e % 3);
-    if (distance_.one_sheet(e, other)) return kNone;
-    const NearestOnLine from = distance_.in_face(e), to = distance_.in_face(other);
-    if (from.strand == kNone || to.strand == kNone) return kNone;
-    const CutMesh::Face& face = mesh_.faces()[e / 3];
-    const Vec3 a = mesh_.position(face.vertices[e % 3]), u = mesh_.position(face.vertices[next_corner(e % 3)]) - a;
+  /// Divides an edge whose ends belong to different turns.
+  void look_at_edge(HalfEdge h) {
+    const uint32_t left = mesh_.face(h), right = mesh_.face(CutMesh::opposite(h));
+    if (left == kNone || (right != kNone && mesh_.origin(right) < mesh_.origin(left))) h = CutMesh::opposite(h);
+    const HalfEdge other = mesh_.next(h);
+    if (distance_.one_sheet(h, other)) return;
+    const NearestOnLine from = distance_.in_face(h), to = distance_.in_face(other);
+    if (from.strand == kNone || to.strand == kNone) return;
+    const uint32_t origin = mesh_.origin(mesh_.face(h));
+    const Vec3 a = mesh_.position(mesh_.from(h)), u = mesh_.position(mesh_.to(h)) - a;
     const double length = u.norm();
-    const auto near_from = [&](double t) { return distance_.beside(from, a + t * u, face.origin, t * length); };
-    const auto near_to = [&](double t) { return distance_.beside(to, a + t * u, face.origin, (1 - t) * length); };
+    const auto near_from = [&](double t) { return distance_.beside(from, a + t * u, origin, t * length); };
+    const auto near_to = [&](double t) { return distance_.beside(to, a + t * u, origin, (1 - t) * length); };
     double low = 0, high = 1;
     if (!(near_from(low).distance < near_to(low).distance && near_to(high).distance < near_from(high).distance)) {
-      return kNone;  // there is no ridge between them
+      return;  // there is no ridge between them
     }
-    poll_(kDivision);
+    poll_(kSearch);
     for (int k = 0; k < kHalvings; ++k) {
       const double t = 0.5 * (low + high);
       (near_from(t).distance < near_to(t).distance ? low : high) = t;
     }
-    const double t = std::clamp(low, kLeastShare, 1 - kLeastShare);
+    // The same from either end.
+    const double t = std::clamp(0.5 * (low + high), kLeastShare, 1 - kLeastShare);
     const NearestOnLine one = near_from(t), two = near_to(t);
     more_.push_back(one.distance <= two.distance ? one : two);
-    return mesh_.add_vertex_on(e, t);
+    division_of_[h / 2] = static_cast<uint32_t>(divisions_.size());
+    divisions_.push_back({h, t, mesh_.add_vertex({origin, mesh_.at_share(h, t)})});
   }
 
-  /// The new vertex of an edge of face f, as a corner of its parts.
-  Corner on(uint32_t f, uint32_t k) const {
-    const CutMesh::Face& face = mesh_.faces()[f];
-    const uint32_t v = divided_[3 * f + k], a = face.vertices[k], b = face.vertices[next_corner(k)];
-    const Vec3 u = mesh_.position(b) - mesh_.position(a);
-    const double t = (mesh_.position(v) - mesh_.position(a)).dot(u) / u.squaredNorm();
-    return {v, mesh_.at_share(3 * f + k, t)};
-  }
+  uint32_t division(HalfEdge h) const { return division_of_[h / 2]; }
 
-  Corner corner(uint32_t f, uint32_t k) const {
-    return {mesh_.faces()[f].vertices[k], mesh_.faces()[f].at[k]};
-  }
-
-  void divide_face(uint32_t f, std::vector<CutMesh::Face>& faces) {
-    const uint32_t origin = mesh_.faces()[f].origin;
-    const auto put = [&](const Corner& a, const Corner& b, const Corner& c) {
-      faces.push_back({{a.vertex, b.vertex, c.vertex}, origin, {a.at, b.at, c.at}});
-    };
-    uint32_t count = 0, alone = 0, divided = 0;  // an edge that is not divided, and one that is
-    for (uint32_t k = 0; k < 3; ++k) {
-      const bool is_divided = divided_[3 * f + k] != kNone;
-      count += is_divided;
-      (is_divided ? divided : alone) = k;
+  /// A face with two divided edges gets a line between their middles, one with three six parts around its centre.
+  void look_at_face(uint32_t f) {
+    const std::array<HalfEdge, 3> corners = mesh_.corners(f);
+    size_t count = 0, whole = 0;
+    for (size_t k = 0; k < 3; ++k) {
+      count += division(corners[k]) != kNone;
+      if (division(corners[k]) == kNone) whole = k;
     }
-    const auto at = [&](uint32_t k) { return corner(f, k % 3); };
-    if (count == 0) {
-      put(at(0), at(1), at(2));
-    } else if (count == 1) {
-      const Corner m = on(f, divided);
-      put(at(divided), m, at(divided + 2));
-      put(m, at(divided + 1), at(divided + 2));
-    } else if (count == 2) {
-      // The corner opposite to the whole edge is cut off; what is left has four corners.
-      const uint32_t tip = (alone + 2) % 3;
-      const Corner in = on(f, (alone + 1) % 3), out = on(f, tip), a = at(alone), b = at(alone + 1);
-      put(out, in, at(tip));
-      put(a, b, in);
-      put(a, in, out);
-    } else {
-      divide_into_six(f, put);
+    if (count == 3) add_centre(f, corners);
+    if (count != 2) return;
+    // What is left beside the corner that is cut off is divided from the start of the whole edge: so it is where the
+    // edge after that one is divided first, and otherwise from its end.
+    const HalfEdge second = corners[(whole + 1) % 3], third = corners[(whole + 2) % 3];
+    if (division(third) < division(second)) {
+      turned_.emplace_back(divisions_[division(third)].vertex, mesh_.from(second));
     }
   }
 
-  template <class Put>
-  void divide_into_six(uint32_t f, const Put& put) {
-    const Corner m[] = {on(f, 0), on(f, 1), on(f, 2)};
-    const Vec2 at = (1.0 / 3) * (m[0].at + m[1].at + m[2].at);
-    const uint32_t origin = mesh_.faces()[f].origin;
-    const Corner centre{mesh_.add_vertex({origin, at}), at};
-    const Vec3 x = mesh_.position(centre.vertex);
+  void add_centre(uint32_t f, const std::array<HalfEdge, 3>& corners) {
+    Vec2 at{0, 0};
+    for (const HalfEdge h : corners) {
+      const Division& d = divisions_[division(h)];
+      at = at + (1.0 / 3) * mesh_.at_share(h, d.edge == h ? d.t : 1 - d.t);
+    }
+    const uint32_t origin = mesh_.origin(f), centre = mesh_.add_vertex({origin, at});
+    const Vec3 x = mesh_.position(centre);
     NearestOnLine nearest;
-    for (uint32_t k = 0; k < 3; ++k) {
-      const NearestOnLine n = distance_.in_face(3 * f + k);
-      const double step = (x - mesh_.position(mesh_.faces()[f].vertices[k])).norm();
-      const NearestOnLine here = distance_.beside(n, x, origin, step);
+    for (const HalfEdge h : corners) {
+      const double step = (x - mesh_.position(mesh_.from(h))).norm();
+      const NearestOnLine here = distance_.beside(distance_.in_face(h), x, origin, step);
       if (here.distance < nearest.distance) nearest = here;
     }
     more_.push_back(nearest);
-    for (uint32_t k = 0; k < 3; ++k) {
-      put(corner(f, k), m[k], centre);
-      put(corner(f, k), centre, m[prev_corner(k)]);
-    }
+    centres_.push_back({f, centre, at});
+  }
+
+  void turn(uint32_t from, uint32_t to) {
+    HalfEdge between = kNone;
+    mesh_.each_leaving(from, [&](HalfEdge h) {
+      if (mesh_.to(h) == to) between = h;
+    });
+    mesh_.flip(between);
   }
 
   CutMesh& mesh_;
   LineDistance& distance_;
   CancelToken& poll_;
-  std::vector<uint32_t> divided_;  // per edge
-  std::vector<NearestOnLine> more_;
+  std::vector<uint32_t> division_of_;  // per edge, kNone where it stays whole
+  std::vector<Division> divisions_;
+  std::vector<Centre> centres_;
+  std::vector<std::pair<uint32_t, uint32_t>> turned_;  // ends of edges that are flipped
+  std::vector<NearestOnLine> more_;                    // per new vertex
 };
 
 }  // namespace
