@@ -2,11 +2,12 @@
 #include "mesh/heat_flow.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "mesh/aggregates.h"
 
 namespace meander {
 namespace {
@@ -32,80 +33,30 @@ using Points = std::vector<Vec3>;
 
 /// A x = excess x + the sum over the edges of weight (x - x at the other end): symmetric and positive definite.
 struct System {
-  std::vector<double> excess;
-  std::vector<uint32_t> start, neighbour;  // the edges of row i are start[i] .. start[i + 1] - 1
-  std::vector<double> weight;
-  std::vector<double> diagonal;
+  Couplings<double> edges;
+  std::vector<double> excess, diagonal;
 
-  uint32_t size() const { return static_cast<uint32_t>(excess.size()); }
+  uint32_t size() const { return edges.size(); }
 
   void add_up_diagonal() {
     diagonal = excess;
     for (uint32_t i = 0; i < size(); ++i) {
-      for (uint32_t e = start[i]; e < start[i + 1]; ++e) diagonal[i] += weight[e];
+      for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) diagonal[i] += edges.weight[e];
     }
   }
   Vec3 row(uint32_t i, const Points& x) const {
     Vec3 sum = diagonal[i] * x[i];
-    for (uint32_t e = start[i]; e < start[i + 1]; ++e) sum -= weight[e] * x[neighbour[e]];
+    for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) sum -= edges.weight[e] * x[edges.neighbour[e]];
     return sum;
   }
+  /// That of pairs that move as one.
+  System joined(const Pairs<double>& pairs, CancelToken& poll) const {
+    System coarse{pairs.joined(edges, poll), std::vector<double>(pairs.count, 0), {}};
+    for (uint32_t i = 0; i < size(); ++i) coarse.excess[pairs.of[i]] += excess[i];
+    coarse.add_up_diagonal();
+    return coarse;
+  }
 };
-
-/// Joins every vertex to the neighbour that it is tied to most, if that one is free: at most half as many are left.
-/// Returns how many, and `group` of every vertex.
-uint32_t pair_up(const System& fine, std::vector<uint32_t>& group, CancelToken& poll) {
-  group.assign(fine.size(), kNone);
-  uint32_t count = 0;
-  for (uint32_t i = 0; i < fine.size(); ++i) {
-    if (group[i] != kNone) continue;
-    poll(4);
-    uint32_t best = kNone;
-    double most = 0;
-    for (uint32_t e = fine.start[i]; e < fine.start[i + 1]; ++e) {
-      if (group[fine.neighbour[e]] != kNone || !(fine.weight[e] > most)) continue;
-      best = fine.neighbour[e];
-      most = fine.weight[e];
-    }
-    group[i] = count;
-    if (best != kNone) group[best] = count;
-    ++count;
-  }
-  return count;
-}
-
-/// The system of groups that move as one (Galerkin's, with constants).
-System joined(const System& fine, const std::vector<uint32_t>& group, uint32_t count, CancelToken& poll) {
-  System coarse;
-  coarse.excess.assign(count, 0);
-  std::vector<std::array<uint32_t, 2>> members(count, {kNone, kNone});
-  for (uint32_t i = 0; i < fine.size(); ++i) {
-    coarse.excess[group[i]] += fine.excess[i];
-    auto& m = members[group[i]];
-    m[m[0] == kNone ? 0 : 1] = i;
-  }
-  coarse.start.push_back(0);
-  std::vector<uint32_t> place(count, kNone);  // of an edge to each group, in the row that is being made
-  for (uint32_t g = 0; g < count; ++g) {
-    poll(8);
-    const uint32_t first = coarse.start.back();
-    for (const uint32_t i : members[g]) {
-      for (uint32_t e = i == kNone ? 0 : fine.start[i]; i != kNone && e < fine.start[i + 1]; ++e) {
-        const uint32_t other = group[fine.neighbour[e]];
-        if (other == g) continue;
-        if (place[other] == kNone || place[other] < first) {
-          place[other] = static_cast<uint32_t>(coarse.neighbour.size());
-          coarse.neighbour.push_back(other);
-          coarse.weight.push_back(0);
-        }
-        coarse.weight[place[other]] += fine.weight[e];
-      }
-    }
-    coarse.start.push_back(static_cast<uint32_t>(coarse.neighbour.size()));
-  }
-  coarse.add_up_diagonal();
-  return coarse;
-}
 
 bool is_stiff(const System& system) {
   if (system.size() <= kFew) return false;
@@ -123,14 +74,13 @@ class Multigrid {
     levels_.push_back({std::move(finest), {}, {}, {}, {}});
     while (is_stiff(levels_.back().system)) {
       const System& fine = levels_.back().system;
-      std::vector<uint32_t> group, pairs;
-      const uint32_t half = pair_up(fine, group, poll);
-      const System middle = joined(fine, group, half, poll);
-      const uint32_t quarter = pair_up(middle, pairs, poll);
-      if (10 * uint64_t{quarter} > 9 * uint64_t{fine.size()}) break;  // hardly any edges are left
-      System coarse = joined(middle, pairs, quarter, poll);
-      for (uint32_t& g : group) g = pairs[g];
-      levels_.back().group = std::move(group);
+      Pairs<double> pairs(fine.edges, poll);
+      const System middle = fine.joined(pairs, poll);
+      const Pairs<double> fours(middle.edges, poll);
+      if (10 * uint64_t{fours.count} > 9 * uint64_t{fine.size()}) break;  // hardly any edges are left
+      System coarse = middle.joined(fours, poll);
+      for (uint32_t& g : pairs.of) g = fours.of[g];
+      levels_.back().group = std::move(pairs.of);
       levels_.push_back({std::move(coarse), {}, {}, {}, {}});
     }
     for (Level& level : levels_) {
@@ -277,14 +227,15 @@ Equations equations(const Surface& surface, const VertexData<double>& width, Can
     const Vec2 u = surface.corner(f, corner_of(h)) - p, w = surface.corner(f, next_corner(corner_of(h))) - p;
     return std::clamp(dot(u, w) / cross(u, w), kLeastCotangent, kMostCotangent);
   };
-  e.system.start.assign(e.vertex.size() + 1, 0);
+  Couplings<double>& edges = e.system.edges;
+  edges.start.assign(e.vertex.size() + 1, 0);
   for_each_half_edge([&](HalfEdge, uint32_t from, uint32_t to) {
-    if (row[to] != kNone) ++e.system.start[row[from] + 1];
+    if (row[to] != kNone) ++edges.start[row[from] + 1];
   });
-  for (size_t i = 0; i < e.vertex.size(); ++i) e.system.start[i + 1] += e.system.start[i];
-  e.system.neighbour.resize(e.system.start.back());
-  e.system.weight.resize(e.system.start.back());
-  std::vector<uint32_t> next(e.system.start.begin(), e.system.start.end() - 1);
+  for (size_t i = 0; i < e.vertex.size(); ++i) edges.start[i + 1] += edges.start[i];
+  edges.neighbour.resize(edges.start.back());
+  edges.weight.resize(edges.start.back());
+  std::vector<uint32_t> next(edges.start.begin(), edges.start.end() - 1);
   for_each_half_edge([&](HalfEdge h, uint32_t from, uint32_t to) {
     const double weight = 0.25 * (cotangent(h) + cotangent(surface.twin(h))) * width[from] * width[to];
     if (row[to] == kNone) {
@@ -292,8 +243,8 @@ Equations equations(const Surface& surface, const VertexData<double>& width, Can
       e.b[row[from]] += weight * surface.position(to);
       return;
     }
-    e.system.neighbour[next[row[from]]] = row[to];
-    e.system.weight[next[row[from]]++] = weight;
+    edges.neighbour[next[row[from]]] = row[to];
+    edges.weight[next[row[from]]++] = weight;
   });
   e.system.add_up_diagonal();
   return e;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
+#include "mesh/aggregates.h"
 #include "mesh/vertex_data.h"
 
 namespace meander {
@@ -24,24 +24,11 @@ constexpr double kAxis = 0.05;
 /// A line at a corner is the mean of those of at most this many faces around it, to either side.
 constexpr uint32_t kFan = 8;
 
-constexpr uint32_t kAlone = UINT32_MAX;
-
-/// What is off the diagonal of one row of a Laplacian, with the opposite sign: a weight times the number that carries
-/// the square of the neighbour's line here.
-struct Neighbour {
-  uint32_t index;
-  Vec2 number;
-};
-
-/// The Laplacian of one level, and how its lines follow from those of the next, coarser one.
+/// The Laplacian of one level, whose weights carry the squares of lines from face to face, and the pairs of the next,
+/// coarser one.
 struct Level {
-  std::vector<size_t> start;  // per row, and the end
-  std::vector<Neighbour> neighbours;
-  std::vector<uint32_t> coarse;
-  std::vector<Vec2> carry;  // a line is this times its coarse one
-
-  size_t size() const { return start.size() - 1; }
-  auto of(size_t i) const { return std::span(neighbours).subspan(start[i], start[i + 1] - start[i]); }
+  Couplings<Vec2> edges;
+  Pairs<Vec2> pairs;
 };
 
 Vec2 squared(Vec2 v) { return v * v; }
@@ -59,11 +46,11 @@ std::vector<Vec2> carried_across(const Surface& s, CancelToken& poll) {
   return carried;
 }
 
-Level of_faces(const Surface& s, const std::vector<Vec2>& carried, CancelToken& poll) {
-  Level level;
-  level.start.reserve(s.face_count() + 1);
-  level.neighbours.reserve(3 * s.face_count());
-  level.start.push_back(0);
+Couplings<Vec2> of_faces(const Surface& s, const std::vector<Vec2>& carried, CancelToken& poll) {
+  Couplings<Vec2> edges;
+  edges.start.reserve(s.face_count() + 1);
+  edges.neighbour.reserve(3 * s.face_count());
+  edges.weight.reserve(3 * s.face_count());
   for (uint32_t f = 0; f < s.face_count(); ++f) {
     poll();
     for (HalfEdge e = 3 * f; e < 3 * f + 3; ++e) {
@@ -72,79 +59,19 @@ Level of_faces(const Surface& s, const std::vector<Vec2>& carried, CancelToken& 
       // The edge over the distance of the middles of the faces, but for a factor.
       const Vec2 edge = s.along(e);
       const double weight = dot(edge, edge) / (s.face_area(f) + s.face_area(face_of(twin)));
-      level.neighbours.push_back({face_of(twin), weight * carried[twin]});
+      edges.add(face_of(twin), weight * carried[twin]);
     }
-    level.start.push_back(level.neighbours.size());
+    edges.end_row();
   }
-  return level;
+  return edges;
 }
 
-/// Joins every row with the neighbour that holds it most among those that are alone still. The number of pairs.
-uint32_t pair_up(Level& level, CancelToken& poll) {
-  level.coarse.assign(level.size(), kAlone);
-  level.carry.assign(level.size(), Vec2{1, 0});
-  uint32_t count = 0;
-  for (size_t i = 0; i < level.size(); ++i) {
-    poll();
-    if (level.coarse[i] != kAlone) continue;
-    const Neighbour* best = nullptr;
-    double most = 0;
-    for (const Neighbour& n : level.of(i)) {
-      const double square = dot(n.number, n.number);
-      if (level.coarse[n.index] != kAlone || n.index == i || !(square > most)) continue;
-      best = &n;
-      most = square;
-    }
-    level.coarse[i] = count;
-    if (best) {
-      level.coarse[best->index] = count;
-      level.carry[best->index] = unit(conj(best->number));
-    }
-    ++count;
-  }
-  return count;
-}
-
-Level coarser(const Level& fine, uint32_t count, CancelToken& poll) {
-  std::vector<std::pair<uint32_t, uint32_t>> members(count, {kAlone, kAlone});
-  for (uint32_t i = 0; i < fine.size(); ++i) {
-    auto& [first, second] = members[fine.coarse[i]];
-    (first == kAlone ? first : second) = i;
-  }
-  Level level;
-  level.start.reserve(count + 1);
-  level.neighbours.reserve(fine.neighbours.size());
-  level.start.push_back(0);
-  std::vector<size_t> place(count, SIZE_MAX);
-  for (uint32_t c = 0; c < count; ++c) {
-    poll();
-    const size_t first = level.neighbours.size();
-    for (const uint32_t i : {members[c].first, members[c].second}) {
-      if (i == kAlone) continue;
-      for (const Neighbour& n : fine.of(i)) {
-        const uint32_t other = fine.coarse[n.index];
-        if (other == c) continue;
-        const Vec2 number = conj(fine.carry[i]) * n.number * fine.carry[n.index];
-        if (place[other] == SIZE_MAX || place[other] < first) {
-          place[other] = level.neighbours.size();
-          level.neighbours.push_back({other, number});
-        } else {
-          Vec2& sum = level.neighbours[place[other]].number;
-          sum = sum + number;
-        }
-      }
-    }
-    level.start.push_back(level.neighbours.size());
-  }
-  return level;
-}
-
-void relax(const Level& level, int sweeps, std::vector<Vec2>& lines, CancelToken& poll) {
-  const size_t count = level.size();
+void relax(const Couplings<Vec2>& edges, int sweeps, std::vector<Vec2>& lines, CancelToken& poll) {
+  const size_t count = edges.size();
   std::vector<double> share(count, 0);
   for (size_t i = 0; i < count; ++i) {
     double weight = 0;
-    for (const Neighbour& n : level.of(i)) weight += norm(n.number);
+    for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) weight += norm(edges.weight[e]);
     if (weight > 0) share[i] = 1 / weight;
   }
   for (int sweep = 0; sweep < 2 * sweeps; ++sweep) {
@@ -153,7 +80,9 @@ void relax(const Level& level, int sweeps, std::vector<Vec2>& lines, CancelToken
       const size_t i = sweep % 2 == 0 ? k : count - 1 - k;
       if (!(share[i] > 0)) continue;
       Vec2 sum;
-      for (const Neighbour& n : level.of(i)) sum = sum + n.number * lines[n.index];
+      for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) {
+        sum = sum + edges.weight[e] * lines[edges.neighbour[e]];
+      }
       lines[i] = share[i] * sum;
     }
   }
@@ -230,27 +159,27 @@ std::vector<Vec2> at_corners(const Surface& s, const std::vector<Vec2>& carried,
 LineField relaxed_field(const Surface& surface, CancelToken poll) {
   std::vector<Level> levels;
   const std::vector<Vec2> carried = carried_across(surface, poll);
-  levels.push_back(of_faces(surface, carried, poll));
   std::vector<Vec2> lines = first_lines(surface, poll);
+  Couplings<Vec2> edges = of_faces(surface, carried, poll);
   while (true) {
-    Level& fine = levels.back();
-    const uint32_t count = pair_up(fine, poll);
-    if (count == fine.size()) break;
-    std::vector<Vec2> sums(count);
-    for (size_t i = 0; i < fine.size(); ++i) {
-      Vec2& sum = sums[fine.coarse[i]];
-      sum = sum + conj(fine.carry[i]) * lines[i];
+    Pairs<Vec2> pairs(edges, poll);
+    if (pairs.count == edges.size()) break;
+    std::vector<Vec2> sums(pairs.count);
+    for (size_t i = 0; i < edges.size(); ++i) {
+      Vec2& sum = sums[pairs.of[i]];
+      sum = sum + conj(pairs.carry[i]) * lines[i];
     }
     lines = std::move(sums);
-    levels.push_back(coarser(fine, count, poll));
+    Couplings<Vec2> coarse = pairs.joined(edges, poll);
+    levels.push_back({std::exchange(edges, std::move(coarse)), std::move(pairs)});
   }
   for (Vec2& line : lines) line = norm(line) > 0 ? unit(line) : Vec2{1, 0};
-  for (size_t k = levels.size() - 1; k-- > 0;) {
-    const Level& level = levels[k];
-    std::vector<Vec2> finer(level.size());
-    for (size_t i = 0; i < level.size(); ++i) finer[i] = level.carry[i] * lines[level.coarse[i]];
+  for (size_t k = levels.size(); k-- > 0;) {
+    const auto& [rows, pairs] = levels[k];
+    std::vector<Vec2> finer(rows.size());
+    for (size_t i = 0; i < rows.size(); ++i) finer[i] = pairs.carry[i] * lines[pairs.of[i]];
     lines = std::move(finer);
-    relax(level, k < kFineLevels ? kFineSweeps : kSweeps, lines, poll);
+    relax(rows, k < kFineLevels ? kFineSweeps : kSweeps, lines, poll);
     // Means of lines that disagree are short, and those of such means would vanish.
     for (Vec2& line : lines) line = unit(line);
   }

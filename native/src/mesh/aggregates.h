@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Symmetric systems over the edges of a graph, and ever coarser ones of rows that are joined in pairs (Notay, "An
+// aggregation-based algebraic multigrid method", 2010): the levels of a multigrid whose time is linear.
+//
+// Weights are real numbers, or complex ones where a value is turned on its way along an edge: a row then carries the
+// value of its pair, turned once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "base/cancel_token.h"
+#include "base/plane.h"
+#include "mesh/surface.h"
+
+namespace meander {
+
+/// What is off the diagonal, with the opposite sign: symmetric, or Hermitian where it is complex.
+template <class Weight>
+struct Couplings {
+  std::vector<uint32_t> start{0}, neighbour;  ///< those of row i are start[i] .. start[i + 1] - 1
+  std::vector<Weight> weight;
+
+  uint32_t size() const { return static_cast<uint32_t>(start.size() - 1); }
+  void add(uint32_t to, Weight w) {
+    neighbour.push_back(to);
+    weight.push_back(w);
+  }
+  void end_row() { start.push_back(static_cast<uint32_t>(neighbour.size())); }
+};
+
+/// Rows in pairs, or alone where no neighbour was left.
+template <class Weight>
+struct Pairs {
+  static constexpr bool kTurns = std::is_same_v<Weight, Vec2>;
+  uint32_t count = 0;
+  std::vector<uint32_t> of;    ///< per row: its pair
+  std::vector<Weight> carry;   ///< per row: a unit number, times which the pair's value is the row's; empty: all are 1
+
+  /// Joins every row to the neighbour that it is tied to most, if that one is free: at most half as many are left.
+  Pairs(const Couplings<Weight>& rows, CancelToken& poll) : of(rows.size(), kNone) {
+    if constexpr (kTurns) carry.assign(rows.size(), {1, 0});
+    for (uint32_t i = 0; i < rows.size(); ++i) {
+      poll();
+      if (of[i] != kNone) continue;
+      of[i] = count++;
+      uint32_t best = kNone;
+      double most = 0;
+      for (uint32_t e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+        if (of[rows.neighbour[e]] != kNone || !(size_of(rows.weight[e]) > most)) continue;
+        best = e;
+        most = size_of(rows.weight[e]);
+      }
+      if (best == kNone) continue;
+      of[rows.neighbour[best]] = of[i];
+      if constexpr (kTurns) carry[rows.neighbour[best]] = unit(conj(rows.weight[best]));
+    }
+  }
+
+  /// The system of the pairs (Galerkin's).
+  Couplings<Weight> joined(const Couplings<Weight>& rows, CancelToken& poll) const {
+    std::vector<std::array<uint32_t, 2>> members(count, {kNone, kNone});
+    for (uint32_t i = 0; i < rows.size(); ++i) members[of[i]][members[of[i]][0] == kNone ? 0 : 1] = i;
+    Couplings<Weight> coarse;
+    std::vector<uint32_t> place(count, kNone);  // of an edge to each pair, in the row that is being made
+    for (uint32_t pair = 0; pair < count; ++pair) {
+      poll();
+      for (const uint32_t i : members[pair]) {
+        for (uint32_t e = i == kNone ? 0 : rows.start[i]; i != kNone && e < rows.start[i + 1]; ++e) {
+          const uint32_t other = of[rows.neighbour[e]];
+          if (other == pair) continue;
+          Weight weight = rows.weight[e];
+          if constexpr (kTurns) weight = conj(carry[i]) * weight * carry[rows.neighbour[e]];
+          if (place[other] == kNone || place[other] < coarse.start.back()) {
+            place[other] = static_cast<uint32_t>(coarse.neighbour.size());
+            coarse.add(other, weight);
+          } else {
+            coarse.weight[place[other]] = coarse.weight[place[other]] + weight;
+          }
+        }
+      }
+      coarse.end_row();
+    }
+    return coarse;
+  }
+
+ private:
+  static double size_of(double w) { return w; }
+  static double size_of(Vec2 w) { return dot(w, w); }
+};
+
+}  // namespace meander
