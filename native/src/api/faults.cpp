@@ -32,8 +32,8 @@ meander_status meander_mesh_find_faults(const double* vertices, size_t vertex_co
             "The weld distance must be 0 or a positive number.");
     check_cancelled(context);
     FaultArrays arrays;
-    for (const MeshFault& fault :
-         find_faults(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count), weld_distance)) {
+    for (const MeshFault& fault : find_faults(std::span(vertices, 3 * vertex_count), std::span(faces, 3 * face_count),
+                                              weld_distance, cancel_of(context))) {
       arrays.kinds.push_back(static_cast<uint32_t>(fault.kind));
       arrays.elements.push_back({fault.element, fault.element2});
     }

@@ -89,7 +89,7 @@ std::shared_ptr<const Surface> faultless_surface(std::span<const double> vertice
       boundary.push_back(surface->flipped(e / 3) ? 3 * (e / 3) + 2 - e % 3 : e);
     }
     std::ranges::sort(boundary);
-    return has_seams(vertices, faces, boundary, weld_distance) ? nullptr : surface;
+    return has_seams(vertices, faces, std::move(boundary), weld_distance, cancel) ? nullptr : surface;
   } catch (const Failure& failure) {
     if (failure.kind != FailureKind::kInvalidMesh) throw;
     return nullptr;

@@ -13,25 +13,29 @@
 
 #include <Eigen/Core>
 
+#include "base/cancel_token.h"
+
 namespace meander {
 
 /// Points in cubes of space, side by side in memory, and cubes in cubes that are twice as large, as many times as the
 /// queries ask for: one of any size looks into a few tens of cubes of about its own. Any number of threads may ask.
 class PointGrid {
  public:
-  /// For queries of one radius. `size` of a cube, positive: about that radius
-  PointGrid(const std::vector<Eigen::Vector3d>& points, double size) : PointGrid(points, size, size) {}
+  /// For queries of one radius. `size` of a cube, positive: about that radius. `poll` counts points, some times each.
+  PointGrid(const std::vector<Eigen::Vector3d>& points, double size, const CancelToken& poll = {})
+      : PointGrid(points, size, size, poll) {}
 
   /// For queries of radii from about `least` to about `most`, both positive. Where they differ by more than thirty
   /// thousand times, the least look into cubes that are too large for them.
-  PointGrid(const std::vector<Eigen::Vector3d>& points, double least, double most)
+  PointGrid(const std::vector<Eigen::Vector3d>& points, double least, double most, CancelToken poll = {})
       : size_(std::max(least, std::ldexp(most, 1 - kMostLevels))) {
     std::vector<std::pair<uint64_t, uint32_t>> order(points.size());
     for (uint32_t i = 0; i < points.size(); ++i) order[i] = {in_order(cube(points[i], size_)), i};
-    std::ranges::sort(order);
+    std::ranges::sort(order, [&](const auto& a, const auto& b) { return poll(), a < b; });
     places_.reserve(points.size());
     std::vector<Range> cubes;
     for (const auto& [place, i] : order) {
+      poll();
       if (cubes.empty() || cubes.back().key != place) {
         cubes.push_back({place, static_cast<uint32_t>(places_.size()), 0});
       }
@@ -40,7 +44,7 @@ class PointGrid {
     }
     for (int level = 0; level <= level_of(most); ++level) {
       if (level > 0) merge(cubes);
-      levels_.emplace_back(std::ldexp(size_, level), level, cubes, places_);
+      levels_.emplace_back(std::ldexp(size_, level), level, cubes, places_, poll);
     }
   }
 
@@ -86,12 +90,14 @@ class PointGrid {
     uint32_t mask, shift;
     std::vector<Range> table;  // open addressing
 
-    Level(double size_of_cubes, int level, const std::vector<Range>& cubes, const std::vector<Place>& places)
+    Level(double size_of_cubes, int level, const std::vector<Range>& cubes, const std::vector<Place>& places,
+          CancelToken& poll)
         : size(size_of_cubes), mask((1u << (kBits - static_cast<uint32_t>(level))) - 1) {
       const size_t slots = std::bit_ceil(std::max<size_t>(16, 2 * cubes.size()));
       shift = static_cast<uint32_t>(64 - std::countr_zero(slots));
       table.assign(slots, {0, 0, 0});
       for (const Range& each : cubes) {
+        poll();
         const Eigen::Array3i c = cube(places[each.first].point, size);
         const uint64_t here = part(c.x()) | part(c.y()) << kBits | part(c.z()) << (2 * kBits);
         size_t at = slot(here);

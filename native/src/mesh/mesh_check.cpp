@@ -11,7 +11,6 @@
 
 #include "base/disjoint_sets.h"
 #include "base/failure.h"
-#include "base/thread_pool.h"
 #include "mesh/mesh_map.h"
 
 namespace meander {
@@ -34,14 +33,6 @@ struct Names {
   const MeshMap* map;
   uint32_t vertex(uint32_t v) const { return map ? map->vertex(v) : v; }
   uint32_t face(size_t f) const { return map ? map->face(static_cast<uint32_t>(f)) : static_cast<uint32_t>(f); }
-};
-
-/// An edge as seen from one of its faces and the lower of its vertices: the other one, and corner
-/// `half_edge % 3` of face `half_edge / 3` to the next.
-struct Side {
-  uint32_t high;
-  uint32_t half_edge;
-  bool operator<(const Side& o) const { return high != o.high ? high < o.high : half_edge < o.half_edge; }
 };
 
 /// `is_used(v)`: whether a face has vertex v, which is asked where a coordinate is not finite only.
@@ -105,53 +96,8 @@ void check_areas(std::span<const double> vertices, const Table<Triangle>& faces,
          ElementKind::kFace, names.face(f));
 }
 
-/// The sides of the faces by the lower of their vertices.
-struct SidesOfVertices {
-  Table<Side> sides;
-  std::vector<uint32_t> end;  // per vertex
-
-  SidesOfVertices(const Table<Triangle>& faces, size_t vertex_count, ThreadPool& pool)
-      : sides(3 * faces.size()), end(vertex_count + 1, 0) {
-    // A counting sort: in the second pass `end` is where the next side of a vertex goes. Every thread reads all
-    // faces and handles some of the vertices, so that the sides of a vertex come in the order of the faces
-    // whatever the number of threads. With more than a few threads reading would dominate.
-    constexpr unsigned kMostReaders = 4;
-    const size_t share = vertex_count / std::min(pool.size(), kMostReaders) + 1;
-    const auto some = [&](size_t begin, size_t stop, const auto& put) {
-      pool.for_blocks(vertex_count, share, [&](size_t, size_t first, size_t last) {
-        for (size_t f = begin; f < stop; ++f) {
-          for (size_t k = 0; k < 3; ++k) {
-            const uint32_t a = faces[f][k], b = faces[f][k == 2 ? 0 : k + 1], low = std::min(a, b);
-            if (low >= first && low < last) put(low, Side{std::max(a, b), static_cast<uint32_t>(3 * f + k)});
-          }
-        }
-      });
-    };
-    // The pool asks whether to go on once for each of its loops here.
-    constexpr size_t kAtOnce = size_t{1} << 18;
-    const auto each = [&](const auto& put) {
-      for (size_t f = 0; f < faces.size(); f += kAtOnce) some(f, std::min(faces.size(), f + kAtOnce), put);
-    };
-    each([&](uint32_t low, const Side&) { ++end[low + 1]; });
-    for (size_t v = 0; v < vertex_count; ++v) end[v + 1] += end[v];
-    each([&](uint32_t low, const Side& side) { sides[end[low]++] = side; });
-  }
-
-  std::span<Side> of(size_t v) {
-    const uint32_t begin = v == 0 ? 0 : end[v - 1];
-    return std::span(sides).subspan(begin, end[v] - begin);
-  }
-};
-
-/// The sides of one edge, which is the first of sorted sides of a vertex.
-std::span<Side> first_edge(std::span<Side> sides) {
-  size_t count = 1;
-  while (count < sides.size() && sides[count].high == sides[0].high) ++count;
-  return sides.first(count);
-}
-
-[[noreturn]] void refuse_edge(uint32_t vertex, std::span<const Side> sides, const Names& names) {
-  const uint32_t low = names.vertex(vertex), high = names.vertex(sides[0].high);
+[[noreturn]] void refuse_edge(const VertexPair& edge, EdgeSides sides, const Names& names) {
+  const uint32_t low = names.vertex(edge[0]), high = names.vertex(edge[1]);
   refuse("The edge between vertices " + str(low) + " and " + str(high) + " has " + str(sides.size()) + " faces (" +
              str(names.face(sides[0].half_edge / 3)) + ", " + str(names.face(sides[1].half_edge / 3)) + ", " +
              str(names.face(sides[2].half_edge / 3)) + (sides.size() > 3 ? ", ..." : "") +
@@ -161,26 +107,22 @@ std::span<Side> first_edge(std::span<Side> sides) {
 
 /// Per half-edge the half-edge of the other face on the same edge, kNoTwin at the boundary.
 Table<uint32_t> pair_sides(const Table<Triangle>& faces, size_t vertex_count, const Names& names, ThreadPool& pool) {
-  SidesOfVertices table(faces, vertex_count, pool);
+  const EdgeGroups edges(faces, vertex_count, pool);
   Table<uint32_t> mate(3 * faces.size(), kNoTwin);
   const size_t crowded = pool.first(vertex_count, kMeshGrain, [&](size_t v) {
-    std::span<Side> sides = table.of(v);
-    std::sort(sides.begin(), sides.end());
-    while (!sides.empty()) {
-      const std::span<Side> edge = first_edge(sides);
-      if (edge.size() > 2) return true;
-      if (edge.size() == 2) {
-        mate[edge[0].half_edge] = edge[1].half_edge;
-        mate[edge[1].half_edge] = edge[0].half_edge;
-      }
-      sides = sides.subspan(edge.size());
-    }
-    return false;
+    bool any = false;
+    edges.at_vertex(static_cast<uint32_t>(v), [&](const VertexPair&, EdgeSides sides) {
+      any = any || sides.size() > 2;
+      if (sides.size() != 2) return;
+      mate[sides[0].half_edge] = sides[1].half_edge;
+      mate[sides[1].half_edge] = sides[0].half_edge;
+    });
+    return any;
   });
   if (crowded < vertex_count) {
-    std::span<Side> sides = table.of(crowded);
-    while (first_edge(sides).size() < 3) sides = sides.subspan(first_edge(sides).size());
-    refuse_edge(static_cast<uint32_t>(crowded), first_edge(sides), names);
+    edges.at_vertex(static_cast<uint32_t>(crowded), [&](const VertexPair& edge, EdgeSides sides) {
+      if (sides.size() > 2) refuse_edge(edge, sides, names);
+    });
   }
   return mate;
 }

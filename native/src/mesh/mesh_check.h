@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "base/large_pages.h"
+#include "mesh/edge_groups.h"
 
 namespace meander {
-
-using Triangle = std::array<uint32_t, 3>;
 
 /// A face has no area when its height over the longest side is below this share of the mesh's size. Twice the
 /// resolution of single precision would already refuse scans that look fine in Blender.
@@ -23,7 +22,6 @@ inline constexpr double kFlatFace = 1e-8;
 inline constexpr uint32_t kNoTwin = UINT32_MAX;
 
 class MeshMap;
-class ThreadPool;
 
 /// Where a mesh is and how large.
 struct Placement {

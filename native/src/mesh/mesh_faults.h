@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/mesh_check.h"
+#include "base/cancel_token.h"
 
 namespace meander {
 
@@ -24,15 +24,16 @@ struct MeshFault {
 /// are not finite are left out of the search for the kinds behind.
 ///
 /// weld_distance   of find_seams; 0: seams are not searched for
+/// cancel          asked within every step
 ///
 /// Throws Failure(FailureKind::kInvalidMesh) for a mesh without faces, and for faces of vertices that do not exist.
 std::vector<MeshFault> find_faults(std::span<const double> vertices, std::span<const uint32_t> faces,
-                                   double weld_distance);
+                                   double weld_distance, const CancelToken& cancel = {});
 
 /// Whether a mesh that has passed the check has boundary edges that lie on each other.
 ///
-/// boundary   half-edges of the caller's faces that are alone on their edge, in rising order
-bool has_seams(std::span<const double> vertices, std::span<const uint32_t> faces, std::span<const uint32_t> boundary,
-               double weld_distance);
+/// half_edges   those of the caller's faces that are alone on their edge, rising
+bool has_seams(std::span<const double> vertices, std::span<const uint32_t> faces, std::vector<uint32_t> half_edges,
+               double weld_distance, const CancelToken& cancel);
 
 }  // namespace meander

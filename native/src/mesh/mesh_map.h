@@ -38,7 +38,7 @@ class MeshMap {
   VertexData<double> of_vertices(std::span<const double> values) const;
 
  private:
-  friend class MeshPreparation;
+  friend class Soup;
   static constexpr uint32_t kWhole = UINT32_MAX;  // a face that is the caller's whole face
   size_t caller_vertex_count_ = 0, caller_face_count_ = 0;
   std::vector<VertexOrigin> vertices_;

@@ -11,6 +11,7 @@
 
 #include "base/cancel_token.h"
 #include "mesh/mesh_map.h"
+#include "mesh/repairs.h"
 
 namespace meander {
 
@@ -35,13 +36,6 @@ struct PrepareSettings {
   bool only_mends() const {
     return merge_distance == 0 && make_manifold && smallest_part == 0 && face_mask.empty() && vertex_mask.empty();
   }
-};
-
-/// What was done; see meander_surface_statistics.
-struct PrepareCounts {
-  uint32_t unused_vertices = 0, merged_vertices = 0, dropped_faces = 0, split_vertices = 0, cut_edges = 0,
-           masked_faces = 0, clipped_faces = 0, welded_edges = 0, opened_edges = 0, doubled_faces = 0, split_edges = 0,
-           small_parts = 0;
 };
 
 struct PreparedMesh {

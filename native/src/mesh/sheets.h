@@ -4,19 +4,15 @@
 // share an edge, and which corners at a vertex belong together.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "mesh/mesh_check.h"
+#include "mesh/soup.h"
 
 namespace meander {
-
-/// An edge by its vertices, the lower one first.
-using VertexPair = std::array<uint32_t, 2>;
 
 /// Where more faces than this meet at an edge none of them stays joined there: finding out which continue each other
 /// takes time and memory with the square of their number.
@@ -27,7 +23,7 @@ struct Sheets {
   std::vector<uint32_t> fan;         ///< per corner 3 f + k: the lowest corner of its fan, which gets its own vertex
   std::vector<VertexPair> crowded;   ///< edges with more than two faces
   std::vector<VertexPair> opened;    ///< edges cut because the surface has only one side there
-  std::vector<uint32_t> bow_ties;    ///< vertices where fans meet away from the edges above
+  std::vector<uint8_t> at_cut;       ///< per vertex: whether it is at an edge where faces come apart
 };
 
 /// Parts faces, each with three different vertices, into sheets that are manifold and have two sides.
@@ -41,13 +37,15 @@ struct Sheets {
 /// Edges with two faces stay as they are, unless the surface has only one side: then it is cut open where two faces
 /// that are wound alike lie folded on each other, and if it has one side still, along a line, where orientations that
 /// spread from the first face of a component meet.
-Sheets find_sheets(std::span<const Eigen::Vector3d> positions, std::span<const Triangle> faces, bool join_flattest);
+Sheets find_sheets(Soup& soup, bool join_flattest);
 
-/// How sharply two faces turn at an edge from a to b: 0 for flat ones, 2 for those that lie on each other; rounded, so
-/// that rounding errors do not decide between equal ones.
+/// Vertices at which fans meet, away from edges where faces come apart, rising.
+std::vector<uint32_t> bow_ties(const Soup& soup, const Sheets& sheets);
+
+/// How sharply two faces turn at an edge: 0 for flat ones, 2 for those that lie on each other; rounded, so that rounding
+/// errors do not decide between equal ones.
 ///
 /// c, d   the third corners of the two faces
-double turn_at_edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                    const Eigen::Vector3d& d);
+double turn_at_edge(std::span<const Eigen::Vector3d> positions, const VertexPair& edge, uint32_t c, uint32_t d);
 
 }  // namespace meander
