@@ -66,7 +66,7 @@ TEST(FullStart, FillsEverySurfaceWithOneStrandAComponent) {
     const Flow flow = flow_of(surface, shape.spacing);
     const double r = flow.settings().radius;
     ThreadPool pool(1);
-    const Curve full = full_start(*surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool);
+    const Curve full = full_start(*surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool).curve;
     ASSERT_TRUE(whole(*surface, full));
     EXPECT_TRUE(exact_crossings(*surface, full).empty());
     ASSERT_EQ(full.strands.size(), surface->component_count());
@@ -96,7 +96,7 @@ TEST(FullStart, IsAsLongAsACurveAtTheSpacing) {
       const double r = 0.5 * std::sqrt(surface.area()) / side;
       const Flow flow = flow_of(std::make_shared<const Surface>(make_surface(mesh)), 2 * r * surface.scale());
       ThreadPool pool(1);
-      const Curve full = full_start(surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool);
+      const Curve full = full_start(surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool).curve;
       EXPECT_NEAR(full.length() * 2 * r / surface.area(), 1.015, 0.035);
     }
   }
@@ -153,7 +153,7 @@ TEST(FullStart, FollowsTheField) {
   const Flow flow = flow_of(std::make_shared<const Surface>(make_surface(flat_grid(9))), 0.05);
   for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0.6, 0.8, 0)}) {
     const LineField field(surface, VertexData<Vec3>(std::vector<Vec3>(surface.vertex_count(), along)), false);
-    const Curve full = full_start(surface, flow.curve(), 0, RadiusField(r), field, nullptr, 0.5, pool);
+    const Curve full = full_start(surface, flow.curve(), 0, RadiusField(r), field, nullptr, 0.5, pool).curve;
     double aligned = 0;
     for (uint32_t i = 0; i < full.size(); ++i) {
       const Vec3 d = position(surface, full.nodes[full.next(i)]) - position(surface, full.nodes[i]);

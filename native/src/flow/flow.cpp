@@ -94,13 +94,10 @@ StopReason Flow::run(const CancelToken& cancel, const std::function<void(double)
 /// could be laid at all, as on a needle, the flow grows as if nothing else had been asked for.
 void Flow::start_full(ThreadPool& pool) {
   const Domain& domain = state_.domain;
-  FlowState full{{full_start(*domain.surface, state_.curve, drawn_, domain.radius, domain.directions,
-                             domain.patches.get(), state_.settings.boundary_distance, pool), {}, {}},
-                 state_.settings, domain};
-  const auto same = [](const SurfacePoint& a, const SurfacePoint& b) {
-    return a.face == b.face && a.b.x == b.b.x && a.b.y == b.b.y;
-  };
-  if (std::ranges::equal(full.curve.nodes, state_.curve.nodes, same)) {
+  FullStart start = full_start(*domain.surface, state_.curve, drawn_, domain.radius, domain.directions,
+                               domain.patches.get(), state_.settings.boundary_distance, pool);
+  FlowState full{{std::move(start.curve), {}, {}}, state_.settings, domain};
+  if (!start.laid_any()) {
     state_.settings.full_start = false;
     state_.settings.hairpin_removal_iterations = removal_where_it_grows_;
     convergence_ = Convergence(state_.settings.stop_rule, state_.settings.polish, removal_where_it_grows_,

@@ -196,8 +196,9 @@ std::vector<uint32_t> largest_trees(const std::vector<std::optional<std::pair<ui
 
 }  // namespace
 
-Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
-                 const LineField& field, const SurfacePatches* patches, double boundary_distance, ThreadPool& pool) {
+FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
+                     const LineField& field, const SurfacePatches* patches, double boundary_distance,
+                     ThreadPool& pool) {
   std::unique_ptr<const SurfacePatches> own;
   if (!patches) {
     own = std::make_unique<const SurfacePatches>(surface, radius, kClamp, pool);
@@ -223,9 +224,18 @@ Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const
   std::vector<std::optional<std::pair<uint32_t, uint32_t>>> wanted(first.strands.size());
   for (size_t k = drawn; k < wanted.size(); ++k) wanted[k] = regions.of(first.nodes[first.strands[k].first]);
   const std::vector<uint32_t> root_of = largest_trees(wanted, lines, tree, network, regions);
+  FullStart start;
+  start.strands.assign(first.strands.size(), StrandStart::kNoRoom);
   std::vector<uint32_t> roots, strand_of = trunks.strands;
+  std::vector<uint8_t> left(lines.size(), 0);
+  for (size_t k = trunks.strands.size(); k < lines.size(); ++k) left[tree[k]] = 1;
+  for (size_t k = 0; k < trunks.strands.size(); ++k) {
+    if (left[tree[k]]) start.strands[trunks.strands[k]] = StrandStart::kCrossings;
+  }
   for (uint32_t k = 0; k < root_of.size(); ++k) {
+    if (first.strands[k].guide) start.strands[k] = StrandStart::kGuide;
     if (root_of[k] == kNone) continue;
+    start.strands[k] = StrandStart::kCrossings;
     roots.push_back(root_of[k]);
     strand_of.push_back(k);
   }
@@ -237,13 +247,18 @@ Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const
   const Curve round = walk_round(network, trunks.trunks, roots, kOffset, guides, pool, walked);
   std::vector<uint32_t> filled(first.strands.size(), kNone);
   for (uint32_t k = 0; k < walked.size(); ++k) filled[strand_of[walked[k]]] = k;
-  Curve curve;
   for (uint32_t k = 0; k < filled.size(); ++k) {
-    filled[k] == kNone ? append(curve, first, first.strands[k]) : append(curve, round, round.strands[filled[k]]);
+    const bool laid = filled[k] != kNone;
+    laid ? append(start.curve, round, round.strands[filled[k]]) : append(start.curve, first, first.strands[k]);
+    if (laid && start.strands[k] == StrandStart::kCrossings) start.strands[k] = StrandStart::kLaid;
   }
-  curve.link();
+  start.curve.link();
   // A strand that stays as it was, for want of room, may lie where another one has come to.
-  return CrossingTest().find(surface, curve, pool).empty() ? curve : first;
+  if (!CrossingTest().find(surface, start.curve, pool).empty()) {
+    start.curve = first;
+    std::ranges::replace(start.strands, StrandStart::kLaid, StrandStart::kCrossings);
+  }
+  return start;
 }
 
 }  // namespace meander

@@ -3,6 +3,10 @@
 // A first curve that fills the surface already: it walks round a tree of evenly spaced streamlines.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "curve/curve.h"
 #include "geodesic/surface_patches.h"
 #include "mesh/line_field.h"
@@ -10,19 +14,40 @@
 
 namespace meander {
 
+/// What became of a strand of the first curve.
+enum class StrandStart : uint8_t {
+  kGuide,      ///< a guide: stays as it was
+  kLaid,       ///< fills its region; a strand that was drawn: is left by at least one tree
+  kNoRoom,     ///< grows as it was: no line has room in its region, as in one narrower than two spacings
+  kCrossings,  ///< grows as it was: nothing could be laid in its region without a crossing
+};
+
+/// A first curve that fills the surface.
+struct FullStart {
+  Curve curve;                        ///< with as many strands as the first one, each in its place
+  std::vector<StrandStart> strands;   ///< per strand
+
+  /// Whether the curve is another one than the first.
+  bool laid_any() const { return std::ranges::find(strands, StrandStart::kLaid) != strands.end(); }
+};
+
 /// Replaces the loops of a first curve, one in each region of the surface, by curves that fill them: streamlines of a
 /// field lie four radii apart, short links join them to a tree, and the curve walks round it on both sides. A strand
 /// that was drawn to grow is a trunk: it keeps its ends, its fixed nodes and its sides, and trees leave it on either
-/// one. Guides and the boundary are walls; what has no room for a tree stays as it is.
+/// one, wherever there is room beside it: one that fills its region stays as it is. Guides and the boundary are walls.
+///
+/// What cannot be laid without a crossing is left out where it is: a link, a tip, a line, and a strand stays as it was
+/// only where nothing else can be laid.
 ///
 /// `first`              see first_curve; no two of its segments touch, nor do any of the result's
-/// `drawn`              how many of its first strands were drawn by the caller; the others are loops
+/// `drawn`              how many of its first strands are trunks, or guides; the others are loops, or guides
 /// `field`              where a component of the surface has none anywhere, a smooth one is taken
 /// `patches`            of this surface, about as large as r; null: they are found
 /// `boundary_distance`  of the last strand from the boundary, in local spacings
 ///
 /// Throws Failure(FailureKind::kCancelled) where the watch of the pool says so.
-Curve full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
-                 const LineField& field, const SurfacePatches* patches, double boundary_distance, ThreadPool& pool);
+FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, const RadiusField& radius,
+                     const LineField& field, const SurfacePatches* patches, double boundary_distance,
+                     ThreadPool& pool);
 
 }  // namespace meander
