@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "curve/crossings.h"
 #include "mesh/line_relaxation.h"
 #include "seed/guide_samples.h"
 #include "seed/line_tree.h"
@@ -157,28 +155,18 @@ class Regions {
   std::optional<GuideSamples> samples_;
 };
 
-void append(Curve& curve, const Curve& other, const Strand& strand) {
-  const auto copy = [&](auto& to, const auto& from) {
-    to.insert(to.end(), from.begin() + strand.first, from.begin() + strand.end());
-  };
-  curve.strands.push_back({curve.size(), strand.count, strand.closed, strand.guide});
-  copy(curve.nodes, other.nodes);
-  copy(curve.fixed, other.fixed);
-  copy(curve.paths, other.paths);
-  copy(curve.shapes, other.shapes);
-}
-
-/// A node of the largest tree in each of these places' regions; kNone where there is none.
-std::vector<uint32_t> largest_trees(const std::vector<std::optional<std::pair<uint32_t, uint32_t>>>& wanted,
+/// A node of the largest tree in the region of each of these strands; kNone where there is none.
+std::vector<uint32_t> largest_trees(const Curve& first, const std::vector<uint8_t>& wants,
                                     const std::vector<Streamline>& lines, const std::vector<uint32_t>& tree,
                                     const LineNetwork& network, Regions& regions) {
   std::vector<size_t> size(lines.size(), 0);
   for (uint32_t k = 0; k < lines.size(); ++k) size[tree[k]] += lines[k].nodes.size();
-  std::vector<uint32_t> best(wanted.size(), kNone);
-  std::vector<size_t> most(wanted.size(), 0);
+  std::vector<uint32_t> best(wants.size(), kNone);
+  std::vector<size_t> most(wants.size(), 1);  // a single node is nothing to walk round
   std::vector<std::pair<std::pair<uint32_t, uint32_t>, size_t>> known;
-  for (size_t k = 0; k < wanted.size(); ++k) {
-    if (wanted[k]) known.emplace_back(*wanted[k], k);
+  for (size_t k = 0; k < wants.size(); ++k) {
+    if (!wants[k]) continue;
+    if (const auto region = regions.of(first.nodes[first.strands[k].first])) known.emplace_back(*region, k);
   }
   std::ranges::sort(known);
   for (uint32_t k = 0; k < lines.size(); ++k) {
@@ -192,6 +180,26 @@ std::vector<uint32_t> largest_trees(const std::vector<std::optional<std::pair<ui
     best[found->second] = root;
   }
   return best;
+}
+
+/// The trees that take the place of strands: those of trunks that lines have joined, and the largest of each region.
+std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std::vector<uint8_t>& stays,
+                                    const Trunks& trunks, const std::vector<Streamline>& lines,
+                                    const std::vector<uint32_t>& tree, const LineNetwork& network, Regions& regions) {
+  std::vector<uint8_t> has_lines(lines.size(), 0);  // per tree, besides trunks
+  for (size_t k = trunks.strands.size(); k < lines.size(); ++k) has_lines[tree[k]] = 1;
+  std::vector<LineTree> trees;
+  for (size_t k = 0; k < trunks.strands.size(); ++k) {
+    const uint32_t strand = trunks.strands[k];
+    if (has_lines[tree[k]] && !stays[strand]) trees.push_back({strand, kNone, trunks.trunks[k]});
+  }
+  std::vector<uint8_t> wants(first.strands.size(), 0);
+  for (size_t k = drawn; k < wants.size(); ++k) wants[k] = !first.strands[k].guide && !stays[k];
+  const std::vector<uint32_t> roots = largest_trees(first, wants, lines, tree, network, regions);
+  for (uint32_t k = 0; k < roots.size(); ++k) {
+    if (roots[k] != kNone) trees.push_back({k, roots[k], {}});
+  }
+  return trees;
 }
 
 }  // namespace
@@ -218,47 +226,27 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
   draw_streamlines(completed(surface, field, poll), radius, spacing, network, poll, lines);
-  const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, network, poll);
 
-  Regions regions(surface, first, radius);
-  std::vector<std::optional<std::pair<uint32_t, uint32_t>>> wanted(first.strands.size());
-  for (size_t k = drawn; k < wanted.size(); ++k) wanted[k] = regions.of(first.nodes[first.strands[k].first]);
-  const std::vector<uint32_t> root_of = largest_trees(wanted, lines, tree, network, regions);
   FullStart start;
   start.strands.assign(first.strands.size(), StrandStart::kNoRoom);
-  std::vector<uint32_t> roots, strand_of = trunks.strands;
-  std::vector<uint8_t> left(lines.size(), 0);
-  for (size_t k = trunks.strands.size(); k < lines.size(); ++k) left[tree[k]] = 1;
-  for (size_t k = 0; k < trunks.strands.size(); ++k) {
-    if (left[tree[k]]) start.strands[trunks.strands[k]] = StrandStart::kCrossings;
-  }
-  for (uint32_t k = 0; k < root_of.size(); ++k) {
+  for (size_t k = 0; k < first.strands.size(); ++k) {
     if (first.strands[k].guide) start.strands[k] = StrandStart::kGuide;
-    if (root_of[k] == kNone) continue;
-    start.strands[k] = StrandStart::kCrossings;
-    roots.push_back(root_of[k]);
-    strand_of.push_back(k);
   }
-  Curve guides;
-  for (const Strand& strand : first.strands) {
-    if (strand.guide) append(guides, first, strand);
+  Regions regions(surface, first, radius);
+  std::vector<uint8_t> stays(first.strands.size(), 0);
+  for (;;) {
+    const std::vector<uint32_t> tree = join_lines(lines, trunks.holds, network, poll);
+    const std::vector<LineTree> trees = trees_to_walk(first, drawn, stays, trunks, lines, tree, network, regions);
+    for (const LineTree& laid : trees) start.strands[laid.strand] = StrandStart::kLaid;
+    TreeTour tour = walk_round(network, trees, kOffset, first, pool);
+    if (tour.is_laid()) {
+      start.curve = std::move(tour.curve);
+      return start;
+    }
+    for (const uint32_t edge : tour.edges_in_the_way) cut_at(edge, lines, network);
+    for (const uint32_t strand : tour.strands_in_the_way) stays[strand] = 1;
+    for (const LineTree& laid : trees) start.strands[laid.strand] = StrandStart::kCrossings;
   }
-  std::vector<uint32_t> walked;
-  const Curve round = walk_round(network, trunks.trunks, roots, kOffset, guides, pool, walked);
-  std::vector<uint32_t> filled(first.strands.size(), kNone);
-  for (uint32_t k = 0; k < walked.size(); ++k) filled[strand_of[walked[k]]] = k;
-  for (uint32_t k = 0; k < filled.size(); ++k) {
-    const bool laid = filled[k] != kNone;
-    laid ? append(start.curve, round, round.strands[filled[k]]) : append(start.curve, first, first.strands[k]);
-    if (laid && start.strands[k] == StrandStart::kCrossings) start.strands[k] = StrandStart::kLaid;
-  }
-  start.curve.link();
-  // A strand that stays as it was, for want of room, may lie where another one has come to.
-  if (!CrossingTest().find(surface, start.curve, pool).empty()) {
-    start.curve = first;
-    std::ranges::replace(start.strands, StrandStart::kLaid, StrandStart::kCrossings);
-  }
-  return start;
 }
 
 }  // namespace meander

@@ -106,7 +106,15 @@ std::optional<LineNetwork::Meeting> LineNetwork::first_met(uint32_t from, const 
 void LineNetwork::add_edge(uint32_t from, uint32_t to, Path path, const PathShape& shape) {
   pieces_of(static_cast<uint32_t>(edges_.size()), from, to, nodes_[from].point, nodes_[to].point, path,
             [&](const Owned& owned) { pieces_[owned.piece.face].push_back(owned); });
-  edges_.push_back({from, to, std::move(path), shape});
+  edges_.push_back({from, to, std::move(path), shape, false});
+}
+
+void LineNetwork::take_out(uint32_t edge) {
+  Edge& e = edges_[edge];
+  pieces_of(edge, e.from, e.to, nodes_[e.from].point, nodes_[e.to].point, e.path, [&](const Owned& owned) {
+    std::erase_if(pieces_[owned.piece.face], [&](const Owned& other) { return other.edge == edge; });
+  });
+  e.taken_out = true;
 }
 
 void LineNetwork::take_back(const Mark& mark) {

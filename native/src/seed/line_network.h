@@ -37,6 +37,7 @@ class LineNetwork {
     uint32_t from, to;
     Path path;
     PathShape shape;
+    bool taken_out = false;
   };
   /// So far a network has come: what was added since can be taken back.
   struct Mark {
@@ -64,6 +65,10 @@ class LineNetwork {
   std::optional<Meeting> first_met(uint32_t from, const SurfacePoint& end, const Path& path) const;
   /// Of an edge that touches none.
   void add_edge(uint32_t from, uint32_t to, Path path, const PathShape& shape);
+  /// From then on others may touch it. It keeps its number.
+  void take_out(uint32_t edge);
+  /// The node is of another line.
+  void set_line(uint32_t node, uint32_t line) { nodes_[node].line = line; }
   /// What no edge may touch, and belongs to none.
   void add_obstacle(const Piece& piece) { pieces_[piece.face].push_back({piece, kNone, kNone, kNone, 0}); }
 

@@ -67,6 +67,7 @@ class Joiner {
       for (size_t k = 0; k < line.nodes.size(); ++k) index_[line.nodes[k]] = static_cast<uint32_t>(k);
     }
     for (const LineNetwork::Edge& e : network.edges()) {
+      if (e.taken_out || line_of(e.from) != line_of(e.to)) continue;
       const bool closing = lines[line_of(e.from)].trunk && index_[e.to] == 0;
       const double sign = index_[e.to] > index_[e.from] || closing ? 1 : -1;
       tangent_[e.from] = tangent_[e.from] + sign * e.shape.leaving;
@@ -87,6 +88,13 @@ class Joiner {
           return false;
         });
       }
+    }
+    for (const LineNetwork::Edge& e : network.edges()) {
+      const uint32_t a = line_of(e.from), b = line_of(e.to);
+      if (a == b) continue;
+      used_[a].push_back({e.from, exit_of(kLast, e.from, e.shape.leaving)});
+      used_[b].push_back({e.to, exit_of(kLast, e.to, -e.shape.arriving)});
+      if (!e.taken_out) join(a, b);
     }
   }
 
@@ -254,10 +262,15 @@ class Joiner {
     if (network_.touches(c.from, c.to, network_.nodes()[c.to].point, path)) return false;
     used_[a].push_back({c.from, at_a});
     used_[b].push_back({c.to, at_b});
-    trees_.join(a, b);
-    trunk_[trees_.find(a)] = trunk_[tree_a] || trunk_[tree_b];
+    join(a, b);
     network_.add_edge(c.from, c.to, std::move(path), shape);
     return true;
+  }
+
+  void join(uint32_t a, uint32_t b) {
+    const bool trunk = trunk_[trees_.find(a)] || trunk_[trees_.find(b)];
+    trees_.join(a, b);
+    trunk_[trees_.find(a)] = trunk;
   }
 
   bool is_used(uint32_t node, Exit exit) const {
@@ -302,6 +315,19 @@ class Joiner {
 std::vector<uint32_t> join_lines(const std::vector<Streamline>& lines, const std::vector<uint8_t>& holds,
                                  LineNetwork& network, CancelToken poll) {
   return Joiner(lines, holds, network, poll).join();
+}
+
+void cut_at(uint32_t edge, std::vector<Streamline>& lines, LineNetwork& network) {
+  network.take_out(edge);
+  const LineNetwork::Edge& e = network.edges()[edge];
+  const uint32_t line = network.nodes()[e.from].line;
+  if (line != network.nodes()[e.to].line) return;
+  std::vector<uint32_t>& nodes = lines[line].nodes;
+  const auto cut = std::max(std::ranges::find(nodes, e.from), std::ranges::find(nodes, e.to));
+  Streamline rest{{cut, nodes.end()}};
+  nodes.erase(cut, nodes.end());
+  for (const uint32_t node : rest.nodes) network.set_line(node, static_cast<uint32_t>(lines.size()));
+  lines.push_back(std::move(rest));
 }
 
 }  // namespace meander

@@ -17,8 +17,9 @@ namespace {
 /// A line ends where the field turns by more than 60 degrees from one node to the next (a cosine), or is this weak.
 constexpr double kMostTurnOfLine = 0.5, kLeastField = 1e-6;
 
-/// A line sees itself at what is farther along it than this, in units of `apart`.
-constexpr double kOwn = 1.6;
+/// A line comes no nearer to itself than by this share of the way along it: it may turn back in half a circle, where
+/// that is 2 / pi, but not wind round a limb that is thinner than a spacing.
+constexpr double kOwn = 0.6;
 
 /// Others begin beside every fourth node of a line.
 constexpr size_t kEvery = 4;
@@ -172,7 +173,7 @@ class Drawer {
     const double apart = (begins ? kRoom * apart_ : spacing_.least) * p.radius;
     const double walls = (begins ? kRoom * spacing_.from_walls : spacing_.least_from_walls) * p.radius;
     const double boundary = spacing_.from_boundary * p.radius;
-    const double own = kOwn * spacing_.apart, enough = begins ? p.radius : 0;
+    const double enough = begins ? p.radius : 0;
     double most = 0;
     network_.near(p, std::max({apart, walls, boundary}), [&](uint32_t i, double distance) {
       const LineNetwork::Node& other = network_.nodes()[i];
@@ -181,8 +182,8 @@ class Drawer {
         limit = boundary;
       } else if (other.line == LineNetwork::kWall || other.line < trunks_) {
         limit = walls;
-      } else if (other.line == p.line && std::abs(other.arc - p.arc) < own) {
-        return false;
+      } else if (other.line == p.line) {
+        limit = std::min(apart, kOwn * std::abs(other.arc - p.arc) * p.radius);
       }
       most = std::max(most, limit - distance);
       return most > enough;

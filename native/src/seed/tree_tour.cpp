@@ -2,26 +2,14 @@
 #include "seed/tree_tour.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
-#include "base/elementary.h"
 #include "curve/crossings.h"
 #include "geodesic/geodesic_trace.h"
 
 namespace meander {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-/// A sector wider than this has three nodes, so that the curve goes round a tip; one narrower than that is a corner of
-/// two edges, in whose bisector the node lies kMostReach offsets away at most.
-constexpr double kTip = 1.4 * kPi, kCorner = 0.75 * kPi, kMostReach = 2;
-
-/// Beside such a corner nodes are left out as far as this along the edges, in offsets.
-constexpr double kLeftOut = 2;
 
 /// So often distances are halved.
 constexpr int kHalvings = 24;
@@ -29,399 +17,281 @@ constexpr int kHalvings = 24;
 /// Segments joined between two asks.
 constexpr uint32_t kTourPieces = 1024;
 
-/// Half-edge 2 e runs along edge e of a network, 2 e + 1 the other way.
-using Way = uint32_t;
+using Pairs = std::vector<std::pair<uint32_t, uint32_t>>;
 
-/// On which side of a tree a curve walks: the sign of angles there.
-using Side = double;
-constexpr Side kLeft = 1, kRight = -1;
-
-/// The edges around the nodes of a network.
-class Ways {
- public:
-  explicit Ways(const LineNetwork& network) : network_(network), first_(network.nodes().size() + 1, 0) {
-    const auto count = static_cast<uint32_t>(2 * network.edges().size());
-    for (Way w = 0; w < count; ++w) ++first_[from(w) + 1];
-    for (size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
-    around_.resize(count);
-    std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
-    for (Way w = 0; w < count; ++w) around_[next[from(w)]++] = w;
-    for (size_t v = 0; v + 1 < first_.size(); ++v) {
-      std::sort(around_.begin() + first_[v], around_.begin() + first_[v + 1],
-                [&](Way a, Way b) { return std::pair(angle(leaving(a)), a) < std::pair(angle(leaving(b)), b); });
-    }
-    place_.resize(count);
-    for (size_t v = 0; v + 1 < first_.size(); ++v) {
-      for (uint32_t k = first_[v]; k < first_[v + 1]; ++k) place_[around_[k]] = k;
-    }
-  }
-
-  static Way twin(Way w) { return w ^ 1u; }
-  const LineNetwork::Edge& edge(Way w) const { return network_.edges()[w / 2]; }
-  uint32_t from(Way w) const { return w % 2 == 0 ? edge(w).from : edge(w).to; }
-  uint32_t to(Way w) const { return from(twin(w)); }
-  double length(Way w) const { return edge(w).shape.length; }
-  /// Unit, in the plane of the node that it leaves.
-  Vec2 leaving(Way w) const { return w % 2 == 0 ? edge(w).shape.leaving : -edge(w).shape.arriving; }
-  bool any_at(uint32_t node) const { return first_[node] < first_[node + 1]; }
-  Way first_at(uint32_t node) const { return around_[first_[node]]; }
-
-  /// The way on along the left side of the tree: the first one clockwise from where `w` came from; and along the right.
-  Way next(Way w, Side side) const {
-    const uint32_t v = to(w), k = place_[twin(w)];
-    if (side == kLeft) return around_[k == first_[v] ? first_[v + 1] - 1 : k - 1];
-    return around_[k + 1 == first_[v + 1] ? first_[v] : k + 1];
-  }
-
-  /// All ways from a node.
-  std::span<const Way> from_node(uint32_t v) const {
-    return std::span(around_).subspan(first_[v], first_[v + 1] - first_[v]);
-  }
-
-  /// Appends the crossings of a way.
-  void append_to(Path& path, Way w) const {
-    const Path& own = edge(w).path;
-    if (w % 2 == 0) {
-      path.insert(path.end(), own.begin(), own.end());
-    } else {
-      std::transform(own.rbegin(), own.rend(), std::back_inserter(path), reversed);
-    }
-  }
-
- private:
-  static double angle(Vec2 v) { return elementary::atan2(v.y, v.x); }
-
-  const LineNetwork& network_;
-  std::vector<uint32_t> first_;  // per node, in around_
-  std::vector<Way> around_;      // counterclockwise
-  std::vector<uint32_t> place_;  // of every way in around_
-};
-
-/// A node of a curve, and where it comes in the walk.
-struct Stop {
-  uint32_t node;      ///< of the network, that it is placed from,
-  Vec2 direction;     ///< in this direction, unit,
-  double reach;       ///< at this distance
-  size_t after;       ///< the number of ways of the walk before it
-  SurfacePoint point; ///< where it is
-  Path trace;         ///< from the node to there
-  uint8_t fixed = 0;
-};
-
-/// A walk round a tree, or along a trunk and round what leaves it.
-struct Walk {
-  bool closed = true;
-  std::vector<Way> ways;
-  std::vector<Stop> stops;
-};
-
-/// What lies between the way that comes into a node and the one that leaves it, on the side of the walk.
-struct Sector {
-  Vec2 leaving;
-  double angle;  ///< from there to where the walk comes from, counterclockwise on the left
-  Side side;
-
-  static Sector between(const Ways& ways, Way in, Way out, Side side) {
-    const Vec2 back = ways.leaving(Ways::twin(in)), ahead = ways.leaving(out);
-    double angle = side * elementary::atan2(cross(ahead, back), dot(ahead, back));
-    if (angle <= 0 || out == Ways::twin(in)) angle += 2 * kPi;
-    return {ahead, std::min(angle, 2 * kPi), side};
-  }
-  bool is_tip() const { return angle > kTip; }
-  bool is_corner() const { return angle < kCorner; }
-  Vec2 at(double share) const {
-    const double a = side * share * angle;
-    return unit(leaving * Vec2{elementary::cos(a), elementary::sin(a)});
-  }
-};
-
-/// Where a walk may turn: after each of its ways.
-struct Corner {
-  enum Kind { kRound, kOnTrunk, kFromTrunk, kToTrunk } kind;
-  Side side;
-  bool stays = false;  ///< on a trunk: whatever is near
-  uint8_t fixed = 0;
-};
-
-/// Makes the stops of one walk after another.
-class Stops {
- public:
-  Stops(const LineNetwork& network, const Ways& ways, double offset, CancelToken poll)
-      : network_(network), ways_(ways), offset_(offset), poll_(poll) {}
-
-  Walk round_tree(uint32_t root) {
-    begin(true);
-    const Way first = ways_.first_at(root);
-    Way way = first;
-    do {
-      add(way, {Corner::kRound, kLeft});
-      way = ways_.next(way, kLeft);
-    } while (way != first);
-    return end();
-  }
-
-  Walk along_trunk(const Trunk& trunk) {
-    begin(trunk.closed);
-    const size_t count = trunk.nodes.size(), segments = trunk.closed ? count : count - 1;
-    std::vector<Way> along;
-    for (size_t k = 0; k < segments; ++k) along.push_back(way_between(trunk.nodes[k], trunk.nodes[(k + 1) % count]));
-    if (!trunk.closed) walk_.stops.push_back(on_trunk(trunk.nodes[0], 0, trunk.fixed[0]));
-    for (size_t step = 0; step < segments; ++step) {
-      // A closed trunk begins with the segment that leads to its first node.
-      const size_t k = trunk.closed ? (step + segments - 1) % segments : step;
-      const uint32_t node = trunk.nodes[(k + 1) % count];
-      const bool last = !trunk.closed && k + 1 == segments;
-      const Way ahead = last ? kNone : along[(k + 1) % segments];
-      const Way finger = last ? kNone : finger_at(node, along[k], ahead);
-      if (finger == kNone) {
-        const uint8_t fixed = trunk.fixed[(k + 1) % count];
-        add(along[k], {Corner::kOnTrunk, kLeft, last || fixed, fixed});
-        continue;
-      }
-      add(along[k], {Corner::kFromTrunk, kLeft});
-      const Side side = cross(ways_.leaving(ahead) - ways_.leaving(Ways::twin(along[k])), ways_.leaving(finger)) > 0
-                            ? kLeft
-                            : kRight;
-      for (Way way = finger;; way = ways_.next(way, side)) {
-        const bool back = way == Ways::twin(finger);
-        add(way, {back ? Corner::kToTrunk : Corner::kRound, side});
-        if (back) break;
-      }
-    }
-    return end();
-  }
-
- private:
-  void begin(bool closed) {
-    walk_ = {};
-    walk_.closed = closed;
-    corners_.clear();
-  }
-  void add(Way way, const Corner& corner) {
-    poll_();
-    walk_.ways.push_back(way);
-    corners_.push_back(corner);
-  }
-  Way way_between(uint32_t from, uint32_t to) const {
-    for (const Way w : ways_.from_node(from)) {
-      if (ways_.to(w) == to) return w;
-    }
-    return kNone;
-  }
-  Way finger_at(uint32_t node, Way in, Way out) const {
-    for (const Way w : ways_.from_node(node)) {
-      if (w != Ways::twin(in) && w != out) return w;
-    }
-    return kNone;
-  }
-  static Stop on_trunk(uint32_t node, size_t after, uint8_t fixed) { return {node, {1, 0}, 0, after, {}, {}, fixed}; }
-  double reach(uint32_t node) const { return offset_ * network_.nodes()[node].radius; }
-  Way after(size_t k) const { return walk_.ways[(k + 1) % walk_.ways.size()]; }
-  Sector sector(size_t k) const { return Sector::between(ways_, walk_.ways[k], after(k), corners_[k].side); }
-
-  /// Marks what is so near to a narrow corner, or to where a trunk is left, that its node would be in the way.
-  std::vector<uint8_t> left_out() const {
-    const size_t count = corners_.size();
-    std::vector<uint8_t> left_out(count, 0);
-    const auto is_plain = [&](size_t k) {
-      if (corners_[k].kind == Corner::kOnTrunk) return !corners_[k].stays;
-      if (corners_[k].kind != Corner::kRound) return false;
-      const Sector s = sector(k);
-      return !s.is_corner() && !s.is_tip();
-    };
-    for (size_t k = 0; k < count; ++k) {
-      const bool narrow = corners_[k].kind == Corner::kFromTrunk || corners_[k].kind == Corner::kToTrunk ||
-                          (corners_[k].kind == Corner::kRound && sector(k).is_corner());
-      if (!narrow) continue;
-      const double far = kLeftOut * reach(ways_.to(walk_.ways[k]));
-      for (const size_t step : {size_t{1}, count - 1}) {
-        double length = 0;
-        for (size_t at = k, n = 0; n + 1 < count; ++n) {
-          const size_t next = (at + step) % count;
-          if (!walk_.closed && (step == 1 ? next < at : next > at)) break;
-          length += ways_.length(walk_.ways[step == 1 ? next : at]);
-          at = next;
-          if (length > far || !is_plain(at)) break;
-          left_out[at] = 1;
-        }
-      }
-    }
-    return left_out;
-  }
-
-  Walk end() {
-    const std::vector<uint8_t> out = left_out();
-    for (size_t k = 0; k < corners_.size(); ++k) {
-      if (out[k]) continue;
-      const uint32_t node = ways_.to(walk_.ways[k]);
-      const auto stop = [&](Vec2 direction, double factor) {
-        walk_.stops.push_back({node, direction, factor * reach(node), k + 1, {}, {}, 0});
-      };
-      switch (corners_[k].kind) {
-        case Corner::kOnTrunk: walk_.stops.push_back(on_trunk(node, k + 1, corners_[k].fixed)); break;
-        case Corner::kFromTrunk: stop(ways_.leaving(Ways::twin(walk_.ways[k])), 1); break;
-        case Corner::kToTrunk: stop(ways_.leaving(after(k)), 1); break;
-        case Corner::kRound: {
-          const Sector s = sector(k);
-          if (s.is_tip()) {
-            for (const double share : {0.75, 0.5, 0.25}) stop(s.at(share), 1);
-          } else {
-            stop(s.at(0.5), std::min(kMostReach, 1 / elementary::sin(std::min(0.5 * s.angle, 0.5 * kPi))));
-          }
-        }
-      }
-    }
-    return std::move(walk_);
-  }
-
-  const LineNetwork& network_;
-  const Ways& ways_;
-  double offset_;
-  CancelToken poll_;
-  Walk walk_;
-  std::vector<Corner> corners_;  // after each way
-};
+/// The walk of each strand of the first curve; none where that stays.
+using Walks = std::vector<std::optional<Walk>>;
 
 /// The curve of many walks, as it is laid nearer to their trees.
 class Laying {
  public:
-  Laying(const LineNetwork& network, const Ways& ways, std::vector<Walk> walks, const Curve& kept, ThreadPool& pool)
-      : network_(network), ways_(ways), walks_(std::move(walks)), pool_(pool), shortener_(network.surface()),
-        poll_(pool.poll(kTourPieces)) {
-    for (uint32_t w = 0; w < walks_.size(); ++w) {
-      const auto count = static_cast<uint32_t>(walks_[w].stops.size());
-      curve_.strands.push_back({static_cast<uint32_t>(stop_of_.size()), count, walks_[w].closed});
-      for (Stop& stop : walks_[w].stops) {
-        stop_of_.push_back(&stop);
-        walk_of_.push_back(w);
-      }
+  Laying(const LineNetwork& network, const Ways& ways, Walks walks, double offset, const Curve& first,
+         ThreadPool& pool)
+      : network_(network), ways_(ways), walks_(std::move(walks)), offset_(offset), first_(first), pool_(pool),
+        shortener_(network.surface()), poll_(pool.poll(kTourPieces)), known_(walks_.size()) {
+    for (size_t k = 0; k < walks_.size(); ++k) {
+      if (walks_[k]) known_[k].assign(Stop::kMostStops * (walks_[k]->corners.size() + 1), kNone);
     }
-    const size_t count = stop_of_.size();
-    curve_.nodes.resize(count);
-    for (const Stop* stop : stop_of_) curve_.fixed.push_back(stop->fixed);
-    curve_.paths.resize(count);
-    curve_.shapes.resize(count);
-    for (const Strand& strand : kept.strands) {
-      curve_.strands.push_back(strand);
-      curve_.strands.back().first += static_cast<uint32_t>(count);
-    }
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(curve_.nodes, kept.nodes);
-    append(curve_.fixed, kept.fixed);
-    append(curve_.paths, kept.paths);
-    append(curve_.shapes, kept.shapes);
-    curve_.link();
   }
 
-  Curve lay(std::vector<uint32_t>& walked) {
-    const auto count = static_cast<uint32_t>(stop_of_.size());
-    std::vector<uint8_t> moved(curve_.size(), 0);
-    std::fill_n(moved.begin(), count, uint8_t{1});
-    std::vector<std::pair<uint32_t, uint32_t>> crossing;
+  /// Lays the curve; the pairs of segments that touch after all.
+  Pairs lay() {
+    std::vector<uint8_t> nearer;  // per node: its corner has come nearer to the tree
+    Pairs crossing;
     for (int k = 0; k <= kHalvings; ++k) {
-      place(moved);
-      const std::vector<uint8_t> changed = join(moved);
+      lay_out(nearer);
+      const std::vector<uint8_t> changed = join();
       crossing = test_.find(network_.surface(), curve_, pool_, &changed);
-      if (crossing.empty()) break;
-      moved.assign(curve_.size(), 0);
-      for (const auto& [a, b] : crossing) {
-        for (const uint32_t segment : {a, b}) {
-          if (segment < count) moved[segment] = moved[curve_.next(segment)] = 1;
-        }
-      }
-      for (uint32_t i = 0; i < count; ++i) {
-        if (moved[i]) stop_of_[i]->reach /= 2;
-      }
+      if (crossing.empty() || k == kHalvings) break;
+      nearer = halve(crossing);
     }
-    std::vector<uint8_t> touched(walks_.size(), 0);
-    for (const auto& [a, b] : crossing) {
-      for (const uint32_t segment : {a, b}) {
-        if (segment < count) touched[walk_of_[segment]] = 1;
-      }
-    }
-    return without(touched, walked);
+    return crossing;
+  }
+
+  const Walks& walks() const { return walks_; }
+  Curve& curve() { return curve_; }
+
+  /// The strand whose walk a segment is of, and that walk's ways along it, from the first to before the last, counted
+  /// on beyond its end where it is closed. Nothing of a strand that stays.
+  struct Span {
+    uint32_t strand;
+    size_t first, last;
+  };
+  std::optional<Span> span_of(uint32_t segment) const {
+    if (strand_of_[segment] == kNone) return std::nullopt;
+    const uint32_t strand = strand_of_[segment];
+    const Stop &a = stops_[segment], &b = stops_[curve_.next(segment)];
+    return Span{strand, a.after, a.after + steps(*walks_[strand], a, b)};
   }
 
  private:
-  void place(const std::vector<uint8_t>& moved) {
-    for (uint32_t i = 0; i < stop_of_.size(); ++i) {
-      if (!moved[i]) continue;
-      poll_();
-      Stop& stop = *stop_of_[i];
-      stop.trace.clear();
-      const SurfacePoint& from = network_.nodes()[stop.node].point;
-      stop.point = from;
-      if (stop.reach > 0) {
-        stop.point = trace_geodesic(network_.surface(), from, stop.reach * stop.direction, stop.trace).end;
+  static size_t steps(const Walk& walk, const Stop& a, const Stop& b) {
+    if (!walk.closed) return b.after - a.after;
+    const size_t count = walk.ways.size();
+    return (b.after + count - a.after) % count;
+  }
+  /// Alike for the same stop of a walk in every laying.
+  static size_t key(const Stop& stop) { return Stop::kMostStops * stop.after + stop.number; }
+
+  /// Lays the strands out anew, as the shares of their corners are: `known_` and `old_` have what is as it was.
+  void lay_out(const std::vector<uint8_t>& nearer) {
+    std::swap(old_, curve_);
+    std::swap(old_traces_, traces_);
+    curve_ = {};
+    stops_.clear();
+    strand_of_.clear();
+    was_.clear();
+    for (uint32_t k = 0; k < walks_.size(); ++k) {
+      const auto begin = static_cast<uint32_t>(strand_of_.size());
+      if (!walks_[k]) {
+        const Strand& strand = first_.strands[k];
+        curve_.strands.push_back({begin, strand.count, strand.closed, strand.guide});
+        stops_.resize(begin + strand.count);
+        was_.resize(begin + strand.count, kNone);
+        strand_of_.resize(begin + strand.count, kNone);
+        continue;
       }
-      curve_.nodes[i] = stop.point;
+      const std::vector<Stop> stops = stops_of(*walks_[k], network_, ways_, offset_);
+      for (const Stop& stop : stops) {
+        uint32_t& known = known_[k][key(stop)];
+        was_.push_back(known == kNone || nearer[known] ? kNone : known);
+        known = static_cast<uint32_t>(stops_.size());
+        stops_.push_back(stop);
+        strand_of_.push_back(k);
+      }
+      curve_.strands.push_back({begin, static_cast<uint32_t>(stops.size()), walks_[k]->closed});
+    }
+    place();
+    curve_.link();
+  }
+
+  void place() {
+    const size_t count = stops_.size();
+    curve_.nodes.resize(count);
+    curve_.fixed.assign(count, 0);
+    curve_.paths.resize(count);
+    curve_.shapes.resize(count);
+    traces_.assign(count, {});
+    for (uint32_t i = 0; i < count; ++i) {
+      if (strand_of_[i] == kNone) continue;
+      const Stop& stop = stops_[i];
+      curve_.fixed[i] = stop.fixed;
+      if (was_[i] != kNone) {
+        curve_.nodes[i] = old_.nodes[was_[i]];
+        traces_[i] = std::move(old_traces_[was_[i]]);
+        continue;
+      }
+      poll_();
+      const SurfacePoint& from = network_.nodes()[stop.node].point;
+      curve_.nodes[i] = from;
+      if (stop.reach > 0) {
+        curve_.nodes[i] = trace_geodesic(network_.surface(), from, stop.reach * stop.direction, traces_[i]).end;
+      }
     }
   }
 
-  /// Joins the neighbours of what has moved; the segments that are others now.
-  std::vector<uint8_t> join(const std::vector<uint8_t>& moved) {
+  /// Joins neighbours; the segments that are others than they were.
+  std::vector<uint8_t> join() {
     std::vector<uint8_t> changed(curve_.size(), 0);
-    for (uint32_t i = 0; i < stop_of_.size(); ++i) {
-      const uint32_t next = curve_.next(i);
-      if (next == kNone || (!moved[i] && !moved[next])) continue;
-      poll_();
-      changed[i] = 1;
-      const Stop &a = *stop_of_[i], &b = *stop_of_[next];
-      const std::vector<Way>& ways = walks_[walk_of_[i]].ways;
-      Path& path = curve_.paths[i];
-      path.clear();
-      std::transform(a.trace.rbegin(), a.trace.rend(), std::back_inserter(path), reversed);
-      const size_t count = ways.size();
-      const size_t steps = (b.after + count - a.after) % count;
-      for (size_t k = 0; k < steps; ++k) ways_.append_to(path, ways[(a.after + k) % count]);
-      path.insert(path.end(), b.trace.begin(), b.trace.end());
-      curve_.shapes[i] = shortener_.shorten(curve_.nodes[i], curve_.nodes[next], path);
+    for (uint32_t k = 0; k < walks_.size(); ++k) {
+      const Strand& strand = curve_.strands[k];
+      if (!walks_[k]) {
+        const uint32_t from = first_.strands[k].first;
+        for (uint32_t i = 0; i < strand.count; ++i) {
+          const uint32_t to = strand.first + i;
+          curve_.nodes[to] = first_.nodes[from + i];
+          curve_.fixed[to] = first_.fixed[from + i];
+          curve_.paths[to] = first_.paths[from + i];
+          curve_.shapes[to] = first_.shapes[from + i];
+        }
+        continue;
+      }
+      for (uint32_t i = strand.first; i < strand.end(); ++i) {
+        const uint32_t next = curve_.next(i);
+        if (next == kNone) continue;
+        if (was_[i] != kNone && was_[next] != kNone && old_.next(was_[i]) == was_[next]) {
+          curve_.paths[i] = std::move(old_.paths[was_[i]]);
+          curve_.shapes[i] = old_.shapes[was_[i]];
+          continue;
+        }
+        changed[i] = 1;
+        join(*walks_[k], i, next);
+      }
     }
     return changed;
   }
 
-  /// The curve without some of its strands.
-  Curve without(const std::vector<uint8_t>& left_out, std::vector<uint32_t>& walked) {
-    Curve kept;
-    walked.clear();
-    for (uint32_t w = 0; w < walks_.size(); ++w) {
-      if (left_out[w]) continue;
-      const Strand& strand = curve_.strands[w];
-      kept.strands.push_back({kept.size(), strand.count, strand.closed});
-      for (uint32_t i = strand.first; i < strand.end(); ++i) {
-        kept.nodes.push_back(curve_.nodes[i]);
-        kept.fixed.push_back(curve_.fixed[i]);
-        kept.paths.push_back(std::move(curve_.paths[i]));
-        kept.shapes.push_back(curve_.shapes[i]);
-      }
-      walked.push_back(w);
+  void join(const Walk& walk, uint32_t i, uint32_t next) {
+    poll_();
+    const Stop &a = stops_[i], &b = stops_[next];
+    Path& path = curve_.paths[i];
+    std::transform(traces_[i].rbegin(), traces_[i].rend(), std::back_inserter(path), reversed);
+    const size_t count = steps(walk, a, b);
+    for (size_t k = 0; k < count; ++k) ways_.append_to(path, walk.ways[(a.after + k) % walk.ways.size()]);
+    path.insert(path.end(), traces_[next].begin(), traces_[next].end());
+    curve_.shapes[i] = shortener_.shorten(curve_.nodes[i], curve_.nodes[next], path);
+  }
+
+  /// Halves the offset at both ends of what touches; the nodes of these corners.
+  std::vector<uint8_t> halve(const Pairs& crossing) {
+    std::vector<uint8_t> ends(curve_.size(), 0), nearer(curve_.size(), 0);
+    for (const auto& [a, b] : crossing) {
+      for (const uint32_t segment : {a, b}) ends[segment] = ends[curve_.next(segment)] = 1;
     }
-    kept.link();
-    return kept;
+    // The stops of a corner follow one another.
+    for (uint32_t i = 0; i < curve_.size();) {
+      uint32_t end = i + 1;
+      while (end < curve_.size() && strand_of_[end] == strand_of_[i] && stops_[end].after == stops_[i].after) ++end;
+      const bool any = std::find(ends.begin() + i, ends.begin() + end, uint8_t{1}) != ends.begin() + end;
+      if (any && strand_of_[i] != kNone) {
+        std::fill(nearer.begin() + i, nearer.begin() + end, uint8_t{1});
+        if (stops_[i].after > 0) walks_[strand_of_[i]]->corners[stops_[i].after - 1].share /= 2;
+      }
+      i = end;
+    }
+    return nearer;
   }
 
   const LineNetwork& network_;
   const Ways& ways_;
-  std::vector<Walk> walks_;
+  Walks walks_;
+  double offset_;
+  const Curve& first_;
   ThreadPool& pool_;
   PathShortener shortener_;
   CrossingTest test_;
   CancelToken poll_;
-  Curve curve_;
-  std::vector<Stop*> stop_of_;     // per node of the curve
-  std::vector<uint32_t> walk_of_;  // likewise
+  Curve curve_, old_;                         // as it is, and as it was before
+  std::vector<Stop> stops_;                   // per node
+  std::vector<Path> traces_, old_traces_;     // per node: from its node of the tree to it
+  std::vector<uint32_t> strand_of_;           // per node; kNone: of one that stays
+  std::vector<uint32_t> was_;                 // per node: its index before, kNone: it is another one
+  std::vector<std::vector<uint32_t>> known_;  // per walk and key: the node
+};
+
+/// Finds what is in the way of a laying.
+class Blame {
+ public:
+  Blame(const LineNetwork& network, const Laying& laying)
+      : network_(network), laying_(laying), place_(2 * network.edges().size(), kUnused) {
+    for (const auto& walk : laying.walks()) {
+      for (size_t k = 0; walk && k < walk->ways.size(); ++k) place_[walk->ways[k]] = k;
+    }
+  }
+
+  /// For every pair of segments an edge beside one of them; where none can be taken out, the strands.
+  void find(const Pairs& crossing, TreeTour& tour) const {
+    for (const auto& [a, b] : crossing) {
+      std::optional<Choice> best;
+      for (size_t around = 0; around < 2 && !best; ++around) {
+        for (const uint32_t segment : {a, b}) {
+          if (const auto span = laying_.span_of(segment)) choose(*span, around, best);
+        }
+      }
+      if (best) {
+        tour.edges_in_the_way.push_back(best->edge);
+        continue;
+      }
+      for (const uint32_t segment : {a, b}) {
+        if (const auto span = laying_.span_of(segment)) tour.strands_in_the_way.push_back(span->strand);
+      }
+    }
+    for (auto* list : {&tour.edges_in_the_way, &tour.strands_in_the_way}) {
+      std::ranges::sort(*list);
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+  }
+
+ private:
+  static constexpr size_t kUnused = SIZE_MAX;
+  /// Links before lines, since others may take their place; then what cuts off least.
+  struct Choice {
+    bool line;
+    size_t cut_off;  // edges
+    uint32_t edge;
+    auto operator<=>(const Choice&) const = default;
+  };
+
+  /// Edges that the walk passes twice, once on each side: those of a trunk stay.
+  void choose(const Laying::Span& span, size_t around, std::optional<Choice>& best) const {
+    const Walk& walk = *laying_.walks()[span.strand];
+    const size_t count = walk.ways.size();
+    for (size_t k = span.first + count - around; k < span.last + count + around; ++k) {
+      const Way way = walk.ways[k % count];
+      const size_t here = place_[way], back = place_[Ways::twin(way)];
+      if (back == kUnused) continue;
+      const size_t inside = (std::max(here, back) - std::min(here, back) + 1) / 2;
+      const LineNetwork::Edge& edge = network_.edges()[way / 2];
+      const Choice choice{network_.nodes()[edge.from].line == network_.nodes()[edge.to].line,
+                          walk.on_trunk ? inside : std::min(inside, count / 2 - inside + 1), way / 2};
+      if (!best || choice < *best) best = choice;
+    }
+  }
+
+  const LineNetwork& network_;
+  const Laying& laying_;
+  std::vector<size_t> place_;  // per way, in its walk
 };
 
 }  // namespace
 
-Curve walk_round(const LineNetwork& network, std::span<const Trunk> trunks, std::span<const uint32_t> roots,
-                 double offset, const Curve& kept, ThreadPool& pool, std::vector<uint32_t>& walked) {
+TreeTour walk_round(const LineNetwork& network, const std::vector<LineTree>& trees, double offset, const Curve& first,
+                    ThreadPool& pool) {
+  CancelToken poll = pool.poll(kTourPieces);
   const Ways ways(network);
-  Stops stops(network, ways, offset, pool.poll(kTourPieces));
-  std::vector<Walk> walks;
-  for (const Trunk& trunk : trunks) walks.push_back(stops.along_trunk(trunk));
-  for (const uint32_t root : roots) walks.push_back(stops.round_tree(root));
-  return Laying(network, ways, std::move(walks), kept, pool).lay(walked);
+  Walks walks(first.strands.size());
+  for (const LineTree& tree : trees) {
+    if (tree.trunk) {
+      walks[tree.strand] = Walk::along_trunk(ways, *tree.trunk, poll);
+    } else if (ways.any_at(tree.root)) {
+      walks[tree.strand] = Walk::round_tree(ways, tree.root, poll);
+    }
+  }
+  Laying laying(network, ways, std::move(walks), offset, first, pool);
+  TreeTour tour;
+  Blame(network, laying).find(laying.lay(), tour);
+  tour.curve = std::move(laying.curve());
+  return tour;
 }
 
 }  // namespace meander

@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The closed curves that walk round trees of lines.
+// The curves that walk round trees of lines.
 #pragma once
 
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "base/thread_pool.h"
-#include "seed/line_network.h"
+#include "seed/tree_walk.h"
 
 namespace meander {
 
-/// A trunk: nodes of the network in the order of a strand, each joined to the next by an edge.
-struct Trunk {
-  std::vector<uint32_t> nodes;
-  std::vector<uint8_t> fixed;  ///< per node: the curve keeps it
-  bool closed = false;
+/// A tree of lines that a curve walks round, in the place of a strand of the first curve.
+struct LineTree {
+  uint32_t strand;             ///< of the first curve
+  uint32_t root;               ///< a node of the tree: without a trunk
+  std::optional<Trunk> trunk;  ///< that strand, where it was drawn
+};
+
+/// What has come of it: where nothing is in the way the curve is the first one, with the strands of trees replaced.
+struct TreeTour {
+  Curve curve;
+  std::vector<uint32_t> edges_in_the_way;    ///< of the network: what touches does so beside one of them
+  std::vector<uint32_t> strands_in_the_way;  ///< of the first curve: where there is no such edge
+
+  bool is_laid() const { return edges_in_the_way.empty() && strands_in_the_way.empty(); }
 };
 
 /// Curves that walk round trees of a network, on both sides of every edge, at `offset` local radii from them or, where
@@ -24,14 +33,12 @@ struct Trunk {
 ///
 /// Every node of a curve is placed by a straight walk from a node of the tree into the sector between two edges, and
 /// two neighbours are joined along the edges between them. The closer the nodes are to the tree, the less is there for
-/// a path to meet but the edges themselves, in whose order it runs: since no two edges touch, halving the distances
-/// where segments touch comes to an end.
+/// a path to meet but the edges themselves, in whose order it runs: no two edges touch, so halving the distances where
+/// segments touch comes to an end nearly everywhere. Where it does not, as where a link bends round a corner of the
+/// surface that its sides cannot pass side by side, an edge is in the way.
 ///
-/// `roots`   a node of every tree without a trunk
-/// `kept`    strands that stay, and touch neither each other nor an edge
-/// `walked`  receives, for every strand of the curve, the index of its trunk or, after them, of its root: a tree whose
-///           curve touches after all, as where the tree is in a corner too small for numbers, has none
-Curve walk_round(const LineNetwork& network, std::span<const Trunk> trunks, std::span<const uint32_t> roots,
-                 double offset, const Curve& kept, ThreadPool& pool, std::vector<uint32_t>& walked);
+/// `first`  no two of its segments touch; a strand that no tree replaces stays as it is
+TreeTour walk_round(const LineNetwork& network, const std::vector<LineTree>& trees, double offset, const Curve& first,
+                    ThreadPool& pool);
 
 }  // namespace meander
