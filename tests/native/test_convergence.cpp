@@ -121,11 +121,10 @@ TEST(Plan, TakesOutSpikesInThePhasesOfGivenLength) {
 TEST(Plan, PolishesLongerAfterAGentleRemoval) {
   const auto check = [](bool full, uint32_t least, uint32_t most) {
     FlowSettings settings;
-    settings.full_start = full;
     uint32_t last = least;
     for (const double gentleness : {0.0, 0.2, 0.5, 0.9, 1.0}) {
       settings.hairpin_removal_gentleness = gentleness;
-      const uint32_t polish = polish_iterations(settings);
+      const uint32_t polish = polish_iterations(settings, full);
       EXPECT_GE(polish, last);
       EXPECT_EQ(polish == least, gentleness == 0);
       EXPECT_EQ(polish == most, gentleness == 1);

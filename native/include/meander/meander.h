@@ -1199,6 +1199,17 @@ typedef struct meander_flow_statistics {
   float stretch;          /* lengths on the surface in those at the scale of the spacing: the root of the
                              ratio of areas; 1 where nothing was smoothed */
   uint64_t reserved[1];
+  /* How it began. A part is a strand that grows: one in every component of the surface, or region
+   * between guides, or one that was drawn. */
+  uint32_t start_asked_full;     /* 1: the flow was created with MEANDER_START_FULL */
+  uint32_t start_full_parts;     /* parts that began full; 0 before the first iteration */
+  uint32_t start_grown_parts;    /* parts that were to begin full and grow instead, which is the sum of the
+                                    next two */
+  uint32_t start_no_room_parts;  /* since no line has room, as where the surface is narrower than two
+                                    spacings */
+  uint32_t start_crossing_parts; /* since nothing could be laid without a crossing */
+  uint32_t completed_parts;      /* parts that had grown, and were joined to lines laid in what was still
+                                    empty and far from them */
 } meander_flow_statistics;
 
 /* Prepares the struct; see "Structs".

@@ -31,7 +31,9 @@ double meander_context_progress(const meander_context* context) {
 meander_phase meander_context_phase(const meander_context* context) {
   if (!context || !context->control->under_way) return MEANDER_PHASE_NONE;
   switch (context->control->phase.load()) {
-    case Phase::kGrowing: return MEANDER_PHASE_GROWTH;
+    case Phase::kStarting:
+    case Phase::kGrowing:
+    case Phase::kLayingRest: return MEANDER_PHASE_GROWTH;
     case Phase::kHairpinRemoval: return MEANDER_PHASE_HAIRPIN_REMOVAL;
     default: return MEANDER_PHASE_POLISH;
   }

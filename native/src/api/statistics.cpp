@@ -33,6 +33,15 @@ void add_fit(const Flow& flow, meander_flow_statistics& figures) {
   figures.seed_jump_point2 = fit.jump_to;
 }
 
+void add_start(const StartReport& start, meander_flow_statistics& figures) {
+  figures.start_asked_full = start.full_asked;
+  figures.start_full_parts = start.full_parts();
+  figures.start_grown_parts = start.grown_parts();
+  figures.start_no_room_parts = start.count(StrandStart::kNoRoom);
+  figures.start_crossing_parts = start.count(StrandStart::kCrossings);
+  figures.completed_parts = start.completed;
+}
+
 meander_flow_statistics callers_figures(const meander_flow& handle, const CancelToken& cancel) {
   Flow& flow = *handle.flow;
   const double scale = flow.surface().scale();
@@ -61,6 +70,7 @@ meander_flow_statistics callers_figures(const meander_flow& handle, const Cancel
   figures.stretch = static_cast<float>(flow.roughness().stretch);
   add_seconds(flow.seconds(), figures);
   add_fit(flow, figures);
+  add_start(flow.start(), figures);
   return figures;
 }
 

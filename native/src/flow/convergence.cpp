@@ -29,24 +29,38 @@ double mean_distance(const Curve& curve, const std::vector<Vec3>& nodes, const L
 
 }  // namespace
 
+Convergence::Convergence(const FlowSettings& settings)
+    : Convergence(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations,
+                  polish_iterations(settings, false)) {
+  full_polish_iterations_ = polish_iterations(settings, true);
+  if (settings.full_start) phase_ = Phase::kStarting;
+}
+
 Convergence Convergence::restarted(double clamped_share) const {
   Convergence next(rule_, polish_wanted_, hairpin_removal_iterations_, polish_iterations_);
+  next.began_full_ = began_full_;
+  next.full_polish_iterations_ = full_polish_iterations_;
   next.removed_for_ = removed_for_;
   next.polished_ = polished_;
   next.fitting_ = fitting_;
   next.change_ = change_;
-  const bool grown = phase_ != Phase::kGrowing || clamped_share < kGrownClamped;
+  const bool grown = !grows_in(phase_) || clamped_share < kGrownClamped;
   // What is past its growth but has long segments still goes on where it is: else they would all be cut at
   // once.
   const bool under_way = phase_ == Phase::kHairpinRemoval || phase_ == Phase::kPolishing;
-  next.phase_ = under_way ? phase_ : grown && polish_wanted_ ? Phase::kFinishing : Phase::kGrowing;
+  if (under_way || (grows_in(phase_) && !(grown && polish_wanted_))) {
+    next.phase_ = phase_;
+  } else {
+    next.phase_ = polish_wanted_ ? Phase::kFinishing : Phase::kGrowing;
+  }
   return next;
 }
 
 Convergence Convergence::revised(const FlowSettings& settings, double change, bool regrow) const {
-  Convergence next(settings.stop_rule, settings.polish, settings.hairpin_removal_iterations,
-                   polish_iterations(settings));
-  if (!settings.polish || !polish_wanted_ || phase_ == Phase::kGrowing) return next;
+  Convergence next(settings);
+  next.phase_ = grows_in(phase_) ? phase_ : Phase::kGrowing;
+  if (began_full_) next.begin_full();
+  if (!settings.polish || !polish_wanted_ || grows_in(phase_)) return next;
   next.change_ = change_ + change;
   if (regrow || next.change_ > kMostFitted) {
     next.change_ = 0;
@@ -58,6 +72,18 @@ Convergence Convergence::revised(const FlowSettings& settings, double change, bo
   next.phase_ = removing ? phase_ : Phase::kPolishing;
   next.polished_ = std::min(polished_, next.polish_iterations_ - kFittingIterations);
   return next;
+}
+
+/// A curve that fills the surface from its start has few hairpins, and they hold its pattern: none are drawn in.
+void Convergence::begin_full() noexcept {
+  began_full_ = true;
+  hairpin_removal_iterations_ = 0;
+  polish_iterations_ = full_polish_iterations_;
+}
+
+void Convergence::note_approach(const IterationFigures& figures) noexcept {
+  if (phase_ == Phase::kStarting && figures.laid) begin_full();
+  if (grows_in(phase_)) phase_ = Phase::kGrowing;
 }
 
 void Convergence::begin(Phase phase) {
@@ -93,7 +119,7 @@ bool Convergence::has_settled(const Surface& surface, const Curve& curve, const 
 /// Does the present phase last until the curve has come to rest?
 bool Convergence::awaits_rest() const {
   if (rule_ == StopRule::kPaper) return false;
-  return phase_ == Phase::kFinishing || (phase_ == Phase::kGrowing && !polish_wanted_);
+  return phase_ == Phase::kFinishing || (grows_in(phase_) && !polish_wanted_);
 }
 
 void Convergence::note_idleness(const IterationFigures& figures) {
@@ -124,6 +150,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     lengths_.pop_back();
     throw;
   }
+  note_approach(figures);
   note_idleness(figures);
   if (rule_ == StopRule::kPaper) {
     quiet_ = figures.displacement_norm < kPaperLimit ? quiet_ + 1 : 0;
@@ -131,7 +158,9 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     return;
   }
   switch (phase_) {
+    case Phase::kStarting:
     case Phase::kGrowing:
+    case Phase::kLayingRest:
       if (!polish_wanted_) {
         if (settled) begin(Phase::kCooling);
       } else if (has_grown(change(kGrowthWindow), figures.clamped_share)) {

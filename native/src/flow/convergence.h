@@ -20,6 +20,7 @@ struct IterationFigures {
   double wanted = 0;             ///< mean length of the displacements, in the local r
   double moved = 0;              ///< mean distance that nodes have really gone, in the local r
   double displacement_norm = 0;  ///< |d|_2 / n of the displacements, in r (the paper's rule)
+  bool laid = false;             ///< the iteration laid something; see Iteration::lay
 };
 
 /// Which phase a flow is in, and whether it is at its end: what it is told after every iteration decides. One thread
@@ -40,10 +41,17 @@ class Convergence {
         hairpin_removal_iterations_(hairpin_removal_iterations),
         polish_iterations_(polish_iterations) {}
 
+  /// Of a new flow with these settings. One that is to begin full has no hairpins removed and a polish of its own once
+  /// something has been laid; else it grows as if nothing else had been asked for.
+  explicit Convergence(const FlowSettings& settings);
+
   /// Takes note of an iteration and of the curve after it, whose metric is given. Whatever it throws, all is then as
   /// it was.
   void note(const Surface& surface, const Curve& curve, const LocalMetric& metric, const IterationFigures& figures,
             ThreadPool& pool);
+
+  /// The same of an iteration on the way to the spacing asked for (Fig. 25), of which only counts what it has laid.
+  void note_approach(const IterationFigures& figures) noexcept;
 
   /// What it is once the surface has moved: what was seen before counts no more. A curve that fills the surface
   /// already, with little of it at the clamp (see clamped_share), need not grow again and is only finished.
@@ -59,6 +67,8 @@ class Convergence {
   Convergence revised(const FlowSettings& settings, double change, bool regrow) const;
 
   Phase phase() const { return phase_; }
+  /// Whether something has been laid in the phase kStarting.
+  bool began_full() const { return began_full_; }
   /// How many iterations of the present phase have been noted.
   uint32_t iterations_in_phase() const;
   /// How many iterations in a row have been quiet by the paper's rule, at whose number it ends a run.
@@ -70,6 +80,7 @@ class Convergence {
 
  private:
   void begin(Phase phase);
+  void begin_full() noexcept;
   bool awaits_rest() const;
   void note_idleness(const IterationFigures& figures);
   bool has_grown(double change, double clamped_share) const;
@@ -79,6 +90,8 @@ class Convergence {
   StopRule rule_;
   bool polish_wanted_, converged_ = false, stalled_ = false;
   bool fitting_ = false;  // the polish is followed by the last iterations
+  bool began_full_ = false;
+  uint32_t full_polish_iterations_ = 0;  // where it begins full
   double change_ = 0;     // of r since the curve grew; see revised()
   uint32_t hairpin_removal_iterations_, removed_for_ = 0, polish_iterations_, polished_ = 0;
   Phase phase_ = Phase::kGrowing;

@@ -42,7 +42,7 @@ FlowState carried_to(std::shared_ptr<const Surface> surface, const FlowState& st
   const double factor = state.domain.surface->scale() / surface->scale();
   const FlowSettings settings = state.settings.rescaled(factor);
   Domain domain = state.domain.moved_to(std::move(surface), state.settings.radius, settings, pool);
-  FlowState next{{state.curve, {}, {}}, settings, std::move(domain)};
+  FlowState next{{state.curve, {}, {}}, settings, std::move(domain), state.start};
   // Directions and steps are those of the old surface, and forgotten.
   next.nodes.radii = state.nodes.radii;
   for (Radii& sides : next.nodes.radii) {
@@ -73,7 +73,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map, co
     clamped = clamped_share(next.curve, next.nodes.radii, next.metric, pool);
   }
   Convergence convergence = convergence_.restarted(clamped);
-  const IterationPlan plan = plan_iteration(next.settings, convergence.phase());
+  const IterationPlan plan = plan_iteration(next.settings, convergence.phase(), 0, convergence.began_full());
   work_.refiner.cut_guides(next, plan, pool);
   work_.refiner.refine(next, plan, pool);
   update_metric(next, pool);

@@ -7,7 +7,6 @@
 #include "base/stopwatch.h"
 #include "flow/progress.h"
 #include "seed/first_curve.h"
-#include "seed/full_start.h"
 
 namespace meander {
 namespace {
@@ -18,13 +17,7 @@ FlowState first_state(std::shared_ptr<const Surface> surface, const SeedStrands*
   Domain domain(std::move(surface), density, settings, pool);
   Curve curve = first_curve(*domain.given, seed, domain.asked_radius, settings.widen_loops, domain.boundary->tree(),
                             2 * settings.boundary_distance, pool, &fit);
-  return {{std::move(curve), {}, {}}, settings, std::move(domain)};
-}
-
-/// A curve that fills the surface from its start has few hairpins, and they hold its pattern: none are drawn in.
-FlowSettings as_started(FlowSettings settings) {
-  if (settings.full_start) settings.hairpin_removal_iterations = 0;
-  return settings;
+  return {{std::move(curve), {}, {}}, settings, std::move(domain), {settings.full_start, {}, 0}};
 }
 
 }  // namespace
@@ -33,11 +26,8 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
            const FlowSettings& settings, const CancelToken& cancel)
     : pool_(settings.threads),
       drawn_(seed && !seed->offsets.empty() ? seed->offsets.size() - 1 : 0),
-      start_is_due_(settings.full_start),
-      removal_where_it_grows_(settings.hairpin_removal_iterations),
-      state_(first_state(std::move(surface), seed, density, as_started(settings), pool_.with(cancel), seed_fit_)),
-      convergence_(settings.stop_rule, settings.polish, state_.settings.hairpin_removal_iterations,
-                   polish_iterations(state_.settings)),
+      state_(first_state(std::move(surface), seed, density, settings, pool_.with(cancel), seed_fit_)),
+      convergence_(settings),
       approach_(settings.start_spacing_factor, settings.radius, state_.domain.surface->area()) {
   ThreadPool pool = pool_.with(cancel);
   if (at_scale()) {
@@ -90,34 +80,14 @@ StopReason Flow::run(const CancelToken& cancel, const std::function<void(double)
   return stop_reason();
 }
 
-/// Puts a curve that fills the surface in the place of the loops. Whatever it throws, all is then as it was. Where none
-/// could be laid at all, as on a needle, the flow grows as if nothing else had been asked for.
-void Flow::start_full(ThreadPool& pool) {
-  const Domain& domain = state_.domain;
-  FullStart start = full_start(*domain.surface, state_.curve, drawn_, domain.radius, domain.directions,
-                               domain.patches.get(), state_.settings.boundary_distance, pool);
-  FlowState full{{std::move(start.curve), {}, {}}, state_.settings, domain};
-  if (!start.laid_any()) {
-    state_.settings.full_start = false;
-    state_.settings.hairpin_removal_iterations = removal_where_it_grows_;
-    convergence_ = Convergence(state_.settings.stop_rule, state_.settings.polish, removal_where_it_grows_,
-                               polish_iterations(state_.settings));
-    start_is_due_ = false;
-    return;
-  }
-  work_.refiner.refine(full, plan(), pool);
-  state_ = std::move(full);
-  start_is_due_ = false;
-}
-
 /// One iteration of section 3.
 void Flow::iterate(ThreadPool& pool) {
   Stopwatch total;
-  if (start_is_due_) start_full(pool);
   update_metric(state_, pool);
 
   // From the curve as it is to the next one beside it.
   Iteration iteration(state_, plan(), work_, pool);
+  iteration.lay(drawn_);
   iteration.measure();
   iteration.solve();
   iteration.move();
@@ -136,6 +106,7 @@ void Flow::note(const IterationFigures& figures, const CurveState& after, Thread
     convergence_.note(*state_.domain.surface, after.curve, after.metric, figures, pool);
   } else {
     state_.domain.radius.set_multiple(state_.domain.wanted_radius, approach_.next(figures));
+    convergence_.note_approach(figures);
   }
 }
 
@@ -143,6 +114,7 @@ double Flow::progress() const {
   ProgressFigures figures;
   figures.phase = convergence_.phase();
   figures.iterations_in_phase = convergence_.iterations_in_phase();
+  figures.full = convergence_.began_full();
   figures.length = state_.curve.growing_length();
   figures.expected_length = state_.domain.expected_length;
   figures.iterations = static_cast<uint32_t>(record_.iterations());

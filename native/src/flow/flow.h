@@ -73,6 +73,8 @@ class Flow {
   /// Is it past its growth?
   Phase phase() const { return convergence_.phase(); }
   bool polishing() const { return plan().polishing; }
+  /// How it began, in the phase kStarting, and what was laid since.
+  const StartReport& start() const { return state_.start; }
   /// How well the seed fitted the surface that the flow began on.
   const SeedFit& seed_fit() const { return seed_fit_; }
 
@@ -100,10 +102,10 @@ class Flow {
 
  private:
   IterationPlan plan() const {
-    return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase());
+    return plan_iteration(state_.settings, convergence_.phase(), convergence_.iterations_in_phase(),
+                          convergence_.began_full());
   }
   void iterate(ThreadPool& pool);
-  void start_full(ThreadPool& pool);
   void note(const IterationFigures& figures, const CurveState& after, ThreadPool& pool);
   void measure_again(ThreadPool& pool);
   /// Those of the last medial axis become radii(), once nothing can fail any more.
@@ -113,9 +115,7 @@ class Flow {
 
   ThreadPool pool_;
   SeedFit seed_fit_;
-  size_t drawn_;       // strands of the seed
-  bool start_is_due_;  // the first iteration is to lay a curve that fills the surface
-  uint32_t removal_where_it_grows_;  // iterations that remove hairpins, where no such curve can be laid
+  size_t drawn_;  // strands of the seed
   // What a run is about, and how far it has come.
   FlowState state_;
   Convergence convergence_;

@@ -7,6 +7,7 @@
 #include "curve/local_metric.h"
 #include "flow/domain.h"
 #include "flow/node_history.h"
+#include "flow/start_report.h"
 
 namespace meander {
 
@@ -22,6 +23,7 @@ struct CurveState {
 struct FlowState : CurveState {
   FlowSettings settings;
   Domain domain;
+  StartReport start = {};
 };
 
 /// Finds the shapes of all segments again on a surface with the same faces whose vertices are elsewhere. Paths are as

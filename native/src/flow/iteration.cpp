@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/iteration.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -12,6 +13,7 @@
 #include "flow/free_nodes.h"
 #include "flow/invariant.h"
 #include "flow/weighting.h"
+#include "seed/full_start.h"
 
 namespace meander {
 
@@ -24,30 +26,53 @@ void find_medial_axis(const FlowState& state, const AtRest& known, const MedialP
   find_medial_state(scene, known, state.nodes.radii, pool, medial);
 }
 
+void Iteration::lay(size_t drawn) {
+  if (plan_.phase == Phase::kStarting) lay_in_empty(drawn);
+  if (plan_.phase == Phase::kLayingRest) lay_in_empty(given_.curve.strands.size());
+}
+
+void Iteration::lay_in_empty(size_t trunks) {
+  const Domain& domain = given_.domain;
+  FullStart laid = full_start(*domain.surface, given_.curve, trunks, domain.radius, domain.directions,
+                              domain.patches.get(), given_.settings.boundary_distance, pool_);
+  figures_.laid = laid.laid_any();
+  report_ = given_.start;
+  if (plan_.phase == Phase::kStarting) {
+    report_->strands = std::move(laid.strands);
+    plan_ = plan_iteration(given_.settings, plan_.phase, 0, report_->began_full());
+  } else {
+    report_->completed += static_cast<uint32_t>(std::ranges::count(laid.strands, StrandStart::kLaid));
+  }
+  if (!figures_.laid) return;
+  laid_.emplace(FlowState{{std::move(laid.curve), {}, {}}, given_.settings, domain, *report_});
+  work_.refiner.refine(*laid_, plan_, pool_);
+  update_metric(*laid_, pool_);
+}
+
 void Iteration::measure() {
   Stopwatch watch;
   static const NodeData<MeasuredBalls> none;
-  const NodeHistory& nodes = before_.nodes;
+  const NodeHistory& nodes = before().nodes;
   const AtRest known{plan_.reuse_directions ? &nodes.directions : nullptr, plan_.reuse_balls ? &nodes.balls : &none};
-  find_medial_axis(before_, known, plan_.medial, pool_, work_.medial);
-  if (before_.settings.grow_into_empty) {
-    perturb_empty_stretches(before_.curve, work_.medial.radii, before_.metric, pool_, work_.medial.felt_radii);
+  find_medial_axis(before(), known, plan_.medial, pool_, work_.medial);
+  if (before().settings.grow_into_empty) {
+    perturb_empty_stretches(before().curve, work_.medial.radii, before().metric, pool_, work_.medial.felt_radii);
   }
   seconds_.medial_axis = watch.lap();
 }
 
 void Iteration::solve() {
   Stopwatch watch;
-  const Curve& curve = before_.curve;
-  const LocalMetric& metric = before_.metric;
-  choose_weights(plan_, before_, work_.medial, work_.strands, pool_, work_.weights);
-  const NodeData<Vec2>& d = work_.step.find(plan_, before_, work_.medial, work_.weights, work_.strands, pool_);
+  const Curve& curve = before().curve;
+  const LocalMetric& metric = before().metric;
+  choose_weights(plan_, before(), work_.medial, work_.strands, pool_, work_.weights);
+  const NodeData<Vec2>& d = work_.step.find(plan_, before(), work_.medial, work_.weights, work_.strands, pool_);
   displacement_ = &d;
   seconds_.solve = watch.lap();
 
   const double count = free_nodes(curve, pool_);
   const double squares = sum_over_free(curve, pool_, [&](uint32_t i) { return dot(d[i], d[i]); });
-  figures_.displacement_norm = std::sqrt(squares) / count / before_.settings.radius;
+  figures_.displacement_norm = std::sqrt(squares) / count / before().settings.radius;
   figures_.clamped_share = clamped_share(curve, work_.medial.radii, metric, pool_);
   figures_.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) { return norm(d[i]) / metric.radius[i]; });
   record_.mean_step = sum_over_free(curve, pool_, [&](uint32_t i) { return norm(d[i]); }) / count;
@@ -58,8 +83,8 @@ void Iteration::move() {
   // What nodes carry with them; of the medial axis nothing else is needed any more.
   NodeHistory& nodes = after().nodes;
   if (plan_.reuse_directions) {
-    nodes.directions = before_.nodes.directions;
-    remember_directions(work_.medial.frames, before_.metric, pool_, nodes.directions);
+    nodes.directions = before().nodes.directions;
+    remember_directions(work_.medial.frames, before().metric, pool_, nodes.directions);
   } else {
     nodes.directions.clear();
   }
@@ -67,35 +92,36 @@ void Iteration::move() {
   nodes.radii.swap(work_.medial.radii);
   nodes.balls.swap(work_.medial.measured);
 
-  const NodeData<double>& moved = work_.retraction.move(*before_.domain.surface, before_.curve, *displacement_,
+  const NodeData<double>& moved = work_.retraction.move(*before().domain.surface, before().curve, *displacement_,
                                                         after().curve, pool_, seconds_.move);
   figures_.moved =
-      mean_over_movable(after().curve, pool_, [&](uint32_t i) { return moved[i] / before_.metric.radius[i]; });
+      mean_over_movable(after().curve, pool_, [&](uint32_t i) { return moved[i] / before().metric.radius[i]; });
 }
 
 void Iteration::refine() {
   Stopwatch watch;
-  work_.refiner.refine(before_.settings, before_.domain, after(), plan_, pool_);
+  work_.refiner.refine(before().settings, before().domain, after(), plan_, pool_);
   seconds_.refine = watch.lap();
 }
 
 void Iteration::check(size_t number) {
-  const Domain& domain = before_.domain;
+  const Domain& domain = before().domain;
   const Curve& curve = after().curve;
-  const std::string broken = broken_promise(*domain.surface, before_.curve, curve, number);
+  const std::string broken = broken_promise(*domain.surface, given_.curve, curve, number);
   if (!broken.empty()) {
     throw Failure(FailureKind::kInternal, "In iteration " + std::to_string(number) + " " + broken +
                                               ", so the curve stays as it was before it; please report this.");
   }
-  update_metric(before_.settings, domain, after(), pool_);
+  update_metric(before().settings, domain, after(), pool_);
   figures_.length = curve.growing_length();
   record_.length = length_as_given(domain, curve);
   record_.nodes = curve.size();
 }
 
 void Iteration::commit(FlowState& state, RunRecord& record, double seconds) noexcept {
-  static_assert(std::is_nothrow_swappable_v<CurveState>);
+  static_assert(std::is_nothrow_swappable_v<CurveState> && std::is_nothrow_move_assignable_v<StartReport>);
   std::swap(static_cast<CurveState&>(state), after());
+  if (report_) state.start = std::move(*report_);
   record_.seconds = seconds_.total = seconds;
   record.add(record_, seconds_);
 }

@@ -3,6 +3,8 @@
 // One iteration as a transaction (section 3): what it reads, what it writes, and the moment at which it counts.
 #pragma once
 
+#include <optional>
+
 #include "curve/retraction.h"
 #include "flow/convergence.h"
 #include "flow/flow_state.h"
@@ -34,14 +36,20 @@ void find_medial_axis(const FlowState& state, const AtRest& known, const MedialP
 /// steps are called in the order in which they stand here, each once. Each may throw, and nothing has happened then:
 /// the iteration is left where it is, and there is nothing to roll back. One thread at a time; all that it is given
 /// must outlive it.
+///
+/// Where the plan is to lay a curve, the laid one stands between both: the steps that follow read it.
 class Iteration {
  public:
-  /// `before`  with its metric up to date
+  /// `given`   with its metric up to date
   /// `plan`    what this iteration is about
   /// `work`    nobody else uses it meanwhile
-  Iteration(const FlowState& before, const IterationPlan& plan, Workspace& work, ThreadPool& pool)
-      : before_(before), plan_(plan), work_(work), pool_(pool) {}
+  Iteration(const FlowState& given, const IterationPlan& plan, Workspace& work, ThreadPool& pool)
+      : given_(given), plan_(plan), work_(work), pool_(pool) {}
 
+  /// In the phases kStarting and kLayingRest: lays curves in what is empty. In the first the strands that were drawn,
+  /// the first `drawn` ones, are left on both sides, and loops are replaced; in the other all strands are left so.
+  /// Where nothing can be laid, the curve stays.
+  void lay(size_t drawn);
   /// Finds the medial axis of the curve as it is (3.2.2).
   void measure();
   /// Builds the quadratic model of the energy (3.2), and finds the step to its minimum (eq. 10).
@@ -64,8 +72,13 @@ class Iteration {
   void commit(FlowState& state, RunRecord& record, double seconds) noexcept;
 
  private:
-  const FlowState& before_;
-  const IterationPlan plan_;
+  void lay_in_empty(size_t trunks);
+  const FlowState& before() const { return laid_ ? *laid_ : given_; }
+
+  const FlowState& given_;
+  std::optional<FlowState> laid_;      // what the given curve became
+  std::optional<StartReport> report_;  // what the state will say of its start, where that changes
+  IterationPlan plan_;
   Workspace& work_;
   ThreadPool& pool_;
   const NodeData<Vec2>* displacement_ = nullptr;  // of the nodes before

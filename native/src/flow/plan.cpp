@@ -33,8 +33,7 @@ double most_turn_in(const FlowSettings& settings, Phase phase) {
 
 }  // namespace
 
-uint32_t polish_iterations(const FlowSettings& settings) {
-  const bool full = settings.full_start;
+uint32_t polish_iterations(const FlowSettings& settings, bool full) {
   const double iterations =
       std::lerp(static_cast<double>(full ? kFullPolishIterations : kPolishIterations),
                 static_cast<double>(full ? kLongFullPolishIterations : kLongPolishIterations),
@@ -42,13 +41,13 @@ uint32_t polish_iterations(const FlowSettings& settings) {
   return static_cast<uint32_t>(std::lround(iterations));
 }
 
-IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase) {
+IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase, bool full) {
   const double gentleness = settings.hairpin_removal_gentleness;
   const bool settles = settings.stop_rule == StopRule::kSettled;  // else the flow follows the paper
   const bool coarse = settings.polish && phase <= Phase::kPolishing;
   IterationPlan plan;
   plan.phase = phase;
-  plan.polishing = settings.polish && phase != Phase::kGrowing;
+  plan.polishing = settings.polish && !grows_in(phase);
   plan.segment_length = settings.segment_length * (coarse ? settings.growth_coarsening : 1);
   plan.momentum = settings.polish ? momentum_in(phase, gentleness) : 0;
   plan.hairpin_pull = std::lerp(kRoughPull, kGentlePull, gentleness);
@@ -61,7 +60,7 @@ IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t
   plan.medial.boundary_within = plan.medial.boundary_ease > 0 ? kBesideBoundary : 0;
   if (!settles) plan.medial.very_near = kVeryNearOfPaper;
   plan.firm_boundary = settles;
-  plan.firm_when_squeezed = settles && settings.full_start;
+  plan.firm_when_squeezed = settles && full;
   plan.reuse_directions = settles && settings.boundary_distance <= 0.5 && phase != Phase::kCooling;
   plan.reuse_balls = settles;
   return plan;

@@ -10,12 +10,17 @@ namespace meander {
 
 /// What the flow is about. Without a polish it is growing until it settles, and then cools.
 enum class Phase {
-  kGrowing,         ///< until the length hardly changes and little is empty
+  kStarting,        ///< one iteration, which first lays a curve that fills the surface, and then grows
+  kGrowing,         ///< until nothing advances any more and little is empty
+  kLayingRest,      ///< one iteration, which first lays what fills the empty rest of the surface, and then grows
   kHairpinRemoval,  ///< a given number of iterations
   kPolishing,       ///< a number of iterations with segments as long as they were
   kFinishing,       ///< until the picture has stopped changing, with segments as short as they are to be
   kCooling          ///< a few iterations with short steps, so that nothing is left in mid-leap
 };
+
+/// Whether the curve still grows.
+inline bool grows_in(Phase phase) { return phase <= Phase::kLayingRest; }
 
 /// The same for all nodes, and for the whole of one iteration.
 struct IterationPlan {
@@ -48,10 +53,12 @@ struct IterationPlan {
 };
 
 /// How long the phase kPolishing is: as patient as the removal of hairpins before it is gentle, and of a curve that
-/// fills the surface from its start in between.
-uint32_t polish_iterations(const FlowSettings& settings);
+/// fills the surface from its start (`full`) in between.
+uint32_t polish_iterations(const FlowSettings& settings, bool full);
 
-/// The plan of the iteration after the first `iterations_in_phase` of this phase: a function of the three alone.
-IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase = 0);
+/// The plan of the iteration after the first `iterations_in_phase` of this phase, of a curve that began full or not: a
+/// function of the four alone.
+IterationPlan plan_iteration(const FlowSettings& settings, Phase phase, uint32_t iterations_in_phase = 0,
+                             bool full = false);
 
 }  // namespace meander

@@ -42,15 +42,17 @@ double slowed(double x) {
 
 /// The work of the phases of a flow with a polish, in iterations with long segments on a curve that fills the surface.
 double share_with_polish(const FlowSettings& settings, const ProgressFigures& figures) {
-  const double removal = settings.hairpin_removal_iterations;
-  const double polish = polish_iterations(settings);
+  const double removal = figures.full ? 0 : settings.hairpin_removal_iterations;
+  const double polish = polish_iterations(settings, figures.full);
   const double finishing = settings.growth_coarsening * kFinishingIterations;
   const double cooling = settings.growth_coarsening * kCoolingIterations;
   const double all = kGrowthWork + removal + polish + finishing + cooling;
   const double age = figures.iterations_in_phase;
   double done = kGrowthWork;
   switch (figures.phase) {
-    case Phase::kGrowing: done *= share_of_growth(figures.length / figures.expected_length); break;
+    case Phase::kStarting:
+    case Phase::kGrowing:
+    case Phase::kLayingRest: done *= share_of_growth(figures.length / figures.expected_length); break;
     case Phase::kHairpinRemoval: done += std::min(age, removal); break;
     case Phase::kPolishing: done += removal + std::min(age, polish); break;
     case Phase::kFinishing: done += removal + polish + finishing * slowed(age / kFinishingIterations); break;

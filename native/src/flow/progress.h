@@ -15,6 +15,7 @@ struct ProgressFigures {
   double expected_length = 1;  ///< of one that fills the surface, in the same unit
   uint32_t iterations = 0;     ///< of this run, which count for the limit
   uint32_t quiet_iterations = 0;  ///< in a row, as the paper's rule counts them
+  bool full = false;              ///< the curve began full
 };
 
 /// About the share of the work that is done, from 0 to 1, and 1 only where the limit is reached: in growth by the

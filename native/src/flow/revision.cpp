@@ -36,14 +36,21 @@ bool grows_otherwise(const FlowSettings& a, const FlowSettings& b) {
          a.hairpin_removal_gentleness != b.hairpin_removal_gentleness;
 }
 
+/// Of the settings asked for, what only the beginning has needed is as it was.
+void keep_what_is_past(const FlowSettings& before, bool began_full, FlowSettings& settings) {
+  settings.full_start = before.full_start;
+  settings.widen_loops = before.widen_loops;
+  settings.start_spacing_factor = before.start_spacing_factor;
+  settings.threads = before.threads;
+  if (began_full) settings.hairpin_removal_iterations = before.hairpin_removal_iterations;
+}
+
 }  // namespace
 
 void Flow::revise(FlowSettings settings, const VertexData<double>* density, const CancelToken& cancel) {
   ThreadPool pool = pool_.with(cancel);
-  settings.full_start = state_.settings.full_start;
-  if (settings.full_start) settings.hairpin_removal_iterations = 0;
-  settings.threads = state_.settings.threads;
-  FlowState next{{}, settings, state_.domain.revised(state_.settings, settings, density, pool)};
+  keep_what_is_past(state_.settings, convergence_.began_full(), settings);
+  FlowState next{{}, settings, state_.domain.revised(state_.settings, settings, density, pool), state_.start};
   if (settings == state_.settings && next.domain.wanted_radius == state_.domain.wanted_radius) return;
   if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
   next.curve = state_.curve;
@@ -55,7 +62,7 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density, cons
   }
   Convergence convergence = convergence_.revised(settings, mean_change(state_, next, pool),
                                                  grows_otherwise(state_.settings, settings));
-  const IterationPlan plan = plan_iteration(settings, convergence.phase());
+  const IterationPlan plan = plan_iteration(settings, convergence.phase(), 0, convergence.began_full());
   work_.refiner.cut_guides(next, plan, pool);
   work_.refiner.refine(next, plan, pool);
   update_metric(next, pool);

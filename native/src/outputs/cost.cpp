@@ -46,7 +46,7 @@ constexpr double kBytesPerNode = 1370, kPolishPerNode = 490, kGeodesicPerNode = 
 double iterations_of(double nodes, const FlowSettings& s) {
   const double growth = elementary::pow(std::max(1.0, nodes / kFewNodes), kIterationGrowth);
   const double removal = s.hairpin_removal_iterations;
-  const double longer = polish_iterations(s) - kPolishIterations;
+  const double longer = polish_iterations(s, s.full_start) - kPolishIterations;
   if (s.polish && s.full_start) return std::min(kFullIterations + longer, static_cast<double>(s.iteration_limit));
   const double all = (s.polish ? removal + longer : 0) + growth * (s.polish ? kIterations : kUnpolishedIterations);
   return std::min(all, static_cast<double>(s.iteration_limit));
