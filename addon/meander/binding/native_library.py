@@ -372,7 +372,11 @@ def chosen(what: str, value: str, choices: tuple[str, ...]) -> int:
 
 
 class Handle:
-    """Owns one opaque pointer: freed by close(), on leaving a `with`, or when collected."""
+    """Owns one opaque pointer: freed by close(), on leaving a `with`, or when collected.
+
+    A pointer means nothing in another process, and two owners would free it twice: handles are not
+    copied and not pickled, unless they can be made again from what they were made of.
+    """
 
     _what = "object"
 
@@ -391,6 +395,11 @@ class Handle:
         """Frees the native memory now; closing twice is allowed, using it afterwards is not."""
         self._pointer = None
         self._finalizer()
+
+    def __reduce__(self) -> Any:
+        raise MeanderError(
+            f"a {self._what} cannot be copied or sent to another process; make a new one there"
+        )
 
     def __enter__(self: _Owner) -> _Owner:
         return self

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 from ctypes import byref, c_void_p
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -147,7 +148,8 @@ class Surface(Handle):
     context   where it is cancelled, a MeanderError of the status CANCELLED is raised
 
     Whatever the options do, nodes, gaps, errors and densities speak of the vertices and faces that
-    were passed here.
+    were passed here. A copy, also in another process (`pickle`, `multiprocessing`), is made from
+    them again: a surface keeps its own copy of these arrays.
 
     Raises MeanderError, naming the first element, for a mesh that cannot be used: no faces, a
     coordinate that is not finite, an index out of range, a vertex twice in a face, a face without
@@ -187,6 +189,16 @@ class Surface(Handle):
         del arrays
         super().__init__(pointer.value, library.meander_surface_destroy)
         self.vertex_count = len(vertex_array)
+        # Copies: the caller may write to theirs.
+        self._made_of = (vertex_array.copy(), face_array.copy(), copy.deepcopy(options), threads)
+
+    def __reduce__(self) -> Any:
+        self._alive()
+        return type(self), self._made_of
+
+    def close(self) -> None:
+        self._made_of = ()
+        super().close()
 
     def statistics(self) -> dict[str, int | float]:
         """Figures of the surface, named as in meander_surface_statistics but for turned_faces.
