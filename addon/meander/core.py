@@ -51,6 +51,7 @@ from .binding.cut import NO_STRAND, CutSurface, cut_surface
 from .binding.files import TextPolygons, read_numbers, read_polygons, triangulated
 from .binding.flow import Flow, Gaps, Nodes, PointData, Polylines, Preview
 from .binding.flow_options import FlowOptions, default_options, option_warnings
+from .binding.named import unknown_name
 from .binding.native_library import (
     LIBRARY_VARIABLE,
     STATUS_NO_LIBRARY,
@@ -113,4 +114,5 @@ __all__ = [
     "read_polygons",
     "struct_layouts",
     "triangulated",
+    "unknown_name",
 ]

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .core import CutSurface, Flow, Seed, library_version
+from .core import CutSurface, Flow, Seed, library_version, unknown_name
 from .model import cut as cut_files
 from .model import export
 from .model.files import meshes
@@ -131,8 +131,8 @@ def _drawing_values(
     for name, value in drawing.items():
         row = _DRAWING.get(name)
         if row is None:
-            known = ", ".join(option for option in _DRAWING if option not in _IN_BLENDER)
-            raise FileError(f"there is no option {name}; choose from {known}")
+            known = [option for option in _DRAWING if option not in _IN_BLENDER]
+            raise FileError(unknown_name("option", name, known))
         if name in _IN_BLENDER:
             raise FileError(f"{name} needs Blender; leave it out")
         if kind is None or row.setting not in kind.options:

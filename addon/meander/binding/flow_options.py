@@ -10,9 +10,11 @@ from dataclasses import dataclass, fields
 
 from .abi import FlowOptionFields, FlowOptionsRecord
 from .choices import PRESETS
+from .named import only_its_names
 from .native_library import MeanderError, call, chosen, native, prepared
 
 
+@only_its_names
 @dataclass
 class FlowOptions(FlowOptionFields):
     """Options of one flow, named as in meander_flow_options, where each is described.

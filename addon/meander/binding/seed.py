@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .abi import SeedRecord, Status
+from .named import only_its_names
 from .native_library import MeanderError, address_of, checked_array, prepared
 
 
+@only_its_names
 @dataclass
 class Seed:
     """Strands to start from, in space; every point is moved to the nearest point of the surface.

@@ -21,6 +21,7 @@ from .abi import (
 from .choices import CURVATURES, DIRECTIONS
 from .context import Context, pointer_of
 from .cost import Extent
+from .named import only_its_names
 from .native_library import (
     Found,
     Handle,
@@ -37,6 +38,7 @@ from .native_library import (
 from .seed import Seed
 
 
+@only_its_names
 @dataclass
 class SurfaceOptions:
     """What to do with a mesh before it is checked; see meander_surface_options.

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options that have the names that they have, and no others: what is misspelt would do nothing."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+from collections.abc import Iterable
+from dataclasses import fields
+from typing import Any, TypeVar
+
+from .native_library import MeanderError
+
+_Class = TypeVar("_Class", bound=type)
+
+
+def unknown_name(what: str, name: str, known: Iterable[str]) -> str:
+    """The sentence about a name that is none, with the nearest one, or else with all."""
+    names = list(known)
+    near = difflib.get_close_matches(name.lower(), names, n=1)
+    way = f"did you mean {near[0]}?" if near else f"choose from {', '.join(names)}"
+    return f"there is no {what} called {name}; {way}"
+
+
+def only_its_names(kind: _Class) -> _Class:
+    """A dataclass that refuses any other attribute, when it is made and later, with a MeanderError
+    that names the nearest one."""
+    made = kind.__init__
+
+    def check(options: Any, name: str) -> None:
+        names = [field.name for field in fields(options)]
+        if name not in names:
+            raise MeanderError(unknown_name(f"option of {type(options).__name__}", name, names))
+
+    @functools.wraps(made)
+    def __init__(self: Any, *values: Any, **named: Any) -> None:
+        for name in named:
+            check(self, name)
+        made(self, *values, **named)
+
+    def __setattr__(self: Any, name: str, value: Any) -> None:
+        check(self, name)
+        object.__setattr__(self, name, value)
+
+    kind.__init__ = __init__
+    kind.__setattr__ = __setattr__
+    return kind
