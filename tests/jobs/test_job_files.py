@@ -350,3 +350,9 @@ def test_outputs_that_differ_in_capitals_only_are_refused(refused, job):
     job.meshes(Leaf="ok", leaf="ok")
     text = SPACING + '[[items]]\ninput = "meshes/[Ll]eaf.obj"\noutput = "{stem}.svg"\n'
     assert "put {name} into the output" in refused(text)
+
+
+@pytest.mark.parametrize("number", ["-0.00001", "-1e-7", "-1E-7", "-0.5", "-1", "-3e-05"])
+def test_numbers_that_begin_with_a_dash(items, number: str) -> None:
+    (item,) = items(SPACING + ITEM + f"from = [{number}, 0.5, {number}]\nto = [1, 0.5, 0]\n")
+    assert item.options.stroke_from == [float(number), 0.5, float(number)]

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import argparse
 import math
+import re
 from collections.abc import Callable
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from ..model.preparation import Share
 
@@ -15,8 +16,17 @@ class BadInput(Exception):
     """What the caller gave cannot be used; ``str(error)`` is one sentence for people."""
 
 
+# What begins with a dash and is meant as a number. argparse knows -1 and -.5 but takes -1e-7 for an
+# option that there is not.
+_NEGATIVE = re.compile(r"-(\.?\d|(inf|infinity|nan)$)", re.IGNORECASE)
+
+
 class Parser(argparse.ArgumentParser):
     """A parser that raises BadInput instead of leaving the program."""
+
+    def __init__(self, **how: Any) -> None:
+        super().__init__(**how)
+        self._negative_number_matcher = _NEGATIVE
 
     def error(self, message: str) -> NoReturn:
         # argparse would print the usage as well, and several lines are not one sentence.
