@@ -38,14 +38,14 @@ struct FrontOverEdge {
   double distance() const { return from + slope * x + rise * y; }
 };
 
-/// What follows for its neighbours where a front passes vertex v: calls reach(at, corner, other, passed) for the corners
-/// of the faces there that it has not passed. `at` is the face's corner at v, `other` the third one, and `passed` whether
-/// the front has passed that.
+/// What follows for its neighbours where a front passes vertex v: calls reach(at, corner, other, passed) for the
+/// corners of the faces there that it has not passed. `at` is the face's corner at v, `other` the third one, and
+/// `passed` whether the front has passed that.
 template <class Reach>
 void reach_from(const RefinedSurface& mesh, const FrontSearch<AllNodes>& front, uint32_t v, const Reach& reach) {
   mesh.each_leaving(v, [&](HalfEdge h) {
     const HalfEdge a = mesh.next(h), b = mesh.prev(h);
-    const bool passed_a = front.done(mesh.from(a)), passed_b = front.done(mesh.from(b));
+    const bool passed_a = front.done(mesh.to(h)), passed_b = front.done(mesh.from(b));
     if (!passed_a) reach(h, a, b, passed_b);
     if (!passed_b) reach(h, b, a, passed_a);
   });

@@ -28,12 +28,17 @@ void LineFields::find_places(const LineDistance& distance, CancelToken& poll) {
   for (uint32_t f = 0; f < faces_.size(); ++f) {
     poll(kPlace);
     const std::array<HalfEdge, 3> corners = mesh_.corners(f);
-    const auto rank = [&](HalfEdge c) {
-      const int agree = distance.one_sheet(c, mesh_.next(c)) + distance.one_sheet(c, mesh_.prev(c));
-      const NearestOnLine n = distance.in_face(c);
-      return std::tuple(-agree, n.distance, n.strand, n.along);
+    int agree[3] = {0, 0, 0};
+    for (uint32_t k = 0; k < 3; ++k) {
+      const bool together = distance.one_sheet(corners[k], corners[next_corner(k)]);
+      agree[k] += together;
+      agree[next_corner(k)] += together;
+    }
+    const auto rank = [&](uint32_t k) {
+      const NearestOnLine n = distance.in_face(corners[k]);
+      return std::tuple(-agree[k], n.distance, n.strand, n.along);
     };
-    const HalfEdge chosen = *std::ranges::min_element(corners, {}, rank);
+    const HalfEdge chosen = corners[std::ranges::min({0u, 1u, 2u}, {}, rank)];
     const NearestOnLine n = distance.in_face(chosen);
     if (n.strand == kNone) continue;
     FaceLine& line = faces_[f];

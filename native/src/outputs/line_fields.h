@@ -11,7 +11,8 @@
 
 namespace meander {
 
-/// A face and the turn of the line that it belongs to; corners as CutMesh::corners() has them. Lengths are in the surface's own unit.
+/// A face and the turn of the line that it belongs to; corners are in the order of CutMesh::corners(). Lengths are in
+/// the surface's own unit.
 struct FaceLine {
   uint32_t strand = kNone;           ///< of the curve; kNone where no line is
   int8_t nearest_side = 0;           ///< 1: on the left of the strand, -1: on its right; 0 where no line is
