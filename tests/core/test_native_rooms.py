@@ -18,6 +18,28 @@ INCLUDE = re.compile(rf'^\s*#\s*include\s+(?:"([^"]+)"|<((?:{OURS})/[^>]+)>)', r
 # Not a room: the public header and those that the build makes belong to api alone.
 OF_API = {"meander/meander.h": "api", "version.h": "api", "structs.inc": "api"}
 
+# Who is next to whom is known by three meshes: the surface (with what the check hands to it), a
+# soup with its table of edges, and the refined surface, which OpenMesh rewires. Here is what each
+# of them is told by, and where that may stand.
+ADJACENCY = {
+    "OpenMesh": (r"#\s*include\s*<OpenMesh/", {"mesh/refined_surface.h"}),
+    "half-edges that are kept": (
+        r"^\s*(?:uint32_t|HalfEdge)(?: \w+(?: = \w+)?,)* (?:twin|next_half|opposite)\w*"
+        r"(?: = \w+)?(?:, \w+)*;"
+        r"|\b(?:vector|array|Table)<[^()]*> (?:twin|next_half|opposite)\w*;",
+        # A crossing has both half-edges of its edge.
+        {"mesh/surface.h", "mesh/mesh_check.h", "mesh/sheets.cpp", "mesh/surface_point.h"},
+    ),
+    "edges by their vertices": (
+        r"std::minmax\(\w+, \w+\)|std::min\(([a-w]\w*), ([a-w]\w*)\),\s*std::max\(\1, \2\)",
+        {"mesh/edge_groups.h"},
+    ),
+    "divided faces": (
+        r"^(?:\w+ )+(?:\w+::)?(?:split_(?:edge|face|triangle)|flip)\([^)]*HalfEdge|set_next_half",
+        {"mesh/refined_surface.cpp"},
+    ),
+}
+
 
 def included_by(file: Path) -> list[str]:
     """What of the library a file includes, as it is written there."""
@@ -65,6 +87,24 @@ def misplaced_constants(sources: Path) -> list[str]:
     return wrong
 
 
+def other_adjacency(sources: Path) -> list[str]:
+    """One line for everything that knows neighbours by itself."""
+    return [
+        f"{file.relative_to(sources).as_posix()}: {what}"
+        for file in sorted(p for p in sources.rglob("*") if p.suffix in {".h", ".cpp"})
+        for what, (pattern, places) in ADJACENCY.items()
+        if file.relative_to(sources).as_posix() not in places
+        and re.search(pattern, file.read_text(encoding="utf-8"), re.MULTILINE)
+    ]
+
+
+def test_neighbours_are_known_by_three_meshes_and_no_fourth():
+    assert other_adjacency(SOURCES) == []
+    for pattern, places in ADJACENCY.values():
+        for place in places:
+            assert re.search(pattern, (SOURCES / place).read_text(encoding="utf-8"), re.MULTILINE)
+
+
 def test_every_room_includes_only_what_stands_before_it():
     assert wrong_includes(SOURCES) == []
 
@@ -104,6 +144,25 @@ def test_a_wrong_include_is_found(tmp_path, file, include, complaint):
     (found,) = wrong_includes(tmp_path)
     assert file in found
     assert complaint in found
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "what"),
+    [
+        ("base/triangulation.h", "  std::vector<uint32_t> twins_;\n", "half-edges that are kept"),
+        ("mesh/half.h", "    uint32_t to, next, opposite;\n", "half-edges that are kept"),
+        ("mesh/half.h", "    uint32_t twin = kNothing;\n", "half-edges that are kept"),
+        ("outputs/cut.cpp", "= {std::min(a, b), std::max(a, b), e};\n", "edges by their vertices"),
+        ("outputs/cut.cpp", "edges.insert(std::minmax(a, b));\n", "edges by their vertices"),
+        ("geodesic/front.h", "#include <OpenMesh/Core/Mesh/TriConnectivity.hh>\n", "OpenMesh"),
+        ("mesh/half.cpp", "uint32_t HalfedgeMesh::split_edge(HalfEdge h) {\n", "divided faces"),
+    ],
+)
+def test_a_fourth_mesh_is_found(tmp_path, file, text, what):
+    path = tmp_path / file
+    path.parent.mkdir(parents=True)
+    path.write_text(text, encoding="utf-8")
+    assert other_adjacency(tmp_path) == [f"{file}: {what}"]
 
 
 @pytest.mark.parametrize("include", ["flow/flow.h", "meander/meander.h"])
