@@ -62,7 +62,14 @@ from .binding.native_library import (
     struct_layouts,
 )
 from .binding.seed import Seed
-from .binding.surface import Faults, Surface, SurfaceOptions, find_faults
+from .binding.surface import (
+    Closest,
+    Faults,
+    Surface,
+    SurfaceOptions,
+    find_closest,
+    find_faults,
+)
 
 # What hosts use; they import nothing else of these modules.
 __all__ = [
@@ -80,6 +87,7 @@ __all__ = [
     "STOP_REASONS",
     "VERSION",
     "BoundaryRule",
+    "Closest",
     "Context",
     "Cost",
     "CutSurface",
@@ -105,6 +113,7 @@ __all__ = [
     "cut_surface",
     "default_options",
     "estimate_cost",
+    "find_closest",
     "find_faults",
     "library_notice",
     "library_path",

@@ -12,7 +12,6 @@ import geometry
 import numpy as np
 import pytest
 from meander import batch, core
-from meander.model.geometry.closest_faces import closest_places
 from meander.model.geometry.half_mesh import above, section
 from meander.model.mirror_images import Mirror, mirror_of
 from meander.model.mirror_whole import whole_of
@@ -370,27 +369,6 @@ def test_a_half_has_half_the_area_and_no_holes(tilt: float) -> None:
     cut = np.unique(np.sort(np.round(cut, 9), axis=1).reshape(-1, 6), axis=0).reshape(-1, 2, 3)
     around = np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1).sum()
     assert around == pytest.approx(2 * np.pi, rel=0.01)
-
-
-def test_nearest_places_are_those_of_brute_force() -> None:
-    random = np.random.default_rng(5)
-    vertices = random.normal(size=(60, 3))
-    faces = random.integers(0, 60, size=(80, 3)).astype(np.uint32)  # some without area
-    points = random.normal(size=(80, 3))
-    found = closest_places(points, vertices, faces, 0.4)
-    corners = vertices[faces]
-    steps = np.linspace(0.0, 1.0, 21)
-    weights = np.array([(1 - s, s * (1 - t), s * t) for s in steps for t in steps])
-    samples = np.einsum("wk,fkd->fwd", weights, corners).reshape(-1, 3)
-    nearest = geometry.distance_to_samples(points, samples)
-    within = np.isfinite(found.distances)
-    assert np.all(nearest[~within] > 0.4)
-    assert np.all(found.distances[within] <= nearest[within] + 1e-12)
-    assert np.all(nearest[within] - found.distances[within] < 0.15)
-    places = geometry.points_at(geometry.Mesh(vertices, faces), found.faces, found.barycentrics)
-    apart = np.linalg.norm(places - points, axis=1)
-    assert apart[within] == pytest.approx(found.distances[within])
-    assert found.barycentrics[within].min() >= 0.0
 
 
 # ------------------------------------------------------------------------------------------------

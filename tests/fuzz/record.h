@@ -75,6 +75,7 @@ enum Op : uint8_t {
   kReadNumbers,
   kTriangulate,     // a: noise, b: damage, c: where, d: corners, e: an end
   kTurnDirections,  // a: noise, b: damage, c: value
+  kFindClosest,     // a: noise, b: how many, c: a coordinate, d: whether on the surface, e: threads
   kOpCount
 };
 

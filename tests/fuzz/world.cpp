@@ -35,6 +35,7 @@ void World::call_surface() {
       break;
     case kSurfaceStatistics: surface_statistics(); break;
     case kFindFaults: find_faults(); break;
+    case kFindClosest: find_closest(); break;
     case kCurvature:
     case kDirections: field_of_surface(); break;
     case kStrokeDirections: stroke_directions(); break;

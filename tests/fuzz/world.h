@@ -89,6 +89,7 @@ class World {
   void create_surface();
   void surface_statistics();
   void find_faults();
+  void find_closest();
   void field_of_surface();
   void stroke_directions();
   void turn_directions();

@@ -88,6 +88,49 @@ void World::find_faults() {
   }
 }
 
+void World::find_closest() {
+  if (!spend(1)) return;
+  Noise noise(record_.a);
+  const size_t count = record_.b % 32;
+  std::vector<double> asked(3 * count);
+  for (double& x : asked) x = 4 * noise.share() - 2;
+  if (record_.c && count > 0) asked[record_.c % asked.size()] = hostile(record_.c);
+  if (transcript_.open()) transcript_.line("std::vector<double> asked = " + written(asked) + ";");
+  auto vertices = given(in_.vertices, "vertices");
+  auto faces = given(in_.faces, "faces");
+  auto places = given(asked, "asked");
+  if (missing(3)) vertices = {nullptr, "nullptr"};
+  if (missing(4)) faces = {nullptr, "nullptr"};
+  if (missing(5)) places = {nullptr, "nullptr"};
+  Outputs outputs(transcript_);
+  const auto found = outputs.array<uint32_t>("found", count, missing(0));
+  const auto weights = outputs.array<double>("weights", 3 * count, missing(1));
+  const auto distances = outputs.array<double>("distances", count, missing(2), true);
+  const uint32_t threads = record_.e % 2 ? record_.e : 1u + record_.e % 4u;
+  const bool on_surface = record_.d % 2 == 1;
+  const auto handle = surface_handle();
+  const meander_status status =
+      on_surface ? call("meander_surface_find_closest", meander_surface_find_closest,
+                        Shown<const meander_surface*>{handle.value, handle.text}, places, shown(count),
+                        shown(threads), found, weights, distances, context())
+                 : call("meander_mesh_find_closest", meander_mesh_find_closest, vertices, shown(in_.vertex_count()),
+                        faces, shown(in_.face_count()), places, shown(count), shown(threads), found, weights,
+                        distances, context());
+  check_refusal_of_cancelled(status);
+  outputs.check(status == MEANDER_STATUS_OK);
+  if (status != MEANDER_STATUS_OK) return;
+  const size_t face_count = (on_surface ? surface().shape.faces.size() : in_.faces.size()) / 3;
+  for (size_t i = 0; i < count; ++i) {
+    if (found.value && found.value[i] >= face_count) fail(transcript_, "a nearest face that is not there");
+    if (distances.value && !(distances.value[i] >= 0)) fail(transcript_, "a distance below nothing");
+    if (!weights.value) continue;
+    const double* w = weights.value + 3 * i;
+    if (!(w[0] >= 0 && w[1] >= 0 && w[2] >= 0 && std::abs(w[0] + w[1] + w[2] - 1) < 1e-12)) {
+      fail(transcript_, "weights that are no share of a face");
+    }
+  }
+}
+
 void World::field_of_surface() {
   if (!spend(4)) return;
   const Shape& shape = surface().shape;

@@ -407,6 +407,9 @@ TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
   ASSERT_EQ(meander_flow_run(flow, nullptr, nullptr), MEANDER_STATUS_OK);
   const double stroke[] = {1, 0, 0, 0, 1, 0};
   const uint64_t ends[] = {0, 2};
+  Rng rng(3);
+  std::vector<double> places(300000);
+  for (double& x : places) x = rng.in(-2, 2);
   const PublicCall calls[] = {
       {"curvature",
        [&](meander_context* context, std::vector<double>& output) {
@@ -428,6 +431,11 @@ TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
          return meander_surface_compute_stroke_directions(surface, stroke, 2, ends, 1, output.data(), vertices,
                                                           context, nullptr);
        }},
+      {"closest",
+       [&](meander_context* context, std::vector<double>& output) {
+         return meander_surface_find_closest(surface, places.data(), places.size() / 3, 2, nullptr, nullptr,
+                                             output.data(), context, nullptr);
+       }},
       {"cut",
        [&](meander_context* context, std::vector<double>& output) {
          Result<meander_cut> cut;
@@ -440,7 +448,7 @@ TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
   meander_context* made = nullptr;
   ASSERT_EQ(meander_context_create(&made, nullptr), MEANDER_STATUS_OK);
   const ContextHandle context(made);
-  const std::vector<double> pattern(3 * vertices, 7);
+  const std::vector<double> pattern(places.size() / 3, 7);
   for (const PublicCall& call : calls) {
     SCOPED_TRACE(call.name);
     std::vector<double> whole = pattern;

@@ -208,6 +208,18 @@ std::vector<Call> surface_calls() {
                      std::copy_n(faults->elements, 2 * faults->count, world.indices.data() + 1000);
                      return status;
                    }});
+  calls.push_back({"closest", make_faulty, [](World& world, meander_error* error) {
+                     const double points[] = {0.1, 0.2, 0.3, 5, -1, 2};
+                     return CALLED(mesh_find_closest)(world.mesh.vertices.data(), world.mesh.vertex_count(),
+                                                      world.mesh.faces.data(), world.mesh.face_count(), points, 2,
+                                                      1, world.indices.data(), world.numbers.data(),
+                                                      world.more.data(), nullptr, error);
+                   }});
+  calls.push_back({"closest_on_surface", make_ball, [](World& world, meander_error* error) {
+                     const double points[] = {0.1, 0.2, 0.3, 5, -1, 2};
+                     return CALLED(surface_find_closest)(world.surface, points, 2, 2, world.indices.data(),
+                                                         world.numbers.data(), world.more.data(), nullptr, error);
+                   }});
   calls.push_back({"text", [](World&) {}, [](World& world, meander_error* error) {
                      constexpr std::string_view text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
                      Result<meander_polygons> polygons;

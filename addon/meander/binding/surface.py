@@ -136,6 +136,58 @@ def find_faults(vertices: ArrayLike, faces: ArrayLike, weld_distance: float = 0.
     return Faults(found.array("kinds", record.count), found.array("elements", record.count, 2))
 
 
+class Closest(NamedTuple):
+    """The points of a mesh nearest to some points in space, in their order.
+
+    faces      (n,) uint32; of several that are equally near the first
+    weights    (n, 3) float64, weights of the face's vertices in its order, >= 0; sum 1
+    distances  (n,) float64; infinite where that is no double
+    """
+
+    faces: NDArray[np.uint32]
+    weights: NDArray[np.float64]
+    distances: NDArray[np.float64]
+
+
+def find_closest(
+    vertices: ArrayLike,
+    faces: ArrayLike,
+    points: ArrayLike,
+    threads: int = 0,
+    context: Context | None = None,
+) -> Closest:
+    """The nearest points of any list of triangles, however faulty; see meander_mesh_find_closest.
+
+    vertices, faces   as for Surface; faces at a vertex that is not finite are left out
+    points            (n, 3) float64, finite, in the same unit
+    threads           at most 256; 0: as many as the machine has; the result is the same
+
+    Every call makes a tree of the faces. Raises MeanderError for points that are not finite, a mesh
+    without faces that lie anywhere, indices out of range, and soon after `context` has been
+    cancelled.
+    """
+    vertex_array = checked_array("vertices", vertices, np.float64, 3)
+    face_array = checked_array("faces", faces, np.uint32, 3)
+    mesh = (address_of(vertex_array), len(vertex_array), address_of(face_array), len(face_array))
+    return _closest(native().meander_mesh_find_closest, mesh, points, threads, context)
+
+
+def _closest(
+    function: Any,
+    mesh: tuple[int | None, ...],
+    points: ArrayLike,
+    threads: int,
+    context: Context | None,
+) -> Closest:
+    asked = checked_array("the points", points, np.float64, 3)
+    count = len(asked)
+    found = Closest(np.empty(count, np.uint32), np.empty((count, 3)), np.empty(count))
+    arrays = tuple(address_of(array) for array in found)
+    with pointer_of(context) as cancelling:
+        call(function, *mesh, address_of(asked), count, int(threads), *arrays, cancelling)
+    return found
+
+
 # Figures that reports know by another name than the C header.
 _FIGURES = {"flipped_faces": "turned_faces"}
 
@@ -238,6 +290,17 @@ class Surface(Handle):
             record.edge_density,
             record.curvature,
         )
+
+    def find_closest(
+        self, points: ArrayLike, threads: int = 0, context: Context | None = None
+    ) -> Closest:
+        """The points of the surface nearest to points (n, 3); see meander_surface_find_closest.
+
+        As the function `find_closest`, but without what the options have left out. Faces and
+        weights are those of the mesh as passed here.
+        """
+        function = native().meander_surface_find_closest
+        return _closest(function, (self._alive(),), points, threads, context)
 
     def outlines(
         self, distance: float, spacing: float, context: Context | None = None

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import core
-from .geometry.closest_faces import Places, closest_places
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -70,8 +69,6 @@ def mirror_of(axis: str, matrix: ArrayLike | None = None) -> Mirror:
 
 # How far the mirror image of a surface may lie beside the surface, in spacings.
 _TOLERANCE = 0.1
-# Of a surface that is no mirror image of itself, so many places are measured to find the farthest.
-_MEASURED = 32
 
 
 @dataclass(frozen=True)
@@ -79,24 +76,29 @@ class Images:
     """The mirror images of the vertices of a problem's surface.
 
     mirror   its normal points to the half that counts
-    places   nothing is within reach where an image lies beside the surface
+    places   of vertices that lie nowhere any
     """
 
     problem: Problem
     mirror: Mirror
-    places: Places
+    places: core.Closest
 
     def interpolated(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """What is known of vertices, (n,) or (n, d), at their mirror images."""
         corners = np.asarray(values, dtype=np.float64)[self.problem.faces[self.places.faces]]
-        weights = self.places.barycentrics
+        weights = self.places.weights
         return (corners * (weights if values.ndim == 1 else weights[:, :, None])).sum(axis=1)
 
     @property
     def other(self) -> NDArray[np.bool_]:
         """Which vertices take over what is known at their mirror images."""
         below = self.mirror.heights(self.problem.vertices) < 0.0
-        return below & np.isfinite(self.places.distances)
+        return below & ~self.beside
+
+    @property
+    def beside(self) -> NDArray[np.bool_]:
+        """Which vertices have an image that is farther from the surface than the tolerance."""
+        return ~(self.places.distances <= _tolerance(self.problem))
 
     def on_both(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Values (n,) of the half that counts, on both."""
@@ -121,8 +123,8 @@ class Images:
             middles = problem.vertices[problem.faces].mean(axis=1)
             other = np.flatnonzero(self.mirror.heights(middles) < 0.0)
             images = self.mirror.images(middles[other])
-            found = closest_places(images, problem.vertices, problem.faces, _tolerance(problem))
-            mask[other] = mask[found.faces] & np.isfinite(found.distances)
+            found = core.find_closest(problem.vertices, problem.faces, images)
+            mask[other] = mask[found.faces] & (found.distances <= _tolerance(problem))
             changed["face_mask"] = mask
         return replace(prepared, **changed)
 
@@ -142,10 +144,11 @@ class Images:
                 "origin",
                 core.Status.INVALID_ARGUMENT,
             )
-        beside = np.flatnonzero(filled & np.isinf(self.places.distances))
+        beside = np.flatnonzero(filled & self.beside)
         if not len(beside):
             return
-        place, distance = self._farthest(beside)
+        farthest = beside[np.argmax(self.places.distances[beside])]
+        place, distance = problem.vertices[farthest], self.places.distances[farthest]
         place = mirror.to_object[:3, :3] @ place + mirror.to_object[:3, 3]
         where = ", ".join(f"{value:.4g}" for value in place)
         raise core.MeanderError(
@@ -155,64 +158,17 @@ class Images:
             core.Status.INVALID_ARGUMENT,
         )
 
-    def _farthest(self, beside: NDArray[np.int64]) -> tuple[NDArray[np.float64], float]:
-        """Of vertices whose images lie beside the surface, about the one that does by most, and by
-        how much: of some of them, since what is far off takes long to measure."""
-        problem = self.problem
-        chosen = np.unique(np.linspace(0, len(beside) - 1, _MEASURED).astype(np.int64))
-        chosen = beside[chosen]
-        images = self.mirror.images(problem.vertices[chosen])
-        distances, reach = np.full(len(chosen), np.inf), _tolerance(problem)
-        while np.isinf(distances).any():
-            reach *= 4.0
-            left = np.flatnonzero(np.isinf(distances))
-            found = closest_places(images[left], problem.vertices, problem.faces, reach)
-            distances[left] = found.distances
-        farthest = int(np.argmax(distances))
-        return problem.vertices[chosen[farthest]], float(distances[farthest])
-
 
 def images_of(problem: Problem, mirror: Mirror) -> Images:
-    """Where the mirror images of all vertices lie, as far as the tolerance reaches."""
-    vertices, faces = problem.vertices, problem.faces
-    images = mirror.images(vertices)
-    count = len(vertices)
-    places = Places(np.full(count, np.inf), np.zeros(count, dtype=np.int64), np.zeros((count, 3)))
-    # Most vertices have a twin, and looking for the nearest face takes a hundred times as long.
-    twins = _twins(images, vertices, _tolerance(problem) / 100.0)
-    corners = np.full(count, -1)
-    corners[faces.ravel()] = np.arange(faces.size)
-    known = np.flatnonzero((twins >= 0) & (corners[twins] >= 0))
-    own = corners[twins[known]]
-    places.distances[known] = np.linalg.norm(images[known] - vertices[twins[known]], axis=1)
-    places.faces[known] = own // 3
-    places.barycentrics[known, own % 3] = 1.0
-    left = np.flatnonzero(np.isinf(places.distances) & np.isfinite(images).all(axis=1))
-    found = closest_places(images[left], vertices, faces, _tolerance(problem))
-    for mine, theirs in zip(
-        (places.distances, places.faces, places.barycentrics),
-        (found.distances, found.faces, found.barycentrics),
-        strict=True,
-    ):
-        mine[left] = theirs
+    """Where the mirror images of all vertices lie."""
+    images = mirror.images(problem.vertices)
+    somewhere = np.isfinite(images).all(axis=1)
+    count = len(images)
+    places = core.Closest(np.zeros(count, np.uint32), np.zeros((count, 3)), np.full(count, np.inf))
+    found = core.find_closest(problem.vertices, problem.faces, images[somewhere])
+    for mine, theirs in zip(places, found, strict=True):
+        mine[somewhere] = theirs
     return Images(problem, mirror, places)
-
-
-def _twins(
-    points: NDArray[np.float64], vertices: NDArray[np.float64], width: float
-) -> NDArray[np.int64]:
-    """For every point a vertex in the same cell of a grid, or -1: beside a cell's wall the twin is
-    missed, which costs time only."""
-
-    def cells(places: NDArray[np.float64]) -> NDArray[np.void]:
-        # Half a cell off, so that what lies in the plane itself is not beside a wall.
-        whole = np.ascontiguousarray(np.floor(np.nan_to_num(places) / width + 0.5)) + 0.0
-        return whole.view(np.dtype((np.void, whole.dtype.itemsize * 3))).ravel()
-
-    named, number = np.unique(np.concatenate([cells(vertices), cells(points)]), return_inverse=True)
-    holder = np.full(len(named), -1)
-    holder[number[: len(vertices)][::-1]] = np.arange(len(vertices))[::-1]
-    return holder[number[len(vertices) :]]
 
 
 def _tolerance(problem: Problem) -> float:

@@ -15,7 +15,7 @@ from .attributes import uv_layer_of
 from .errors import DataError
 from .evaluated import surface_mesh
 from .meshes import triangles_of
-from .points import nearest_on
+from .points import bind
 
 
 def metres_of(scene: bpy.types.Scene) -> float:
@@ -39,9 +39,8 @@ def unrolled_strands(
     """
     vertices, faces = triangles_of(surface, depsgraph)
     mesh = toolpath.Mesh(vertices, faces)
-    flat = unrolled(
-        strands, mesh, map_of(surface, depsgraph, uv_map), nearest_on(vertices, faces)
-    )
+    uv = map_of(surface, depsgraph, uv_map)
+    flat = unrolled(strands, mesh, uv, lambda points: bind(points, vertices, faces))
     if not flat:
         raise DataError(f"The UV map of '{surface.name}' has no area; unwrap the mesh again")
     return flat

@@ -6,11 +6,9 @@ it and its normal, and as attributes of a mesh of edges or of a hair curve.
 from __future__ import annotations
 
 import base64
-from collections.abc import Callable
 
 import bpy
 import numpy as np
-from mathutils.bvhtree import BVHTree
 
 from .. import core
 from ..model.geometry.surface_normals import normals_at
@@ -181,46 +179,19 @@ _LINE = 1e-12
 def bind(
     points: np.ndarray, vertices: np.ndarray, faces: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """For each point the nearest triangle and the weights of its corners there."""
-    return nearest_on(vertices, faces)(points)
-
-
-def farthest(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> float:
-    """How far the points (n, 3) are from triangles, at most."""
-    tree = BVHTree.FromPolygons(vertices.tolist(), faces.tolist())
-    return max(tree.find_nearest(point)[3] for point in points.tolist())
-
-
-def nearest_on(
-    vertices: np.ndarray, faces: np.ndarray
-) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:
-    """What bind() does, for points that come later. Triangles that are a line hold none."""
+    """For each point the nearest triangle and the weights of its corners there. Triangles that are
+    a line hold none."""
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
     u, v = b - a, c - a
     longest = (u * u).sum(1) * (v * v).sum(1)
     usable = np.flatnonzero(longest - (u * v).sum(1) ** 2 > _LINE * longest)
-    tree = BVHTree.FromPolygons(vertices.tolist(), faces[usable].tolist())
-
-    def bound(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        index, weights = _bound(points, tree, vertices, faces[usable])
-        return usable[index], weights
-
-    return bound
+    found = core.find_closest(vertices, faces[usable], points)
+    return usable[found.faces], found.weights
 
 
-def _bound(
-    points: np.ndarray, tree: BVHTree, vertices: np.ndarray, faces: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    index = np.array([tree.find_nearest(point)[2] for point in points.tolist()], dtype=np.int64)
-    a, b, c = (vertices[faces[index, corner]] for corner in range(3))
-    u, v, w = b - a, c - a, points - a
-    uu, uv, vv = (u * u).sum(1), (u * v).sum(1), (v * v).sum(1)
-    wu, wv = (w * u).sum(1), (w * v).sum(1)
-    determinant = uu * vv - uv * uv
-    second = (vv * wu - uv * wv) / determinant
-    third = (uu * wv - uv * wu) / determinant
-    weights = np.clip(np.column_stack([1.0 - second - third, second, third]), 0.0, 1.0)
-    return index, weights / weights.sum(axis=1, keepdims=True)
+def farthest(points: np.ndarray, vertices: np.ndarray, faces: np.ndarray) -> float:
+    """How far the points (n, 3) are from triangles, at most."""
+    return float(core.find_closest(vertices, faces, points).distances.max())
 
 
 def polylines_of(

@@ -37,7 +37,7 @@ def visible_strands(
     """
     eye = np.cross(np.asarray(right, float), np.asarray(up, float))
     size = float(np.linalg.norm(np.ptp(vertices, axis=0)))
-    seen = _Sight(BVHTree.FromPolygons(vertices.tolist(), faces.tolist()), eye, _LIFT * size)
+    seen = _Sight(vertices, faces, eye, _LIFT * size)
     return seen_parts(strands, seen, lambda points: points, _LONGEST * size, _SHORTEST * size)
 
 
@@ -80,14 +80,22 @@ def seen_parts(
 class _Sight:
     """Tells which points nothing hides."""
 
-    def __init__(self, tree: BVHTree, eye: np.ndarray, lift: float) -> None:
-        self._tree, self._eye, self._lift = tree, Vector(eye.tolist()), lift * eye
+    def __init__(
+        self, vertices: np.ndarray, faces: np.ndarray, eye: np.ndarray, lift: float
+    ) -> None:
+        # The tree rounds to single precision: around the origin, and of the size 1.
+        self._middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2.0
+        self._size = float(np.ptp(vertices, axis=0).max()) or 1.0
+        self._tree = BVHTree.FromPolygons(self._inside(vertices).tolist(), faces.tolist())
+        self._eye, self._lift = Vector(eye.tolist()), lift * eye
+
+    def _inside(self, points: np.ndarray) -> np.ndarray:
+        return (points - self._middle) / self._size
 
     def __call__(self, points: np.ndarray) -> np.ndarray:
         cast, eye = self._tree.ray_cast, self._eye
-        return np.array(
-            [cast(point, eye)[0] is None for point in (points + self._lift).tolist()], dtype=bool
-        )
+        starts = self._inside(points + self._lift)
+        return np.array([cast(start, eye)[0] is None for start in starts.tolist()], dtype=bool)
 
 
 def _divided(

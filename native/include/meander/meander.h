@@ -15,6 +15,7 @@
  *     meander_surface_create           mesh in; checked, copied, ready for any number of flows
  *     meander_surface_compute_...      its curvature and direction fields, for density and alignment
  *     meander_surface_find_outlines    lines along its boundary, to serve as guides
+ *     meander_mesh_find_closest        its points nearest to points in space; also on a surface
  *     meander_extent_estimate_cost     what a run is going to cost, before it begins
  *     meander_flow_create              seed, spacing, density; nothing moves yet
  *     meander_flow_set_...             what else the curve follows, and where its surface goes
@@ -627,6 +628,45 @@ MEANDER_API meander_status meander_surface_find_outlines(const meander_surface* 
                                                          double spacing, meander_outlines* outlines,
                                                          meander_context* context,
                                                          meander_error* error);
+
+/* ------------------------------------------------------------------------------------------ */
+/* Nearest points                                                                               */
+
+/* The points of a mesh that are nearest to points in space. Exact: of all faces the nearest, to what
+ * rounding leaves of lengths in the mesh; of several that are equally near, the one with the lowest index.
+ * The mesh may be any list of triangles, with all the faults that meander_mesh_find_faults names, anywhere
+ * and of any size. Faces at a vertex that is not finite are left out; one without area counts as the line,
+ * or the point, that it is.
+ *
+ * vertices, vertex_count, faces, face_count   as for meander_surface_create; coordinates may be anything
+ * points         double[3 * point_count], finite, in the mesh's units, at any distance from it
+ * point_count    at most 2^30
+ * threads        0: as many as the machine has; at most 256; the result is the same
+ * closest_faces  receives uint32_t[point_count], the face of each nearest point; or NULL
+ * weights        receives double[3 * point_count], of the corners of that face, in its order: >= 0, with
+ *                the sum 1; or NULL
+ * distances      receives double[point_count], in the mesh's units, infinite where that is no double; or
+ *                NULL
+ * context        or NULL; asked before the work begins and all the while
+ *
+ * Every call makes a tree of the faces, which takes about as long as looking for as many points.
+ *
+ * Refused with MEANDER_STATUS_INVALID_MESH: no faces, or none with finite vertices; an index out of range.
+ * Any thread. */
+MEANDER_API meander_status meander_mesh_find_closest(const double* vertices, size_t vertex_count,
+                                                     const uint32_t* faces, size_t face_count,
+                                                     const double* points, size_t point_count,
+                                                     uint32_t threads, uint32_t* closest_faces,
+                                                     double* weights, double* distances,
+                                                     meander_context* context, meander_error* error);
+
+/* The same on a surface: what its options have left out is not looked at, faces and weights are those of
+ * the mesh as passed to meander_surface_create, and distances are from the surface as it was repaired. */
+MEANDER_API meander_status meander_surface_find_closest(const meander_surface* surface,
+                                                        const double* points, size_t point_count,
+                                                        uint32_t threads, uint32_t* closest_faces,
+                                                        double* weights, double* distances,
+                                                        meander_context* context, meander_error* error);
 
 /* ------------------------------------------------------------------------------------------ */
 /* Flow: seed                                                                                   */

@@ -2,105 +2,125 @@
 #include "mesh/closest_point.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
-#include <Eigen/Geometry>
+#include "base/failure.h"
 
 namespace meander {
 namespace {
 
-/// Most samples along a side of a face, so that one huge face among tiny ones does not swamp the tree.
-constexpr int kMostAlongSide = 64;
+using Corners = TriangleTree::Corners;
 
-/// Weights of the point of a triangle nearest to q (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-std::array<double, 3> nearest_weights(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& q) {
-  const Vec3 ab = b - a, ac = c - a, ap = q - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const Vec3 bp = q - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-    const double t = d1 / (d1 - d3);
-    return {1 - t, t, 0};
+/// Pieces of work of some nanoseconds between two asks.
+constexpr uint32_t kPieces = 1u << 14;
+/// What is measured with more care, for meshes, whose places are told to the last digits, and for surfaces, whose
+/// points are rounded to 2^-30.
+constexpr double kThin = 0x1p-3, kThinOnSurface = 0x1p-10;
+/// Points that a thread takes at a time.
+constexpr size_t kPointGrain = 256;
+
+std::vector<Corners> triangles_of(const Surface& surface) {
+  std::vector<Corners> triangles(surface.face_count());
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    for (size_t k = 0; k < 3; ++k) triangles[f][k] = surface.position(surface.face(f)[k]);
   }
-  const Vec3 cp = q - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-    const double t = d2 / (d2 - d6);
-    return {1 - t, 0, t};
+  return triangles;
+}
+
+/// A place and a unit in which triangles anywhere, of any size, are about as large as 1 and around the origin. The unit
+/// is a power of two, so that nothing is rounded by it.
+class Frame {
+ public:
+  explicit Frame(const std::vector<Corners>& triangles) {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Corners& corners : triangles) {
+      for (const Vec3& p : corners) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+    }
+    middle_ = 0.5 * low + 0.5 * high;
+    const double reach = (0.5 * high - 0.5 * low).maxCoeff();
+    std::frexp(reach > 0 ? reach : middle_.cwiseAbs().maxCoeff(), &exponent_);
   }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - t, t};
+
+  Vec3 to_inside(const Vec3& p) const {
+    return (p - middle_).unaryExpr([this](double x) { return std::ldexp(x, -exponent_); });
   }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
+  double length(double inside) const { return std::ldexp(inside, exponent_); }
+
+ private:
+  Vec3 middle_;
+  int exponent_ = 0;
+};
+
+/// `triangles` in the units of the points; `number` what each is called.
+ClosestPlaces places_on(std::vector<Corners> triangles, const std::vector<uint32_t>& number,
+                        std::span<const double> points, ThreadPool& pool) {
+  const Frame frame(triangles);
+  for (Corners& corners : triangles) {
+    for (Vec3& p : corners) p = frame.to_inside(p);
+  }
+  const TriangleTree tree(triangles, kThin, pool.poll(kPieces));
+  const size_t count = points.size() / 3;
+  ClosestPlaces places{std::vector<uint32_t>(count), std::vector<std::array<double, 3>>(count),
+                       std::vector<double>(count)};
+  pool.for_blocks(count, kPointGrain, [&](size_t, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 q(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
+      const TriangleTree::Place place = tree.nearest(frame.to_inside(q));
+      places.faces[i] = number[place.triangle];
+      places.weights[i] = place.weights;
+      places.distances[i] = frame.length(place.distance);
+    }
+  });
+  return places;
 }
 
 }  // namespace
 
 ClosestPoint::ClosestPoint(const Surface& surface, const CancelToken& poll)
-    : ClosestPoint(surface, sample(surface, poll), poll) {}
-
-ClosestPoint::ClosestPoint(const Surface& surface, Samples&& samples, const CancelToken& poll)
-    : surface_(surface),
-      face_(std::move(samples.face)),
-      reach_(samples.reach),
-      tree_(std::move(samples.points), poll) {}
-
-ClosestPoint::Samples ClosestPoint::sample(const Surface& surface, CancelToken poll) {
-  Samples s;
-  const double step = surface.mean_edge_length();
-  for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    const Triangle& t = surface.face(f);
-    const Vec3 &a = surface.position(t[0]), &b = surface.position(t[1]), &c = surface.position(t[2]);
-    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const int k = std::clamp(static_cast<int>(std::ceil(longest / step)), 1, kMostAlongSide);
-    s.reach = std::max(s.reach, longest / k);
-    for (int i = 0; i < k; ++i) {
-      for (int j = 0; i + j < k; ++j) {
-        const double u = (i + 1.0 / 3) / k, v = (j + 1.0 / 3) / k;
-        s.points.push_back((1 - u - v) * a + u * b + v * c);
-        s.face.push_back(f);
-        poll();
-      }
-    }
-  }
-  return s;
-}
+    : tree_(triangles_of(surface), kThinOnSurface, poll) {}
 
 ClosestPoint::Result ClosestPoint::operator()(const Vec3& q) const {
-  const auto sample = tree_.nearest(q);
-  // So far away that the square of the distance overflows.
-  if (!sample) return {make_point(0, 1, 0, 0), std::numeric_limits<double>::infinity()};
-  const double bound = std::sqrt(sample->squared_distance) + reach_;
-  std::vector<uint32_t> near, faces;
-  tree_.within(q, bound * bound * (1 + 1e-12), near);
-  for (const uint32_t i : near) faces.push_back(face_[i]);
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  double best = std::numeric_limits<double>::infinity();
-  uint32_t face = 0;
-  std::array<double, 3> weights{};
-  for (const uint32_t f : faces) {
-    const Triangle& t = surface_.face(f);
-    const Vec3 &a = surface_.position(t[0]), &b = surface_.position(t[1]), &c = surface_.position(t[2]);
-    const std::array<double, 3> w = nearest_weights(a, b, c, q);
-    const double d = (w[0] * a + w[1] * b + w[2] * c - q).squaredNorm();
-    if (d < best) {
-      best = d;
-      face = f;
-      weights = w;
+  const TriangleTree::Place place = tree_.nearest(q);
+  return {make_point(place.triangle, place.weights[0], place.weights[1], place.weights[2]), place.distance};
+}
+
+ClosestPlaces closest_places(std::span<const double> vertices, std::span<const uint32_t> faces,
+                             std::span<const double> points, ThreadPool& pool) {
+  check_indices(vertices.size() / 3, faces);
+  CancelToken poll = pool.poll(kPieces);
+  std::vector<Corners> triangles;
+  std::vector<uint32_t> number;
+  for (size_t f = 0; f < faces.size() / 3; ++f) {
+    Corners corners;
+    for (size_t k = 0; k < 3; ++k) {
+      const double* p = &vertices[3 * size_t{faces[3 * f + k]}];
+      corners[k] = Vec3(p[0], p[1], p[2]);
     }
+    poll();
+    if (!std::ranges::all_of(corners, [](const Vec3& p) { return p.allFinite(); })) continue;
+    triangles.push_back(corners);
+    number.push_back(static_cast<uint32_t>(f));
   }
-  return {make_point(face, weights[0], weights[1], weights[2]), std::sqrt(best)};
+  if (triangles.empty()) {
+    throw Failure(FailureKind::kInvalidMesh,
+                  "Every face has a vertex with a coordinate that is not a finite number; repair the mesh.");
+  }
+  return places_on(std::move(triangles), number, points, pool);
+}
+
+ClosestPlaces closest_places(const Surface& surface, std::span<const double> points, ThreadPool& pool) {
+  std::vector<Corners> triangles(surface.face_count());
+  std::vector<uint32_t> number(surface.face_count());
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    for (size_t k = 0; k < 3; ++k) triangles[f][k] = surface.caller_position(surface.face(f)[k]);
+    number[f] = f;
+  }
+  return places_on(std::move(triangles), number, points, pool);
 }
 
 }  // namespace meander

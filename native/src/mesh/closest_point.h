@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The nearest point of the surface to a point in space (seeds).
+// The nearest point of a surface, or of any list of triangles, to a point in space.
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
-#include "base/point_tree.h"
+#include "base/thread_pool.h"
 #include "mesh/surface_point.h"
+#include "mesh/triangle_tree.h"
 
 namespace meander {
 
-/// Exact nearest points. A tree of samples gives a bound and candidates, which are then measured.
+/// Nearest points of a surface, in its own unit and place.
 class ClosestPoint {
  public:
-  /// `poll` counts what is done while the samples and their tree are made, some nanoseconds each.
+  /// `poll` counts what is done while the tree is made, some nanoseconds each.
   explicit ClosestPoint(const Surface& surface, const CancelToken& poll = {});
 
   struct Result {
@@ -23,18 +26,22 @@ class ClosestPoint {
   Result operator()(const Vec3& q) const;
 
  private:
-  struct Samples {
-    std::vector<Vec3> points;
-    std::vector<uint32_t> face;
-    double reach = 0;  // every point of a face is within this distance of one of its samples
-  };
-  static Samples sample(const Surface& surface, CancelToken poll);
-  ClosestPoint(const Surface& surface, Samples&& samples, const CancelToken& poll);
-
-  const Surface& surface_;
-  std::vector<uint32_t> face_;
-  double reach_;
-  PointTree tree_;
+  TriangleTree tree_;
 };
+
+/// Where the nearest places are, point by point.
+struct ClosestPlaces {
+  std::vector<uint32_t> faces;
+  std::vector<std::array<double, 3>> weights;  ///< of the face's corners
+  std::vector<double> distances;
+};
+
+/// The points of faces nearest to `points`, three coordinates each. Faces may be anything; those with a vertex that is
+/// not finite are left out. Throws Failure(FailureKind::kInvalidMesh) where none is left, or an index is out of range.
+ClosestPlaces closest_places(std::span<const double> vertices, std::span<const uint32_t> faces,
+                             std::span<const double> points, ThreadPool& pool);
+
+/// The same on a surface; points are in the caller's units, distances too, faces and weights the surface's own.
+ClosestPlaces closest_places(const Surface& surface, std::span<const double> points, ThreadPool& pool);
 
 }  // namespace meander

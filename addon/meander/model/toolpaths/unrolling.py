@@ -46,11 +46,13 @@ def unrolled(
     scale = _scale(mesh, uv)
     island = _islands(mesh, uv)
     flat: list[tuple[Strand, int]] = []
-    for strand in strands:
-        points, faces = ring(strand), strand.faces
-        if strand.closed:
-            faces = np.append(faces, faces[:1])
-        points, faces = _divided(points, faces, mesh, nearest)
+    lines = [
+        (ring(strand), np.append(strand.faces, strand.faces[:1]) if strand.closed else strand.faces)
+        for strand in strands
+    ]
+    if nearest is not None:
+        lines = _divided(lines, mesh, nearest)
+    for strand, (points, faces) in zip(strands, lines, strict=True):
         begin, end, small, held = _in_the_map(points, faces, mesh, uv)
         runs = _runs(begin, end, small, island[held])
         for run, closed, of in _joined(runs, strand.closed):
@@ -129,21 +131,29 @@ def _scale(mesh: Mesh, uv: NDArray[np.float64]) -> float:
 
 
 def _divided(
-    points: np.ndarray, faces: np.ndarray, mesh: Mesh, nearest: Nearest | None
-) -> tuple[np.ndarray, np.ndarray]:
-    """Points between those of pieces that pass over more than two triangles, on the surface."""
-    for _ in range(_MOST_HALVINGS if nearest is not None else 0):
+    lines: list[tuple[np.ndarray, np.ndarray]], mesh: Mesh, nearest: Nearest
+) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Lines, each its points and their faces, with points on the surface between those of pieces
+    that pass over more than two triangles. All at once: `nearest` costs as much for one point."""
+    if not lines:
+        return lines
+    points = np.vstack([of_line for of_line, _faces in lines])
+    faces = np.concatenate([of_line for _points, of_line in lines])
+    owner = np.repeat(np.arange(len(lines)), [len(of_line) for _points, of_line in lines])
+    for _ in range(_MOST_HALVINGS):
         here, there = faces[:-1], faces[1:]
         good = (here == there) | _holds(points[1:], here, mesh) | _holds(points[:-1], there, mesh)
         shared, _first, _second = _shared_edges(here, there, mesh)
-        long = np.flatnonzero(~(good | shared))
+        long = np.flatnonzero(~(good | shared) & (owner[:-1] == owner[1:]))
         if not len(long):
             break
         index, weights = nearest((points[long] + points[long + 1]) / 2.0)
         places = np.einsum("nk,nkj->nj", weights, mesh.vertices[mesh.faces[index]])
         points = np.insert(points, long + 1, places, axis=0)
         faces = np.insert(faces, long + 1, index)
-    return points, faces
+        owner = np.insert(owner, long + 1, owner[long])
+    ends = np.searchsorted(owner, np.arange(1, len(lines)))
+    return list(zip(np.split(points, ends), np.split(faces, ends)))
 
 
 def _in_the_map(
