@@ -11,6 +11,7 @@ import pytest
 from conftest import ROOT
 from meander.jobs import command, job_file, options
 from meander.jobs import items as items_module
+from meander.jobs.folder import Folder
 from meander.jobs.items import items_of
 from meander.jobs.job_file import JobError
 from sentences import assert_sentence
@@ -356,3 +357,29 @@ def test_outputs_that_differ_in_capitals_only_are_refused(refused, job):
 def test_numbers_that_begin_with_a_dash(items, number: str) -> None:
     (item,) = items(SPACING + ITEM + f"from = [{number}, 0.5, {number}]\nto = [1, 0.5, 0]\n")
     assert item.options.stroke_from == [float(number), 0.5, float(number)]
+
+
+HEADER = 'output = "{stem}.gcode"\nlayout = "top"\nheader = "mine.txt"\n'
+
+
+def test_a_header_lies_beside_the_job_file_and_is_not_overwritten(items, refused, job) -> None:
+    (job.folder / "mine.txt").write_text("G21\n")
+    (item,) = items(SPACING + ITEM + HEADER)
+    assert item.options.header == job.folder / "mine.txt"
+    (job.folder / "mine.txt").unlink()
+    assert "mine.txt" in refused(SPACING + ITEM + HEADER)
+
+
+@pytest.mark.parametrize("key", ["header", "footer", "seed", "guides"])
+def test_what_an_item_reads_is_a_part_of_what_it_is(items, job, key: str) -> None:
+    text = SPACING + ITEM + HEADER.replace("header", key).replace("txt", "obj")
+    path, folder = job.folder / "mine.obj", Folder(job.results)
+    keys = []
+    for content in ("G21\n", "G21\nM3\n"):
+        path.write_text(content)
+        (item,) = items(text)
+        keys.append(folder.key_of(item))
+    assert keys[0] != keys[1]
+    path.rename(job.folder / "other.obj")
+    (item,) = items(text.replace("mine.obj", "other.obj"))
+    assert Folder(job.results).key_of(item) == keys[1]

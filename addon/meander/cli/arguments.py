@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import os
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 from .. import core
@@ -38,6 +39,9 @@ INPUTS = (*MESHES, ".blend")
 
 # What --output may be, by its suffix.
 OUTPUTS = (".obj", ".blend", *SUFFIXES, *EXPORTED)
+
+# Options that name what is written; all others that name a file are read.
+_WRITTEN = ("output", "report", "cut", "maps")
 
 # The last frame that Blender has; the first is its negative.
 _LAST_FRAME = 1048574
@@ -90,6 +94,20 @@ def parser(place: Place) -> argparse.ArgumentParser:
     return parser
 
 
+@cache
+def read_options() -> tuple[str, ...]:
+    """The names, in a namespace, of the options whose files are read, the input first."""
+    actions = parser(Place("the batch command", lambda _line: None))._actions
+    files = (action.dest for action in actions if action.type is Path)
+    return tuple(name for name in files if name not in _WRITTEN)
+
+
+def files_read(arguments: argparse.Namespace) -> dict[str, Path]:
+    """The files that a run is made from, by the name of the option."""
+    given = {name: getattr(arguments, name) for name in read_options()}
+    return {name: path for name, path in given.items() if path is not None}
+
+
 def check_arguments(arguments: argparse.Namespace, place: Place) -> None:
     """Refuses what can be refused before any file is read."""
     blender_flags.refuse(arguments, place)
@@ -136,13 +154,8 @@ def check_options(arguments: argparse.Namespace) -> None:
 
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
-    taken = {"--input": arguments.input, "--seed": arguments.seed, "--guides": arguments.guides}
-    outputs = {
-        "--output": arguments.output,
-        "--report": arguments.report,
-        "--cut": arguments.cut,
-        "--maps": arguments.maps,
-    }
+    taken = {f"--{name}": path for name, path in files_read(arguments).items()}
+    outputs = {f"--{name}": getattr(arguments, name) for name in _WRITTEN}
     for option, path in outputs.items():
         if path is None:
             continue
@@ -159,7 +172,7 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
         for other, other_path in taken.items():
             # A scene may be saved over itself: it still holds all that was in it.
             scene = option == "--output" and other == "--input" and path.suffix == ".blend"
-            if other_path is not None and not scene and _are_one(target, other_path):
+            if not scene and _are_one(target, other_path):
                 raise BadInput(f"{option} would overwrite {other} {path}; choose another name")
         taken[option] = path
 

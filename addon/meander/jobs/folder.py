@@ -19,8 +19,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from .. import core
+from ..cli.arguments import files_read
 from ..model.files.whole import whole_file
-from . import options
 from .child import end_group
 from .items import Item
 from .job_file import JobError
@@ -81,8 +81,13 @@ class Folder:
         How many threads there are and where the results are put changes nothing. Raises JobError.
         """
         plain = vars(item.options)
-        said = {name: str(value) for name, value in plain.items() if name not in _NOT_IN_KEY}
-        read = [self._digest(path) for path in options.files_read(item.options)]
+        # What a file is called changes nothing; what is in it does.
+        said = {
+            name: "a file" if isinstance(value, Path) else str(value)
+            for name, value in plain.items()
+            if name not in _NOT_IN_KEY
+        }
+        read = [self._digest(path) for path in files_read(item.options).values()]
         suffixes = [path.suffix for path in item.written]
         whole = json.dumps([1, core.VERSION, said, read, suffixes], sort_keys=True)
         return hashlib.sha256(whole.encode("utf-8")).hexdigest()

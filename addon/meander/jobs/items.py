@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..cli.arguments import files_read
 from . import job_file, options
 from .job_file import JobError, JobFile, texts
 from .objects import Meshes
@@ -204,7 +205,7 @@ def _item(
     where = f"{where} ({name})"
     chosen = {key: table[key] for key in table if key not in options.OWN_KEYS}
     chosen["input"] = str(path)
-    for key in options.READ_KEYS:
+    for key in options.read_keys():
         if key in chosen:
             chosen[key] = str(_existing(where, key, job.path.parent, chosen[key]))
     for key in options.WRITTEN_KEYS:
@@ -285,7 +286,7 @@ def _check_paths(items: list[Item]) -> None:
     read: dict[str, Item] = {}
     written: dict[str, Item] = {}
     for item in items:
-        for path in options.files_read(item.options):
+        for path in files_read(item.options).values():
             read[one_file(os.path.realpath(path))] = item
     for item in items:
         for path in (*item.written, item.log):

@@ -6,11 +6,10 @@ from __future__ import annotations
 import argparse
 from collections.abc import Mapping
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from ..cli import blender_flags
-from ..cli.arguments import check_options, parser
+from ..cli.arguments import check_options, parser, read_options
 from ..cli.flags import current_name
 from ..cli.place import Place
 from ..cli.values import BadInput
@@ -25,9 +24,14 @@ _REFUSED = {
     "help": "see --help of batch.py",
     "version": "every report has it",
 }
-# Paths of files that are read, and of such that are written.
-READ_KEYS = ("seed", "guides")
+# Paths of files that are written.
 WRITTEN_KEYS = ("output", "cut")
+
+
+def read_keys() -> tuple[str, ...]:
+    """Paths of files that are read beside the input."""
+    return tuple(name.replace("_", "-") for name in read_options() if name != "input")
+
 
 
 # Where a command line is only looked at.
@@ -102,8 +106,3 @@ def needs_blender(parsed: argparse.Namespace) -> bool:
     except BadInput:
         return True
     return False
-
-
-def files_read(parsed: argparse.Namespace) -> list[Path]:
-    """The files that an item is made from, the input first."""
-    return [path for path in (parsed.input, parsed.seed, parsed.guides) if path is not None]
