@@ -8,6 +8,7 @@ import math
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from ..model.problem import Opened, open_flow
 from ..model.toolpaths import bridges
 from . import cut, least_bend, limits, maps, mirror, preparation, target_length
 from .arguments import check_arguments, parser
-from .exit_code import exit_code_of
+from .exit_code import exit_code_of, while_heard
 from .flags import flow_options
 from .grown import Grown, grown_of
 from .input import Input
@@ -193,4 +194,5 @@ def main(argv: Sequence[str], place: Place) -> int:
 
     A run that has reached the iteration limit is done; the report says so.
     """
+    place = replace(place, say=partial(while_heard, place.say))
     return exit_code_of(lambda: _process(argv, place))

@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import sys
 import traceback
 from collections.abc import Callable
+from typing import Any
 
 from .. import core
 from ..model.files.whole import FileError
@@ -27,15 +30,33 @@ def exit_code_of(work: Callable[[], None], *refusals: type[Exception]) -> int:
         if getattr(problem, "status", None) == core.Status.INTERNAL:
             traceback.print_exc()
             return 1
-        print(f"meander: {' '.join(str(problem).split())}", file=sys.stderr, flush=True)
+        line = f"meander: {' '.join(str(problem).split())}"
+        while_heard(print, line, file=sys.stderr, flush=True)
         return 2
     except KeyboardInterrupt:
-        print("meander: interrupted", file=sys.stderr, flush=True)
+        while_heard(print, "meander: interrupted", file=sys.stderr, flush=True)
         return 130
     except Exception:
         traceback.print_exc()
         return 1
     return 0
+
+
+def while_heard(say: Callable[..., None], *line: Any, **how: Any) -> None:
+    """Prints a line, unless nobody reads it any more, as behind `| head -1`: that is no reason to
+    end, and nothing is printed from there on."""
+    try:
+        say(*line, **how)
+    except BrokenPipeError:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        for stream in (sys.stdout, sys.stderr):
+            # What is left in the buffer would fail once more when the process ends.
+            with contextlib.suppress(OSError, ValueError, AttributeError):
+                try:
+                    stream.flush()
+                except BrokenPipeError:
+                    os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
 
 
 def print_any_letters() -> None:

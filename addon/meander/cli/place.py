@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from .. import core
 from ..model.toolpaths import bridges, toolpath
+from .exit_code import while_heard
 from .grown import Grown
 from .input import Input
 from .values import BadInput
@@ -85,7 +86,8 @@ class Place:
 
     def warn(self, sentence: str) -> None:
         """Prints what somebody should know, also where nothing else is to be printed."""
-        print(f"meander: warning: {sentence}", file=sys.stderr, flush=True)
+        line = f"meander: warning: {sentence}"
+        while_heard(print, line, file=sys.stderr, flush=True)
 
     def blender(self, what: object, reason: str = "") -> Host:
         """Blender. Raises BadInput where there is none.
