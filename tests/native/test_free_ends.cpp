@@ -49,7 +49,7 @@ TEST(Ends, KeepFromWhatIsAheadAndFillWhatIsEmpty) {
         rooms.push_back(room_of_end(*surface, flow.curve(), flow.curve().strands[s], last, r));
       }
     }
-    for (const Gap& gap : find_gaps(flow, 1)) EXPECT_LT(gap.size, 1.8);
+    for (const Gap& gap : find_gaps(flow, 1).gaps) EXPECT_LT(gap.size, 1.8);
   }
   std::ranges::sort(rooms);
   EXPECT_GT(rooms.front(), 0.9);

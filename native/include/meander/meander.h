@@ -1409,7 +1409,12 @@ typedef struct meander_gaps {
   const uint32_t* faces;   /* uint32_t[count]: the face of each position, as passed to
                               meander_surface_create */
   meander_result* result;
-  uint64_t reserved[4];
+  double empty_share;      /* of the surface's area: farther than 1.6 local r from the curve, narrow_share
+                              left out. Hardly any of a filled surface is, whatever least_size says */
+  double narrow_share;     /* the same where the surface is narrower than a spacing, so that a line and its
+                              way back have no room */
+  const uint8_t* narrow;   /* uint8_t[count]: 1 where the surface is narrower than a spacing, else 0 */
+  uint64_t reserved[1];
 } meander_gaps;
 
 /* Prepares gaps; see "Structs". */
@@ -1426,7 +1431,11 @@ MEANDER_API meander_status meander_gaps_init(meander_gaps* gaps, size_t struct_s
  * strands of one side cover both. With MEANDER_MEDIAL_AXIS_GEODESIC only what is connected to a place
  * within its ball covers it, and where strands of another sheet are near, sizes end at 3. Where
  * boundary_distance keeps a strip along the boundary empty, only what lies farther from the curve than
- * that calls for is a gap.
+ * that calls for is a gap, or empty.
+ *
+ * A place is narrow where the part of the surface that is connected to it within 4 local r has an area of
+ * less than 2 r times its longest extent: a strip of a lesser width, a tube of a lesser girth, the tip of a
+ * corner below 57 degrees.
  *
  * least_size  how large a place must be to count, in local r, from 1 to 1e6; 0: 1.2
  * gaps        prepared by meander_gaps_init; receives them

@@ -130,8 +130,10 @@ std::vector<std::string> warnings_of(const meander_flow_options& o) {
              " the curve stays much wider than the spacing, or shrinks to nothing.");
   warn_above(o.bending_weight, 10, "bending weight",
              " the curve is too stiff to turn at the spacing and leaves gaps.");
-  warn_above(o.alignment_weight, 5, "alignment weight",
-             " strands hardly turn any more, and zigzag across the field instead.");
+  if (o.start == MEANDER_START_GROW) {
+    warn_above(o.alignment_weight, 5, "alignment weight",
+               " strands that grow hardly turn any more, and zigzag across the field instead; a full start does not.");
+  }
   return sentences;
 }
 

@@ -15,16 +15,20 @@ struct GapArrays {
   std::vector<Vec3> positions;
   std::vector<double> radii, sizes;
   std::vector<uint32_t> faces;
+  std::vector<uint8_t> narrow;
+  EmptyArea empty;
 };
 
-GapArrays in_terms_of_the_caller(const std::vector<Gap>& gaps, const Surface& surface, const MeshMap* map) {
+GapArrays in_terms_of_the_caller(const Gaps& gaps, const Surface& surface, const MeshMap* map) {
   GapArrays found;
-  for (const Gap& gap : gaps) {
+  found.empty = gaps.empty;
+  for (const Gap& gap : gaps.gaps) {
     const SurfacePoint& p = gap.centre;
     found.positions.push_back(caller_point(surface, p.face, {p.weight(0), p.b.x, p.b.y}));
     found.radii.push_back(gap.radius * surface.scale());
     found.sizes.push_back(gap.size);
     found.faces.push_back(caller_face(map, p.face));
+    found.narrow.push_back(gap.narrow);
   }
   return found;
 }
@@ -48,6 +52,9 @@ meander_status meander_flow_find_gaps(meander_flow* flow, double least_size, mea
       point_to(g.radii, arrays.radii);
       point_to(g.sizes, arrays.sizes);
       point_to(g.faces, arrays.faces);
+      g.empty_share = arrays.empty.wide;
+      g.narrow_share = arrays.empty.narrow;
+      point_to(g.narrow, arrays.narrow);
     });
   });
 }

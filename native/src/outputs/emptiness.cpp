@@ -42,31 +42,52 @@ SegmentsOfFaces::SegmentsOfFaces(const Surface& surface, const Curve& curve) : f
 
 Emptiness::Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
                      const RadiusField& radius, const SurfacePatches* patches)
-    : surface_(surface), curve_(curve), radius_(radius), patches_(patches), tree_(nodes) {
+    : surface_(surface), curve_(curve), nodes_(nodes), radius_(radius), patches_(patches) {
   for (const PathShape& shape : curve.shapes) longest_half_ = std::max(longest_half_, 0.5 * shape.length);
   if (patches) segments_.emplace(surface, curve);
+  std::vector<std::vector<uint32_t>> of_component(patches ? surface.component_count() : 1);
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    of_component[patches ? surface.component(curve.nodes[i].face) : 0].push_back(i);
+  }
+  if (std::ranges::any_of(of_component, &std::vector<uint32_t>::empty)) {  // without a strand: what is nearest counts
+    of_component.emplace_back(curve.size());
+    std::iota(of_component.back().begin(), of_component.back().end(), 0u);
+  }
+  if (of_component.size() > 1) part_of_component_.resize(surface.component_count());
+  for (uint32_t part = 0; part < of_component.size(); ++part) {
+    std::vector<uint32_t>& members = of_component[part];
+    if (part < part_of_component_.size()) {
+      part_of_component_[part] = members.empty() ? static_cast<uint32_t>(of_component.size() - 1) : part;
+    }
+    std::vector<Vec3> places(members.size());
+    for (size_t k = 0; k < members.size(); ++k) places[k] = nodes[members[k]];
+    parts_.push_back(std::make_unique<NodesApart>(std::move(members), std::move(places)));
+  }
 }
 
 bool Emptiness::closer_than(const SurfacePoint& p, double size) const {
   const double r = local_radius(p), reach = size * r;
-  const auto nearest = tree_.nearest(position(surface_, p), reach * reach);
+  const NodesApart& near = around(p);
+  const auto nearest = near.tree.nearest(position(surface_, p), reach * reach);
   // What is on another sheet counts as no farther than kFarthest, see at().
   if (!nearest || reach >= kFarthest * r || straight(p)) return nearest.has_value();
-  return is_connected(p, curve_.nodes[nearest->index].face, tree_.points()[nearest->index], reach) ||
-         distance_on_surface(p, reach) < reach;
+  const uint32_t node = near.nodes[nearest->index];
+  return is_connected(p, curve_.nodes[node].face, nodes_[node], reach) || distance_on_surface(p, reach) < reach;
 }
 
 Gap Emptiness::at(const SurfacePoint& p) const {
   const Vec3 x = position(surface_, p);
-  const PointTree::Hit nearest = *tree_.nearest(x);
+  const NodesApart& around_p = around(p);
+  const PointTree::Hit nearest = *around_p.tree.nearest(x);
   // The nearest segment need not be one of the nearest node's, but one of its own nodes is at most
   // half its length farther than it is.
   std::vector<uint32_t> near;
   const double reach = std::sqrt(nearest.squared_distance) + longest_half_;
-  tree_.within(x, reach * reach, near);
+  around_p.tree.within(x, reach * reach, near);
   double distance = std::sqrt(nearest.squared_distance);
   uint32_t closest = kNone;
-  for (const uint32_t node : near) {
+  for (const uint32_t member : near) {
+    const uint32_t node = around_p.nodes[member];
     for (const uint32_t segment : {curve_.previous(node), node}) {
       if (segment == kNone || !curve_.has_segment(segment)) continue;
       const double d = distance_to_path(x, segment);
@@ -77,7 +98,7 @@ Gap Emptiness::at(const SurfacePoint& p) const {
     }
   }
   const double r = local_radius(p);
-  if (distance < kFarthest * r && !straight(p) && !reaches(p, distance, closest, nearest.index)) {
+  if (distance < kFarthest * r && !straight(p) && !reaches(p, distance, closest, around_p.nodes[nearest.index])) {
     distance = std::min(distance_on_surface(p, kFarthest * r), kFarthest * r);
   }
   return {p, distance, distance / r};
@@ -85,20 +106,20 @@ Gap Emptiness::at(const SurfacePoint& p) const {
 
 double Emptiness::distance_to_path(const Vec3& x, uint32_t segment) const {
   double distance = std::numeric_limits<double>::infinity();
-  Vec3 from = tree_.points()[segment];
+  Vec3 from = nodes_[segment];
   for (const Crossing& crossing : curve_.paths[segment]) {
     const Vec3 to = position(surface_, crossing);
     distance = std::min(distance, distance_to_segment(x, from, to));
     from = to;
   }
-  return std::min(distance, distance_to_segment(x, from, tree_.points()[curve_.next(segment)]));
+  return std::min(distance, distance_to_segment(x, from, nodes_[curve_.next(segment)]));
 }
 
 /// Whether the nearest piece of the curve, of a segment or else a node, is on the same sheet as a point.
 bool Emptiness::reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const {
-  if (segment == kNone) return is_connected(p, curve_.nodes[node].face, tree_.points()[node], distance);
+  if (segment == kNone) return is_connected(p, curve_.nodes[node].face, nodes_[node], distance);
   const Vec3 x = position(surface_, p);
-  Vec3 from = tree_.points()[segment];
+  Vec3 from = nodes_[segment];
   uint32_t face = curve_.nodes[segment].face;
   for (const Crossing& crossing : curve_.paths[segment]) {
     const Vec3 to = position(surface_, crossing);
@@ -157,7 +178,7 @@ double Emptiness::distance_on_surface(const SurfacePoint& p, double most) const 
     if (!(radius < std::min(most, distance))) break;
     for (const uint32_t segment : segments_->of(face)) {
       const double d = curve_.has_segment(segment) ? distance_to_path(x, segment)
-                                                   : (tree_.points()[segment] - x).norm();
+                                                   : (nodes_[segment] - x).norm();
       distance = std::min(distance, std::max(radius, d));
     }
     const Triangle& corners = surface_.face(face);
@@ -185,7 +206,7 @@ std::optional<Gap> EmptinessNearby::above(const SurfacePoint& p, double size) {
   double d = distance(x, enough);
   if (d < enough) return std::nullopt;
   if (!((x - middle_).norm() + d < covered_)) {  // something else may be nearer
-    gather(x, kGatherMargin * r);
+    gather(p, kGatherMargin * r);
     d = distance(x, enough);
     if (d < enough) return std::nullopt;
   }
@@ -234,31 +255,33 @@ double EmptinessNearby::distance(const Vec3& x, double enough) {
   return std::sqrt(least);
 }
 
-/// Gathers what is nearest to the points within about `margin` of x.
-void EmptinessNearby::gather(const Vec3& x, double margin) {
-  const PointTree& tree = emptiness_.tree_;
+/// Gathers what is nearest to the points within about `margin` of p.
+void EmptinessNearby::gather(const SurfacePoint& p, double margin) {
+  const NodesApart& around = emptiness_.around(p);
   const Curve& curve = emptiness_.curve_;
-  middle_ = x;
-  const double nearest = std::sqrt(tree.nearest(x)->squared_distance);
+  const std::vector<Vec3>& places = emptiness_.nodes_;
+  middle_ = position(emptiness_.surface_, p);
+  const double nearest = std::sqrt(around.tree.nearest(middle_)->squared_distance);
   covered_ = nearest + margin;
   const double reach = (1 + kRounding) * (covered_ + emptiness_.longest_half_);
-  tree.within(x, reach * reach, found_);
+  around.tree.within(middle_, reach * reach, found_);
   nodes_.clear();
   parts_.clear();
   uint32_t last = kNone;
-  for (const uint32_t node : found_) {
-    nodes_.push_back(tree.points()[node]);
+  for (const uint32_t member : found_) {
+    const uint32_t node = around.nodes[member];
+    nodes_.push_back(places[node]);
     for (const uint32_t segment : {curve.previous(node), node}) {
       // Nodes come in order: the segment before one is mostly that after the last one.
       if (segment == kNone || segment == last || !curve.has_segment(segment)) continue;
       last = segment;
-      Vec3 from = tree.points()[segment];
+      Vec3 from = places[segment];
       for (const Crossing& crossing : curve.paths[segment]) {
         const Vec3 to = position(emptiness_.surface_, crossing);
         parts_.emplace_back(from, to);
         from = to;
       }
-      parts_.emplace_back(from, tree.points()[curve.next(segment)]);
+      parts_.emplace_back(from, places[curve.next(segment)]);
     }
   }
 }

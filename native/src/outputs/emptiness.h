@@ -3,10 +3,13 @@
 // How empty the surface is at a point: the distance from there to the curve.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/point_tree.h"
@@ -22,6 +25,7 @@ struct Gap {
   SurfacePoint centre;
   double radius = 0;  ///< distance in space from the centre to the curve
   double size = 0;    ///< the radius in units of the local r at the centre
+  bool narrow = false;  ///< the surface is narrower than a spacing there, as far as that has been asked
 };
 
 /// The segments that pass through every face.
@@ -37,18 +41,31 @@ class SegmentsOfFaces {
   std::vector<uint32_t> first_, segments_;
 };
 
+/// Nodes of a curve, in rising order, and a tree of where they are.
+struct NodesApart {
+  NodesApart(std::vector<uint32_t> which, std::vector<Vec3> where) : nodes(std::move(which)), tree(std::move(where)) {}
+  std::vector<uint32_t> nodes;
+  PointTree tree;
+};
+
 /// Distances of points of the surface from a curve. Refers to all that it is given. Queries may run on any
 /// number of threads.
 class Emptiness {
  public:
-  /// `nodes` are the positions of the curve's nodes, `radius` is r on the surface.
+  /// `nodes` are the positions of the curve's nodes, one at least, `radius` is r on the surface.
   /// `patches`: those of the surface; only the part of the curve that is connected to a point counts then, see
-  /// find_gaps. Null: distances are straight.
+  /// find_gaps, and nodes are looked for in a tree for each component: where bodies lie in one another, the nearest
+  /// node is mostly another one's. Null: distances are straight.
   Emptiness(const Surface& surface, const Curve& curve, const std::vector<Vec3>& nodes,
             const RadiusField& radius, const SurfacePatches* patches);
 
   const Surface& surface() const { return surface_; }
   double local_radius(const SurfacePoint& p) const { return radius_.at(surface_, p); }
+  /// The least of a face.
+  double least_radius(uint32_t face) const {
+    const auto& [a, b, c] = surface_.face(face);
+    return std::min({radius_.at(a), radius_.at(b), radius_.at(c)});
+  }
 
   /// Whether a node is nearer than `size` local r, which is cheaper to know than the distance.
   bool closer_than(const SurfacePoint& p, double size) const;
@@ -66,6 +83,10 @@ class Emptiness {
  private:
   friend class EmptinessNearby;
 
+  /// The nodes that may count at a point: those of its component, or all where that has none.
+  const NodesApart& around(const SurfacePoint& p) const {
+    return *parts_[part_of_component_.empty() ? 0 : part_of_component_[surface_.component(p.face)]];
+  }
   double distance_to_path(const Vec3& x, uint32_t segment) const;
   bool reaches(const SurfacePoint& p, double distance, uint32_t segment, uint32_t node) const;
   bool is_connected(const SurfacePoint& p, uint32_t face, const Vec3& goal, double radius) const;
@@ -73,10 +94,12 @@ class Emptiness {
 
   const Surface& surface_;
   const Curve& curve_;
+  const std::vector<Vec3>& nodes_;
   const RadiusField& radius_;
   const SurfacePatches* patches_;
   std::optional<SegmentsOfFaces> segments_;  // where distances are along the surface
-  PointTree tree_;
+  std::vector<std::unique_ptr<const NodesApart>> parts_;
+  std::vector<uint32_t> part_of_component_;  // empty: there is one for all
   double longest_half_ = 0;  // of the longest segment
 };
 
@@ -105,7 +128,7 @@ class EmptinessNearby {
   };
   bool lately_closer(const Vec3& x, double distance);
   double distance(const Vec3& x, double enough);
-  void gather(const Vec3& x, double margin);
+  void gather(const SurfacePoint& p, double margin);
 
   const Emptiness& emptiness_;
   Vec3 middle_ = Vec3::Zero();  // nodes nearer to it than covered_, and half the longest segment, are gathered

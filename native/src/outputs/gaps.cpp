@@ -30,8 +30,9 @@ constexpr int kDirections = 8;
 constexpr double kFinestStep = 0.005;
 constexpr int kMostSteps = 200;
 
-/// Places that are compared between two asks whether to go on.
+/// Places that are compared, or looked at, between two asks whether to go on.
 constexpr uint32_t kCompared = 4096;
+constexpr uint32_t kPlaces = 256;
 
 /// A step must gain at least this share of its length: one that the boundary ends at once also goes a little way along
 /// it, and a climb of such steps would never come to shorter ones.
@@ -117,22 +118,29 @@ std::vector<Gap> apart(const Surface& surface, const std::vector<Gap>& gaps, dou
   return kept;
 }
 
-std::vector<Gap> emptiest_places(const Flow::Present& present, double least_size) {
-  const Domain& domain = present.state.domain;
-  const Surface& surface = *domain.surface;
+/// What a block of starts has given.
+struct Found {
+  std::vector<Gap> starts;
+  EmptyArea empty;
+};
+
+/// Looks at the centres of all balls, the middles of all faces and beside all corners of the boundary: starts whose
+/// size is at least `promising`; and how much of the faces is empty.
+Found look_everywhere(const Flow::Present& present, const Emptiness& emptiness, const EmptyStrip& strip,
+                      double promising) {
+  const Surface& surface = emptiness.surface();
   const Curve& curve = present.state.curve;
   const Frames& frames = present.medial.frames;
   const NodeData<Radii>& radii = present.medial.radii;
   ThreadPool& pool = present.pool;
-  const Emptiness emptiness(surface, curve, frames.position.values(), domain.radius, domain.patches.get());
-  const bool along_surface = domain.patches != nullptr;
-  const double promising = kPromising * least_size;
-  const double surely_small = kSurely * promising * domain.radius.least();
+  const double surely_small = kSurely * promising * present.state.domain.radius.least();
   const size_t balls = 2 * size_t{curve.size()};
   const size_t middles = balls + surface.face_count(), count = middles + surface.boundary().size();
   constexpr size_t kBlock = 512;
-  std::vector<std::vector<Gap>> found(ThreadPool::block_count(count, kBlock));
+  std::vector<Found> blocks(ThreadPool::block_count(count, kBlock));
   pool.for_blocks(count, kBlock, [&](size_t block, size_t begin, size_t end) {
+    Found& found = blocks[block];
+    EmptyFaces faces(emptiness, strip, pool.poll(kPlaces));
     for (size_t k = begin; k < end; ++k) {
       SurfacePoint start;
       if (k < balls) {
@@ -146,45 +154,57 @@ std::vector<Gap> emptiest_places(const Flow::Present& present, double least_size
       } else {
         start = beside_corner(surface.boundary()[k - middles]);
       }
-      if (emptiness.closer_than(start, promising)) continue;
+      const bool close = emptiness.closer_than(start, promising);
+      if (k >= balls && k < middles) faces.add(start.face, close ? promising : 0);
+      if (close) continue;
       const Gap gap = emptiness.at(start);
-      if (gap.size >= promising) found[block].push_back(gap);
+      if (gap.size >= promising) found.starts.push_back(gap);
     }
+    found.empty = faces.area();
   });
-  std::vector<Gap> starts;
-  for (const std::vector<Gap>& block : found) starts.insert(starts.end(), block.begin(), block.end());
+  Found all;
+  for (const Found& found : blocks) {
+    all.starts.insert(all.starts.end(), found.starts.begin(), found.starts.end());
+    all.empty += found.empty;
+  }
+  return all;
+}
 
-  std::vector<Gap> gaps = apart(surface, starts, kSameStart, along_surface, pool.poll(kCompared));
+/// On the surface that the flow runs on.
+Gaps emptiest_places(const Flow::Present& present, double least_size) {
+  const Domain& domain = present.state.domain;
+  const Surface& surface = *domain.surface;
+  ThreadPool& pool = present.pool;
+  const Emptiness emptiness(surface, present.state.curve, present.medial.frames.position.values(), domain.radius,
+                            domain.patches.get());
+  const bool along_surface = domain.patches != nullptr;
+  const EmptyStrip strip{*domain.boundary, present.state.settings.boundary_distance};
+  const Found found = look_everywhere(present, emptiness, strip, kPromising * least_size);
+
+  std::vector<Gap> gaps = apart(surface, found.starts, kSameStart, along_surface, pool.poll(kCompared));
   pool.for_blocks(gaps.size(), 2, [&](size_t, size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) gaps[k] = climb(emptiness, gaps[k]);
   });
   gaps = apart(surface, gaps, 1, along_surface, pool.poll(kCompared));
-  std::erase_if(gaps, [&](const Gap& gap) { return gap.size < least_size; });
-  return gaps;
-}
-
-/// Where a strip along the boundary is to stay empty, what lies no farther from the curve than it asks for is no gap.
-void leave_out_strip(const FlowState& state, double least_size, std::vector<Gap>& gaps) {
-  const Domain& domain = state.domain;
-  const double kept = state.settings.boundary_distance;
-  if (kept <= 0.5 || domain.boundary->empty()) return;
   std::erase_if(gaps, [&](const Gap& gap) {
     const double r = gap.radius / gap.size;
-    const double to_boundary =
-        std::sqrt(domain.boundary->tree().nearest(position(*domain.surface, gap.centre))->squared_distance);
-    const double wanted = std::max(0.0, (2 * kept - 1) * r - to_boundary);
-    return gap.radius - wanted < least_size * r;
+    return gap.radius - strip.wanted_at(position(surface, gap.centre), r) < least_size * r;
   });
+  pool.for_blocks(gaps.size(), 2, [&](size_t, size_t begin, size_t end) {
+    CancelToken poll = pool.poll(kPlaces);
+    for (size_t k = begin; k < end; ++k) gaps[k].narrow = is_narrow(emptiness, gaps[k].centre, poll);
+  });
+  const double area = surface.area();
+  return {std::move(gaps), {found.empty.wide / area, found.empty.narrow / area}};
 }
 
 }  // namespace
 
-std::vector<Gap> find_gaps(Flow& flow, double least_size, const CancelToken& cancel) {
+Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel) {
   return flow.ask([&](const Flow::Present& present) {
-    std::vector<Gap> gaps = emptiest_places(present, least_size);
-    leave_out_strip(present.state, least_size, gaps);
-    for (Gap& gap : gaps) gap.radius *= present.state.domain.stretch_at(gap.centre);
-    return gaps;
+    Gaps found = emptiest_places(present, least_size);
+    for (Gap& gap : found.gaps) gap.radius *= present.state.domain.stretch_at(gap.centre);
+    return found;
   }, cancel);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "flow/flow.h"
-#include "outputs/emptiness.h"
+#include "outputs/empty_area.h"
 
 namespace meander {
 
@@ -15,8 +15,14 @@ namespace meander {
 /// nothing gives way, so a good filling still has some of these, a little smaller.
 inline constexpr double kGapSize = 1.2;
 
-/// Places that the curve as it is now leaves empty, whose size is at least `least_size`, the largest first. No centre
-/// lies within the radius of a larger gap: what overlaps is one gap.
+/// What a curve leaves empty.
+struct Gaps {
+  std::vector<Gap> gaps;  ///< the largest first
+  EmptyArea empty;        ///< of a larger size than kEmptySize, as shares of the surface
+};
+
+/// Places that the curve as it is now leaves empty, whose size is at least `least_size`. No centre lies within the
+/// radius of a larger gap: what overlaps is one gap. And how much of the surface is empty, whatever `least_size` is.
 ///
 /// A largest empty place touches the curve on several sides, so it is a medial ball of the nodes
 /// where it touches, and the search starts from the centres of all balls, carried onto the surface by
@@ -33,8 +39,8 @@ inline constexpr double kGapSize = 1.2;
 /// most 3 r from the curve.
 ///
 /// Where a strip along the boundary is to stay empty, only what lies farther from the curve than the strip asks for is
-/// a gap. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes, and
+/// a gap, or empty. Centres are on Flow::surface(), radii in its unit. See Flow::ask for what changes, and
 /// for `cancel`.
-std::vector<Gap> find_gaps(Flow& flow, double least_size, const CancelToken& cancel = {});
+Gaps find_gaps(Flow& flow, double least_size, const CancelToken& cancel = {});
 
 }  // namespace meander
