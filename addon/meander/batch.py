@@ -7,8 +7,9 @@ It runs from an installed add-on and from a source checkout, inside Blender and 
 module (``python batch.py -- ...``). Only .blend files and what is in them need either. From Blender
 4.2 on an installed add-on runs as ``blender --command meander ...`` as well.
 
-Exit codes: 0 done, also when the iteration limit was reached (the report says so); 2 bad input,
-with one sentence on stderr and every output file as it was; 1 a defect, with a traceback; 130
+Exit codes: 0 done, also when the iteration limit was reached (the report says so); 3 done, with all
+files written, but with gaps where --fail-on-gaps asks for none; 2 bad input, with one sentence on
+stderr and every output file as it was; 1 a defect, with a traceback; 130
 interrupted from the keyboard, with every output file as it was.
 """
 

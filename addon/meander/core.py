@@ -62,6 +62,7 @@ from .binding.native_library import (
     struct_layouts,
 )
 from .binding.seed import Seed
+from .binding.spacing import area_of, automatic_spacing, spacing_for
 from .binding.surface import (
     Closest,
     Faults,
@@ -110,6 +111,8 @@ __all__ = [
     "SurfaceOptions",
     "Text",
     "TextPolygons",
+    "area_of",
+    "automatic_spacing",
     "cut_surface",
     "default_options",
     "estimate_cost",
@@ -121,6 +124,7 @@ __all__ = [
     "option_warnings",
     "read_numbers",
     "read_polygons",
+    "spacing_for",
     "struct_layouts",
     "triangulated",
     "unknown_name",

@@ -5,7 +5,7 @@
 
     vertices, faces = meander.read_mesh("spot.obj")         # or arrays: (n, 3) and (m, 3)
     options = meander.default_options("even")
-    options.radius = 0.05                                   # half the spacing
+    options.radius = 0.05                                   # half the spacing; 0: automatic
     with meander.Surface(vertices, faces) as surface:
         flow = meander.Flow(surface, options)
     reason = flow.run()                                     # "converged"
@@ -55,6 +55,7 @@ from .core import (
     StopRule,
     Surface,
     SurfaceOptions,
+    automatic_spacing,
     cut_surface,
     default_options,
     estimate_cost,
@@ -104,6 +105,7 @@ __all__ = [
     "Surface",
     "SurfaceOptions",
     "__version__",
+    "automatic_spacing",
     "cut_surface",
     "default_options",
     "estimate_cost",

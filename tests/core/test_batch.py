@@ -214,7 +214,6 @@ GOOD = ("--spacing", "0.2")
         ("--spacing", "inf"),
         ("--spacing", "wide"),
         ("--spacing", "100"),
-        (),
         (*GOOD, "--iterations", "0"),
         (*GOOD, "--iterations", "many"),
         (*GOOD, "--threads", "-1"),

@@ -44,7 +44,10 @@ def test_none_is_overwritten(
     elif way != "itself":
         named = victim.with_name(f"link{victim.suffix}")
         (os.symlink if way == "a link" else os.link)(victim, named)
-    given = {"output": victim.with_name(f"out{victim.suffix}"), "report": victim.with_name("out.json")}
+    given = {
+        "output": victim.with_name(f"out{victim.suffix}"),
+        "report": victim.with_name("out.json"),
+    }
     given |= {option: named, "input": files["input"], read: victim}
     argv = ["--spacing", "0.4", "--iterations", "1"]
     argv += [word for name, path in given.items() for word in (f"--{name}", str(path))]

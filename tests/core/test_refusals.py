@@ -63,7 +63,6 @@ def options_with(**changes) -> core.FlowOptions:
 BAD_OPTIONS = [
     {"radius": NAN},
     {"radius": INF},
-    {"radius": 0.0},
     {"radius": -0.1},
     {"radius": 20.0},  # spacing larger than the surface
     {"segment_length": -1.0},

@@ -82,7 +82,6 @@ def test_of_whole_runs_the_nearest_stays() -> None:
 @pytest.mark.parametrize(
     ("extra", "words"),
     [
-        ((), "--spacing"),
         (("--spacing", "1", "--target-length", "5"), "both given"),
         (("--target-length", "0"), "not greater than 0"),
         (("--target-length", "1e12"), "larger spacing"),

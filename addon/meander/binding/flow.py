@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from ctypes import byref, c_size_t, c_void_p, sizeof
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -44,6 +45,7 @@ from .native_library import (
     raise_error,
 )
 from .seed import Seed, seed_record
+from .spacing import spacing_for
 from .surface import Surface
 
 # ------------------------------------------------------------------------------------------------
@@ -126,12 +128,19 @@ class Gaps:
     radii      (n,) float64, distance from each position to the curve, in the surface's units
     sizes      (n,) float64, the same in units of the local r: 1 between well spaced strands
     faces      (n,) uint32, the face of each position, as passed to Surface
+    narrow     (n,) bool, where the surface is narrower than a spacing: a line and its way back have
+               no room there
+    empty_share    of the surface's area: what is farther than 1.6 local r from the curve, without
+    narrow_share   the same where the surface is narrower than a spacing
     """
 
     positions: NDArray[np.float64]
     radii: NDArray[np.float64]
     sizes: NDArray[np.float64]
     faces: NDArray[np.uint32]
+    narrow: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=np.bool_))
+    empty_share: float = 0.0
+    narrow_share: float = 0.0
 
     def __len__(self) -> int:
         return len(self.sizes)
@@ -175,7 +184,7 @@ class Flow(Handle):
                 )
         # The arrays behind the record must outlive the call, hence the second name.
         start, seed_arrays = (None, ()) if seed is None else seed_record(seed)
-        record = options_record(options)
+        record = options_record(_with_spacing(options, surface))
         library = native()
         pointer = c_void_p()
         with pointer_of(context) as cancelling:
@@ -478,26 +487,42 @@ class Flow(Handle):
             found.array("barycentrics", count, 3),
         )
 
-    def gaps(self, least_size: float = 0.0) -> Gaps:
+    def gaps(self, least_size: float = 0.0, context: Context | None = None) -> Gaps:
         """The places that the present curve leaves empty; see meander_flow_find_gaps.
 
         least_size   how far from the curve a place must be to count, in local r, at least 1;
                      0 leaves it to the library, which takes 1.2
+        context      where it is cancelled, a MeanderError of the status CANCELLED is raised
 
         Costs one medial axis and a search; the curve stays as it is. Raises MeanderError for a
         size out of range.
         """
         found = Found(GapsRecord)
-        with self._use() as pointer:
-            count = found.fill(
-                native().meander_flow_find_gaps, pointer, float(least_size), context=(None,)
-            ).count
+        with self._use() as pointer, pointer_of(context) as cancelling:
+            record = found.fill(
+                native().meander_flow_find_gaps, pointer, float(least_size), context=(cancelling,)
+            )
+        count = record.count
         return Gaps(
             found.array("positions", count, 3),
             found.array("radii", count),
             found.array("sizes", count),
             found.array("faces", count),
+            found.array("narrow", count).astype(bool),
+            record.empty_share,
+            record.narrow_share,
         )
+
+
+def _with_spacing(options: FlowOptions, surface: Surface) -> FlowOptions:
+    """The same options where they have a radius; else with that of the automatic spacing."""
+    if options.radius != 0:
+        return options
+    spacing = spacing_for(surface.statistics()["area"])
+    logging.getLogger("meander").info(
+        "The spacing is %g, which is automatic: no radius was chosen.", spacing
+    )
+    return replace(options, radius=spacing / 2.0)
 
 
 def _polylines_of(found: Found, normals: NDArray[np.float64]) -> Polylines:

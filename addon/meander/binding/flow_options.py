@@ -20,7 +20,8 @@ class FlowOptions(FlowOptionFields):
     """Options of one flow, named as in meander_flow_options, where each is described.
 
     Made by `default_options` only; the defaults live in the library. Lengths are in the surface's
-    units. `radius` is half the spacing and must be chosen.
+    units. `radius` is half the spacing; at 0 a Flow takes the automatic one of its surface,
+    see `automatic_spacing`, and says which by the logger "meander".
 
     tunings   numbers that shape curves, by name; experimental, see meander_flow_options_set_tuning
     """
@@ -44,7 +45,7 @@ def tuning_names() -> tuple[str, ...]:
 
 
 def default_options(preset: str = "even") -> FlowOptions:
-    """The library's defaults for a preset of PRESETS; radius is 0 and must be chosen.
+    """The library's defaults for a preset of PRESETS; radius is 0, the automatic one.
 
     Raises MeanderError for an unknown preset.
     """

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -25,6 +25,7 @@ from . import (
     mirror,
     motion,
     preparation,
+    quality,
     strands,
     target_length,
     terms,
@@ -79,6 +80,7 @@ def parser(place: Place) -> argparse.ArgumentParser:
     )
     flags.add_flags(parser)
     target_length.add_options(parser)
+    limits.add_failing(parser)
     add("--quiet", action="store_true", help="print nothing but errors")
     add("--version", action="version", version=f"Meander {core.VERSION}")
     density.add_options(parser)
@@ -106,6 +108,13 @@ def files_read(arguments: argparse.Namespace) -> dict[str, Path]:
     """The files that a run is made from, by the name of the option."""
     given = {name: getattr(arguments, name) for name in read_options()}
     return {name: path for name, path in given.items() if path is not None}
+
+
+def parsed(argv: Sequence[str], place: Place) -> argparse.Namespace:
+    """What the options say, with those that a preset of the panel stands for. Raises BadInput."""
+    arguments = parser(place).parse_args(argv)
+    quality.expand(arguments)
+    return arguments
 
 
 def check_arguments(arguments: argparse.Namespace, place: Place) -> None:

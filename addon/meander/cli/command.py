@@ -14,16 +14,16 @@ from typing import Any
 
 from .. import core
 from ..model import bundle, last_run, report, strands
+from ..model.empty import Empty, empty_of, narrow_remark, remark
 from ..model.files import meshes
 from ..model.files.whole import FileError
 from ..model.least_bend import sharpest_bend
 from ..model.preparation import described
 from ..model.problem import Opened, open_flow
 from ..model.toolpaths import bridges
-from . import cut, least_bend, limits, maps, mirror, preparation, target_length
-from .arguments import check_arguments, parser
-from .exit_code import exit_code_of, while_heard
-from .flags import flow_options
+from . import cut, least_bend, limits, maps, mirror, preparation, spacing, target_length
+from .arguments import check_arguments, parsed
+from .exit_code import GapsLeft, exit_code_of, while_heard
 from .grown import Grown, grown_of
 from .input import Input
 from .place import Place
@@ -33,7 +33,7 @@ from .writing import echo, write_outputs
 
 
 def _process(argv: Sequence[str], place: Place) -> None:
-    arguments = parser(place).parse_args(argv)
+    arguments = parsed(argv, place)
     if arguments.quiet:
         place = replace(place, say=lambda _line: None)
     check_arguments(arguments, place)
@@ -47,25 +47,29 @@ def _process(argv: Sequence[str], place: Place) -> None:
     filled = _filled(arguments, search, place, warned=False)
     while filled is None:
         filled = _filled(arguments, search, place, warned=True)
-    given, opened, grown, figures, record = filled
+    given, opened, grown, figures, record, empty = filled
     write_outputs(arguments, given, grown, record, place)
-    for line in _remarks(given, opened, figures, record):
+    for line in _remarks(given, opened, figures, record, empty):
         place.say(f"meander: {line}")
     for written in (arguments.output, arguments.cut, *grown.images):
         if written is not None:
             place.say(f"meander: wrote {written}")
+    if empty.matters and arguments.fail_on_gaps:
+        raise GapsLeft(_of_empty(empty, figures, given))
 
 
 def _filled(
     arguments: argparse.Namespace, search: target_length.Search | None, place: Place, warned: bool
-) -> tuple[Input, Opened, Grown, dict[str, Any], dict[str, Any]] | None:
+) -> tuple[Input, Opened, Grown, dict[str, Any], dict[str, Any], Empty] | None:
     """One run: what was read, opened and grown, the figures, and the report as far as it goes; None
     where `search` asks for another one, whose spacing is then in the arguments.
 
     warned   what there is to warn of has been said
     """
-    options = flow_options(arguments)
-    given = read_input(arguments, options, place)
+    given = read_input(arguments, place)
+    options = given.problem.options
+    if spacing.is_automatic(arguments) and not warned:
+        place.say(f"meander: {spacing.sentence(arguments.spacing)}")
     warnings = [*given.warnings, *core.option_warnings(options)]
     library = core.library_notice()
     if library:
@@ -81,23 +85,32 @@ def _filled(
         with mirror.whole(opened, options) as (flow, figures, of_mirror):
             figures |= {"stop_reason": reason}
             if search is not None:
-                spacing, length = arguments.spacing, figures["length"]
-                place.say(f"meander: at a spacing of {spacing:.6g} the curve is {length:.6g} long")
-                following = search.following(spacing, length)
+                length = figures["length"]
+                place.say(
+                    f"meander: at a spacing of {arguments.spacing:.6g} the curve is {length:.6g} "
+                    "long"
+                )
+                following = search.following(arguments.spacing, length)
                 if following is not None:
                     arguments.spacing = following
                     return None
+            gaps = interruptible(lambda context: flow.gaps(context=context))
             record = report.build_report(
                 core.library_version(),
                 opened.figures,
                 figures,
                 grown_flow.history(),
-                flow.gaps(),
+                gaps,
                 echo(arguments, options, given),
             )
             grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
             images = maps.images_of(flow, arguments, given, place)
             grown = replace(grown, cut=cut.cut_of(flow, arguments), images=images)
+    empty = empty_of(gaps)
+    if empty.matters and figures["stop_reason"] == "converged":  # which says more than is true
+        warnings.append(_of_empty(empty, figures, given))
+        if not arguments.fail_on_gaps:  # which says it at the end
+            place.warn(warnings[-1])
     record["mirror"] = of_mirror
     record["warnings"] = warnings
     record["estimate"] = asdict(opened.cost)
@@ -113,7 +126,17 @@ def _filled(
             "place": bend.place.tolist(),
             "strand": bend.strand,
         }
-    return given, opened, grown, figures, record
+    return given, opened, grown, figures, record, empty
+
+
+def _of_empty(empty: Empty, figures: dict[str, Any], given: Input) -> str:
+    """What is said of a surface that is not filled."""
+    full = given.problem.options.start == core.Start.FULL
+    otherwise = "" if full else "begin with --start full, or choose a smaller --spacing"
+    if figures["empty_components"]:
+        otherwise = "draw a strand on every part, or give --fill-every-part"
+    helps = ("raise --iterations", otherwise, "choose a smaller --spacing")
+    return remark(empty, figures["stop_reason"], helps)
 
 
 def _run(
@@ -140,7 +163,11 @@ def _leave_bundle(path: Path, opened: Opened, failure: core.MeanderError) -> Non
 
 
 def _remarks(
-    given: Input, opened: Opened, figures: dict[str, Any], record: dict[str, Any]
+    given: Input,
+    opened: Opened,
+    figures: dict[str, Any],
+    record: dict[str, Any],
+    empty: Empty,
 ) -> list[str]:
     """What there is to say of a run that has ended."""
     told = []
@@ -155,7 +182,10 @@ def _remarks(
     rough = last_run.roughness(figures["smoothing"], figures["stretch"])
     told.append(rough[:1].lower() + rough[1:])
     told.append(_lines(record["lines"]))
-    told.append(summary(figures))
+    if figures["stop_reason"] != "converged":
+        told.append(_of_empty(empty, figures, given))
+    told.append(narrow_remark(empty))
+    told.append(summary(figures, empty))
     return [line for line in told if line]
 
 

@@ -15,12 +15,17 @@ from ..model.files.whole import FileError
 from .values import BadInput
 
 
+class GapsLeft(Exception):
+    """A run that was to fail where it leaves a surface unfilled has done so; one sentence."""
+
+
 def exit_code_of(work: Callable[[], None], *refusals: type[Exception]) -> int:
     """Does the work of a command and returns its exit code.
 
     refusals   what the work raises for bad input besides what every command does
 
-    0 done; 2 bad input, with one sentence on stderr and every output file as it was; 1 a defect,
+    0 done; 3 done, and all files written, but the surface is not filled and --fail-on-gaps asks
+    for that; 2 bad input, with one sentence on stderr and every output file as it was; 1 a defect,
     with a traceback; 130 interrupted from the keyboard, with every output file as it was.
     """
     print_any_letters()
@@ -33,6 +38,9 @@ def exit_code_of(work: Callable[[], None], *refusals: type[Exception]) -> int:
         line = f"meander: {' '.join(str(problem).split())}"
         while_heard(print, line, file=sys.stderr, flush=True)
         return 2
+    except GapsLeft as gaps:
+        print(f"meander: {gaps}", file=sys.stderr, flush=True)
+        return 3
     except KeyboardInterrupt:
         while_heard(print, "meander: interrupted", file=sys.stderr, flush=True)
         return 130

@@ -30,7 +30,7 @@ def add_flags(
             continue
         given: dict[str, Any] = {"help": flag.help, "default": flag.default}
         if option.kind is str:
-            given["choices"] = [name for name, _label, _tip in option.choices]
+            given["choices"] = [*(name for name, _label, _tip in option.choices), *flag.besides]
             given["type"] = values.synonym_reader(flag.synonyms)
         else:
             given["type"] = values.reader(option.kind, flag.least, flag.greatest, flag.above)

@@ -35,6 +35,16 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_failing(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--fail-on-gaps",
+        action="store_true",
+        help="end with exit code 3, after all files are written, where more than a thousandth of "
+        "the surface is farther than 0.8 spacings from the curve; parts narrower than a spacing "
+        "do not count",
+    )
+
+
 def cost_with_files(cost: core.Cost) -> float:
     """Bytes that a run needs with what is written of it."""
     return cost.memory + BYTES_PER_POINT * cost.points

@@ -33,7 +33,7 @@ _INSTEAD = (
 class Host(Protocol):
     """Blender, as the command sees it. Everything raises BadInput for what cannot be done."""
 
-    def read_scene(self, arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
+    def read_scene(self, arguments: argparse.Namespace) -> Input:
         """What the --input, a .blend, holds, with the objects that other options name."""
 
     def in_polygons(self, error: core.MeanderError, surface_object: Any) -> core.MeanderError:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 
-from .. import core
 from ..model import strands
 from ..model.density import Choice, curvature_density
 from ..model.files import meshes, obj
@@ -15,27 +14,26 @@ from . import density, mirror, preparation, terms
 from . import strands as strand_options
 from .input import Input
 from .place import Place
+from .spacing import settled
 from .values import BadInput
 
 
-def read_input(
-    arguments: argparse.Namespace, options: core.FlowOptions, place: Place
-) -> Input:
-    """Everything that the options name, read and put together.
-
-    options   of the flow, into which the weight of the alignment is put
+def read_input(arguments: argparse.Namespace, place: Place) -> Input:
+    """Everything that the options name, read and put together; a spacing that was not given is in
+    the arguments then.
 
     Raises BadInput, files.whole.FileError, core.MeanderError.
     """
     if arguments.input.suffix.lower() == ".blend":
-        given = place.blender(arguments.input).read_scene(arguments, options)
+        given = place.blender(arguments.input).read_scene(arguments)
     else:
         mesh = meshes.read(arguments.input)
+        options = settled(arguments, mesh.vertices, mesh.faces)
         given = Input(Problem(mesh.vertices, mesh.faces, options), mesh_file=mesh)
         given.warnings += mesh.remarks
         mirror.reflect(given.problem, arguments)
     given.repair = preparation.repair_of(arguments)
-    problem = given.problem
+    problem, options = given.problem, given.problem.options
     if arguments.input.suffix.lower() != ".blend":
         _set_fields(given, arguments)
     if given.mask.source == "NONE":

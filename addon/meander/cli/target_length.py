@@ -12,7 +12,6 @@ import numpy as np
 from .. import core
 from ..model.problem import open_flow
 from . import limits
-from .flags import flow_options
 from .place import Place
 from .reading import read_input
 from .values import BadInput, positive
@@ -50,8 +49,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def problem_of(arguments: argparse.Namespace) -> str | None:
     """What is wrong with the options, as a sentence, or None."""
-    if arguments.spacing is None and arguments.target_length is None:
-        return "the following arguments are required: --spacing; see --help"
     if arguments.spacing is not None and arguments.target_length is not None:
         return "--spacing and --target-length are both given; choose one"
     return None
@@ -93,7 +90,7 @@ def begin(arguments: argparse.Namespace, place: Place) -> Search | None:
     if wanted is None:
         return None
     arguments.spacing = 1.0  # only to read the surface
-    given = read_input(arguments, flow_options(arguments), place)
+    given = read_input(arguments, place)
     spacing = _PACKING * _area(given.problem.vertices, given.problem.faces) / wanted
     if arguments.quality == _COARSE:
         arguments.spacing = spacing
@@ -164,8 +161,8 @@ def _refusal(wanted: float, spacing: float, length: float) -> str:
 def _coarse_length(spacing: float, arguments: argparse.Namespace, place: Place) -> float:
     """Of a run that takes the surface and its distances as the whole run does, and no polish."""
     arguments.spacing = spacing
-    whole = flow_options(arguments)
-    given = read_input(arguments, whole, place)
+    given = read_input(arguments, place)
+    whole = given.problem.options
     coarse = core.default_options(_COARSE)
     for name in ("radius", "boundary_distance", "medial_axis", "roughness", "start", "threads"):
         setattr(coarse, name, getattr(whole, name))

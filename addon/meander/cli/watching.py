@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from .. import core
+from ..model.empty import Empty, percent
 
 # A line of progress after each such share of the run, or after this many seconds.
 _PROGRESS_SHARE = 0.1
@@ -86,7 +87,7 @@ def run(flow: core.Flow, say: Callable[[str], None]) -> str:
         return flow.wait()
 
 
-def summary(figures: dict[str, Any]) -> str:
+def summary(figures: dict[str, Any], empty: Empty) -> str:
     """How a run has ended, in a line."""
     reason = figures["stop_reason"]
     ending = {
@@ -95,6 +96,8 @@ def summary(figures: dict[str, Any]) -> str:
         "stalled": "stalled",
         "cancelled": "was cancelled",
     }.get(reason, reason)
+    if empty.matters:
+        ending = f"{ending}, with {percent(empty.share)} of the surface empty,"
     return (
         f"{ending} after {figures['iterations']} iterations and "
         f"{figures['seconds_total']:.2f} s: {figures['nodes']} nodes, length "

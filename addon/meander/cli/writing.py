@@ -18,11 +18,12 @@ from ..model.files.whole import naming, whole_files
 from ..model.geometry import surface_crossings, thinning
 from ..model.options.input import light_of
 from ..model.toolpaths import bridges
-from . import cut, density, export, flags, maps, motion, preparation, strands, terms
+from . import cut, density, export, flags, maps, motion, preparation, quality, strands, terms
 from . import toolpath as toolpath_options
 from .grown import Grown, bridge_figures, bridged, lightened
 from .input import Input
 from .place import Place
+from .spacing import is_automatic
 
 
 class Written(NamedTuple):
@@ -61,6 +62,9 @@ def echo(arguments: argparse.Namespace, options: core.FlowOptions, given: Input)
         **cut.echo(arguments),
         **maps.echo(arguments),
         "target_length": arguments.target_length,
+        "fail_on_gaps": arguments.fail_on_gaps,
+        "spacing_is_automatic": is_automatic(arguments),
+        "quality": quality.asked(arguments),
         "limit_nodes": arguments.limit_nodes,
         "limit_memory": arguments.limit_memory,
         **flags.entries(arguments, options),

@@ -25,10 +25,10 @@ from ..model.toolpaths.drawing import axes_of
 class Blender:
     """A `cli.place.Host`, which says what each does."""
 
-    def read_scene(self, arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
+    def read_scene(self, arguments: argparse.Namespace) -> Input:
         from . import scene_input
 
-        return scene_input.read(arguments, options)
+        return scene_input.read(arguments)
 
     def in_polygons(self, error: core.MeanderError, surface_object: Any) -> core.MeanderError:
         from . import scene_input

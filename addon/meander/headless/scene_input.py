@@ -11,6 +11,7 @@ import bpy
 from .. import core
 from ..cli import density, mirror, preparation, terms
 from ..cli.input import Input
+from ..cli.spacing import settled
 from ..cli.values import BadInput
 from ..model import strands
 from ..model.problem import Problem
@@ -27,15 +28,15 @@ from ..scene.preparation import surface_options
 from .saved_settings import saved_settings
 
 
-def read(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
+def read(arguments: argparse.Namespace) -> Input:
     """What --input holds, with the objects that other options name. Raises BadInput."""
     try:
-        return _read_scene(arguments, options)
+        return _read_scene(arguments)
     except DataError as refusal:
         raise BadInput(str(refusal)) from refusal
 
 
-def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Input:
+def _read_scene(arguments: argparse.Namespace) -> Input:
     """Opens a .blend and takes surface, seed and density from its objects, in world units."""
     try:
         bpy.ops.wm.open_mainfile(
@@ -56,7 +57,8 @@ def _read_scene(arguments: argparse.Namespace, options: core.FlowOptions) -> Inp
         choice = density.choice_of(arguments, choice_of(settings))
         fixed_ends = settings.fixed_ends
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    problem = Problem(*triangles_of(surface_object, depsgraph), options)
+    vertices, faces = triangles_of(surface_object, depsgraph)
+    problem = Problem(vertices, faces, settled(arguments, vertices, faces))
     mirror.reflect(problem, arguments, matrix_of(surface_object, depsgraph))
     given = Input(problem, choice, surface_object=surface_object)
     given.mask = preparation.mask_of(arguments)

@@ -110,7 +110,7 @@ class Child:
         said = [line for line in lines if line.startswith("meander: ")]
         if self._memory is not None and lines and _NO_MEMORY.match(lines[-1]):
             return f"needs more than {self._memory:g} MB; raise memory, or the spacing"
-        if code == 2 and said:
+        if code in (2, 3) and said:  # bad input, and gaps where --fail-on-gaps asks for none
             return said[-1].removeprefix("meander: ")
         return f"ended with exit code {code}; see {log}"
 

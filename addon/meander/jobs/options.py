@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any
 
 from ..cli import blender_flags
-from ..cli.arguments import check_options, parser, read_options
+from ..cli.arguments import check_options, parsed, parser, read_options
 from ..cli.flags import current_name
 from ..cli.place import Place
 from ..cli.values import BadInput
@@ -89,20 +89,20 @@ def _text(where: str, name: str, value: Any) -> str:
 def check(where: str, arguments: list[str]) -> argparse.Namespace:
     """What the arguments say. Raises JobError where the batch command would refuse them."""
     try:
-        parsed = parser(_NOWHERE).parse_args(arguments)
-        check_options(parsed)
+        found = parsed(arguments, _NOWHERE)
+        check_options(found)
     except BadInput as refusal:
         raise JobError(f"{where}: {str(refusal).removesuffix('; see --help')}") from refusal
-    return parsed
+    return found
 
 
-def needs_blender(parsed: argparse.Namespace) -> bool:
+def needs_blender(item: argparse.Namespace) -> bool:
     """Whether the batch command needs Blender for that."""
-    files = [parsed.input, parsed.output, parsed.cut]
+    files = [item.input, item.output, item.cut]
     if any(path is not None and path.suffix.lower() == ".blend" for path in files):
         return True
     try:
-        blender_flags.refuse(parsed, _NOWHERE)
+        blender_flags.refuse(item, _NOWHERE)
     except BadInput:
         return True
     return False

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core import Gaps
+from .empty import empty_of
 from .files.whole import whole_file
 
 _SURFACE_KEYS = ("vertices", "faces", "components", "boundary_loops", "area")
@@ -70,6 +71,7 @@ def build_report(
             "smoothing": flow["smoothing"],
             "stretch": flow["stretch"],
         },
+        "empty": empty_of(gaps).entry(),
         "gap_count": len(gaps),
         "gaps": [
             {"position": position, "radius": radius, "size": size}

@@ -21,7 +21,7 @@ from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
 from ..scene.identity import Key, number_of
 from ..scene.linked_settings import settings_of
-from ..scene.meshes import area_of, spacing_for, triangles_of
+from ..scene.meshes import triangles_of
 from ..scene.options import options_of
 from ..scene.preparation import mask_of, repair_of, surface_options
 from ..scene.settings import is_untouched, surface_of
@@ -160,7 +160,7 @@ def measure(active: bpy.types.Object) -> None:
         surface, settings = surface_of(active), settings_of(active)
         depsgraph = bpy.context.evaluated_depsgraph_get()
         vertices, faces = triangles_of(surface, depsgraph)
-        automatic = spacing_for(area_of(vertices, faces))
+        automatic = core.automatic_spacing(vertices, faces)
         options = options_of(settings, settings.spacing or automatic)
         density = density_of(chosen_density(settings, surface), surface, depsgraph, options.radius)
         mended = repair_of(settings).options(vertices, options.radius)
@@ -181,7 +181,7 @@ def _extent(vertices, faces, density, prepared, options) -> core.Extent:
     )
     if callable(density) or masked:
         with core.Surface(vertices, faces, prepared, options.threads) as surface:
-            share = surface.statistics()["area"] / area_of(vertices, faces)
+            share = surface.statistics()["area"] / core.area_of(vertices, faces)
             density = evaluated(density, surface)
     return extent_of(vertices, faces, density, share)
 

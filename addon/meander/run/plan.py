@@ -17,7 +17,7 @@ from ..model import strands
 from ..model.geometry.simplification import Light
 from ..model.mirror_images import mirror_of
 from ..model.options.input import light_of
-from ..model.options.option import OF_PRESET, chosen
+from ..model.options.option import OF_PRESET, as_typed, chosen
 from ..model.options.table import in_panel
 from ..model.preparation import Mask
 from ..model.problem import Problem, begin_along_directions
@@ -32,7 +32,7 @@ from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
 from ..scene.look import Look
-from ..scene.meshes import loose_edge_count, proposed_spacing, triangles_of
+from ..scene.meshes import loose_edge_count, triangles_of
 from ..scene.options import options_of
 from ..scene.preparation import (
     mask_of,
@@ -103,8 +103,7 @@ def plan_of(
     points.refuse(settings.points_as)
     core.library_version()  # before anything is read, a missing library is reported
     vertices, faces = triangles_of(surface, depsgraph)
-    # As stored, so that a run that proposes its spacing and one that is given it are the same.
-    spacing = settings.spacing or float(np.float32(proposed_spacing(vertices, faces)))
+    spacing = as_typed(settings.spacing) or core.automatic_spacing(vertices, faces)
     choice = chosen_density(settings, surface)
     density = density_of(choice, surface, depsgraph, spacing / 2.0)
     alignment = alignment_of(settings)

@@ -130,22 +130,6 @@ def vertex_group_weights(
         return weights
 
 
-def area_of(vertices: np.ndarray, faces: np.ndarray) -> float:
-    """The area of triangles, in square units of the vertices."""
-    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2.0)
-
-
-def proposed_spacing(vertices: np.ndarray, faces: np.ndarray) -> float:
-    """A spacing that shows the shape and takes seconds; see spacing_for()."""
-    return spacing_for(area_of(vertices, faces))
-
-
-def spacing_for(area: float) -> float:
-    """1/30 of the side of a square of this area, rounded to two digits."""
-    return float(f"{np.sqrt(area) / 30.0:.1e}")
-
-
 def loose_edge_count(surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> int:
     """Edges of the evaluated mesh that no face has."""
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):

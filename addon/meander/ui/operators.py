@@ -3,9 +3,10 @@
 
 import bpy
 
+from .. import core
 from ..run.window import redraw
 from ..scene.linked_settings import can_be_changed, settings_to_change
-from ..scene.meshes import proposed_spacing, triangles_of
+from ..scene.meshes import triangles_of
 from ..scene.settings import surface_of
 from .on_result import can_choose
 from .refusing import refusing
@@ -27,7 +28,7 @@ class MEANDER_OT_propose_spacing(bpy.types.Operator):
         active = context.active_object
         depsgraph = context.evaluated_depsgraph_get()
         triangles = triangles_of(surface_of(active), depsgraph)
-        settings_to_change(active).spacing = proposed_spacing(*triangles)
+        settings_to_change(active).spacing = core.automatic_spacing(*triangles)
         return {"FINISHED"}
 
 

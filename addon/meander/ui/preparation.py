@@ -10,7 +10,7 @@ from ..run import notes, session
 from ..scene import preparation
 from ..scene.attributes import mask_names
 from ..scene.linked_settings import settings_of
-from ..scene.meshes import proposed_spacing, triangles_of
+from ..scene.meshes import triangles_of
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, switch
@@ -97,7 +97,7 @@ class MEANDER_OT_select_problem(bpy.types.Operator):
             bpy.ops.object.mode_set(mode="OBJECT")
         if not spacing:
             depsgraph = context.evaluated_depsgraph_get()
-            spacing = proposed_spacing(*triangles_of(surface, depsgraph))
+            spacing = core.automatic_spacing(*triangles_of(surface, depsgraph))
         preparation.locate_faults(surface, spacing / 2.0)
         for other in list(context.selected_objects):
             other.select_set(False)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from .option import OF_PRESET, Flag, Option
+from .presets import PRESETS
 
 _MAIN, _ADVANCED, _SHAPE, _REGION = "Meander", "Advanced", "Strand Shape", "Region"
 _PREFERENCES = "Preferences"
@@ -25,7 +26,8 @@ ROWS: tuple[Option, ...] = (
         step=1,
         flag=Flag(
             "--spacing",
-            "distance between neighbouring strands, in scene units",
+            "distance between neighbouring strands, in scene units; default: automatic, a "
+            "thirtieth of the side of a square of the surface's area, as the panel proposes it",
             metavar="S",
             above=0.0,
             entry="spacing",
@@ -46,8 +48,11 @@ ROWS: tuple[Option, ...] = (
         field="preset",
         flag=Flag(
             "--quality",
-            "weights, step and stopping rule; default: even",
+            "how much time is taken to make the curve even, or a preset of the panel (flowing: a "
+            "full start; rows: one along an axis; few-corners; organic), whose other flags may be "
+            "given beside it; default: even",
             default="even",
+            besides=tuple(PRESETS),
             former=("--preset",),
         ),
     ),

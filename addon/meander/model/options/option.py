@@ -38,6 +38,7 @@ class Flag:
     default   the value when it is not given; None: the preset's own
     synonyms  other words for choices, each with the choice that it stands for
     share     per cent of the whole are understood as well, as a model.preparation.Share
+    besides   words beside the choices, each of which stands for several flags; see presets.py
     former    names of earlier versions, which are read and not shown
     """
 
@@ -53,6 +54,7 @@ class Flag:
     default: Any = None
     synonyms: tuple[tuple[str, str], ...] = ()
     share: bool = False
+    besides: tuple[str, ...] = ()
     former: tuple[str, ...] = ()
 
     @property
@@ -135,6 +137,11 @@ def apply(options: Iterable[Option], values: Values, flow_options: core.FlowOpti
         setattr(flow_options, option.field, value)
 
 
+def as_typed(value: float) -> float:
+    """What the user has typed, and not the float32 that Blender keeps of it."""
+    return float(f"{value:.6g}")
+
+
 def chosen(options: Iterable[Option], settings: Any) -> dict[str, Any]:
     """What the settings of an object say, for apply().
 
@@ -146,8 +153,7 @@ def chosen(options: Iterable[Option], settings: Any) -> dict[str, Any]:
         if option.switch and not getattr(settings, option.switch):
             value = None
         elif option.kind is float:
-            # What the user has typed, and not the float32 that Blender keeps of it.
-            value = float(f"{value:.6g}")
+            value = as_typed(value)
             if value > 0.0:
                 # Dragging up from 0 leads through what the library refuses as too small.
                 value = max(value, option.least_used)
