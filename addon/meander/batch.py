@@ -9,8 +9,8 @@ module (``python batch.py -- ...``). Only .blend files and what is in them need 
 
 Exit codes: 0 done, also when the iteration limit was reached (the report says so); 3 done, with all
 files written, but with gaps where --fail-on-gaps asks for none; 2 bad input, with one sentence on
-stderr and every output file as it was; 1 a defect, with a traceback; 130
-interrupted from the keyboard, with every output file as it was.
+stderr and every output file as it was; 1 a defect, with a traceback; 130 interrupted from the
+keyboard, with every output file as it was.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import core
-from ..model import bundle, last_run, report, strands
+from ..model import bundle, last_run, report, start, strands
 from ..model.empty import Empty, empty_of, narrow_remark, remark
 from ..model.files import meshes
 from ..model.files.whole import FileError
@@ -111,6 +111,8 @@ def _filled(
         warnings.append(_of_empty(empty, figures, given))
         if not arguments.fail_on_gaps:  # which says it at the end
             place.warn(warnings[-1])
+    asked_full = given.problem.options.start == core.Start.FULL
+    record["start"] = start.entry(figures, asked_full)
     record["mirror"] = of_mirror
     record["warnings"] = warnings
     record["estimate"] = asdict(opened.cost)
@@ -173,6 +175,7 @@ def _remarks(
     told = []
     if figures["empty_components"]:
         told.append(strands.empty_parts(figures["empty_components"]))
+    told.append(start.remark(figures))
     told.append(strands.fit_warning(figures, given.parts))
     told.append(strands.fit_remark(figures, given.parts, given.problem.options.radius))
     told.append(described(opened.figures, given.loose_edges, given.has_instances))

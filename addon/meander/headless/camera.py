@@ -16,7 +16,7 @@ from ..cli.exit_code import exit_code_of
 from ..cli.limits import add_options as add_limits
 from ..cli.limits import refuse_large
 from ..cli.values import BadInput, Parser, index, reader
-from ..model.camera import PAPERS, Page
+from ..model.camera import PAPERS, SPACING, Page
 from ..model.estimate import described
 from ..run.camera import CameraDrawing
 from ..run.stepper import Stepper
@@ -56,9 +56,9 @@ def parser() -> Parser:
     add(
         "--spacing",
         type=reader(float, least=0.05, greatest=1000.0),
-        required=True,
         metavar="MM",
-        help="between neighbouring strands on paper, in millimetres",
+        help=f"between neighbouring strands on paper, in millimetres; default: {SPACING:g}, as in "
+        "the panel",
     )
     add(
         "--paper",
@@ -117,6 +117,9 @@ def _draw(arguments: argparse.Namespace) -> None:
         if not arguments.quiet:
             print(f"meander: {line}", flush=True)
 
+    if arguments.spacing is None:
+        arguments.spacing = SPACING
+        say(f"the spacing on paper is {SPACING:g} mm, as in the panel; --spacing MM sets another")
     with saved_settings():
         depsgraph = bpy.context.evaluated_depsgraph_get()
         frame = camera_page(scene, depsgraph, camera, page)

@@ -12,6 +12,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+# Between neighbouring strands on paper where nobody chose it, in millimetres.
+SPACING = 2.0
+
 # Width and height in millimetres, upright.
 PAPERS = {
     "a5": (148.0, 210.0),

@@ -23,6 +23,7 @@ import numpy as np
 
 from .. import core
 from ..model.camera import CameraPage
+from ..model.empty import Empty, empty_of, percent
 from ..model.estimate import Estimate, estimated, together
 from ..model.field import FieldOn, evaluated
 from ..model.files.whole import naming, whole_files
@@ -59,11 +60,13 @@ class Layer:
 
     strands   on paper, in millimetres
     figures   its entry in the report
+    unfilled  a sentence where it is not filled
     """
 
     name: str
     strands: list[Strand]
     figures: dict[str, Any]
+    unfilled: str = ""
 
 
 class CameraDrawing:
@@ -138,6 +141,8 @@ class CameraDrawing:
             [_on(self.page, strand) for strand in strands],
             tolerance=_TOLERANCE * self.spacing,
         )
+        gaps = stepper.gaps
+        empty = Empty(0.0, 0.0) if gaps is None else empty_of(gaps)
         density = stepper.density if stepper.density is not None else np.ones(1)
         figures = {
             "faces": len(stepper.problem.faces),
@@ -148,12 +153,16 @@ class CameraDrawing:
             "nodes": int(statistics["nodes"]),
             "stop_reason": reason,
             "evenness": float(statistics["evenness"]),
+            "empty": empty.entry(),
             "crossings": int(statistics["crossings"]),
             "paths": len(drawn),
             "length": Drawing(drawn, "mm", True).length,
             "seconds": float(statistics["seconds_total"]),
         }
-        self.layers.append(Layer(self.name, drawn, {"name": self.name} | figures))
+        unfilled = ""
+        if empty.matters:
+            unfilled = f"'{self.name}' is not filled: {percent(empty.share)} of it is empty"
+        self.layers.append(Layer(self.name, drawn, {"name": self.name} | figures, unfilled))
 
     def write(self, path: Path, line_width: float, title: str, report: Path | None) -> str:
         """Writes the page as an SVG with a layer for each surface, and the report of it; both or
@@ -189,7 +198,10 @@ class CameraDrawing:
         )
 
     def remarks(self) -> list[str]:
-        """What is left out, and why, a sentence each."""
+        """What is left out and why, then what is not filled, a sentence each."""
+        return [*self._left_out(), *(layer.unfilled for layer in self.layers if layer.unfilled)]
+
+    def _left_out(self) -> list[str]:
         return [
             f"'{layer.name}' is left out: {layer.figures['left_out']}"
             for layer in self.layers
@@ -218,7 +230,7 @@ class CameraDrawing:
         }
 
     def _why_nothing(self) -> str:
-        left = self.remarks()
+        left = self._left_out()
         return left[0] if left else "all that has grown is hidden, or shorter than half a spacing"
 
     def _leave_out(self, sentence: str) -> None:

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import strands
+from ..model import start, strands
 from ..model.geometry.simplification import result_points
 from ..model.geometry.thinning import least_spacing, with_points
 from ..model.last_run import GAP_THAT_MATTERS, why_lines
@@ -222,6 +222,7 @@ def _store(
     figures.bridge_count = statistics["bridge_count"]
     figures.bridge_length = statistics["bridge_length"]
     figures.empty_parts = int(statistics["empty_components"])
+    figures.began = start.notice(statistics)
     figures.preparation = preparation_text(plan, stepper)
     figures.mended = mended(stepper.surface_figures, _masked(plan))
     _store_gaps(figures, stepper.gaps, plan)
@@ -237,6 +238,8 @@ def _store_gaps(figures: bpy.types.PropertyGroup, gaps: core.Gaps | None, plan: 
     figures.gap_count = -1 if gaps is None else len(gaps)
     figures.wide_gaps = -1 if gaps is None else int(np.sum(gaps.sizes > GAP_THAT_MATTERS))
     figures.largest_gap = float(gaps.sizes[0]) if gaps else 0.0
+    figures.empty_share = 0.0 if gaps is None else gaps.empty_share
+    figures.narrow_share = 0.0 if gaps is None else gaps.narrow_share
     figures.gaps.clear()
     if gaps is None:
         return

@@ -10,7 +10,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import core
-from ..model.camera import PAPERS, CameraPage, Page
+from ..model.camera import PAPERS, SPACING, CameraPage, Page
 from ..model.estimate import Estimate, described
 from ..model.files.whole import FileError
 from ..run import session
@@ -66,7 +66,7 @@ class PageSettings:
         name="Spacing",
         description="Between neighbouring strands on paper, in millimetres, where a surface faces "
         "the camera; closer where it turns away",
-        default=2.0,
+        default=SPACING,
         min=0.05,
         soft_min=0.3,
         soft_max=20.0,

@@ -15,6 +15,7 @@ from bpy.props import BoolProperty, StringProperty
 
 from .. import core
 from ..model import last_run, strands
+from ..model.empty import Empty, narrow_remark, percent, remark
 from ..model.estimate import described
 from ..run import estimate as estimates
 from ..run import notes, session, suspended
@@ -46,6 +47,8 @@ def _summary(result: bpy.types.Object) -> str:
     line = last_run.lines(figures.lines, figures.closed_lines)
     line = line[:1].lower() + line[1:]
     gaps = last_run.gaps(figures.wide_gaps, figures.largest_gap)
+    if Empty(figures.empty_share, figures.narrow_share).matters:
+        gaps = f"{percent(figures.empty_share)} of the surface empty"
     return ", ".join(
         [
             line,
@@ -54,6 +57,17 @@ def _summary(result: bpy.types.Object) -> str:
             f"{figures.seconds:.1f} s",
         ]
     )
+
+
+def unfilled(figures: bpy.types.PropertyGroup) -> str:
+    """What to say of a run that claims to have ended by itself, and has not filled the surface;
+    else nothing."""
+    empty = Empty(figures.empty_share, figures.narrow_share)
+    full = "choose Start: Full, or a smaller spacing"
+    if figures.stop_reason in last_run.ENDED or figures.empty_parts:
+        return ""  # which is said already
+    helps = ("", full, full)
+    return remark(empty, figures.stop_reason, helps) or narrow_remark(empty)
 
 
 def poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
@@ -169,6 +183,9 @@ class Watched:
                 self.report({"INFO"}, f"{result.name}: {'; '.join(filter(None, done))}")
                 if warning:
                     self.report({"WARNING"}, warning)
+                empty = unfilled(result.meander.figures)
+                if empty:
+                    self.report({"WARNING"}, f"{result.name}: {empty}")
                 if figures["empty_components"]:
                     self.report({"WARNING"}, strands.empty_parts(figures["empty_components"]))
                 return {"FINISHED"}

@@ -7,6 +7,7 @@ import bpy
 from bpy.props import FloatProperty
 
 from ..model import last_run
+from ..model.empty import Empty, percent
 from ..model.estimate import described
 from ..model.options.table import in_panel
 from ..run import estimate as estimates
@@ -194,6 +195,8 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
             column = layout.column(align=True)
             column.label(text=last_run.lines(figures.lines, figures.closed_lines))
             notice(column, figures.lines_why, "NONE")
+        if figures.began:
+            notice(layout, figures.began)
         if figures.empty_parts:
             notice(layout, "Parts remain empty", "ERROR")
         gaps = wide_gaps(figures)
@@ -201,7 +204,7 @@ class MEANDER_PT_figures(SubPanel, bpy.types.Panel):
             layout,
             (
                 *_evenness(figures),
-                *((("Gaps", f"{gaps:,}"),) if gaps > 0 else ()),
+                *_emptiness(figures, gaps),
                 ("Median Spacing", length_text(context.scene, figures.spacing_median, 4)),
                 ("Length", length_text(context.scene, figures.length, 4)),
                 ("Time", f"{figures.seconds:.1f} s"),
@@ -234,6 +237,16 @@ def _labelled(layout: bpy.types.UILayout, text: str) -> bpy.types.UILayout:
 
 def _evenness(figures: MeanderFigures) -> tuple[tuple[str, str], ...]:
     return (("Even", last_run.evenness(figures.evenness)),) if figures.evenness >= 0.0 else ()
+
+
+def _emptiness(figures: MeanderFigures, gaps: int) -> tuple[tuple[str, str], ...]:
+    """A row at most: how much is empty where that is not filled, else how many gaps there are."""
+    empty = Empty(figures.empty_share, figures.narrow_share)
+    if empty.matters:
+        return (("Empty", f"{percent(empty.share)} in {gaps:,}"),)
+    if empty.narrow_matters:
+        return (("Too Narrow", percent(empty.narrow)),)
+    return (("Gaps", f"{gaps:,}"),) if gaps > 0 else ()
 
 
 def _automatic(context: bpy.types.Context, objects: list[bpy.types.Object]) -> str:

@@ -139,6 +139,17 @@ class MeanderFigures(bpy.types.PropertyGroup):
     )
     gap_count: IntProperty(name="Gaps", options=set())
     largest_gap: FloatProperty(name="Largest Gap", options=set())
+    empty_share: FloatProperty(
+        name="Empty",
+        description="Share of the surface that is farther than 0.8 spacings from the curve",
+        options=set(),
+    )
+    narrow_share: FloatProperty(
+        name="Too Narrow",
+        description="Share of the surface that is as far, and narrower than a spacing",
+        options=set(),
+    )
+    began: StringProperty(name="How It Began", options=set())
     preparation: StringProperty(name="Preparation", options=set())
     mended: IntProperty(name="Faults Repaired", options=set())
     # On results only: what their look has been told; the spacing in their own space.
