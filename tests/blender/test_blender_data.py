@@ -234,6 +234,6 @@ def test_the_bevel_is_as_thick_as_asked_in_world_units():
 
 
 def test_the_proposed_spacing_follows_the_size():
-    small = meshes.proposed_spacing(*meshes.triangles_of(sphere(0.01), depsgraph()))
-    large = meshes.proposed_spacing(*meshes.triangles_of(sphere(10.0), depsgraph()))
+    small = core.automatic_spacing(*meshes.triangles_of(sphere(0.01), depsgraph()))
+    large = core.automatic_spacing(*meshes.triangles_of(sphere(10.0), depsgraph()))
     assert large == pytest.approx(1000.0 * small, rel=0.1)

@@ -11,6 +11,7 @@ from meander.run import result as result_of_run
 from meander.run.lasting import lasting
 from meander.ui import gaps as gaps_operator
 from meander.ui import panels
+from meander.ui.fill import unfilled
 from panel_layout import texts_of
 from scenes import (
     activate,
@@ -205,3 +206,30 @@ def test_of_many_gaps_the_largest_are_kept(monkeypatch):
 def test_the_tooltip_follows_the_guidelines():
     text = bpy.ops.meander.show_gaps.get_rna_type().description
     assert text and not text.endswith(".") and "  " not in text
+
+
+def test_what_is_empty_is_in_the_row_of_the_gaps():
+    """And a surface that is filled has no such row: the panel is as long as it was."""
+    result = fill(sphere(), 0.2, iteration_limit=4)
+    figures = result.meander.figures
+    assert figures.empty_share > 0.1 and figures.narrow_share == 0.0
+    activate(result)
+    texts = texts_of(panels.MEANDER_PT_figures)
+    assert "Empty" in texts and "Gaps" not in texts
+    assert f"{100 * figures.empty_share:.0f} % in {figures.wide_gaps:,}" in texts
+    figures.empty_share, figures.narrow_share = 0.0, 0.04
+    texts = texts_of(panels.MEANDER_PT_figures)
+    assert "Too Narrow" in texts and "4 %" in texts and "Gaps" not in texts
+    figures.narrow_share = 0.0
+    assert "Gaps" in texts_of(panels.MEANDER_PT_figures)
+
+
+def test_a_run_that_converged_without_filling_says_so():
+    figures = fill(sphere(), 0.2, iteration_limit=4).meander.figures
+    assert unfilled(figures) == ""  # its end is said already
+    figures.stop_reason = "converged"
+    assert unfilled(figures).endswith("choose Start: Full, or a smaller spacing")
+    figures.empty_share, figures.narrow_share = 0.0, 0.04
+    assert "narrower than a spacing" in unfilled(figures)
+    figures.narrow_share = 0.0
+    assert unfilled(figures) == ""

@@ -16,6 +16,7 @@ import bpy
 from .. import core
 from ..model.estimate import Estimate, Speeds, estimated, extent_of, together
 from ..model.field import evaluated
+from ..model.options.option import as_typed
 from ..model.problem import Problem
 from ..scene.density import chosen_density, density_of
 from ..scene.errors import DataError
@@ -103,7 +104,7 @@ def _known(active: bpy.types.Object) -> _Measured | None:
 
 def _estimate(found: _Measured, settings: bpy.types.PropertyGroup) -> Estimate | None:
     try:
-        options = options_of(settings, settings.spacing or found.automatic)
+        options = options_of(settings, as_typed(settings.spacing) or found.automatic)
         symmetric = settings.mirror != "NONE"
         return estimated(found.extent, options, settings.use_bevel, speeds, symmetric)
     except core.MeanderError:  # the button says why
@@ -161,7 +162,7 @@ def measure(active: bpy.types.Object) -> None:
         depsgraph = bpy.context.evaluated_depsgraph_get()
         vertices, faces = triangles_of(surface, depsgraph)
         automatic = core.automatic_spacing(vertices, faces)
-        options = options_of(settings, settings.spacing or automatic)
+        options = options_of(settings, as_typed(settings.spacing) or automatic)
         density = density_of(chosen_density(settings, surface), surface, depsgraph, options.radius)
         mended = repair_of(settings).options(vertices, options.radius)
         prepared = surface_options(mended, mask_of(settings), surface, depsgraph)

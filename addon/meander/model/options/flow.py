@@ -26,8 +26,8 @@ ROWS: tuple[Option, ...] = (
         step=1,
         flag=Flag(
             "--spacing",
-            "distance between neighbouring strands, in scene units; default: automatic, as the panel "
-            "proposes it, a thirtieth of the side of a square of the surface's area",
+            "distance between neighbouring strands, in scene units; default: automatic, as the "
+            "panel proposes it, a thirtieth of the side of a square of the surface's area",
             metavar="S",
             above=0.0,
             entry="spacing",
