@@ -46,8 +46,9 @@ class RadiusField {
     return varies() ? at(surface.face(p.face), p) : everywhere_;
   }
 
-  /// The smallest anywhere.
+  /// The smallest anywhere, and the largest.
   double least() const { return varies() ? *std::min_element(at_vertex_.begin(), at_vertex_.end()) : everywhere_; }
+  double most() const { return varies() ? *std::max_element(at_vertex_.begin(), at_vertex_.end()) : everywhere_; }
 
   /// Becomes `factor` times `field`, which is of the same surface, in the memory that it has.
   void set_multiple(const RadiusField& field, double factor) {

@@ -15,6 +15,9 @@ namespace {
 /// Nodes are looked for about this far away, in r.
 constexpr double kCell = 4;
 
+/// Radii in a ratio above 2 to the power of this are taken for that.
+constexpr int kMostLevel = 40;
+
 /// Farther away than this through space, in r, patches do not know whether one is hidden from another; there a place
 /// that faces away by more than this (a cosine) is taken for hidden.
 constexpr double kKnown = 2.7, kFacingEachOther = 0.2;
@@ -27,7 +30,9 @@ bool overlap(Vec2 common, Vec2 p, Vec2 q) {
 }  // namespace
 
 LineNetwork::LineNetwork(const Surface& surface, const SurfacePatches& patches, const RadiusField& radius)
-    : surface_(surface), patches_(patches), radius_(radius), least_cell_(kCell * radius.least()) {}
+    : surface_(surface), patches_(patches), radius_(radius), least_cell_(kCell * radius.least()) {
+  levels_.resize(level_of(radius.most()) + 1);
+}
 
 LineNetwork::Node LineNetwork::make_node(const SurfacePoint& p, uint32_t line, double arc) const {
   return {p, position(surface_, p), patches_.patch_of(surface_, p), line, arc, radius_.at(surface_, p)};
@@ -35,10 +40,10 @@ LineNetwork::Node LineNetwork::make_node(const SurfacePoint& p, uint32_t line, d
 
 uint32_t LineNetwork::add_node(const Node& node) {
   const auto index = static_cast<uint32_t>(nodes_.size());
-  const auto [level, cell] = cell_of(node);
-  if (level >= levels_.size()) levels_.resize(level + 1);
+  const size_t level = level_of(node.radius);
   nodes_.push_back(node);
-  levels_[level][cell].push_back(index);
+  levels_[level][cell_of(node, level)].nodes.push_back(index);
+  count_finer(node, 1);
   return index;
 }
 
@@ -125,12 +130,13 @@ void LineNetwork::take_back(const Mark& mark) {
               [&](const Owned& owned) { pieces_[owned.piece.face].pop_back(); });
   }
   for (; nodes_.size() > mark.nodes; nodes_.pop_back()) {
-    const auto [level, cell] = cell_of(nodes_.back());
-    levels_[level][cell].pop_back();
+    const size_t level = level_of(nodes_.back().radius);
+    levels_[level][cell_of(nodes_.back(), level)].nodes.pop_back();
+    count_finer(nodes_.back(), -1);
   }
 }
 
-std::array<int64_t, 3> LineNetwork::cell(const Vec3& p, double size) {
+LineNetwork::Cell LineNetwork::cell(const Vec3& p, double size) {
   return {static_cast<int64_t>(std::floor(p.x() / size)), static_cast<int64_t>(std::floor(p.y() / size)),
           static_cast<int64_t>(std::floor(p.z() / size))};
 }
@@ -141,11 +147,19 @@ uint64_t LineNetwork::key(uint32_t component, int64_t x, int64_t y, int64_t z) {
   return (part(x) | part(y) << 21 | part(z) << 42) ^ component * kSpread;
 }
 
-std::pair<size_t, uint64_t> LineNetwork::cell_of(const Node& node) const {
-  const int octave = std::ilogb(kCell * node.radius / least_cell_);
-  const auto level = static_cast<size_t>(std::clamp(octave, 0, 40));
+size_t LineNetwork::level_of(double radius) const {
+  return static_cast<size_t>(std::clamp(std::ilogb(kCell * radius / least_cell_), 0, kMostLevel));
+}
+
+uint64_t LineNetwork::cell_of(const Node& node, size_t level) const {
   const auto [x, y, z] = cell(node.place, cell_size(level));
-  return {level, key(surface_.component(node.point.face), x, y, z)};
+  return key(surface_.component(node.point.face), x, y, z);
+}
+
+void LineNetwork::count_finer(const Node& node, int32_t more) {
+  for (size_t level = level_of(node.radius) + 1; level < levels_.size(); ++level) {
+    levels_[level][cell_of(node, level)].finer += static_cast<uint32_t>(more);
+  }
 }
 
 double LineNetwork::along_surface(const Node& a, const Node& b, double chord) const {

@@ -3,6 +3,7 @@
 // Lines drawn on the surface that meet nowhere but in common nodes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -80,32 +81,68 @@ class LineNetwork {
   /// always in the same. Stops where it returns true; whether it did.
   template <class Visit>
   bool near(const Node& node, double reach, const Visit& visit) const {
-    for (size_t level = 0; level < levels_.size(); ++level) {
+    const Search<Visit> search{node, surface_.component(node.point.face), reach, visit};
+    // Wider ones cell by cell, and finer ones where there are any: a wide node is beside as many fine cells as the cube
+    // of the ratio of their radii.
+    const size_t own = level_of(node.radius);
+    for (size_t level = own; level < levels_.size(); ++level) {
       if (levels_[level].empty()) continue;
       const double size = cell_size(level);
-      const auto low = cell(node.place - Vec3::Constant(reach), size);
-      const auto high = cell(node.place + Vec3::Constant(reach), size);
-      const uint32_t component = surface_.component(node.point.face);
-      for (int64_t x = low[0]; x <= high[0]; ++x) {
-        for (int64_t y = low[1]; y <= high[1]; ++y) {
-          for (int64_t z = low[2]; z <= high[2]; ++z) {
-            const auto found = levels_[level].find(key(component, x, y, z));
-            if (found == levels_[level].end()) continue;
-            for (const uint32_t i : found->second) {
-              const double chord = (nodes_[i].place - node.place).norm();
-              if (!(chord < reach)) continue;
-              const double distance = along_surface(node, nodes_[i], chord);
-              if (distance < reach && visit(i, distance)) return true;
-            }
-          }
-        }
-      }
+      const Cell low = cell(node.place - Vec3::Constant(reach), size);
+      const Cell high = cell(node.place + Vec3::Constant(reach), size);
+      if (any_among(search, level, low, high, level == own)) return true;
     }
     return false;
   }
 
  private:
-  using Cells = std::unordered_map<uint64_t, std::vector<uint32_t>>;
+  using Cell = std::array<int64_t, 3>;
+  struct Content {
+    std::vector<uint32_t> nodes;
+    uint32_t finer = 0;  // nodes of lower levels that lie in the cell
+  };
+  using Cells = std::unordered_map<uint64_t, Content>;
+  template <class Visit>
+  struct Search {
+    const Node& node;
+    uint32_t component;
+    double reach;
+    const Visit& visit;
+  };
+
+  /// Visits what is in the cells of a level from low to high and, where `finer`, in those of lower levels within them.
+  template <class Visit>
+  bool any_among(const Search<Visit>& search, size_t level, const Cell& low, const Cell& high, bool finer) const {
+    for (int64_t x = low[0]; x <= high[0]; ++x) {
+      for (int64_t y = low[1]; y <= high[1]; ++y) {
+        for (int64_t z = low[2]; z <= high[2]; ++z) {
+          const auto found = levels_[level].find(key(search.component, x, y, z));
+          if (found == levels_[level].end()) continue;
+          for (const uint32_t i : found->second.nodes) {
+            const double chord = (nodes_[i].place - search.node.place).norm();
+            if (!(chord < search.reach)) continue;
+            const double distance = along_surface(search.node, nodes_[i], chord);
+            if (distance < search.reach && search.visit(i, distance)) return true;
+          }
+          if (finer && found->second.finer > 0 && any_finer(search, level, {x, y, z})) return true;
+        }
+      }
+    }
+    return false;
+  }
+  /// The same in a cell's eight parts, as far as they are within reach.
+  template <class Visit>
+  bool any_finer(const Search<Visit>& search, size_t level, const Cell& of) const {
+    const double size = cell_size(level - 1);
+    Cell low = cell(search.node.place - Vec3::Constant(search.reach), size);
+    Cell high = cell(search.node.place + Vec3::Constant(search.reach), size);
+    for (size_t k = 0; k < 3; ++k) {
+      low[k] = std::max(low[k], 2 * of[k]);
+      high[k] = std::min(high[k], 2 * of[k] + 1);
+    }
+    return any_among(search, level - 1, low, high, true);
+  }
+
   struct Owned {
     Piece piece;
     uint32_t start, end;  // the nodes at its ends, kNone where it ends at an edge of the mesh
@@ -114,11 +151,14 @@ class LineNetwork {
   };
 
   double cell_size(size_t level) const { return least_cell_ * static_cast<double>(uint64_t{1} << level); }
-  static std::array<int64_t, 3> cell(const Vec3& p, double size);
+  static Cell cell(const Vec3& p, double size);
   /// Of a cell that holds nodes of one component: of the others nothing is near along the surface, and ten thousand of
   /// them may lie in one place. Cells far apart may share a key, which costs time only.
   static uint64_t key(uint32_t component, int64_t x, int64_t y, int64_t z);
-  std::pair<size_t, uint64_t> cell_of(const Node& node) const;
+  size_t level_of(double radius) const;
+  uint64_t cell_of(const Node& node, size_t level) const;
+  /// Adds this many to what the cells above a node's count.
+  void count_finer(const Node& node, int32_t more);
   double along_surface(const Node& a, const Node& b, double chord) const;
   template <class Put>
   static void pieces_of(uint32_t edge, uint32_t from, uint32_t to, const SurfacePoint& begin, const SurfacePoint& end,
