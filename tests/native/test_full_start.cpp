@@ -4,9 +4,14 @@
 // and after every iteration of it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "seed/full_start.h"
@@ -131,18 +136,108 @@ TEST(FullStart, IsTheSameForAnyNumberOfThreadsAndAtAnyScale) {
   }
 }
 
-/// A spike on which no curve can be laid: there the flow is the one that grows.
+/// A strip as wide as its spacing, in which no line has room: there the flow is the one that grows.
 TEST(FullStart, GrowsWhereNoneCanBeLaid) {
-  const auto surface = std::make_shared<const Surface>(make_surface(spike()));
-  const double spacing = 0.1 * std::sqrt(surface->area()) * surface->scale();
+  const double spacing = 0.02;
+  Mesh mesh = flat_grid(24);
+  for (size_t k = 1; k < mesh.vertices.size(); k += 3) mesh.vertices[k] *= spacing;
+  const auto surface = std::make_shared<const Surface>(make_surface(mesh));
   Flow full = flow_of(surface, spacing);
   meander_flow_options options = options_of(spacing);
   options.threads = 1;
   Flow grown(surface, nullptr, {}, checked_settings(options, *surface));
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 20; ++k) {
     ASSERT_TRUE(full.step(kNeverCancelled));
     ASSERT_TRUE(grown.step(kNeverCancelled));
     ASSERT_EQ(bytes_of(full.curve()), bytes_of(grown.curve())) << "iteration " << k;
+  }
+}
+
+/// The boundary of the unit cells of a box in which `full` says so; its vertices belong to cells in a row.
+Mesh cells(int n, const std::function<bool(int, int, int)>& full) {
+  Mesh mesh;
+  std::map<std::array<int, 3>, uint32_t> numbers;
+  const auto is_full = [&](const std::array<int, 3>& c) {
+    return std::ranges::all_of(c, [&](int x) { return x >= 0 && x < n; }) && full(c[0], c[1], c[2]);
+  };
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [at, added] = numbers.try_emplace(p, static_cast<uint32_t>(numbers.size()));
+    if (added) mesh.vertices.insert(mesh.vertices.end(), {double(p[0]), double(p[1]), double(p[2])});
+    return at->second;
+  };
+  for (int k = 0; k < n * n * n; ++k) {
+    const std::array<int, 3> cell{k % n, k / n % n, k / n / n};
+    for (size_t axis = 0; axis < 3 && is_full(cell); ++axis) {
+      for (const int side : {0, 1}) {
+        std::array<int, 3> beyond = cell, corner = cell;
+        beyond[axis] += 2 * side - 1;
+        corner[axis] += side;
+        if (is_full(beyond)) continue;
+        const size_t u = (axis + 1 + (side ? 0 : 1)) % 3, v = 3 - axis - u;
+        std::array<int, 3> a = corner, b = corner, c = corner;
+        ++a[u], ++b[u], ++b[v], ++c[v];
+        const uint32_t quad[4] = {vertex(corner), vertex(a), vertex(b), vertex(c)};
+        mesh.faces.insert(mesh.faces.end(), {quad[0], quad[1], quad[2], quad[0], quad[2], quad[3]});
+      }
+    }
+  }
+  return mesh;
+}
+
+/// A ball with long fingers, the thinnest a tenth of the widest.
+Mesh fingers() {
+  Mesh mesh = sphere(5);
+  const double radii[] = {0.03, 0.06, 0.1, 0.15, 0.2, 0.3};
+  for (size_t v = 0; v < mesh.vertices.size(); v += 3) {
+    for (size_t k = 0; k < 6; ++k) {
+      double* p = &mesh.vertices[v];
+      const double along = p[k / 2] * (k % 2 ? -1 : 1), away = std::sqrt(std::max(1 - along * along, 0.0));
+      if (along > 0 && away < radii[k]) p[k / 2] *= 1 + 2 * std::sqrt(1 - away / radii[k]);
+    }
+  }
+  return mesh;
+}
+
+struct Narrow {
+  const char* name;
+  Mesh mesh;
+};
+
+/// Surfaces on which some line comes so near to itself, or some link bends so much, that a walk round the tree of lines
+/// cannot be laid as it is: limbs thinner than r, and meshes of few faces with corners.
+std::vector<Narrow> narrow_shapes() {
+  const auto bars = [](int every) {
+    return [every](int x, int y, int z) { return (x % every == 0) + (y % every == 0) + (z % every == 0) >= 2; };
+  };
+  const auto sponge = [](int x, int y, int z) {
+    for (int k = 0; k < 2; ++k, x /= 3, y /= 3, z /= 3) {
+      if ((x % 3 == 1) + (y % 3 == 1) + (z % 3 == 1) >= 2) return false;
+    }
+    return true;
+  };
+  return {{"fingers", fingers()},
+          {"spike", spike()},
+          {"lattice", cells(9, bars(4))},
+          {"coarse_lattice", cells(3, bars(2))},
+          {"sponge", cells(9, sponge)},
+          {"coarse_noise", with_noise(sphere(2), 0.5, 3)}};
+}
+
+TEST(FullStart, LeavesOutWhatCannotBeLaidAndNeverTheWhole) {
+  for (const Narrow& shape : narrow_shapes()) {
+    const auto surface = std::make_shared<const Surface>(make_surface(shape.mesh));
+    for (const double side : {20.0, 35.0, 60.0}) {
+      SCOPED_TRACE(shape.name + std::to_string(side));
+      const double r = std::sqrt(surface->area()) / side;
+      const Flow flow = flow_of(surface, 2 * r * surface->scale());
+      ThreadPool pool(1);
+      const FullStart start = full_start(*surface, flow.curve(), 0, RadiusField(r), {}, nullptr, 0.5, pool);
+      ASSERT_EQ(start.strands.size(), 1u);
+      EXPECT_EQ(start.strands[0], StrandStart::kLaid);
+      ASSERT_TRUE(whole(*surface, start.curve));
+      EXPECT_TRUE(exact_crossings(*surface, start.curve).empty());
+      EXPECT_GT(start.curve.length() * 2 * r / surface->area(), 0.4);
+    }
   }
 }
 
@@ -161,6 +256,48 @@ TEST(FullStart, FollowsTheField) {
     }
     EXPECT_GT(aligned, 0.85 * full.length());
   }
+}
+
+/// A trunk of two nodes keeps the path between them.
+TEST(FullStart, KeepsATrunkOfTwoNodes) {
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(9)));
+  const Line stroke{{{0.1, 0.2, 0}, {0.9, 0.2, 0}}, false, false};
+  const Line dash{{{0.4, 0.7, 0}, {0.43, 0.71, 0}}, false, false};
+  const SeedStrands seed = seed_of({stroke, dash}, false);
+  meander_flow_options options = options_of(0.04, MEANDER_PRESET_FINEST);
+  options.start = MEANDER_START_FULL;
+  Flow flow(surface, &seed, {}, checked_settings(options, *surface));
+  for (int k = 0; k < 15; ++k) {
+    ASSERT_TRUE(flow.step(kNeverCancelled));
+    ASSERT_TRUE(whole(*surface, flow.curve()));
+    ASSERT_TRUE(exact_crossings(*surface, flow.curve()).empty()) << "iteration " << k;
+  }
+}
+
+/// Strands that have grown are trunks: only what they have left empty is filled.
+TEST(FullStart, FillsWhatGrownStrandsHaveLeftEmpty) {
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(9)));
+  const double r = 0.01 / surface->scale();
+  ThreadPool pool(1);
+  // A spiral of many nodes fills the left half.
+  Line spiral{{}, false, false};
+  for (int k = 0; k < 24; ++k) {
+    const double y = 0.02 + 0.04 * k, ends[2] = {0.02, 0.45};
+    for (const int end : {k % 2, 1 - k % 2}) spiral.points.push_back({ends[end], y, 0});
+  }
+  const SeedStrands seed = seed_of({spiral}, false);
+  Flow flow(surface, &seed, {}, checked_settings(options_of(0.02), *surface));
+  const Curve& first = flow.curve();
+  ASSERT_GT(first.size(), 1000u);
+  const FullStart start = full_start(*surface, first, 1, RadiusField(r), {}, nullptr, 0.5, pool);
+  EXPECT_EQ(start.strands[0], StrandStart::kLaid);
+  ASSERT_EQ(start.curve.strands.size(), 1u);
+  ASSERT_TRUE(whole(*surface, start.curve));
+  EXPECT_TRUE(exact_crossings(*surface, start.curve).empty());
+  EXPECT_GT(start.curve.length(), first.length() + 0.8 * 0.5 / 0.02 / surface->scale());
+  // Once more, and nothing is left.
+  const FullStart again = full_start(*surface, start.curve, 1, RadiusField(r), {}, nullptr, 0.5, pool);
+  EXPECT_LT(again.curve.length(), 1.05 * start.curve.length());
 }
 
 TEST(FullStart, GivesEveryRegionAStrandOfItsOwn) {
