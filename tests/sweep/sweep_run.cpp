@@ -7,7 +7,7 @@
 //
 //   INPUT       a mesh and a seed, as written by tests/sweep/inputs.py
 //   RADIUS      half the spacing, in the units of the mesh
-//   PRESET      even, paper or finest
+//   PRESET      even, paper, finest, or full: even from a curve that fills the surface
 //   MEASURE     euclidean, geodesic or preset: how distances are measured
 //   ITERATIONS  at most; 0: as the preset has it
 //   THREADS     of the flow
@@ -65,6 +65,7 @@ meander_flow_options options_of(char** arguments) {
                             preset == "paper"    ? MEANDER_PRESET_PAPER
                             : preset == "finest" ? MEANDER_PRESET_FINEST
                                                  : MEANDER_PRESET_EVEN);
+  if (preset == "full") options.start = MEANDER_START_FULL;
   options.radius = std::strtod(arguments[1], nullptr);
   if (measure == "euclidean") options.medial_axis = MEANDER_MEDIAL_AXIS_EUCLIDEAN;
   if (measure == "geodesic") options.medial_axis = MEANDER_MEDIAL_AXIS_GEODESIC;
