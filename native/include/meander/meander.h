@@ -476,7 +476,7 @@ MEANDER_API meander_status meander_faults_init(meander_faults* faults, size_t st
  * vertices, vertex_count, faces, face_count   as for meander_surface_create; coordinates may be anything
  * weld_distance   how close boundary edges count as seams, as in meander_surface_options; 0: none do
  * faults          prepared by meander_faults_init; receives them
- * context         or NULL; asked before the work begins and after it
+ * context         or NULL; a cancel ends the work within a tenth of a second, and faults stays as it was
  *
  * Refused with MEANDER_STATUS_INVALID_MESH: no faces, an index out of range. Any thread. */
 MEANDER_API meander_status meander_mesh_find_faults(const double* vertices, size_t vertex_count,

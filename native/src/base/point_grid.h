@@ -30,7 +30,10 @@ class PointGrid {
   PointGrid(const std::vector<Eigen::Vector3d>& points, double least, double most, CancelToken poll = {})
       : size_(std::max(least, std::ldexp(most, 1 - kMostLevels))) {
     std::vector<std::pair<uint64_t, uint32_t>> order(points.size());
-    for (uint32_t i = 0; i < points.size(); ++i) order[i] = {in_order(cube(points[i], size_)), i};
+    for (uint32_t i = 0; i < points.size(); ++i) {
+      poll();
+      order[i] = {in_order(cube(points[i], size_)), i};
+    }
     std::ranges::sort(order, [&](const auto& a, const auto& b) { return poll(), a < b; });
     places_.reserve(points.size());
     std::vector<Range> cubes;

@@ -16,11 +16,12 @@ class SplitSearch {
  public:
   explicit SplitSearch(const FaceBoundary& boundary)
       : boundary_(boundary), faces_(boundary.faces), positions_(boundary.positions),
-        distance_(boundary.farthest) {
+        distance_(boundary.farthest), poll_(boundary.poll) {
     // The boundary edges at each vertex, by a counting sort.
     std::vector<uint32_t> end(positions_.size() + 1, 0);
     double length = 0;
     for (const uint32_t side : boundary.half_edges) {
+      poll_();
       const uint32_t a = from(faces_, side), b = to(faces_, side);
       ++end[a + 1];
       ++end[b + 1];
@@ -30,6 +31,7 @@ class SplitSearch {
     for (size_t v = 0; v < positions_.size(); ++v) end[v + 1] += end[v];
     sides_.resize(end.back());
     for (const uint32_t side : boundary.half_edges) {
+      poll_();
       for (const uint32_t v : {from(faces_, side), to(faces_, side)}) sides_[end[v]++] = side;
     }
     end_ = std::move(end);
@@ -38,10 +40,8 @@ class SplitSearch {
   std::vector<EdgeSplit> all() {
     std::vector<EdgeSplit> found;
     if (!(cell_ > 0)) return found;
-    CancelToken poll = boundary_.poll;
-    const PointGrid grid(boundary_.points, cell_, poll);
+    const PointGrid grid(boundary_.points, cell_, poll_);
     for (const uint32_t side : boundary_.half_edges) {
-      poll(16);
       const size_t first = found.size();
       find_on(side, grid, found);
       std::sort(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
@@ -52,12 +52,13 @@ class SplitSearch {
   }
 
  private:
-  void find_on(uint32_t side, const PointGrid& grid, std::vector<EdgeSplit>& found) const {
+  void find_on(uint32_t side, const PointGrid& grid, std::vector<EdgeSplit>& found) {
     const uint32_t a = from(faces_, side), b = to(faces_, side), c = apex(faces_, side);
     const Vec3 origin = positions_[a], edge = positions_[b] - origin, shift = positions_[boundary_.vertices[0]];
     const double length = edge.norm();
     const auto steps = static_cast<size_t>(std::ceil(length / cell_));
     for (size_t i = 0; i < steps; ++i) {  // a tube around the edge, in balls
+      poll_(256);
       const double begin = static_cast<double>(i) / static_cast<double>(steps);
       const double end = static_cast<double>(i + 1) / static_cast<double>(steps);
       const Vec3 middle = origin + 0.5 * (begin + end) * edge - shift;
@@ -114,6 +115,7 @@ class SplitSearch {
   std::span<const Triangle> faces_;
   std::span<const Vec3> positions_;
   double distance_;
+  CancelToken poll_;
   std::vector<uint32_t> end_, sides_;  // the boundary edges at vertex v end at end_[v]
   double cell_ = 0;
 };
@@ -136,8 +138,8 @@ void divide(Soup& soup, uint32_t f, const std::vector<Soup::Place>& ring, size_t
     }
   };
   if (one > 1) {
-    // Corner 0, its neighbour on edge 0, and edge 2; from corner 2 over the rest of edge 0 but its last piece; the vertex
-    // before corner 1, and edge 1.
+    // Corner 0, its neighbour on edge 0, and edge 2; from corner 2 over the rest of edge 0 but its last piece; the
+    // vertex before corner 1, and edge 1.
     fan(1, two, n);
     fan(two, 1, one - 1);
     fan(one - 1, one, two);

@@ -35,11 +35,26 @@ struct Names {
   uint32_t face(size_t f) const { return map ? map->face(static_cast<uint32_t>(f)) : static_cast<uint32_t>(f); }
 };
 
-/// `is_used(v)`: whether a face has vertex v, which is asked where a coordinate is not finite only.
-template <class IsUsed>
-void check_coordinates(std::span<const double> vertices, const Names& names, const IsUsed& is_used) {
+std::span<const uint32_t> corners_of(const Table<Triangle>& faces) {
+  return {faces.empty() ? nullptr : faces[0].data(), 3 * faces.size()};
+}
+
+/// Per vertex: whether a corner is there.
+std::vector<uint8_t> used_by(std::span<const uint32_t> corners, size_t vertex_count) {
+  std::vector<uint8_t> used(vertex_count, 0);
+  for (const uint32_t v : corners) {
+    if (v < vertex_count) used[v] = 1;
+  }
+  return used;
+}
+
+/// Of vertices without a face coordinates may be anything.
+void check_coordinates(std::span<const double> vertices, std::span<const uint32_t> corners, const Names& names) {
+  std::vector<uint8_t> used;  // once there is a question
   for (size_t i = 0; i < vertices.size(); ++i) {
-    if (std::isfinite(vertices[i]) || !is_used(static_cast<uint32_t>(i / 3))) continue;
+    if (std::isfinite(vertices[i])) continue;
+    if (used.empty()) used = used_by(corners, vertices.size() / 3);
+    if (!used[i / 3]) continue;
     const uint32_t v = names.vertex(static_cast<uint32_t>(i / 3));
     refuse("Vertex " + str(v) + " has a coordinate that is not a finite number; repair or remove it.",
            ElementKind::kVertex, v);
@@ -59,10 +74,7 @@ void check_corners(std::span<const uint32_t> faces, const Names& names) {
 
 /// `used_count` receives the number of vertices that faces use.
 Placement measure(std::span<const double> vertices, const Table<Triangle>& faces, uint32_t& used_count) {
-  std::vector<uint8_t> used(vertices.size() / 3, 0);
-  for (const Triangle& t : faces) {
-    for (uint32_t v : t) used[v] = 1;
-  }
+  const std::vector<uint8_t> used = used_by(corners_of(faces), vertices.size() / 3);
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (size_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
@@ -275,32 +287,14 @@ void check_indices(size_t vertex_count, std::span<const uint32_t> faces) {
 }
 
 void check_numbers(std::span<const double> vertices, std::span<const uint32_t> faces) {
-  std::vector<uint8_t> used;  // per vertex, once there is a question
-  check_coordinates(vertices, Names{nullptr}, [&](uint32_t v) {
-    if (used.empty()) {
-      used.assign(vertices.size() / 3, 0);
-      for (const uint32_t corner : faces) {
-        if (corner < used.size()) used[corner] = 1;
-      }
-    }
-    return used[v] != 0;
-  });
+  check_coordinates(vertices, faces, Names{nullptr});
   check_indices(vertices.size() / 3, faces);
 }
 
 Placement check_placement(std::span<const double> vertices, const Table<Triangle>& faces, ThreadPool& pool,
                           const MeshMap* map) {
   const Names names{map};
-  std::vector<uint8_t> used;
-  check_coordinates(vertices, names, [&](uint32_t v) {
-    if (used.empty()) {
-      used.assign(vertices.size() / 3, 0);
-      for (const Triangle& t : faces) {
-        for (const uint32_t corner : t) used[corner] = 1;
-      }
-    }
-    return used[v] != 0;
-  });
+  check_coordinates(vertices, corners_of(faces), names);
   uint32_t used_count = 0;
   const Placement placement = measure(vertices, faces, used_count);
   check_areas(vertices, faces, placement, names, pool);

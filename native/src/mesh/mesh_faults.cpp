@@ -20,10 +20,7 @@ class FaultSearch {
     soup_.measure();
     add_and_leave_out(FaultKind::kNoArea, faces_without_area(soup_, kFlatFace));
     add_and_leave_out(FaultKind::kDoubledFace, doubled_faces(soup_));
-    const Sheets sheets = find_sheets(soup_, true);
-    for (const VertexPair& e : sheets.crowded) add(FaultKind::kCrowdedEdge, e[0], e[1]);
-    for (const uint32_t v : bow_ties(soup_, sheets)) add(FaultKind::kBowTie, v, v);
-    for (const VertexPair& e : sheets.opened) add(FaultKind::kOneSided, e[0], e[1]);
+    add_sheets(find_sheets(soup_, true));
     if (weld_distance > 0) add_seams(FaceBoundary(soup_, weld_distance));
   }
 
@@ -38,7 +35,8 @@ class FaultSearch {
     for (uint32_t v = 0; v < used.size(); ++v) {
       if (used[v] && is_infinite(v)) add(FaultKind::kNotFinite, v, v);
     }
-    if (!faults.empty()) soup_.leave_out_where([&](uint32_t f) { return std::ranges::any_of(soup_.faces()[f], is_infinite); });
+    if (faults.empty()) return;
+    soup_.leave_out_where([&](uint32_t f) { return std::ranges::any_of(soup_.faces()[f], is_infinite); });
   }
 
   void add_and_leave_out(FaultKind kind, const std::vector<uint32_t>& faces) {
@@ -46,7 +44,14 @@ class FaultSearch {
     soup_.leave_out(faces);
   }
 
+  void add_sheets(const Sheets& sheets) {
+    for (const VertexPair& e : sheets.crowded) add(FaultKind::kCrowdedEdge, e[0], e[1]);
+    for (const uint32_t v : bow_ties(soup_, sheets)) add(FaultKind::kBowTie, v, v);
+    for (const VertexPair& e : sheets.opened) add(FaultKind::kOneSided, e[0], e[1]);
+  }
+
   void add_seams(const FaceBoundary& boundary) {
+    soup_.forget_edges();  // the grids of points take more memory than all else
     std::vector<VertexPair> edges;
     for (const Seam& seam : find_seams(boundary)) {
       for (const uint32_t e : {seam.one, seam.other}) edges.push_back(edge(soup_.faces(), e));
@@ -55,7 +60,11 @@ class FaultSearch {
     CancelToken poll = soup_.poll();
     std::ranges::sort(edges, [&](const VertexPair& a, const VertexPair& b) { return poll(), a < b; });
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    for (const VertexPair& e : edges) add(FaultKind::kSeam, e[0], e[1]);
+    faults.reserve(faults.size() + edges.size());
+    for (const VertexPair& e : edges) {
+      poll();
+      add(FaultKind::kSeam, e[0], e[1]);
+    }
   }
 
   Soup& soup_;
@@ -75,7 +84,7 @@ bool has_seams(std::span<const double> vertices, std::span<const uint32_t> faces
   if (half_edges.empty()) return false;
   std::vector<Eigen::Vector3d> positions(vertices.size() / 3);
   std::vector<Triangle> triangles(faces.size() / 3);
-  for (size_t v = 0; v < positions.size(); ++v) positions[v] = {vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]};
+  for (size_t v = 0; v < positions.size(); ++v) positions[v] = Eigen::Vector3d::Map(&vertices[3 * v]);
   for (size_t f = 0; f < triangles.size(); ++f) triangles[f] = {faces[3 * f], faces[3 * f + 1], faces[3 * f + 2]};
   const FaceBoundary boundary(positions, triangles, std::move(half_edges), weld_distance, cancel.every(1u << 16));
   return !find_seams(boundary).empty() || !find_edge_splits(boundary).empty();

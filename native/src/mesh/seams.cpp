@@ -23,6 +23,7 @@ std::vector<uint32_t> places_of(const FaceBoundary& boundary) {
   std::vector<uint32_t> place(boundary.positions.size());
   std::iota(place.begin(), place.end(), 0u);
   CancelToken poll = boundary.poll;
+  poll.now();
   const PointGrid grid(boundary.points, std::max(boundary.farthest, 1e-8 * boundary.extent), poll);
   for (size_t i = 0; i < boundary.vertices.size(); ++i) {
     poll(4);
@@ -71,6 +72,7 @@ FaceBoundary::FaceBoundary(std::span<const Eigen::Vector3d> at, std::span<const 
   }
   for (uint32_t v = 0; v < there.size(); ++v) {
     if (!there[v]) continue;
+    poll(4);
     vertices.push_back(v);
     points.push_back(positions[v] - positions[vertices[0]]);
     extent = std::max(extent, points.back().cwiseAbs().maxCoeff());

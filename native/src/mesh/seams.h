@@ -24,7 +24,7 @@ struct FaceBoundary {
   std::vector<uint32_t> half_edges;     ///< those that are alone on their edge, rising
   std::vector<uint32_t> vertices;       ///< those at them, rising
   std::vector<Eigen::Vector3d> points;  ///< where these are, seen from the first
-  /// Of these: `distance`, or a quarter of the shortest edge at one, so that no face can collapse whatever the distance.
+  /// Of these: `distance`, or a quarter of the shortest edge at one, so that no face can collapse at any distance.
   std::vector<double> reach;
   double farthest = 0, extent = 0;      ///< the largest reach, and the largest coordinate of the points
   CancelToken poll;

@@ -42,8 +42,8 @@ Sheets find_sheets(Soup& soup, bool join_flattest);
 /// Vertices at which fans meet, away from edges where faces come apart, rising.
 std::vector<uint32_t> bow_ties(const Soup& soup, const Sheets& sheets);
 
-/// How sharply two faces turn at an edge: 0 for flat ones, 2 for those that lie on each other; rounded, so that rounding
-/// errors do not decide between equal ones.
+/// How sharply two faces turn at an edge: 0 for flat ones, 2 for those that lie on each other; rounded, so that
+/// rounding errors do not decide between equal ones.
 ///
 /// c, d   the third corners of the two faces
 double turn_at_edge(std::span<const Eigen::Vector3d> positions, const VertexPair& edge, uint32_t c, uint32_t d);

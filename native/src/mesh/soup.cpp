@@ -10,11 +10,9 @@ Soup::Soup(std::span<const double> vertices, std::span<const uint32_t> faces, co
   CancelToken poll = this->poll();
   map_.caller_vertex_count_ = positions_.size();
   map_.caller_face_count_ = faces.size() / 3;
-  map_.vertices_.resize(positions_.size());
   for (uint32_t v = 0; v < positions_.size(); ++v) {
     poll();
     positions_[v] = Vec3(vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]);
-    map_.vertices_[v] = {v, v, 0};
   }
   resize(faces.size() / 3);
   for (uint32_t f = 0; f < faces_.size(); ++f) {
@@ -49,7 +47,7 @@ void Soup::measure() {
 
 uint32_t Soup::add_vertex(const Vec3& position, const MeshMap::VertexOrigin& origin) {
   positions_.push_back(position);
-  map_.vertices_.push_back(origin);
+  added_.push_back(origin);
   at_mask_.push_back(0);
   return static_cast<uint32_t>(positions_.size() - 1);
 }
@@ -87,11 +85,12 @@ void Soup::write(std::vector<double>& vertices, std::vector<uint32_t>& faces, Me
   for (uint32_t v = 0; v < number.size(); ++v) {
     if (!used[v]) continue;
     positions_[count] = positions_[v];
-    map_.vertices_[count] = map_.vertices_[v];
     number[v] = count++;
   }
-  map_.vertices_.resize(count);
-  map_.vertices_.shrink_to_fit();
+  map_.vertices_.reserve(count);
+  for (uint32_t v = 0; v < used.size(); ++v) {
+    if (used[v]) map_.vertices_.push_back(origin(v));
+  }
   map_.faces_.shrink_to_fit();
   map_.corners_.shrink_to_fit();
   vertices.reserve(3 * size_t{count});

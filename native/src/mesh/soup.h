@@ -46,8 +46,9 @@ class Soup {
   std::vector<uint8_t>& at_mask() { return at_mask_; }
   /// Of the box around the faces when measure() was called.
   double diagonal() const { return diagonal_; }
-  /// Found when first asked for after faces have changed.
+  /// Found when first asked for after faces have changed, and kept until they do.
   std::shared_ptr<const EdgeGroups> edges();
+  void forget_edges() { edges_ = nullptr; }
   ThreadPool& pool() { return pool_; }
   /// To be called for each face, vertex or edge by whatever goes through all of them.
   CancelToken poll() const { return pool_.poll(1u << 16); }
@@ -92,7 +93,7 @@ class Soup {
   }
   uint32_t add_vertex(const Vec3& position, const MeshMap::VertexOrigin& origin);
   /// Another vertex in the place of one.
-  uint32_t copy_vertex(uint32_t v) { return add_vertex(Vec3(positions_[v]), MeshMap::VertexOrigin(map_.vertices_[v])); }
+  uint32_t copy_vertex(uint32_t v) { return add_vertex(Vec3(positions_[v]), origin(v)); }
   /// Gives a corner 3 f + k another vertex.
   void set_corner(uint32_t corner, uint32_t vertex) {
     edges_ = nullptr;
@@ -127,8 +128,12 @@ class Soup {
     map_.corners_[f] = face.part;
   }
   void resize(size_t face_count);
+  MeshMap::VertexOrigin origin(uint32_t v) const {
+    return v < map_.caller_vertex_count_ ? MeshMap::VertexOrigin{v, v, 0} : added_[v - map_.caller_vertex_count_];
+  }
 
   std::vector<Vec3> positions_;
+  std::vector<MeshMap::VertexOrigin> added_;  // those of vertices that are not the caller's
   std::vector<Triangle> faces_;
   MeshMap map_;
   std::vector<uint8_t> at_mask_;
