@@ -21,6 +21,7 @@
 #include "flow/flow.h"
 #include "mesh/closest_point.h"
 #include "mesh/fields.h"
+#include "mesh/mesh_faults.h"
 #include "mesh/normal_field.h"
 #include "outputs/cut_surface.h"
 #include "outputs/gaps.h"
@@ -102,6 +103,22 @@ int asks_of(const Work& work) {
   };
   work(question);
   return asked;
+}
+
+/// Faces of which each has vertices of its own, some of them twice and some without area.
+Mesh soup_of(const Mesh& mesh) {
+  Mesh soup;
+  for (uint32_t f = 0; f < mesh.face_count(); ++f) {
+    uint32_t v[3];
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3 p = mesh.at(mesh.faces[3 * f + k]);
+      v[k] = soup.add(p.x(), p.y(), p.z());
+    }
+    soup.face(v[0], v[1], v[2]);
+    if (f % 50 == 7) soup.face(v[2], v[1], v[0]);
+    if (f % 50 == 8) soup.face(v[0], v[1], v[1]);
+  }
+  return soup;
 }
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -268,6 +285,16 @@ TEST(CancelAtAnyAsk, IsNeverFarAwayOnALargeMesh) {
   EXPECT_TRUE(asks_often(0.25, [&](const CancelToken& question) { move(flow, question); }));
   EXPECT_TRUE(asks_often(0.1, [&](const CancelToken& question) { find_gaps(flow, 1.2, question); }));
 }
+
+/// All steps of looking for faults, which are those of a repair. A mesh of a million faces takes about a second.
+TEST(CancelAtAnyAsk, IsNeverFarAwayWhileFaultsAreLookedFor) {
+  const Mesh whole = sphere(7), soup = soup_of(whole);
+  for (const Mesh* mesh : {&whole, &soup}) {
+    EXPECT_TRUE(asks_often(0.1, [&](const CancelToken& question) {
+      find_faults(mesh->vertices, mesh->faces, 1e-6, question);
+    }));
+  }
+}
 #endif
 
 // ------------------------------------------------------------------------------------------------
@@ -347,6 +374,12 @@ Bytes cut_of(double detail, bool middle_lines, const CancelToken& cancel) {
 constexpr double kSmoothing = 0.1;
 
 const Search kSearches[] = {
+    {"faults", [](const auto& asked) {
+       static const Mesh soup = soup_of(sphere(4));
+       Bytes bytes;
+       for (const MeshFault& fault : find_faults(soup.vertices, soup.faces, 1e-6, asked)) add(bytes, &fault, 1);
+       return bytes;
+     }, 20},
     {"curvature", [](const auto& asked) {
        return bytes_of(curvature(ball(), CurvatureKind::kCurvedness, kSmoothing, asked));
      }, 20},
@@ -410,7 +443,18 @@ TEST(CancelThroughTheHeader, EndsCallsInTheirMiddle) {
   Rng rng(3);
   std::vector<double> places(300000);
   for (double& x : places) x = rng.in(-2, 2);
+  const Mesh soup = soup_of(sphere(5));
   const PublicCall calls[] = {
+      {"faults",
+       [&](meander_context* context, std::vector<double>& output) {
+         Result<meander_faults> faults;
+         const meander_status status =
+             meander_mesh_find_faults(soup.vertices.data(), soup.vertex_count(), soup.faces.data(), soup.face_count(),
+                                      1e-6, &faults, context, nullptr);
+         EXPECT_EQ(faults->result != nullptr, status == MEANDER_STATUS_OK);
+         if (faults->result) output[0] = 0;
+         return status;
+       }},
       {"curvature",
        [&](meander_context* context, std::vector<double>& output) {
          return meander_surface_compute_curvature(surface, MEANDER_CURVATURE_MEAN, 0.1, output.data(), vertices,
