@@ -170,3 +170,15 @@ def test_a_pipe_is_written_into(square: Path, tmp_path: Path) -> None:
     listener.join(timeout=10.0)
     assert json.loads(heard[0])["iterations"] == 2
     assert stat.S_ISFIFO(pipe.stat().st_mode)
+
+
+@pytest.mark.parametrize("name", ["out.obj", "./out.obj", "a/../out.obj"])
+def test_a_current_folder_that_has_been_deleted_is_a_sentence(
+    square: Path, tmp_path: Path, capsys: pytest.CaptureFixture, monkeypatch, name: str
+) -> None:
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    assert run(square, Path(name)) == 2
+    assert_sentence(capsys.readouterr().err.rstrip("\n"))

@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
+from typing import TypeVar
 
 from .. import core
 from ..model.export import SUFFIXES as EXPORTED
@@ -34,6 +35,8 @@ from . import (
 )
 from .place import Place
 from .values import BadInput
+
+_Answer = TypeVar("_Answer")
 
 # What --input may be, by its suffix.
 INPUTS = (*MESHES, ".blend")
@@ -171,7 +174,7 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
         if _is(Path.is_dir, option, path) or not path.name:
             raise BadInput(f"{option} {path} is a folder; give a file name")
         # Through a symbolic link, what it points to is written.
-        target = Path(os.path.realpath(path))
+        target = _is(lambda named: Path(os.path.realpath(named)), option, path)
         if not target.parent.is_dir():
             raise BadInput(f"the folder of {option} {path} does not exist; make it first")
         if not (path.exists() and not path.is_file()) and not os.access(target.parent, os.W_OK):
@@ -197,8 +200,9 @@ def _are_one(target: Path, other: Path) -> bool:
         return False
 
 
-def _is(question: Callable[[Path], bool], option: str, path: Path) -> bool:
-    """Asks about a path; a name that no file can have is refused."""
+def _is(question: Callable[[Path], _Answer], option: str, path: Path) -> _Answer:
+    """Asks about a path; a name that no file can have is refused, and so is one in a current folder
+    that has been deleted."""
     try:
         return question(path)
     except OSError as problem:

@@ -22,6 +22,7 @@ from ..scene.camera import camera_page
 from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.settings import surface_of
+from .file_names import file_named
 from .fill import draw_question, over_view, sentence_of
 from .preferences import is_large
 from .refusing import refuse, refusing
@@ -175,8 +176,7 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        if not self.filepath:
-            raise DataError("No file is named; give a name that ends in .svg")
+        self.filepath = file_named(self.filepath, ".svg")
         drawing = self._drawing(context)
         if self.options.is_invoke and not bpy.app.background:
             if not self.asked and self._asks(drawing):
@@ -212,7 +212,7 @@ class MEANDER_OT_draw_camera(PageSettings, bpy.types.Operator):
         return CameraDrawing(self._frame(context), self.spacing, depsgraph, fallback)
 
     def _write(self, context: bpy.types.Context, drawing: CameraDrawing) -> None:
-        path = Path(bpy.path.abspath(self.filepath)).with_suffix(".svg")
+        path = Path(self.filepath).with_suffix(".svg")
         report = path.with_suffix(".json") if self.report_too else None
         told = drawing.write(path, self.line_width, context.scene.camera.name, report)
         self.report({"INFO"}, f"{path.name}: {told}")

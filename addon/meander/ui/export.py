@@ -24,6 +24,7 @@ from ..scene.meshes import triangles_of
 from ..scene.points import strands_of_result
 from ..scene.visible import visible_strands
 from .declared import declared
+from .file_names import file_named
 from .fill import sentence_of
 from .on_result import OnResult
 from .refusing import refusing
@@ -197,6 +198,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
+        self.filepath = file_named(self.filepath, "a suffix such as .svg")
         if not self.properties.is_property_set("file_format"):
             self._take_format_of_name()
         if not self.properties.is_property_set("layout_as"):

@@ -14,6 +14,7 @@ from ..run.cut import cut_result
 from ..scene import look
 from ..scene.errors import DataError
 from ..scene.layouts import map_of
+from .file_names import file_named
 from .fill import sentence_of
 from .on_result import OnResult
 from .refusing import refusing
@@ -130,8 +131,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         kinds = [kind for kind in maps.KINDS if kind.upper() in self.kinds]
         if not kinds:
             raise DataError("No image is chosen; choose at least one under Images")
-        if not self.filepath:
-            raise DataError("No file is named; give a name that ends in .png or .exr")
+        self.filepath = file_named(self.filepath, ".png or .exr")
         chosen = self.properties.is_property_set("file_format")
         if not chosen or self.file_format == self._format:  # it is the name that has changed
             self._take_format_of_name()
@@ -143,7 +143,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         ramp = look.ramp_colours(result)
         style = maps.Style(self.size, self.margin, self.line_width, self.depth, ramp)
         mapped = maps.Mapped.of(cut.cut, corners, cut.plan.spacing)
-        path = Path(bpy.path.abspath(str(self._with_suffix())))
+        path = self._with_suffix()
         try:
             images, overlap = maps.images(mapped, path, kinds, style)
         except maps.NoPlace as problem:

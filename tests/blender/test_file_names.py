@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names of files as scripts and people give them: // is the folder of the .blend; a folder, and no
+name at all, are refused in a sentence, and nothing is written anywhere."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+import pytest
+import scenes
+
+
+@pytest.fixture
+def result(tmp_path: Path) -> bpy.types.Object:
+    scenes.activate(scenes.fill(scenes.grid(), 0.5))
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    return bpy.context.active_object
+
+
+@pytest.mark.parametrize("name", ["//rel.svg", "//rel", "//./rel.svg", "//../{folder}/rel.svg"])
+def test_two_slashes_are_the_folder_of_the_scene(result, tmp_path: Path, name: str) -> None:
+    name = name.format(folder=tmp_path.name)
+    bpy.ops.meander.export_toolpath(filepath=name, file_format="SVG")
+    assert sorted(path.name for path in tmp_path.glob("rel*")) == ["rel.svg"]
+
+
+@pytest.mark.parametrize("name", ["", " ", "{folder}/", "{folder}/new/", "//", "//new/"])
+def test_what_names_no_file_is_a_sentence(result, tmp_path: Path, name: str) -> None:
+    before = sorted(tmp_path.parent.rglob("*"))
+    with pytest.raises(RuntimeError) as refused:
+        bpy.ops.meander.export_toolpath(filepath=name.format(folder=tmp_path), file_format="SVG")
+    assert "give a" in str(refused.value) and "Traceback" not in str(refused.value)
+    assert sorted(tmp_path.parent.rglob("*")) == before
+
+
+def test_beside_a_scene_that_is_not_saved(tmp_path: Path) -> None:
+    scenes.activate(scenes.fill(scenes.grid(), 0.5))
+    if bpy.data.filepath:
+        pytest.skip("the scene has been saved")
+    with pytest.raises(RuntimeError) as refused:
+        bpy.ops.meander.export_toolpath(filepath="//rel.svg", file_format="SVG")
+    assert "is not saved" in str(refused.value)
