@@ -18,8 +18,8 @@ namespace {
 constexpr double kMostTurnOfLine = 0.5, kLeastField = 1e-6;
 
 /// A line comes no nearer to itself than by this share of the way along it: it may turn back, by three quarters of a
-/// circle, but not wind round a limb that is thinner than a spacing. near_target along the surface on spot, in the median
-/// of three orders of its faces: .9895, and .9845 with .45 and .6.
+/// circle, but not wind round a limb that is thinner than a spacing. near_target along the surface on spot, in the
+/// median of three orders of its faces, is .9895, .9845 with .45, and .9843 with .6.
 constexpr double kOwn = 0.3;
 
 /// Others begin beside every fourth node of a line.

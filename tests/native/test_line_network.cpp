@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is near to a node of a network, whatever the spacings there, against a look at every node.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "seed/line_network.h"
+#include "meshes.h"
+
+namespace meander::test {
+namespace {
+
+TEST(LineNetwork, FindsWhatIsNearWhereSpacingsDiffer) {
+  const Surface surface = make_surface(flat_grid(8));
+  VertexData<double> density(std::vector<double>(surface.vertex_count(), 1));
+  for (uint32_t v = 0; v < surface.vertex_count(); ++v) {
+    density[v] = std::pow(10.0, 5.6 * surface.position(v).x());
+  }
+  const RadiusField radius(0.1, density);
+  ThreadPool pool(1);
+  const SurfacePatches patches(surface, radius, 3, pool);
+  LineNetwork network(surface, patches, radius);
+  Rng rng(7);
+  const auto random_node = [&] {
+    const double x = rng(), y = rng() * (1 - x);
+    return network.make_node(make_point(rng.below(surface.face_count()), 1 - x - y, x, y), rng.below(9), rng());
+  };
+  for (int k = 0; k < 400; ++k) network.add_node(random_node());
+  const LineNetwork::Mark mark = network.mark();
+  for (int k = 0; k < 100; ++k) network.add_node(random_node());
+  network.take_back(mark);
+  for (int k = 0; k < 300; ++k) {
+    const LineNetwork::Node node = random_node();
+    const double reach = rng.in(0.5, 6.5) * node.radius;
+    std::vector<uint32_t> found, near;
+    network.near(node, reach, [&](uint32_t i, double) {
+      found.push_back(i);
+      return false;
+    });
+    // The square is flat, and nothing in it is hidden.
+    for (uint32_t i = 0; i < network.nodes().size(); ++i) {
+      if ((network.nodes()[i].place - node.place).norm() < reach) near.push_back(i);
+    }
+    std::ranges::sort(found);
+    if (reach < 2 * node.radius) {
+      EXPECT_EQ(found, near);
+    }
+    EXPECT_TRUE(std::ranges::includes(near, found));
+    EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+  }
+}
+
+}  // namespace
+}  // namespace meander::test
