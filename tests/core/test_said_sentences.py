@@ -222,7 +222,8 @@ def others(folder: Path) -> list[str]:
         reading(folder, "f.ply", ply("0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 -7\n", 1)),
         reading(folder, "g.ply", ply("0 0 0\n1 0 0\n1 1 0\n0 1 0\n-3 0 1 2\n", 1)),
         said_of(lambda: limits.refuse_large(cost, namespace)),
-        said_of(lambda: batch.main(["--input", str(folder / "sheet.obj"), "--output", "a.obj"])),
+        said_of(lambda: batch.main(["--input", str(folder / "sheet.obj"), "--output",
+            str(folder / "gaps.obj"), "--iterations", "1", "--quiet", "--fail-on-gaps"])),
         said_of(lambda: batch.main(["--input", str(folder / "sheet.obj"), "--output", "a.obj",
             "--target-length", "9", "--least-bend-radius", "1"])),
     ]  # fmt: skip
