@@ -1154,7 +1154,8 @@ MEANDER_API meander_status meander_flow_set_density(meander_flow* flow, const do
                                                     size_t density_count, meander_error* error);
 
 /* Other options, the radius among them; the density stays as it is. What only a beginning needs has
- * no effect: widen_loops, start_spacing_factor (a wide start that is under way goes on), threads.
+ * no effect: start, widen_loops, start_spacing_factor (a wide start that is under way goes on), threads;
+ * hairpin_removal_iterations of a curve that began full.
  *
  * options   as for meander_flow_create, all of them: what is not to change must be as it was
  *

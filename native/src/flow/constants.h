@@ -155,6 +155,17 @@ inline constexpr size_t kGrowthWindow = 10;
 inline constexpr double kGrownLength = 0.02, kGrownClamped = 0.01;
 inline constexpr double kGrownForSure = 0.005;
 
+/// What is farther than kFarFromNodes from every node, in r, > 2, has no strand that will fill it soon. Where that is
+/// more than kMostFar of the area, from 0 to 1, growth is not at its end: the rest is laid, once, and what is left then
+/// is left to strands for as long as it becomes less by kLessFar of the area, > 0, in kGrowthWindow iterations. On all
+/// compact surfaces of scripts/fingerprints.py nothing is far when growth ends.
+inline constexpr double kFarFromNodes = 3.2, kMostFar = 0.001, kLessFar = 0.0005;
+
+/// And where it has not come to an end after so many iterations for each r of the side of a square as large as the
+/// surface, > 0, which is twice as long as from a corner of that: on a long strip only two tips advance.
+inline constexpr double kPatience = 1.6;
+inline constexpr size_t kLeastPatience = 60;
+
 /// Iterations that fit a finished curve to another spacing, up to kPolishIterations. More of them hardly make it more
 /// even: near_target of bunny after 10, 15, 20 and 30 is .932, .937, .939 and .943 for a spacing a tenth wider, .950,
 /// .953, .952 and .956 for one a tenth closer, and .951 and .955 from scratch (docs/live.md).

@@ -92,6 +92,25 @@ void Convergence::begin(Phase phase) {
   picture_.reset();
 }
 
+/// By what share the length has changed in the iterations up to one after which it is this.
+double Convergence::change_in(size_t window, double length) const {
+  const size_t before = lengths_.size() - phase_start_;
+  return before >= window ? std::abs(length / lengths_[lengths_.size() - window] - 1) : 1;
+}
+
+bool Convergence::asks_what_is_far(const IterationFigures& figures, double side) const {
+  if (!grows_in(phase_) || rule_ == StopRule::kPaper) return false;
+  if (!rest_laid_ && is_stuck(figures)) return true;
+  if (polish_wanted_) {
+    if (has_grown(change_in(kGrowthWindow, figures.length), figures.clamped_share)) return true;
+  } else if (change_in(kSettledWindow, figures.length) < kSettledLength) {
+    return true;
+  }
+  const size_t age = lengths_.size() + 1 - phase_start_;
+  return !rest_laid_ && age % kGrowthWindow == 0 &&
+         static_cast<double>(age) > static_cast<double>(kLeastPatience) + kPatience * side;
+}
+
 bool Convergence::has_grown(double change, double clamped_share) const {
   return (change < kGrownLength && clamped_share < kGrownClamped) || change < kGrownForSure;
 }
@@ -122,10 +141,29 @@ bool Convergence::awaits_rest() const {
   return phase_ == Phase::kFinishing || (grows_in(phase_) && !polish_wanted_);
 }
 
+bool Convergence::is_stuck(const IterationFigures& figures) { return figures.wanted >= kIdle && figures.moved < kIdle; }
+
 void Convergence::note_idleness(const IterationFigures& figures) {
-  const bool stuck = figures.wanted >= kIdle && figures.moved < kIdle;
-  idle_ = stuck ? idle_ + 1 : 0;
+  idle_ = is_stuck(figures) ? idle_ + 1 : 0;
   stalled_ = idle_ >= kIdleIterations;
+}
+
+/// `rests`: the curve hardly changes any more.
+void Convergence::note_growth(const IterationFigures& figures, bool rests) {
+  const bool far = figures.far_share > kMostFar;
+  if (far && !rest_laid_) {
+    rest_laid_ = true;
+    idle_ = 0;
+    stalled_ = false;
+    begin(Phase::kLayingRest);
+  } else if (rests && far && figures.far_share < far_before_ - kLessFar) {
+    far_before_ = figures.far_share;
+    begin(Phase::kGrowing);
+  } else if (rests && polish_wanted_) {
+    begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
+  } else if (rests) {
+    begin(Phase::kCooling);
+  }
 }
 
 uint32_t Convergence::iterations_in_phase() const {
@@ -138,14 +176,13 @@ uint32_t Convergence::iterations_in_phase() const {
 
 void Convergence::note(const Surface& surface, const Curve& curve, const LocalMetric& metric,
                        const IterationFigures& figures, ThreadPool& pool) {
+  const double settling = change_in(kSettledWindow, figures.length);
+  const double growing = change_in(kGrowthWindow, figures.length);
   lengths_.push_back(figures.length);
-  const size_t now = lengths_.size(), age = now - phase_start_;
-  const auto change = [&](size_t window) {
-    return age > window ? std::abs(figures.length / lengths_[now - 1 - window] - 1) : 1;
-  };
+  const size_t age = lengths_.size() - phase_start_;
   bool settled = false;
   try {
-    settled = awaits_rest() && has_settled(surface, curve, metric, change(kSettledWindow), pool);
+    settled = awaits_rest() && has_settled(surface, curve, metric, settling, pool);
   } catch (...) {
     lengths_.pop_back();
     throw;
@@ -161,11 +198,7 @@ void Convergence::note(const Surface& surface, const Curve& curve, const LocalMe
     case Phase::kStarting:
     case Phase::kGrowing:
     case Phase::kLayingRest:
-      if (!polish_wanted_) {
-        if (settled) begin(Phase::kCooling);
-      } else if (has_grown(change(kGrowthWindow), figures.clamped_share)) {
-        begin(hairpin_removal_iterations_ > 0 ? Phase::kHairpinRemoval : Phase::kPolishing);
-      }
+      note_growth(figures, polish_wanted_ ? has_grown(growing, figures.clamped_share) : settled);
       break;
     case Phase::kHairpinRemoval:
       if (++removed_for_ >= hairpin_removal_iterations_) begin(Phase::kPolishing);

@@ -20,6 +20,8 @@ struct IterationFigures {
   double wanted = 0;             ///< mean length of the displacements, in the local r
   double moved = 0;              ///< mean distance that nodes have really gone, in the local r
   double displacement_norm = 0;  ///< |d|_2 / n of the displacements, in r (the paper's rule)
+  /// Of the surface, what is far from the curve (far_share); only where Convergence::asks_what_is_far.
+  double far_share = 0;
   bool laid = false;             ///< the iteration laid something; see Iteration::lay
 };
 
@@ -49,6 +51,10 @@ class Convergence {
   /// it was.
   void note(const Surface& surface, const Curve& curve, const LocalMetric& metric, const IterationFigures& figures,
             ThreadPool& pool);
+
+  /// Whether it wants to know how much is far from the curve after an iteration with these figures: growth would end,
+  /// has lasted long, or is stuck. `side` is that of a square as large as the surface, in r.
+  bool asks_what_is_far(const IterationFigures& figures, double side) const;
 
   /// The same of an iteration on the way to the spacing asked for (Fig. 25), of which only counts what it has laid.
   void note_approach(const IterationFigures& figures) noexcept;
@@ -82,15 +88,19 @@ class Convergence {
   void begin(Phase phase);
   void begin_full() noexcept;
   bool awaits_rest() const;
+  static bool is_stuck(const IterationFigures& figures);
   void note_idleness(const IterationFigures& figures);
   bool has_grown(double change, double clamped_share) const;
+  double change_in(size_t window, double length) const;
+  void note_growth(const IterationFigures& figures, bool rests);
   bool has_settled(const Surface& surface, const Curve& curve, const LocalMetric& metric, double change,
                    ThreadPool& pool);
 
   StopRule rule_;
   bool polish_wanted_, converged_ = false, stalled_ = false;
   bool fitting_ = false;  // the polish is followed by the last iterations
-  bool began_full_ = false;
+  bool began_full_ = false, rest_laid_ = false;
+  double far_before_ = 1;  // far_share when growth would have ended before
   uint32_t full_polish_iterations_ = 0;  // where it begins full
   double change_ = 0;     // of r since the curve grew; see revised()
   uint32_t hairpin_removal_iterations_, removed_for_ = 0, polish_iterations_, polished_ = 0;

@@ -2,9 +2,11 @@
 #include "flow/flow.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/failure.h"
 #include "base/stopwatch.h"
+#include "flow/far_share.h"
 #include "flow/progress.h"
 #include "seed/first_curve.h"
 
@@ -101,8 +103,12 @@ void Flow::iterate(ThreadPool& pool) {
 }
 
 /// The last thing in an iteration that may fail: what it throws, it throws before it has changed anything.
-void Flow::note(const IterationFigures& figures, const CurveState& after, ThreadPool& pool) {
+void Flow::note(IterationFigures figures, const CurveState& after, ThreadPool& pool) {
   if (approach_.arrived()) {
+    const double side = 2 * state_.domain.expected_length / std::sqrt(state_.domain.surface->area());
+    if (convergence_.asks_what_is_far(figures, side)) {
+      figures.far_share = far_share(state_.domain, after.curve, pool);
+    }
     convergence_.note(*state_.domain.surface, after.curve, after.metric, figures, pool);
   } else {
     state_.domain.radius.set_multiple(state_.domain.wanted_radius, approach_.next(figures));

@@ -106,7 +106,7 @@ class Flow {
                           convergence_.began_full());
   }
   void iterate(ThreadPool& pool);
-  void note(const IterationFigures& figures, const CurveState& after, ThreadPool& pool);
+  void note(IterationFigures figures, const CurveState& after, ThreadPool& pool);
   void measure_again(ThreadPool& pool);
   /// Those of the last medial axis become radii(), once nothing can fail any more.
   void keep_radii() noexcept { state_.nodes.radii.swap(work_.medial.radii); }

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Converged means filled: long and narrow surfaces, of few faces and of many, from a stroke at one end and from
+// nothing. How empty they are is judged by samples of their own and all pairs within a grid, which knows nothing of
+// the flow.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "test_seeds.h"
+
+namespace meander::test {
+namespace {
+
+constexpr double kSpacing = 0.1;
+
+/// A ribbon of n quads along a middle line, whose points and sides place(t) gives.
+Mesh ribbon(uint32_t n, bool closed, const std::function<std::pair<Vec3, Vec3>(double)>& place) {
+  Mesh mesh;
+  for (uint32_t k = 0; k < n + !closed; ++k) {
+    const auto [middle, side] = place(static_cast<double>(k) / n);
+    for (const Vec3& p : {Vec3(middle - side), Vec3(middle + side)}) mesh.add(p.x(), p.y(), p.z());
+  }
+  for (uint32_t k = 0; k < n; ++k) {
+    const uint32_t a = 2 * k, b = 2 * ((k + 1) % (n + !closed));
+    mesh.face(a, b, b + 1);
+    mesh.face(a, b + 1, a + 1);
+  }
+  return mesh;
+}
+
+Mesh strip(double length, double width, uint32_t n) {
+  return ribbon(n, false, [=](double t) { return std::pair(Vec3(length * t, 0, 0), Vec3(0, 0.5 * width, 0)); });
+}
+
+Mesh ring(double radius, double width, uint32_t n) {
+  return ribbon(n, true, [=](double t) {
+    const Vec3 out(std::cos(2 * kPi * t), std::sin(2 * kPi * t), 0);
+    return std::pair(Vec3(radius * out), Vec3(-0.5 * width * out));
+  });
+}
+
+Mesh spiral(double turns, double pitch, double width, uint32_t n) {
+  return ribbon(n, false, [=](double t) {
+    const Vec3 out(std::cos(2 * kPi * turns * t), std::sin(2 * kPi * turns * t), 0);
+    return std::pair(Vec3(pitch * (1 + turns * t) * out), Vec3(-0.5 * width * out));
+  });
+}
+
+Mesh pipe(double length, double girth, uint32_t n) {
+  Mesh mesh = cylinder(8, n, 1);
+  for (size_t k = 0; k < mesh.vertices.size(); k += 3) {
+    mesh.vertices[k] *= girth / (2 * kPi);
+    mesh.vertices[k + 1] *= girth / (2 * kPi);
+    mesh.vertices[k + 2] *= length;
+  }
+  return mesh;
+}
+
+/// Arms around a polygon, of n quads each.
+Mesh star(uint32_t arms, double length, double width, uint32_t n) {
+  Mesh mesh;
+  const double r = width / (2 * std::sin(kPi / arms));
+  const auto at = [&](double angle, double radius) {
+    return Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+  };
+  const uint32_t centre = mesh.add(0, 0, 0);
+  for (uint32_t k = 0; k < arms; ++k) {
+    const Vec3 p = at(2 * kPi * (k - 0.5) / arms, r);
+    mesh.add(p.x(), p.y(), 0);
+  }
+  for (uint32_t k = 0; k < arms; ++k) {
+    uint32_t a = 1 + k, b = 1 + (k + 1) % arms;
+    mesh.face(centre, a, b);
+    const Vec3 along = at(2 * kPi * k / arms, length / n), from = mesh.at(a), to = mesh.at(b);
+    for (uint32_t j = 1; j <= n; ++j) {
+      const Vec3 p = from + j * along, q = to + j * along;
+      const uint32_t c = mesh.add(p.x(), p.y(), 0), d = mesh.add(q.x(), q.y(), 0);
+      mesh.face(a, c, d);
+      mesh.face(a, d, b);
+      a = c;
+      b = d;
+    }
+  }
+  return mesh;
+}
+
+/// The share of the surface's area that is farther than 1.6 r from the curve, through space: these surfaces lie flat,
+/// or are tubes. Points of the curve are a tenth of r apart.
+double empty_share(const Surface& s, const Curve& curve, double r) {
+  const double reach = 1.6 * r;
+  std::map<std::array<int64_t, 3>, std::vector<Vec3>> cells;
+  const auto cell = [&](const Vec3& p) {
+    return std::array{static_cast<int64_t>(std::floor(p.x() / reach)), static_cast<int64_t>(std::floor(p.y() / reach)),
+                      static_cast<int64_t>(std::floor(p.z() / reach))};
+  };
+  for (uint32_t i = 0; i < curve.size(); ++i) {
+    if (!curve.has_segment(i)) continue;
+    curve.pieces_of(i, [&](const Piece& piece) {
+      const Vec3 from = position(s, SurfacePoint{piece.face, piece.from});
+      const Vec3 to = position(s, SurfacePoint{piece.face, piece.to});
+      const double parts = std::ceil((to - from).norm() / (0.1 * r)) + 1;
+      for (double k = 0; k <= parts; ++k) {
+        const Vec3 p = from + k / parts * (to - from);
+        cells[cell(p)].push_back(p);
+      }
+    });
+  }
+  const auto is_empty = [&](const Vec3& p) {
+    const auto [x, y, z] = cell(p);
+    for (int64_t i = -1; i <= 1; ++i) {
+      for (int64_t j = -1; j <= 1; ++j) {
+        for (int64_t k = -1; k <= 1; ++k) {
+          const auto found = cells.find({x + i, y + j, z + k});
+          if (found == cells.end()) continue;
+          if (std::ranges::any_of(found->second, [&](const Vec3& q) { return (q - p).norm() < reach; })) return false;
+        }
+      }
+    }
+    return true;
+  };
+  double empty = 0, all = 0;
+  const std::function<void(const Vec3&, const Vec3&, const Vec3&)> add = [&](const Vec3& a, const Vec3& b,
+                                                                             const Vec3& c) {
+    const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm(), most = std::max({ab, bc, ca});
+    if (most > 0.5 * r) {
+      if (most == ab) return add(a, 0.5 * (a + b), c), add(0.5 * (a + b), b, c);
+      if (most == bc) return add(a, b, 0.5 * (b + c)), add(a, 0.5 * (b + c), c);
+      return add(a, b, 0.5 * (a + c)), add(0.5 * (a + c), b, c);
+    }
+    const double area = 0.5 * (b - a).cross(c - a).norm();
+    all += area;
+    if (is_empty((a + b + c) / 3)) empty += area;
+  };
+  for (uint32_t f = 0; f < s.face_count(); ++f) {
+    const Triangle& t = s.face(f);
+    add(s.position(t[0]), s.position(t[1]), s.position(t[2]));
+  }
+  return empty / all;
+}
+
+struct Long {
+  const char* name;
+  Mesh mesh;
+  Line stroke;  // at one end
+};
+
+std::vector<Long> long_surfaces() {
+  const auto stroke = [](const Vec3& a, const Vec3& b) { return Line{{a, b}, false, false, false}; };
+  return {
+      {"strip of 400 x 4", strip(40, 0.4, 80), stroke({0.1, 0, 0}, {0.4, 0, 0})},
+      {"strip of 400 x 4, of one quad", strip(40, 0.4, 1), stroke({0.1, 0, 0}, {0.4, 0, 0})},
+      {"ring", ring(6, 0.4, 240), stroke({6.1, 0, 0}, {5.9, 0, 0})},
+      {"spiral", spiral(3, 1, 0.4, 300), stroke({1.1, 0.1, 0}, {0.95, 0.1, 0})},
+      {"pipe", pipe(30, 0.4, 30), stroke({0.4 / (2 * kPi), 0, 0.1}, {0.4 / (2 * kPi), 0, 0.4})},
+      {"star", star(10, 8, 0.4, 20), stroke({7.5, 0.1, 0}, {7.8, 0.1, 0})},
+      {"star of few quads", star(10, 8, 0.4, 1), stroke({7.5, 0.1, 0}, {7.8, 0.1, 0})},
+  };
+}
+
+TEST(Filled, LongSurfacesFromAStrokeAndFromNothing) {
+  for (const Long& shape : long_surfaces()) {
+    const auto surface = std::make_shared<const Surface>(make_surface(shape.mesh));
+    for (const bool drawn : {false, true}) {
+      SCOPED_TRACE(std::string(shape.name) + (drawn ? ", a stroke" : ""));
+      const SeedStrands seed = seed_of({shape.stroke}, false);
+      Flow flow(surface, drawn ? &seed : nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+      EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+      ASSERT_TRUE(whole(*surface, flow.curve()));
+      EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+      EXPECT_EQ(flow.curve().strands.size(), 1u);
+      EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+    }
+  }
+}
+
+/// One that has room for a line and its way back.
+TEST(Filled, AStripOfTwoSpacingsFromNothing) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(20, 2 * kSpacing, 60)));
+  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+  EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+  EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
+}
+
+/// What a strand would crawl to for hundreds of iterations is laid.
+TEST(Filled, TheRestIsLaidOnceAndSaidSo) {
+  const auto surface = std::make_shared<const Surface>(make_surface(strip(40, 0.4, 80)));
+  const Flow plain(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  EXPECT_EQ(plain.start().completed, 0u);
+  Flow flow(surface, nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+  flow.run(kNeverCancelled, [](double) {});
+  EXPECT_EQ(flow.start().completed, 1u);
+  EXPECT_FALSE(flow.start().full_asked);
+  const auto round = std::make_shared<const Surface>(make_surface(sphere(3)));
+  Flow compact(round, nullptr, {}, checked_settings(options_of(0.2), *round));
+  compact.run(kNeverCancelled, [](double) {});
+  EXPECT_EQ(compact.start().completed, 0u);
+}
+
+}  // namespace
+}  // namespace meander::test
