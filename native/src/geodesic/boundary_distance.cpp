@@ -37,7 +37,7 @@ std::vector<Vec3> boundary_samples(const Surface& surface, double step, CancelTo
 
 BoundaryDistance::BoundaryDistance(const Surface& surface, double reach, double edge,
                                    const CancelToken& cancel)
-    : mesh_(surface) {
+    : mesh_(surface, false) {
   caller_.reserve(surface.vertex_count());
   for (uint32_t v = 0; v < surface.vertex_count(); ++v) caller_.push_back(surface.caller_position(v));
   const PointTree boundary(boundary_samples(surface, edge, cancel.every(64 * kPieces)));
@@ -49,7 +49,7 @@ BoundaryDistance::BoundaryDistance(const Surface& surface, double reach, double 
 void BoundaryDistance::halve(HalfEdge h) {
   const Vec3 middle = mesh_.middle(h), callers = 0.5 * (caller_[mesh_.from(h)] + caller_[mesh_.to(h)]);
   caller_.push_back(callers);
-  mesh_.split_edge(h, mesh_.add_vertex(middle), 0.5);
+  mesh_.split_edge(h, mesh_.add_vertex(middle), Vec2{}, Vec2{});
 }
 
 /// Longest edges first, so that an edge is the longest of its faces when it is split, and no angle becomes small

@@ -170,72 +170,52 @@ void FaceTriangulation::improve(size_t parts) {
   doubtful_.clear();
 }
 
-/// The half-edge from a to b, or the opposite one, that has its face in this origin.
-HalfEdge FaceTriangulation::edge_between(uint32_t origin, uint32_t a, uint32_t b) const {
-  HalfEdge found = kNone;
-  mesh_.each_leaving(a, [&](HalfEdge h) {
-    if (mesh_.origin(mesh_.face(h)) != origin) return;
-    if (mesh_.to(h) == b) found = h;
-    if (apex_vertex(h) == b) found = mesh_.prev(h);
-  });
-  return found;
-}
-
-/// Finds the edges that the line from a to b crosses, in order. False where there is none, and where the line runs into
-/// a vertex or crosses another line.
-bool FaceTriangulation::crossed(uint32_t origin, uint32_t a, uint32_t b, Vec2 at_b) {
-  crossed_.clear();
-  HalfEdge h = kNone;
+bool FaceTriangulation::constrain(uint32_t origin, uint32_t a, uint32_t b, Vec2 at_b) {
+  if (a == b) return false;
   Vec2 at_a;
+  HalfEdge h = kNone;  // the first edge that the line crosses
+  bool is_edge = false;
   mesh_.each_leaving(a, [&](HalfEdge leaving) {
     if (mesh_.origin(mesh_.face(leaving)) != origin) return;
     at_a = start(leaving);
-    if (orientation(at_a, end(leaving), at_b) <= 0 || orientation(at_a, at_b, apex(leaving)) <= 0) return;
-    h = mesh_.next(leaving);
+    if (orientation(at_a, end(leaving), at_b) > 0 && orientation(at_a, at_b, apex(leaving)) > 0) {
+      h = mesh_.next(leaving);
+    }
+    for (const HalfEdge side : {leaving, mesh_.prev(leaving)}) {
+      if (mesh_.from(side) != b && mesh_.to(side) != b) continue;
+      mesh_.fix(side);
+      is_edge = true;
+    }
   });
-  while (h != kNone && mesh_.inside(h)) {
+  if (is_edge) return true;
+  crossed_.clear();
+  for (bool arrives = false; !arrives;) {
+    if (h == kNone || !mesh_.inside(h)) return false;
     crossed_.push_back(h);
     const HalfEdge beyond = RefinedSurface::opposite(h);
-    if (apex_vertex(beyond) == b) return true;
+    arrives = mesh_.from(mesh_.prev(beyond)) == b;
     const int side = orientation(at_a, at_b, apex(beyond));
-    if (side == 0) return false;
+    if (side == 0 && !arrives) return false;
     // The line leaves by the edge whose ends are on either side of it.
     h = side > 0 ? mesh_.next(beyond) : mesh_.prev(beyond);
   }
-  return false;
-}
-
-bool FaceTriangulation::constrain(uint32_t origin, uint32_t a, uint32_t b, Vec2 at_b) {
-  if (a == b) return false;
-  if (const HalfEdge h = edge_between(origin, a, b); h != kNone) {
-    mesh_.fix(h);
-    return true;
-  }
-  if (!crossed(origin, a, b, at_b)) return false;
-  Vec2 at_a;
-  mesh_.each_leaving(a, [&](HalfEdge h) {
-    if (mesh_.origin(mesh_.face(h)) == origin) at_a = start(h);
-  });
-  made_.clear();
-  const auto ends = [&](uint32_t v) { return v == a || v == b; };
+  const auto is_end = [&](uint32_t v) { return v == a || v == b; };
   while (!crossed_.empty()) {
-    const HalfEdge h = crossed_.front();
+    h = crossed_.front();
     crossed_.pop_front();
     if (!convex(h)) {
       crossed_.push_back(h);
       continue;
     }
     mesh_.flip(h);
-    const bool crosses = !ends(mesh_.from(h)) && !ends(mesh_.to(h)) &&
-                         orientation(at_a, at_b, start(h)) * orientation(at_a, at_b, end(h)) < 0;
-    if (crosses) {
+    const int ends = is_end(mesh_.from(h)) + is_end(mesh_.to(h));
+    if (ends == 2) mesh_.fix(h);
+    if (ends == 0 && orientation(at_a, at_b, start(h)) * orientation(at_a, at_b, end(h)) < 0) {
       crossed_.push_back(h);
     } else {
-      made_.push_back(h);
+      doubtful_.push_back(h);
     }
   }
-  mesh_.fix(edge_between(origin, a, b));
-  doubtful_.swap(made_);
   improve(parts_[origin]);
   return true;
 }

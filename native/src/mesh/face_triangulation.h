@@ -50,11 +50,8 @@ class FaceTriangulation {
   Vec2 start(HalfEdge h) const { return mesh_.at(h); }
   Vec2 end(HalfEdge h) const { return mesh_.at(mesh_.next(h)); }
   Vec2 apex(HalfEdge h) const { return mesh_.at(mesh_.prev(h)); }
-  uint32_t apex_vertex(HalfEdge h) const { return mesh_.from(mesh_.prev(h)); }
   bool holds(uint32_t f, Vec2 p) const;
   uint32_t locate(uint32_t origin, Vec2 p);
-  HalfEdge edge_between(uint32_t origin, uint32_t a, uint32_t b) const;
-  bool crossed(uint32_t origin, uint32_t a, uint32_t b, Vec2 at_b);
   bool convex(HalfEdge h) const;
   bool improves(HalfEdge h) const;
   bool ends_last(HalfEdge h) const;
@@ -66,7 +63,6 @@ class FaceTriangulation {
   RefinedSurface& mesh_;
   std::vector<uint32_t> parts_;     // per face of the surface: how many triangles it has
   std::vector<HalfEdge> doubtful_;  // edges to look at
-  std::vector<HalfEdge> made_;      // edges that a line has made
   std::deque<HalfEdge> crossed_;    // edges that a line crosses
   uint32_t last_ = 0;               // the triangle where the last point was found
 };

@@ -16,33 +16,31 @@ constexpr size_t kNewEdges = 3;
 
 }  // namespace
 
-RefinedSurface::RefinedSurface(const Surface& surface, CancelToken poll) : origins_(surface.face_count()) {
+RefinedSurface::RefinedSurface(const Surface& surface, bool origins, CancelToken poll) {
   const size_t edges = (3 * surface.face_count() + surface.boundary().size()) / 2;
   if (edges > kMostEdges) throw Failure(FailureKind::kOutOfMemory, "The surface has too many edges to be refined.");
-  mesh_.reserve(surface.vertex_count(), edges, surface.face_count());
+  mesh_.resize(surface.vertex_count(), edges, surface.face_count());
   positions_.reserve(surface.vertex_count());
-  for (uint32_t v = 0; v < surface.vertex_count(); ++v) add_vertex(surface.position(v));
+  for (uint32_t v = 0; v < surface.vertex_count(); ++v) positions_.push_back(surface.position(v));
   std::vector<HalfEdge> here(3 * surface.face_count());
-  for (HalfEdge e = 0; e < here.size(); ++e) {
+  for (HalfEdge e = 0, low = 0; e < here.size(); ++e) {
     const HalfEdge twin = surface.twin(e);
+    here[e] = twin < e ? opposite(here[twin]) : low;
+    if (twin < e) continue;
     const Triangle& corners = surface.face(face_of(e));
-    const uint32_t k = corner_of(e);
-    here[e] = twin < e ? opposite(here[twin]) : id(mesh_.new_edge(vertex(corners[k]), vertex(corners[next_corner(k)])));
+    mesh_.set_vertex_handle(half(low), vertex(corners[next_corner(corner_of(e))]));
+    mesh_.set_vertex_handle(half(low + 1), vertex(corners[corner_of(e)]));
+    low += 2;
   }
-  std::iota(origins_.begin(), origins_.end(), 0u);
-  at_.resize(2 * edges);
-  fixed_.resize(edges);
-  constexpr Vec2 kCorners[] = {{0, 0}, {1, 0}, {0, 1}};
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
     poll();
-    const OpenMesh::FaceHandle face = mesh_.new_face();
+    const OpenMesh::FaceHandle face(static_cast<int>(f));
     mesh_.set_halfedge_handle(face, half(here[3 * f]));
     for (uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge h = here[3 * f + k];
-      mesh_.set_face_handle(half(h), face);
-      mesh_.set_next_halfedge_handle(half(h), half(here[3 * f + next_corner(k)]));
-      mesh_.set_halfedge_handle(vertex(surface.face(f)[k]), half(h));
-      at_[h] = kCorners[k];
+      const OpenMesh::HalfedgeHandle h = half(here[3 * f + k]);
+      mesh_.set_face_handle(h, face);
+      mesh_.set_next_halfedge_handle(h, half(here[3 * f + next_corner(k)]));
+      mesh_.set_halfedge_handle(vertex(surface.face(f)[k]), h);
     }
   }
   // The faces of a vertex are one fan, so that one half-edge at most leaves it beyond the boundary; OpenMesh wants to
@@ -55,6 +53,13 @@ RefinedSurface::RefinedSurface(const Surface& surface, CancelToken poll) : origi
     const HalfEdge beyond = opposite(here[e]);
     mesh_.set_next_halfedge_handle(half(beyond), mesh_.halfedge_handle(vertex(to(beyond))));
   }
+  if (!origins) return;
+  origins_.resize(surface.face_count());
+  std::iota(origins_.begin(), origins_.end(), 0u);
+  fixed_.resize(edges);
+  at_.resize(2 * edges);
+  constexpr Vec2 kCorners[] = {{0, 0}, {1, 0}, {0, 1}};
+  for (HalfEdge e = 0; e < here.size(); ++e) at_[here[e]] = kCorners[corner_of(e)];
 }
 
 void RefinedSurface::reserve_divisions(size_t count) {
@@ -84,29 +89,29 @@ void RefinedSurface::grow() {
 void RefinedSurface::split_edge(HalfEdge h, uint32_t v, Vec2 at, Vec2 beyond) {
   check_numbers();
   // By the edge's first half-edge, which begins at the new vertex afterwards.
-  const HalfEdge low = h & ~HalfEdge{1}, high = low + 1;
-  if (h == high) std::swap(at, beyond);
+  const HalfEdge low = h & ~HalfEdge{1}, high = low + 1, apex = prev(low), other_apex = prev(high);
   const uint32_t left = face(low), right = face(high);
-  const Vec2 start = at_[low], apex = at_[prev(low)], other_apex = at_[prev(high)];
   HalfEdge added = half_edge_count();
   uint32_t part = face_count();
   mesh_.split(OpenMesh::EdgeHandle(static_cast<int>(low / 2)), vertex(v));
+  if (origins_.empty()) return;
+  if (h == high) std::swap(at, beyond);
   grow();
   fixed_[added / 2] = fixed_[low / 2];
-  at_[low] = at;
   at_[added] = beyond;
-  at_[added + 1] = start;
+  at_[added + 1] = at_[low];
+  at_[low] = at;
   // In each face a half-edge leads from the new vertex to the third corner, and one back.
   if (left != kNone) {
     added += 2;
     at_[added] = at;
-    at_[added + 1] = apex;
+    at_[added + 1] = at_[apex];
     origins_[part++] = origins_[left];
   }
   if (right != kNone) {
     added += 2;
     at_[added] = beyond;
-    at_[added + 1] = other_apex;
+    at_[added + 1] = at_[other_apex];
     origins_[part] = origins_[right];
   }
 }

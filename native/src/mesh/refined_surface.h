@@ -26,9 +26,10 @@ namespace meander {
 /// Belongs to one thread while it changes; any thread may read it otherwise. Keeps nothing of the surface.
 class RefinedSurface {
  public:
-  /// In linear time, from the neighbours that the surface knows; `poll` is called for every face. Throws
+  /// In linear time, from the neighbours that the surface knows; `poll` is called for every face. Without `origins` it
+  /// does not know what its faces are parts of, nor corners and fixed edges, and only edges can be divided. Throws
   /// Failure(FailureKind::kOutOfMemory) where the numbers of half-edges, which have 31 bits, run out.
-  explicit RefinedSurface(const Surface& surface, CancelToken poll = {});
+  explicit RefinedSurface(const Surface& surface, bool origins = true, CancelToken poll = {});
 
   size_t vertex_count() const { return positions_.size(); }
   HalfEdge half_edge_count() const { return static_cast<HalfEdge>(mesh_.n_halfedges()); }

@@ -215,7 +215,7 @@ class CutMesh::Builder {
 };
 
 CutMesh::CutMesh(const Surface& surface, const Curve& curve, double detail, CancelToken poll)
-    : RefinedSurface(surface, poll), surface_(surface) {
+    : RefinedSurface(surface, true, poll), surface_(surface) {
   Builder(*this, curve, detail, poll).run();
 }
 
