@@ -47,7 +47,7 @@ def test_triangles_are_in_world_units():
     vertices, faces = meshes.triangles_of(thing, depsgraph())
     assert (vertices.dtype, faces.dtype) == (np.float64, np.uint32)
     assert faces.shape == (12, 3)
-    assert meshes.area_of(vertices, faces) == pytest.approx(2 * (24 + 4 + 6), rel=1e-6)
+    assert core.area_of(vertices, faces) == pytest.approx(2 * (24 + 4 + 6), rel=1e-6)
     assert volume(vertices, faces) == pytest.approx(24.0, rel=1e-6)
 
 

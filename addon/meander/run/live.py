@@ -16,6 +16,7 @@ import bpy
 import numpy as np
 
 from .. import core
+from ..model.options.option import as_typed
 from ..model.options.table import OF_THE_FLOW
 from ..scene.alignment import alignment_of
 from ..scene.density import chosen_density, density_of
@@ -95,7 +96,7 @@ def wish_of(
     Raises DataError or core.MeanderError with a sentence for what cannot be used.
     """
     settings, problem = settings_of(active), plan.problem
-    spacing = settings.spacing or plan.spacing
+    spacing = as_typed(settings.spacing) or plan.spacing
     options = options_of(settings, spacing)
     # A field is read when a run begins; how much it counts may change.
     fielded = problem.directions is not None
