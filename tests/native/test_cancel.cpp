@@ -194,7 +194,9 @@ double move(Flow& flow, const CancelToken& cancel) {
 
 const Task kTasks[] = {
     {"gaps",
-     [](Flow& flow, const CancelToken& cancel) { return static_cast<double>(find_gaps(flow, 1.2, cancel).gaps.size()); },
+     [](Flow& flow, const CancelToken& cancel) {
+       return static_cast<double>(find_gaps(flow, 1.2, cancel).gaps.size());
+     },
      10},
     {"statistics", [](Flow& flow, const CancelToken& cancel) { return statistics_of(flow, cancel).energy; }, 10},
     {"set_vertices", move, 10},

@@ -165,21 +165,24 @@ std::vector<Long> long_surfaces() {
   };
 }
 
-TEST(Filled, LongSurfacesFromAStrokeAndFromNothing) {
-  for (const Long& shape : long_surfaces()) {
-    const auto surface = std::make_shared<const Surface>(make_surface(shape.mesh));
-    for (const bool drawn : {false, true}) {
-      SCOPED_TRACE(std::string(shape.name) + (drawn ? ", a stroke" : ""));
-      const SeedStrands seed = seed_of({shape.stroke}, false);
-      Flow flow(surface, drawn ? &seed : nullptr, {}, checked_settings(options_of(kSpacing), *surface));
-      EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
-      ASSERT_TRUE(whole(*surface, flow.curve()));
-      EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
-      EXPECT_EQ(flow.curve().strands.size(), 1u);
-      EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
-    }
+class FilledLong : public testing::TestWithParam<size_t> {};
+
+TEST_P(FilledLong, FromAStrokeAndFromNothing) {
+  const Long shape = long_surfaces().at(GetParam());
+  const auto surface = std::make_shared<const Surface>(make_surface(shape.mesh));
+  for (const bool drawn : {false, true}) {
+    SCOPED_TRACE(std::string(shape.name) + (drawn ? ", a stroke" : ""));
+    const SeedStrands seed = seed_of({shape.stroke}, false);
+    Flow flow(surface, drawn ? &seed : nullptr, {}, checked_settings(options_of(kSpacing), *surface));
+    EXPECT_EQ(flow.run(kNeverCancelled, [](double) {}), StopReason::kConverged);
+    ASSERT_TRUE(whole(*surface, flow.curve()));
+    EXPECT_TRUE(exact_crossings(*surface, flow.curve()).empty());
+    EXPECT_EQ(flow.curve().strands.size(), 1u);
+    EXPECT_LT(empty_share(*surface, flow.curve(), flow.settings().radius), 0.001);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Filled, FilledLong, testing::Range<size_t>(0, long_surfaces().size()));
 
 /// One that has room for a line and its way back.
 TEST(Filled, AStripOfTwoSpacingsFromNothing) {

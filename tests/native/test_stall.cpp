@@ -31,7 +31,9 @@ TEST(Stall, OfAStrokeInAGuideIsSeenInEveryPreset) {
                                         << (fixed_ends ? ", fixed ends" : ""));
         Flow flow = flow_on(surface, stroke_in_slot(fixed_ends), false, spacing, preset);
         EXPECT_EQ(flow.run(kNeverCancelled, kNobodyLooks), StopReason::kStalled);
-        EXPECT_EQ(flow.history().size(), 5u) << "it did not move at all";
+        // All but the paper's rule try once to lay what is left, and see then that nothing moves.
+        const size_t tries = preset == MEANDER_PRESET_PAPER ? 0 : 1;
+        EXPECT_EQ(flow.history().size(), 5 + tries) << "it did not move at all";
         EXPECT_GT(flow.history().back().mean_step, 0.1 * flow.settings().radius) << "though it was to";
         EXPECT_TRUE(crossings_of_what_grows(*surface, flow.curve()).empty());
       }

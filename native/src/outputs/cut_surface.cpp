@@ -11,7 +11,7 @@ namespace {
 using CornerWeights = std::array<double, 3>;
 
 /// What is done between two asks: less than a millisecond.
-constexpr uint32_t kPieces = 8192;
+constexpr uint32_t kPieces = 4096;
 /// Pieces that a vertex or face counts for which is put out.
 constexpr size_t kOutput = 16;
 
