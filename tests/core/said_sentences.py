@@ -113,7 +113,7 @@ def sentences(modules: Iterable[Path]) -> list[Sentence]:
 
 
 # What raises a sentence in the library, whose literals in one call are its parts.
-_RAISES = re.compile(r"\b(?:refuse|require|Failure)\s*\(")
+_RAISES = re.compile(r"\b(?:refuse(?:_empty)?|require|Failure)\s*\(")
 _LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 
 
