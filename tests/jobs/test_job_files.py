@@ -214,7 +214,6 @@ MISTAKES = {
     "pattern of nothing": (SPACING + '[[items]]\ninput = "meshes/*.stl"\n', "'meshes/*.stl'"),
     "wrong suffix": (SPACING + '[[items]]\ninput = "job.toml"\n', "is no .obj"),
     "input is a number": (SPACING + "[[items]]\ninput = 3\n", "input"),
-    "no spacing": (ITEM, "--spacing"),
     "spacing is a word": ('[defaults]\nspacing = "wide"\n' + ITEM, "'wide'"),
     "spacing is a list": ("[defaults]\nspacing = [1, 2]\n" + ITEM, "2"),
     "spacing is a switch": ("[defaults]\nspacing = true\n" + ITEM, "spacing is a number"),

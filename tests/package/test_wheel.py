@@ -319,7 +319,6 @@ def test_it_gives_the_bytes_of_the_batch_command(
         (("--spacing", "0.2", "--input", "scene.blend"), "scene.blend"),
         (("--spacing", "0.2", "--layout", "uv", "--output", "a.svg"), "UV map"),
         (("--spacing", "0.2", "--output", "a.dst"), "pip install pyembroidery, and try again"),
-        ((), "--spacing"),
     ],
 )
 def test_bad_input_is_one_sentence(
