@@ -11,9 +11,9 @@ import pytest
 MESH = Path(__file__).resolve().parents[2] / "native" / "src" / "mesh"
 THE_TABLE = "edge_groups.h"
 
-# What every table of edges has to do: to give an edge the same name from both its faces. A lower and
-# a higher end of the same two, in one number or one after the other; or a list of edges with what
-# lies at each, to be sorted.
+# What every table of edges has to do: to give an edge the same name from both its faces. A lower
+# and a higher end of the same two, in one number or one after the other; or a list of edges with
+# what lies at each, to be sorted.
 NAMES_AN_EDGE = (
     re.compile(r"std::min\((\w+), (\w+)\)(?:(?!\n\n)[\s\S]){0,600}?std::max\((?:\1, \2|\2, \1)\)"),
     re.compile(r"std::minmax\("),
