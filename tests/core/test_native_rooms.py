@@ -87,6 +87,16 @@ def misplaced_constants(sources: Path) -> list[str]:
     return wrong
 
 
+def doubled_constants(sources: Path) -> list[str]:
+    """One line for every constant that two files of a room define, which are compiled as one."""
+    files: dict[tuple[str, str], list[str]] = {}
+    for file in sorted(sources.glob("*/*.cpp")):
+        for statement in re.findall(r"^constexpr [^(;]*;", file.read_text("utf-8"), re.MULTILINE):
+            for name in re.findall(r"\b(k[A-Z]\w*)(?:\[\w*\])? ?[={]", statement):
+                files.setdefault((file.parent.name, name), []).append(file.name)
+    return [f"{room}: {name} in {found}" for (room, name), found in files.items() if found[1:]]
+
+
 def other_adjacency(sources: Path) -> list[str]:
     """One line for everything that knows neighbours by itself."""
     return [
@@ -111,6 +121,18 @@ def test_every_room_includes_only_what_stands_before_it():
 
 def test_a_constant_stands_in_the_first_room_that_uses_it():
     assert misplaced_constants(SOURCES) == []
+
+
+def test_files_of_a_room_can_be_compiled_as_one(tmp_path):
+    assert doubled_constants(SOURCES) == []
+    (tmp_path / "mesh").mkdir()
+    (tmp_path / "mesh" / "a.cpp").write_text("constexpr double kFar = 4, kNear = 0x1p-3;\n")
+    (tmp_path / "mesh" / "b.cpp").write_text("constexpr int kTwo[2] = {\n  1, 2};\n")
+    (tmp_path / "mesh" / "c.cpp").write_text("constexpr int kTwo = 2;\nconstexpr int kNear{};\n")
+    assert doubled_constants(tmp_path) == [
+        "mesh: kNear in ['a.cpp', 'c.cpp']",
+        "mesh: kTwo in ['b.cpp', 'c.cpp']",
+    ]
 
 
 def test_lines_of_native_code_have_120_characters_at_most():

@@ -9,7 +9,6 @@
 namespace meander {
 
 void drop_small_parts(Soup& soup, double size, PrepareCounts& counts) {
-  using Vec3 = Soup::Vec3;
   CancelToken poll = soup.poll();
   const auto positions = soup.positions();
   DisjointSets parts(positions.size());
