@@ -17,8 +17,8 @@ void drop_small_parts(Soup& soup, double size, PrepareCounts& counts) {
     parts.join(t[0], t[1]);
     parts.join(t[0], t[2]);
   }
-  const Vec3 infinite = Vec3::Constant(std::numeric_limits<double>::infinity());
-  std::vector<Vec3> low(positions.size(), infinite), high(positions.size(), -infinite);
+  const Soup::Vec3 infinite = Soup::Vec3::Constant(std::numeric_limits<double>::infinity());
+  std::vector<Soup::Vec3> low(positions.size(), infinite), high(positions.size(), -infinite);
   for (const Triangle& t : soup.faces()) {
     poll();
     const uint32_t part = parts.find(t[0]);
