@@ -39,6 +39,7 @@ constexpr DoubleField kDoubles[] = {
     {"polish_length_offset", nullptr, {-10, 10}},
     {"polish_length_gain", nullptr, {0, 100}},
     {"polish_medial_power", nullptr, {2, 8}},
+    {"polish_rest", nullptr, {0.5, 1.5}},
 };
 
 struct WordField {

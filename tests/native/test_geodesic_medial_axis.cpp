@@ -272,6 +272,8 @@ meander_flow_options of_radius_one() {
   meander_flow_options options = default_options(MEANDER_PRESET_EVEN);
   options.radius = 1;
   options.threads = 1;
+  // The r of these tests is the one that the flow works with.
+  EXPECT_EQ(meander_flow_options_set_tuning(&options, "polish_rest", 1, nullptr), MEANDER_STATUS_OK);
   return options;
 }
 

@@ -75,8 +75,8 @@ TEST(Revision, AFinishedCurveFitsAnotherSpacingSoon) {
     EXPECT_EQ(meander_flow_stop_reason(flow.get()), MEANDER_STOP_REASON_CONVERGED);
     EXPECT_LT(4 * (flow->flow->history().size() - done), from_scratch);
     EXPECT_EQ(flow->flow->curve().length() > length, spacing < 0.2);
-    EXPECT_GT(packing(flow), 0.95);
-    EXPECT_LT(packing(flow), 1.1);
+    EXPECT_GT(packing(flow), 0.92);
+    EXPECT_LT(packing(flow), 1.06);
     EXPECT_GT(near_target(flow), before - 0.04);
     EXPECT_EQ(flow->flow->curve().strands.size(), 1u);
   }

@@ -153,6 +153,7 @@ meander_flow_options default_options(meander_preset preset) {
     o.step = 1;
     o.tunings[index_of_tuning("growth_coarsening")] = 1;
     o.tunings[index_of_tuning("polish_medial_power")] = 2;
+    o.tunings[index_of_tuning("polish_rest")] = 1;
     o.stop_rule = MEANDER_STOP_RULE_PAPER;
     o.iteration_limit = 300;
     o.roughness = 1;
@@ -174,6 +175,7 @@ meander_flow_options default_options(meander_preset preset) {
   o.tunings[index_of_tuning("polish_length_offset")] = finest ? -2.8 : -1.16;
   o.tunings[index_of_tuning("polish_length_gain")] = finest ? 16 : 3;
   o.tunings[index_of_tuning("polish_medial_power")] = 8;
+  o.tunings[index_of_tuning("polish_rest")] = 0.968;
   return o;
 }
 

@@ -96,6 +96,10 @@ inline constexpr double kOverfull = 0.4, kHardlyOverfull = 0.7;
 
 // ---- Weights: the polish --------------------------------------------------------------------------------------------
 
+/// Strands that follow a field come to rest farther apart: by at most this, in r, and by half of it at the second value
+/// of the alignment weight. Measured at weights of 1, 2, 4 and 8: docs/decisions.md, "The spacing that is asked for".
+inline constexpr double kLooserAlongField = 0.075, kHalfLooser = 3.3;
+
 /// Its length weights stay between these, the first of them < 0 and the second > 0. Not measured; the offset and the
 /// gain are tunings.
 inline constexpr double kLeastPolishLength = -1, kMostPolishLength = 3;

@@ -42,12 +42,14 @@ double expected_nodes(const Surface& surface, const FlowSettings& settings,
   return weighted_area / (2 * settings.radius * kMeanSegment * settings.segment_length);
 }
 
-Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, const FlowSettings& settings, ThreadPool& pool)
+Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineField field, const FlowSettings& settings,
+               ThreadPool& pool)
     : given(std::move(where)),
       asked_radius(std::move(asked)),
       surface(given),
       wanted_radius(asked_radius),
       radius(wanted_radius),
+      directions(std::move(field)),
       normals(std::make_shared<const NormalField>(*given, settings.radius)) {
   look_at_scale(settings, pool);
   boundary = sampled_boundary(*surface, settings);
@@ -60,7 +62,8 @@ void Domain::look_at_scale(const FlowSettings& settings, ThreadPool& pool) {
   SurfaceAtScale found = at_scale(given, asked_radius, along_surface ? settings.roughness : 1, pool);
   surface = std::move(found.surface);
   roughness = found.roughness;
-  wanted_radius = RadiusField::multiplied(asked_radius, found.shrinkage);
+  rest = settings.rest(!directions.empty());
+  wanted_radius.set_multiple(RadiusField::multiplied(asked_radius, found.shrinkage), 1 / rest);
   radius = wanted_radius;
   expected_length = filling_length(*surface, wanted_radius);
 }
@@ -69,10 +72,19 @@ Domain Domain::moved_to(std::shared_ptr<const Surface> where, double old_radius,
                         ThreadPool& pool) const {
   RadiusField asked = asked_radius;
   asked.rescale(old_radius, settings.radius);
-  Domain moved(std::move(where), std::move(asked), settings, pool);
-  moved.directions = directions;
+  Domain moved(std::move(where), std::move(asked), directions, settings, pool);
   moved.directions.ride(*surface, *moved.surface);
   return moved;
+}
+
+void Domain::follow(LineField field, const FlowSettings& settings, ThreadPool& pool) {
+  if (surface != given) field.ride(*given, *surface);
+  directions = std::move(field);
+  const double before = std::exchange(rest, settings.rest(!directions.empty()));
+  if (rest == before) return;
+  for (RadiusField* r : {&wanted_radius, &radius}) r->rescale(rest, before);
+  expected_length = filling_length(*surface, wanted_radius);
+  patches = patches_for(*surface, wanted_radius, settings, pool);
 }
 
 Domain Domain::revised(const FlowSettings& old, const FlowSettings& settings, const VertexData<double>* density,
@@ -85,7 +97,8 @@ Domain Domain::revised(const FlowSettings& old, const FlowSettings& settings, co
   }
   const bool same_radius = next.asked_radius == asked_radius;
   const bool same_scale =
-      same_radius && settings.roughness == old.roughness && settings.medial_axis == old.medial_axis;
+      same_radius && settings.roughness == old.roughness && settings.medial_axis == old.medial_axis &&
+      settings.rest(!directions.empty()) == rest;
   if (!same_scale) next.look_at_scale(settings, pool);
   next.radius = next.wanted_radius;
   const bool same_surface = next.surface == surface;
@@ -94,7 +107,7 @@ Domain Domain::revised(const FlowSettings& old, const FlowSettings& settings, co
     next.boundary = sampled_boundary(*next.surface, settings);
   }
   const bool same_clamp = settings.max_radius / settings.radius == old.max_radius / old.radius;
-  if (!same_surface || !same_radius || !same_clamp || settings.medial_axis != old.medial_axis) {
+  if (!same_surface || next.wanted_radius != wanted_radius || !same_clamp || settings.medial_axis != old.medial_axis) {
     next.patches = patches_for(*next.surface, next.wanted_radius, settings, pool);
   }
   if (settings.radius != old.radius) next.normals = std::make_shared<const NormalField>(*given, settings.radius);

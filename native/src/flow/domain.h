@@ -20,16 +20,21 @@ namespace meander {
 /// A surface with the functions on it that drive a flow. All lengths are in the surface's own unit. Owns what it
 /// holds; other flows may share the surface.
 struct Domain {
-  /// `asked`  r on that surface as it is to be in the end
-  Domain(std::shared_ptr<const Surface> where, RadiusField asked, const FlowSettings& settings, ThreadPool& pool);
+  /// `asked`       r on that surface as it is to be in the end
+  /// `directions`  that strands are to follow; may be empty
+  Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineField directions, const FlowSettings& settings,
+         ThreadPool& pool);
   /// `density` positive, or empty: 1 everywhere.
   Domain(std::shared_ptr<const Surface> where, const VertexData<double>& density, const FlowSettings& settings,
          ThreadPool& pool)
-      : Domain(std::move(where), RadiusField(settings.radius, density), settings, pool) {}
+      : Domain(std::move(where), RadiusField(settings.radius, density), {}, settings, pool) {}
+
+  /// Other directions to follow, of the given surface.
+  void follow(LineField field, const FlowSettings& settings, ThreadPool& pool);
 
   /// Lengths on the given surface in those of the one that the flow runs on, around a point; 1 where they are the same.
   double stretch_at(const SurfacePoint& p) const {
-    return surface == given ? 1 : asked_radius.at(*given, p) / wanted_radius.at(*surface, p);
+    return surface == given ? 1 : asked_radius.at(*given, p) / (rest * wanted_radius.at(*surface, p));
   }
 
   /// The same on a surface that has moved. `settings` are those on that surface, `old_radius` was r before.
@@ -45,8 +50,10 @@ struct Domain {
   std::shared_ptr<const Surface> given;
   RadiusField asked_radius;
   /// The flow runs on that surface as it is at the scale of the spacing, see at_scale(), where distances are along the
-  /// surface; else, and where nothing is rough, it is the same one. There r is as much smaller as lengths are.
+  /// surface; else, and where nothing is rough, it is the same one. There r is as much smaller as lengths are, and as much
+  /// larger as strands come to rest nearer to one another.
   std::shared_ptr<const Surface> surface;
+  double rest = 1;            ///< FlowSettings::rest()
   RadiusField wanted_radius;  ///< r as it is to be in the end,
   RadiusField radius;         ///< and as it is while the curve approaches its spacing
   Roughness roughness;

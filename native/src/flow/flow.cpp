@@ -41,10 +41,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
   work_.refiner.refine(state_, plan(), pool);
 }
 
-void Flow::set_field(LineField field) {
-  if (at_scale()) field.ride(surface(), *state_.domain.surface);
-  state_.domain.directions = std::move(field);
-}
+void Flow::set_field(LineField field) { state_.domain.follow(std::move(field), state_.settings, pool_); }
 
 StopReason Flow::stop_reason() const {
   if (record_.cancelled) return StopReason::kCancelled;

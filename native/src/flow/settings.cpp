@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flow/settings.h"
 
+#include "flow/constants.h"
+
 namespace meander {
+
+double FlowSettings::rest(bool directed) const {
+  if (!polish) return 1;
+  if (!directed) return polish_rest;
+  const double squared = alignment_weight * alignment_weight;
+  return polish_rest + kLooserAlongField * squared / (squared + kHalfLooser * kHalfLooser);
+}
 
 FlowSettings FlowSettings::rescaled(double factor) const {
   FlowSettings settings = *this;

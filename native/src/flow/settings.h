@@ -53,9 +53,15 @@ struct FlowSettings {
   /// In the polish t_i = clamp(offset - gain (u_i - 1), -1, 3), where u_i is the medial radius in units of r, smoothed
   /// along the curve over 2 r.
   double polish_length_offset = 0, polish_length_gain = 0;
+  /// The medial radius at which strands that follow no direction come to rest in a polish, in the median and in r; see
+  /// rest(). Not used without a polish.
+  double polish_rest = 1;
   /// q of eq. 13 in the polish: larger values weigh the worst gaps more; the force at a radius of r is that of q = 2.
   double polish_medial_power = 2;
 
+  /// Where strands come to rest in the end, in the median and in the r that the flow wants; there may be directions
+  /// for them to follow.
+  double rest(bool directed) const;
   /// The same on a surface whose unit is `factor` times smaller.
   FlowSettings rescaled(double factor) const;
   /// The same with another r, and lengths that are in proportion to it.
@@ -93,6 +99,7 @@ inline constexpr SettingRange kTunings[] = {
     {"polish_length_offset", &FlowSettings::polish_length_offset, -10, 10},
     {"polish_length_gain", &FlowSettings::polish_length_gain, 0, 100},
     {"polish_medial_power", &FlowSettings::polish_medial_power, 2, 8},
+    {"polish_rest", &FlowSettings::polish_rest, 0.5, 1.5},
 };
 
 }  // namespace meander

@@ -84,11 +84,13 @@ Extent measured_extent(const Surface& surface, const VertexData<double>& density
 }
 
 Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
-  const double per_area = (settings.polish ? kLength : kLengthUnpolished) / (2 * settings.radius);
+  const double rest = settings.rest(settings.alignment_weight > 0);
+  const double r = settings.radius / rest, h = settings.segment_length / rest;
+  const double per_area = (settings.polish ? kLength : kLengthUnpolished) / (2 * r);
   const bool along_surface = settings.medial_axis == MedialAxis::kGeodesic;
   Cost cost;
   cost.length = per_area * extent.length_area;
-  cost.nodes = per_area * extent.node_area / (kMeanSegment * settings.segment_length);
+  cost.nodes = per_area * extent.node_area / (kMeanSegment * h);
   // What is too large for a number is still none times no edges.
   constexpr double kMost = std::numeric_limits<double>::max();
   cost.points = cost.nodes + kCrossings * std::min(cost.length, kMost) * std::min(extent.edge_density, kMost);
@@ -99,7 +101,7 @@ Cost expected_cost(const Extent& extent, const FlowSettings& settings) {
   const double set_up = along_surface ? kPatchesPerFace * extent.faces : 0;  // gone before the curve is long
   cost.memory = kSurfacePerFace * extent.faces + std::max(flow, set_up);
 
-  const double of_disc = std::numbers::pi * settings.radius * settings.radius * std::min(extent.curvature, kMost);
+  const double of_disc = std::numbers::pi * r * r * std::min(extent.curvature, kMost);
   const double measuring = along_surface ? kSecondsPerRadian * std::min(of_disc, kMostRadians) : 0;
   const double iteration = (kSecondsPerNode + measuring) * cost.nodes + kSecondsPerPoint * cost.points;
   cost.processor_seconds = kSecondsPerFace * extent.faces + iterations_of(cost.nodes, settings) * iteration;

@@ -44,7 +44,7 @@ uint32_t small_components(const Surface& surface, double spacing) {
 
 std::vector<double> spacing_of(const Flow::Present& present) {
   const auto& [state, medial, plan, factor, pool] = present;
-  const double nominal = 2 * state.settings.radius * factor;
+  const double nominal = 2 * state.settings.radius / state.domain.rest * factor;
   std::vector<double> spacing;
   for (uint32_t i = 0; i < state.curve.size(); ++i) {
     if (state.curve.on_guide(i)) continue;
