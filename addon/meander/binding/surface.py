@@ -55,6 +55,9 @@ class SurfaceOptions:
                       continue each other stay joined
     weld_distance     boundary edges that lie this near to each other become one; 0: none
     smallest_part     components whose bounding box has a smaller diagonal are left out; 0: none
+    drop_doubled      of polygons with outlines in the same place one is kept
+    polygons          (m,) uint32: of which polygon each face is a part; None: faces in one plane
+                      that continue each other are one, for all that is known
     """
 
     merge_distance: float = 0.0
@@ -67,6 +70,8 @@ class SurfaceOptions:
     make_manifold: bool = False
     weld_distance: float = 0.0
     smallest_part: float = 0.0
+    drop_doubled: bool = False
+    polygons: NDArray[np.uint32] | None = None
 
 
 def _surface_options_record(
@@ -77,6 +82,7 @@ def _surface_options_record(
     record.drop_degenerate = bool(options.drop_degenerate)
     record.split_bow_ties = bool(options.split_bow_ties)
     record.cut_non_manifold = bool(options.cut_non_manifold)
+    record.drop_doubled = bool(options.drop_doubled)
     record.merge_distance = float(options.merge_distance)
     record.make_manifold = bool(options.make_manifold)
     record.weld_distance = float(options.weld_distance)
@@ -85,6 +91,7 @@ def _surface_options_record(
     arrays: list[NDArray[Any]] = []
     for name, dtype, count, element in (
         ("face_mask", np.uint8, face_count, "faces"),
+        ("polygons", np.uint32, face_count, "faces"),
         ("vertex_mask", np.float64, vertex_count, "vertices"),
     ):
         value = getattr(options, name)

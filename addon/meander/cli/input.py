@@ -6,6 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..model import strands
 from ..model.alignment import Alignment
 from ..model.density import Choice
@@ -28,6 +31,7 @@ class Input:
     fixed_ends: bool = False
     stroke: tuple[list[float], list[float]] | None = None  # its ends
     parts: list[strands.Part] = field(default_factory=list)  # what the seed is put together from
+    polygons: NDArray[np.integer] | None = None  # of which each triangle is a part; None: none
     warnings: list[str] = field(default_factory=list)
     surface_object: Any = None  # of Blender; None: the mesh came from a file of its own
     mesh_file: MeshOfFile | None = None  # that file

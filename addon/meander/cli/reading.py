@@ -29,7 +29,8 @@ def read_input(arguments: argparse.Namespace, place: Place) -> Input:
     else:
         mesh = meshes.read(arguments.input)
         options = settled(arguments, mesh.vertices, mesh.faces)
-        given = Input(Problem(mesh.vertices, mesh.faces, options), mesh_file=mesh)
+        problem = Problem(mesh.vertices, mesh.faces, options)
+        given = Input(problem, mesh_file=mesh, polygons=mesh.polygons)
         given.warnings += mesh.remarks
         mirror.reflect(given.problem, arguments)
     given.repair = preparation.repair_of(arguments)
@@ -37,7 +38,9 @@ def read_input(arguments: argparse.Namespace, place: Place) -> Input:
     if arguments.input.suffix.lower() != ".blend":
         _set_fields(given, arguments)
     if given.mask.source == "NONE":
-        problem.surface_options = given.repair.options(problem.vertices, arguments.spacing / 2)
+        problem.surface_options = given.repair.options(
+            problem.vertices, arguments.spacing / 2, given.polygons
+        )
     _put_seed_together(given, arguments)
     problem.alignment = given.alignment.kind
     options.alignment_weight = given.alignment.weight

@@ -23,7 +23,7 @@ from ..scene.evaluated import matrix_of
 from ..scene.fillable import has_faces, shows_instances, why_not_this
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import in_polygons as renumbered
-from ..scene.meshes import loose_edge_count, triangles_of
+from ..scene.meshes import loose_edge_count, polygons_of, triangles_of
 from ..scene.preparation import surface_options
 from .saved_settings import saved_settings
 
@@ -61,6 +61,7 @@ def _read_scene(arguments: argparse.Namespace) -> Input:
     problem = Problem(vertices, faces, settled(arguments, vertices, faces))
     mirror.reflect(problem, arguments, matrix_of(surface_object, depsgraph))
     given = Input(problem, choice, surface_object=surface_object)
+    given.polygons = polygons_of(surface_object, depsgraph)
     given.mask = preparation.mask_of(arguments)
     if given.mask.source != "NONE":
         mended = preparation.repair_of(arguments).options(problem.vertices, arguments.spacing / 2)

@@ -229,6 +229,8 @@ def _of_half(
         changed["vertex_mask"] = mesh.carried(prepared.vertex_mask)
     if prepared.face_mask is not None:
         changed["face_mask"] = np.asarray(prepared.face_mask, dtype=bool)[mesh.sources]
+    if prepared.polygons is not None:
+        changed["polygons"] = np.asarray(prepared.polygons)[mesh.sources]
     return replace(prepared, **changed)
 
 

@@ -35,13 +35,23 @@ class Repair:
     strict: bool = False
     smallest_part: float = 0.0
 
-    def options(self, vertices: NDArray[np.float64], radius: float) -> core.SurfaceOptions:
-        """For the surface; `radius` is half the spacing, in the unit of the vertices."""
+    def options(
+        self,
+        vertices: NDArray[np.float64],
+        radius: float,
+        polygons: NDArray[np.integer] | None = None,
+    ) -> core.SurfaceOptions:
+        """For the surface; `radius` is half the spacing, in the unit of the vertices.
+
+        polygons   (m,) of which polygon each triangle is a part; None: nobody knows
+        """
         return core.SurfaceOptions(
             merge_distance=self.merge_distance,
             drop_degenerate=self.drop_degenerate or not self.strict,
             split_bow_ties=self.split_bow_ties,
             cut_non_manifold=self.cut_non_manifold,
+            drop_doubled=self.drop_degenerate or not self.strict,
+            polygons=None if polygons is None else polygons.astype(np.uint32),
             make_manifold=not self.strict,
             weld_distance=0.0 if self.strict else seam_width(vertices, radius),
             smallest_part=self.smallest_part

@@ -47,6 +47,20 @@ def triangles_of(
     return to_world(coordinates.reshape(-1, 3), matrix), faces
 
 
+def polygons_of(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> np.ndarray | None:
+    """Per triangle of triangles_of() its polygon, uint32; None: each is one."""
+    with surface_mesh(object, depsgraph) as (mesh, _matrix):
+        mesh.calc_loop_triangles()
+        count = len(mesh.loop_triangles)
+        if len(mesh.polygons) == count:
+            return None
+        polygons = np.empty(count, dtype=np.int32)
+        mesh.loop_triangles.foreach_get("polygon_index", polygons)
+    return polygons.astype(np.uint32)
+
+
 def surface_now(
     surface: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -19,7 +19,7 @@ from .attributes import is_face_mask
 from .errors import DataError
 from .evaluated import evaluated_copy, surface_mesh
 from .linked_settings import settings_of, settings_to_change
-from .meshes import vertex_group_weights
+from .meshes import polygons_of, vertex_group_weights
 from .transforms import to_world, world_matrix
 
 
@@ -70,10 +70,12 @@ def surface_options(
     surface: bpy.types.Object,
     depsgraph: bpy.types.Depsgraph,
 ) -> core.SurfaceOptions:
-    """The options for the triangles of meshes.triangles_of(), with the mask put into `options`.
+    """The options for the triangles of meshes.triangles_of(), with their polygons and the mask put
+    into `options`.
 
     Raises DataError for a mask that does not exist or has no faces.
     """
+    options.polygons = polygons_of(surface, depsgraph)
     if mask.source == "NONE":
         return options
     if not mask.name:

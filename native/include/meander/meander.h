@@ -319,8 +319,8 @@ typedef struct meander_surface meander_surface;
 
 /* What to do with a mesh before it is checked, for a mesh with faults or for a part of one. Always
  * start from meander_surface_options_init, which sets everything to 0: nothing is done, and the
- * check is strict. The work is done in this order: face_mask, merging, dissolving, welding, vertex_mask,
- * the cutting of edges and the splitting of vertices, smallest_part; meander_surface_statistics counts it.
+ * check is strict. The work is done in this order: face_mask, merging, drop_doubled, dissolving, welding,
+ * vertex_mask, the cutting of edges and the splitting of vertices, smallest_part; meander_surface_statistics counts it.
  *
  * drop_degenerate, make_manifold and weld_distance together make a surface of any list of triangles
  * with an area and finite coordinates, and leave a mesh without faults as it is, to the last bit. */
@@ -356,7 +356,17 @@ typedef struct meander_surface_options {
                                 boundary on them are split there before; 0: none. Mesh units, >= 0 */
   double smallest_part;      /* components whose bounding box has a diagonal below this are left out;
                                 0: none. Mesh units, >= 0 */
-  uint64_t reserved[4];
+  const uint32_t* polygons;  /* uint32_t[polygons_count]: of which polygon each face is a part, any
+                                numbers; or NULL. Only drop_doubled asks */
+  size_t polygons_count;     /* the number of faces of the mesh; 0 for NULL */
+  uint32_t drop_doubled;     /* 1: of polygons whose outlines lie between the same places (within 1e-7
+                                of the size of the mesh), wound alike or not, one is kept, whatever
+                                their vertices and triangles. Without `polygons`, and besides, faces in
+                                one plane that continue each other where no other meets them are one.
+                                Polygons stay, unless they are wound alike or have a free edge, where
+                                each closes a surface with vertices of its own */
+  uint32_t reserved32;
+  uint64_t reserved[1];
 } meander_surface_options;
 
 /* Fills in the defaults; see "Structs".

@@ -9,6 +9,7 @@
 
 #include "api/structs.h"
 #include "base/thread_pool.h"
+#include "mesh/doubled_polygons.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_faults.h"
 
@@ -39,6 +40,7 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
   require_flag(o.drop_degenerate, "drop_degenerate");
   require_flag(o.split_bow_ties, "split_bow_ties");
   require_flag(o.cut_non_manifold, "cut_non_manifold");
+  require_flag(o.drop_doubled, "drop_doubled");
   require_threads(o.threads);
   require(std::isfinite(o.mask_threshold), "The mask's threshold must be a finite number.");
   s.merge_distance = o.merge_distance;
@@ -49,6 +51,8 @@ PrepareSettings checked_settings(const meander_surface_options& o, size_t vertex
   s.weld_distance = o.weld_distance;
   s.smallest_part = o.smallest_part;
   s.mask_threshold = o.mask_threshold;
+  s.drop_doubled = o.drop_doubled != 0;
+  s.polygons = checked_mask(o.polygons, o.polygons_count, face_count, "polygons", "faces");
   s.face_mask = checked_mask(o.face_mask, o.face_mask_count, face_count, "face_mask", "faces");
   s.vertex_mask = checked_mask(o.vertex_mask, o.vertex_mask_count, vertex_count, "vertex_mask", "vertices");
   for (size_t v = 0; v < s.vertex_mask.size(); ++v) {
@@ -79,17 +83,22 @@ std::shared_ptr<const Surface> surface_of(const PreparedMesh& mesh, unsigned thr
 /// The surface of a mesh that has nothing to be mended, or null. Nothing is then prepared, and the curve is that of the
 /// strict check to the last bit.
 std::shared_ptr<const Surface> faultless_surface(std::span<const double> vertices, std::span<const uint32_t> faces,
-                                                 double weld_distance, unsigned threads,
+                                                 const PrepareSettings& settings, unsigned threads,
                                                  const CancelToken& cancel) {
   try {
     auto surface = std::make_shared<const Surface>(vertices, faces, threads, cancel);
-    if (weld_distance == 0) return surface;
+    if (settings.drop_doubled && may_have_doubled_polygons(*surface, settings.polygons, cancel)) {
+      Soup soup(vertices, faces, cancel);
+      soup.measure();
+      if (!find_doubled_polygons(soup, settings.polygons).faces.empty()) return nullptr;
+    }
+    if (settings.weld_distance == 0) return surface;
     std::vector<uint32_t> boundary;
     for (const HalfEdge e : surface->boundary()) {  // of a flipped face the half-edges 0 and 2 have changed places
       boundary.push_back(surface->flipped(e / 3) ? 3 * (e / 3) + 2 - e % 3 : e);
     }
     std::ranges::sort(boundary);
-    return has_seams(vertices, faces, std::move(boundary), weld_distance, cancel) ? nullptr : surface;
+    return has_seams(vertices, faces, std::move(boundary), settings.weld_distance, cancel) ? nullptr : surface;
   } catch (const Failure& failure) {
     if (failure.kind != FailureKind::kInvalidMesh) throw;
     return nullptr;
@@ -109,7 +118,7 @@ std::unique_ptr<meander_surface> prepared_surface(std::span<const double> vertic
   }
   check_numbers(vertices, faces);
   if (settings.only_mends()) {
-    made->surface = faultless_surface(vertices, faces, settings.weld_distance, options.threads, cancel);
+    made->surface = faultless_surface(vertices, faces, settings, options.threads, cancel);
     if (made->surface) return made;
   }
   PreparedMesh mesh = prepare_mesh(vertices, faces, settings, cancel);

@@ -29,6 +29,7 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
   }
   soup.measure();  // what a mask leaves is the mesh from here on
   if (settings.merge_distance > 0) merge_vertices(soup, settings.merge_distance, counts);
+  if (settings.drop_doubled) drop_doubled_polygons(soup, settings.polygons, counts);
   drop_degenerate();
   if (settings.weld_distance > 0) {
     const bool split = split_edges(soup, settings.weld_distance, counts);

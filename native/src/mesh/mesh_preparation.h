@@ -26,11 +26,13 @@ struct PrepareSettings {
   std::span<const uint8_t> face_mask;  ///< per face, or empty
   std::span<const double> vertex_mask; ///< per vertex, or empty
   double smallest_part = 0;            ///< caller's units; 0: none is too small
+  bool drop_doubled = false;           ///< polygons that lie in the place of others
+  std::span<const uint32_t> polygons;  ///< of which polygon each face is a part, or empty
   double mask_threshold = 0;           ///< where the mask is below it the surface is left out
 
   bool changes_nothing() const {
     return merge_distance == 0 && !drop_degenerate && !split_bow_ties && !cut_non_manifold && !make_manifold &&
-           weld_distance == 0 && smallest_part == 0 && face_mask.empty() && vertex_mask.empty();
+           weld_distance == 0 && smallest_part == 0 && !drop_doubled && face_mask.empty() && vertex_mask.empty();
   }
   /// Whether a mesh that passes the check, and has no seams to weld, comes out as it is.
   bool only_mends() const {
@@ -47,7 +49,8 @@ struct PreparedMesh {
 
 /// Prepares a mesh whose numbers have been checked (check_numbers), in this order:
 ///   faces outside face_mask go; vertices nearer than merge_distance to one with a lower index become
-///   that one; faces without area are dissolved and doubled ones dropped; boundary edges are split at vertices
+///   that one; polygons that are there twice are left out; faces without area are dissolved and doubled ones
+///   dropped; boundary edges are split at vertices
 ///   that lie on them, and those nearer than weld_distance to each other become one; what lies below the threshold
 ///   of vertex_mask is cut away; vertices at which fans of faces meet are split; parts whose bounding box has a
 ///   diagonal below smallest_part go.

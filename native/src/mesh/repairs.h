@@ -33,6 +33,12 @@ void mask_faces(Soup& soup, std::span<const uint8_t> mask, PrepareCounts& counts
 void clip(Soup& soup, std::span<const double> values, double threshold, PrepareCounts& counts);
 
 // ------------------------------------------------------------------------------------------------
+// doubled_polygons.cpp: two-sided faces, and copies in the same place
+
+/// See find_doubled_polygons.
+void drop_doubled_polygons(Soup& soup, std::span<const uint32_t> polygons, PrepareCounts& counts);
+
+// ------------------------------------------------------------------------------------------------
 // near_vertices.cpp: vertices that are meant to be one
 
 /// Vertices within `distance` of one with a lower index, which is not merged itself, become that one.
