@@ -2,9 +2,9 @@
 #
 # cmake "-DFILES=a;b" -DFOLDER=... -DVERSION=... -P stage.cmake
 #
-# Copies the files into the folder and removes libraries of other versions from it. Every file is
-# written under a temporary name and renamed, so that a Blender that has the old one loaded keeps
-# it whole.
+# Copies the files into the folder and removes libraries of other versions from it, and the records
+# of packed ones. Every file is written under a temporary name and renamed, so that a Blender that
+# has the old one loaded keeps it whole.
 
 file(MAKE_DIRECTORY "${FOLDER}")
 set(names "")

@@ -24,7 +24,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from make_addon_zip import SKIPPED_FOLDERS, SKIPPED_SUFFIXES, TIMESTAMP, literal
+from make_addon_zip import SKIPPED_FOLDERS, SKIPPED_SUFFIXES, TIMESTAMP, literal, record_of
 
 ROOT = Path(__file__).resolve().parents[1]
 ADDON = ROOT / "addon" / "meander"
@@ -70,8 +70,8 @@ def _system_of(library: Path) -> str:
     return system
 
 
-def contents(library: Path) -> dict[str, Path]:
-    """Name inside the wheel -> file."""
+def contents(library: Path) -> dict[str, bytes]:
+    """Name inside the wheel -> what it holds."""
     files: dict[str, Path] = {}
     for base, rooms in ((OWN, ["."]), (ADDON, ROOMS)):
         for room in rooms:
@@ -84,8 +84,10 @@ def contents(library: Path) -> dict[str, Path]:
                     if name in files:
                         raise SystemExit(f"{path} and {files[name]} have the same place")
                     files[name] = path
-    files[f"{PACKAGE}/native/{_system_of(library)}/{library.name}"] = library
-    return files
+    place = f"{PACKAGE}/native/{_system_of(library)}"
+    files[f"{place}/{library.name}"] = library
+    name, record = record_of(library)
+    return {name: path.read_bytes() for name, path in files.items()} | {f"{place}/{name}": record}
 
 
 def metadata(about: Mapping[str, Any]) -> str:
@@ -114,7 +116,7 @@ def write_wheel(folder: Path, library: Path, platform: str) -> Path:
     about = project()
     stem = f"{PACKAGE}-{about['version']}"
     information, tag = f"{stem}.dist-info", f"py3-none-{platform}"
-    entries = {name: path.read_bytes() for name, path in sorted(contents(library).items())}
+    entries = dict(sorted(contents(library).items()))
     for name in about["license-files"]:
         entries[f"{information}/licenses/{name}"] = (ROOT / name).read_bytes()
     scripts = [f"{name} = {target}" for name, target in about["scripts"].items()]
@@ -138,7 +140,7 @@ def write_wheel(folder: Path, library: Path, platform: str) -> Path:
             entry = zipfile.ZipInfo(name, TIMESTAMP)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.create_system = 3  # Unix, on any machine: the permissions below are Unix's
-            entry.external_attr = (0o755 if f"{PACKAGE}/native/" in name else 0o644) << 16
+            entry.external_attr = (0o755 if name.endswith(library.suffix) else 0o644) << 16
             archive.writestr(entry, data)
     unfinished.replace(wheel)
     return wheel

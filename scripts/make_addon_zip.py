@@ -9,6 +9,7 @@ literals, which cannot be derived; they are compared with the project's instead.
 
 import argparse
 import ast
+import hashlib
 import re
 import sys
 import tomllib
@@ -85,6 +86,13 @@ def manifest_for(manifest_file: Path, platforms: list[str], wheels: list[Path]) 
     return text.encode()
 
 
+def record_of(library: Path) -> tuple[str, bytes]:
+    """The file beside a packed library by which `binding` knows that it is whole: its name and what
+    it holds, the size and the digest."""
+    data = library.read_bytes()
+    return f"{library.name}.record", f"{len(data)} {hashlib.sha256(data).hexdigest()}\n".encode()
+
+
 def contents(
     addon: Path,
     native: list[tuple[str, Path]],
@@ -100,7 +108,9 @@ def contents(
         if path.is_file() and not skipped:
             files[f"{FOLDER}/{inside.as_posix()}"] = path
     for platform, path in native:
+        name, record = record_of(path)
         files[f"{FOLDER}/native/{platform}/{path.name}"] = path
+        files[f"{FOLDER}/native/{platform}/{name}"] = record
     for path in licences:
         files[f"{FOLDER}/{path.name}"] = path
     for path in wheels:

@@ -1,14 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Each platform has its library; one that is missing, foreign or too old is one sentence."""
+"""Each platform has its library; one that is missing, foreign, damaged or too old is one sentence.
+"""
 
 from __future__ import annotations
 
+import hashlib
+import os
 import shutil
 import struct
 import subprocess
+import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from conftest import PACKAGE
 from meander import core
 from meander.binding import library_file, native_library
 from sentences import assert_sentence
@@ -183,3 +189,92 @@ def test_a_library_for_a_newer_glibc(package: Path, tmp_path: Path) -> None:
                     stand_in], check=True)
     text = complaint()
     assert "GLIBC_2.99" in text and "glibc 2.28" in text
+
+
+# ------------------------------------------------------------------------------------------------
+# A library that is not whole
+
+
+# What may have become of a file on its way; the record is of the whole one.
+DAMAGES: dict[str, Callable[[bytes], bytes]] = {
+    "nothing left": lambda data: b"",
+    "a few bytes": lambda data: data[:100],
+    "5 kB": lambda data: data[:5000],
+    "100 kB": lambda data: data[:100_000],
+    "1 MB": lambda data: data[:1_000_000],
+    "all but a page": lambda data: data[:-4096],
+    "all but a byte": lambda data: data[:-1],
+    "a bit that has turned": lambda data: data[:700_000] + b"\xff" + data[700_001:],
+    "zeros from a place on": lambda data: data[:800_000] + bytes(len(data) - 800_000),
+    "line ends made Unix's": lambda data: data.replace(b"\r\n", b"\n") + b"\n",
+    "more behind it": lambda data: data + b"\0" * 10,
+}
+
+
+def loaded_elsewhere(library: Path) -> subprocess.CompletedProcess[str]:
+    """What a process of its own says that loads this file: a crash would be its end."""
+    script = (
+        "from meander import core\n"
+        "try:\n"
+        "    core.default_options('even')\n"
+        "except core.MeanderError as error:\n"
+        "    print(error)\n"
+    )
+    return subprocess.run(
+        [sys.executable, "-c", script],
+        env=os.environ | {core.LIBRARY_VARIABLE: str(library), "PYTHONPATH": str(PACKAGE.parent)},
+        capture_output=True, text=True, timeout=60,
+    )  # fmt: skip
+
+
+@pytest.fixture
+def built(monkeypatch: pytest.MonkeyPatch) -> bytes:
+    monkeypatch.delenv(core.LIBRARY_VARIABLE, raising=False)
+    return core.library_path().read_bytes()
+
+
+def with_record(path: Path, contents: bytes, packed: bytes) -> Path:
+    path.write_bytes(contents)
+    digest = hashlib.sha256(packed).hexdigest()
+    library_file.record_file(path).write_text(f"{len(packed)} {digest}\n")
+    return path
+
+
+@pytest.mark.parametrize("name", DAMAGES)
+def test_what_is_not_as_it_was_packed_is_one_sentence(
+    name: str, built: bytes, tmp_path: Path
+) -> None:
+    path = with_record(tmp_path / "libmeander.so", DAMAGES[name](built), built)
+    done = loaded_elsewhere(path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert_sentence(done.stdout.strip())
+    assert str(path) in done.stdout and "install" in done.stdout
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="of files that Linux maps")
+@pytest.mark.parametrize("size", [100, 5000, 100_000, 1_000_000, -100_000])
+def test_without_a_record_a_library_that_is_cut_off_is_one_sentence(
+    size: int, built: bytes, tmp_path: Path
+) -> None:
+    path = tmp_path / "libmeander.so"
+    path.write_bytes(built[:size])
+    done = loaded_elsewhere(path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert_sentence(done.stdout.strip())
+    assert "cut off" in done.stdout
+
+
+def test_a_library_loads_with_its_record_and_as_it_was_built(built: bytes, tmp_path: Path) -> None:
+    path = with_record(tmp_path / "libmeander.so", built, built)
+    assert (loaded_elsewhere(path).stdout, library_file.damage(path)) == ("", "")
+    library_file.record_file(path).unlink()
+    assert (loaded_elsewhere(path).stdout, library_file.damage(path)) == ("", "")
+
+
+@pytest.mark.parametrize("record", ["", "12", "many x", "1738904 abc def"])
+def test_a_record_that_is_damaged_is_one_sentence(
+    record: str, built: bytes, package: Path
+) -> None:
+    path = put(package, library_file.platform_tag(), built)
+    library_file.record_file(path).write_text(record)
+    assert library_file.record_file(path).name in complaint()

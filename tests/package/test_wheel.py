@@ -80,6 +80,27 @@ def ball(installed: Environment) -> Path:
     return path
 
 
+def test_a_library_that_is_cut_off_is_one_sentence_for_who_has_a_wheel(
+    installed: Environment
+) -> None:
+    path = installed.run(
+        installed.python, "-c", "import meander.core as core; print(core.library_path())"
+    ).stdout.strip()
+    whole = Path(path).read_bytes()
+    try:
+        for size in (5000, 100_000, len(whole) - 1):
+            Path(path).write_bytes(whole[:size])
+            done = installed.run(
+                installed.python, "-c", "import meander; meander.default_options()"
+            )
+            said = done.stderr.splitlines()[-1]
+            assert done.returncode == 1
+            assert f"cut off (it has {size} of {len(whole)} bytes)" in said
+            assert "wheel" in said and "Blender" not in said and "add-on" not in said
+    finally:
+        Path(path).write_bytes(whole)
+
+
 # ------------------------------------------------------------------------------------------------
 # The file
 
@@ -105,7 +126,12 @@ def test_it_is_a_wheel_of_one_platform_for_every_python(wheel: Path) -> None:
     assert (about["Name"], about["Version"]) == ("meander", version)
     required = [text for text in about.get_all("Requires-Dist") if "extra" not in text]
     assert required == ["numpy>=1.23"]
-    assert len([path for path in names if path.startswith("meander/native/")]) == 1
+    library, beside = sorted(path for path in names if path.startswith("meander/native/"))
+    assert beside == f"{library}.record"
+    with zipfile.ZipFile(wheel) as archive:
+        data = archive.read(library)
+        assert archive.read(beside).decode() == f"{len(data)} {hashlib.sha256(data).hexdigest()}\n"
+        assert archive.getinfo(library).external_attr >> 16 == 0o755
     assert {"meander/py.typed", "meander/core.py", "meander/binding/abi.py"} <= set(names)
     for text in ("LICENSE", "THIRD_PARTY_NOTICES.md"):
         assert f"meander-{version}.dist-info/licenses/{text}" in names
@@ -142,7 +168,7 @@ def test_the_same_contents_give_the_same_bytes(wheel: Path, tmp_path: Path) -> N
 def test_a_library_and_a_platform_can_be_named(wheel: Path, tmp_path: Path) -> None:
     with zipfile.ZipFile(wheel) as archive:
         names = archive.namelist()
-        inside = next(name for name in names if name.startswith("meander/native/"))
+        inside = min(name for name in names if name.startswith("meander/native/"))
         library = Path(archive.extract(inside, tmp_path / "taken"))
     command = [sys.executable, SCRIPT, "--folder", tmp_path, "--library", library]
     alone = subprocess.run(command, capture_output=True, text=True, timeout=60)

@@ -60,7 +60,8 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
         for name in ("meander.blend", "blender_assets.cats.txt", "LICENSE.txt")
     }
     libraries = sorted(name for name in names if name.startswith("meander/native/"))
-    assert libraries == [f"meander/native/linux-x64/libmeander-{version}.so"]
+    library = f"meander/native/linux-x64/libmeander-{version}.so"
+    assert libraries == [library, f"{library}.record"]
     wheels = [Path(name).name for name in names if name.startswith("meander/wheels/")]
     wanted = re.findall(r"(?m)^(\w+)==([\d.]+) ", (ROOT / "scripts/wheels.txt").read_text())
     assert [tuple(name.split("-")[:2]) for name in wheels] == wanted
@@ -71,6 +72,13 @@ def test_holds_everything_and_nothing_else(names: list[str]) -> None:
     assert {"meander/docs/index.html", "meander/docs/make/rows.html"} <= set(names)
     assert not [name for name in names if name.startswith("meander/docs/") and "html" not in name]
     assert not [name for name in names if "__pycache__" in name or name.endswith(".pyc")]
+
+
+def test_the_record_beside_the_library_is_of_its_bytes(addon_zip: Path) -> None:
+    with zipfile.ZipFile(addon_zip) as archive:
+        library = f"meander/native/linux-x64/libmeander-{project_version()}.so"
+        data, record = archive.read(library), archive.read(f"{library}.record").decode()
+    assert record == f"{len(data)} {hashlib.sha256(data).hexdigest()}\n"
 
 
 class Page(HTMLParser):
@@ -181,7 +189,7 @@ def test_same_contents_give_same_bytes(addon_zip: Path, tmp_path: Path) -> None:
     command = [sys.executable, ROOT / "scripts/make_addon_zip.py", "--addon", folder,
                "--version", project_version(), "--pages", ROOT / "docs",
                "--output", tmp_path / "again.zip"]
-    for library in sorted(libraries.glob("*/*"), reverse=True):
+    for library in sorted(libraries.glob("*/*.so"), reverse=True):
         command += ["--native", f"{library.parent.name}={library}"]
     for text in texts:
         command += ["--licence", text]

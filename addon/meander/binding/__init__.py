@@ -10,5 +10,5 @@ from importlib.util import find_spec
 if find_spec(f"{__name__}.abi") is None:
     raise ImportError(
         "Meander has not been built here: run scripts/build.sh stage, or install the add-on from "
-        "its zip"
+        "its zip, or the wheel"
     )

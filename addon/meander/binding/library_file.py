@@ -7,6 +7,7 @@ library lies in the folder of that name in ``native/``, so that one zip can hold
 
 from __future__ import annotations
 
+import hashlib
 import platform
 import struct
 import sys
@@ -29,6 +30,9 @@ _NEEDED = {
     "windows": "Windows 10 or later",
     "macos": "macOS 11 or later",
 }
+
+# Only the add-on has one; the wheel is this package too.
+_IS_ADDON = (Path(__file__).resolve().parents[1] / "blender_manifest.toml").is_file()
 
 # The numbers that the formats of executables have for the processors.
 _ELF_MACHINES = {0x3E: "x64", 0xB7: "arm64"}
@@ -95,6 +99,45 @@ def built_for(path: Path) -> str | None:
     return None
 
 
+def record_file(library: Path) -> Path:
+    """What is packed beside a library, with its size and its digest; a build leaves it out."""
+    return library.with_name(f"{library.name}.record")
+
+
+def damage(library: Path) -> str:
+    """What has happened to a library since it was packed, to follow "is"; empty: nothing.
+
+    Without a record beside it, whether all is there that its head names: the system maps pages
+    behind the end of a file, and they are a crash of the process. Raises OSError when a file cannot
+    be read.
+    """
+    record, data = record_file(library), library.read_bytes()
+    if not record.is_file():
+        wanted = _least_size(data)
+        return f"cut off (it has {len(data)} of {wanted} bytes)" if len(data) < wanted else ""
+    words = record.read_text("ascii", "replace").split()
+    if len(words) != 2 or not words[0].isdigit():
+        return f"beside a damaged {record.name}"
+    if len(data) < int(words[0]):
+        return f"cut off (it has {len(data)} of {words[0]} bytes)"
+    if hashlib.sha256(data).hexdigest() != words[1]:
+        return f"damaged (it does not have the digest in {record.name})"
+    return ""
+
+
+def _least_size(data: bytes) -> int:
+    """How long an ELF file is at least, by its tables of segments and of sections; 0 for other
+    formats, whose systems look for themselves."""
+    if data[:6] != b"\x7fELF\x02\x01":
+        return 0
+    table, sections, step, count, section, section_count = struct.unpack_from("<32xQQ6x4H", data)
+    ends = [table + step * count, sections + section * section_count]
+    for at in range(table, min(ends[0], len(data) - 55), max(step, 56)):
+        begin, size = struct.unpack_from("<8xQ16xQ", data, at)
+        ends.append(begin + size)
+    return max(ends)
+
+
 def system_version() -> str:
     """The version of this system that decides what it can load, in words."""
     if sys.platform == "win32":
@@ -106,9 +149,11 @@ def system_version() -> str:
 
 
 def where_to_get(tag: str) -> str:
-    """Names the zips that hold the library of a platform, to end a sentence with."""
+    """Names what to install for a platform, to end a sentence with."""
     if tag.partition("-")[0] not in _FILES or tag.partition("-")[2] not in _MACHINES.values():
         return f"there is no release for {tag}, so build the library from its sources"
+    if not _IS_ADDON:
+        return f"install the wheel of meander {VERSION} that is for {tag}"
     name = tag.replace("-", "_")
     return (
         f"install the add-on from meander-{VERSION}-{name}.zip, or from meander-{VERSION}.zip, "
@@ -119,3 +164,15 @@ def where_to_get(tag: str) -> str:
 def needed(tag: str) -> str:
     """What a release's library of a platform needs of the system."""
     return _NEEDED.get(tag.partition("-")[0], "a system that there is no release for")
+
+
+def again() -> str:
+    """How to have the package whole again, to end a sentence with."""
+    if _IS_ADDON:
+        return "install the add-on again from its zip and restart Blender"
+    return "install it again with pip install --force-reinstall and its wheel"
+
+
+def host() -> str:
+    """What loads the library, as its user calls it."""
+    return "Blender" if _IS_ADDON else "this Python"

@@ -23,7 +23,10 @@ from numpy.typing import ArrayLike, NDArray
 from .abi import ABI_VERSION, PROTOTYPES, STRUCTS, VERSION, ErrorRecord, Status
 from .choices import ELEMENT_KINDS
 from .library_file import (
+    again,
     built_for,
+    damage,
+    host,
     library_file,
     needed,
     platform_tag,
@@ -145,16 +148,17 @@ def _refuse_missing(path: Path) -> None:
 
 
 def _refuse_foreign(path: Path) -> None:
-    """Raises a sentence about a file that this platform could not load."""
+    """Raises a sentence about a file that this platform could not load, or that is not whole."""
     tag = platform_tag()
     try:
-        found = built_for(path)
+        found, damaged = built_for(path), damage(path)
     except OSError as problem:
         raise MeanderError(
-            f"the native library {path} cannot be read ({problem.strerror}); install the add-on "
-            "again from its zip",
+            f"the native library {path} cannot be read ({problem.strerror}); {again()}",
             STATUS_NO_LIBRARY,
         ) from problem
+    if damaged:
+        raise MeanderError(f"the native library {path} is {damaged}; {again()}", STATUS_NO_LIBRARY)
     if found is None:
         raise MeanderError(
             f"the file {path} is not a native library for {tag}; {where_to_get(tag)}",
@@ -163,7 +167,7 @@ def _refuse_foreign(path: Path) -> None:
     # A system that is not ours may use one of these formats; then loading decides.
     if found != tag and sys.platform in ("linux", "win32", "darwin"):
         raise MeanderError(
-            f"the native library {path} is for {found}, but Blender runs on {tag}; "
+            f"the native library {path} is for {found}, but {host()} runs on {tag}; "
             f"{where_to_get(tag)}",
             STATUS_NO_LIBRARY,
         )
@@ -188,23 +192,22 @@ def _load(path: Path) -> ctypes.CDLL:
         abi_version = _bind(library, "meander_abi_version")()
         if abi_version != ABI_VERSION:
             raise MeanderError(
-                f"the native library {path} has ABI {abi_version}, but this add-on needs "
-                f"{ABI_VERSION}; install the add-on again from its zip and restart Blender",
+                f"the native library {path} has ABI {abi_version}, but this package needs "
+                f"{ABI_VERSION}; {again()}",
                 STATUS_NO_LIBRARY,
             )
         version = _bind(library, "meander_version")().decode("utf-8", "replace")
         if version != VERSION:
             raise MeanderError(
-                f"the native library {path} is version {version}, but this add-on is version "
-                f"{VERSION}; install the add-on again from its zip and restart Blender",
+                f"the native library {path} is version {version}, but this package is "
+                f"version {VERSION}; {again()}",
                 STATUS_NO_LIBRARY,
             )
         for name in PROTOTYPES:
             _bind(library, name)
     except AttributeError as problem:
         raise MeanderError(
-            f"the file {path} is not Meander's native library ({problem}); install the add-on "
-            "again from its zip",
+            f"the file {path} is not Meander's native library ({problem}); {again()}",
             STATUS_NO_LIBRARY,
         ) from problem
     return library
@@ -231,7 +234,7 @@ def native() -> ctypes.CDLL:
 def library_version() -> str:
     """The version of the native library, such as "0.1.0"; loads it.
 
-    Raises MeanderError when the library is missing or does not fit this add-on.
+    Raises MeanderError when the library is missing, damaged, or does not fit this package.
     """
     return native().meander_version().decode("utf-8")
 
