@@ -16,7 +16,8 @@ This is the door. Behind it is the room `binding`, and nothing else knows ctypes
     reason = flow.wait()
 
 Lengths are in the units of the vertices; indices are zero-based. Everything that goes wrong is a
-`MeanderError` whose text is one sentence for people. Calls into the library release the GIL.
+`MeanderError` whose text is one sentence for people. Calls into the library release the GIL. What
+lasts in the main thread is cancelled by an interruption from the keyboard (`binding/interruption`).
 
 Threads: a surface may be shared, a flow belongs to one thread at a time (a second thread gets a
 `MeanderError`), a context may be touched from any thread at any time. A host that must not have a

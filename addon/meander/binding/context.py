@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import contextmanager
 from ctypes import byref, c_void_p
 
 from .choices import PHASES
+from .interruption import Cancel, is_heard
 from .native_library import Handle, MeanderError, call, native
 
 
@@ -30,6 +31,7 @@ class Context(Handle):
         self._lock = threading.Lock()
         self._users = 0
         self._closing = False
+        self._cancelled = False  # by somebody, not by an interruption
 
     @contextmanager
     def _use(self) -> Iterator[int]:
@@ -46,14 +48,33 @@ class Context(Handle):
                 if self._closing and self._users == 0:
                     super().close()
 
+    @contextmanager
+    def _use_in_call(self) -> Iterator[Cancel]:
+        """The context for a call that an interruption cancels; it is usable again after that."""
+        with self._use() as pointer:
+            interrupted = []
+
+            def cancel() -> None:
+                interrupted.append(True)
+                native().meander_context_cancel(pointer)
+
+            try:
+                yield Cancel(pointer, cancel)
+            finally:
+                with self._lock:
+                    if interrupted and not self._cancelled and self._users == 1:
+                        native().meander_context_reset(pointer)
+
     def cancel(self) -> None:
         """Asks the calls that use this context to end within one iteration."""
         with self._use() as pointer:
+            self._cancelled = True
             native().meander_context_cancel(pointer)
 
     def reset(self) -> None:
         """Takes a cancel back, so that the context can be used again."""
         with self._use() as pointer:
+            self._cancelled = False
             native().meander_context_reset(pointer)
 
     @property
@@ -76,6 +97,15 @@ class Context(Handle):
                 super().close()
 
 
-def pointer_of(context: Context | None) -> AbstractContextManager[int | None]:
-    """The native context for the time of a call, null where there is none."""
-    return nullcontext() if context is None else context._use()
+@contextmanager
+def pointer_of(context: Context | None) -> Iterator[Cancel | None]:
+    """The native context for the time of a call, which an interruption from the keyboard cancels;
+    null where there is none and nothing could interrupt."""
+    if context is not None:
+        with context._use_in_call() as pointer:
+            yield pointer
+    elif is_heard():
+        with Context() as own, own._use_in_call() as pointer:
+            yield pointer
+    else:
+        yield None

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the native library reads of mesh files: the text that has too many lines for Python, and the
-triangles of polygons."""
+triangles of polygons.
+
+Nothing cancels these; an interruption leaves them alone with what they were given."""
 
 from __future__ import annotations
 
@@ -11,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .abi import PolygonsRecord, Text, TrianglesRecord
+from .interruption import heard
 from .native_library import Found, address_of, call, checked_array, native
 
 
@@ -37,7 +40,9 @@ def read_polygons(text: bytes, kind: Text) -> TextPolygons:
     Raises MeanderError of the status INVALID_MESH, whose sentence begins with the line.
     """
     found = Found(PolygonsRecord)
-    record = found.fill(native().meander_text_read_polygons, text, len(text), int(kind))
+    record = heard(
+        lambda: found.fill(native().meander_text_read_polygons, text, len(text), int(kind)), None
+    )
     return TextPolygons(
         found.array("positions", record.point_count, 3),
         found.array("corners", record.corner_count),
@@ -57,14 +62,17 @@ def read_numbers(text: bytes, begin: int = 0) -> tuple[NDArray[np.float64], int]
     room = 1 + sum(text.count(blank, begin) for blank in (b" ", b"\t", b"\n", b"\r", b"\v", b"\f"))
     numbers = np.empty(room)
     count, end = c_size_t(), c_size_t()
-    call(
-        native().meander_text_read_numbers,
-        c_char_p(address_of(source)),
-        len(source),
-        address_of(numbers),
-        room,
-        byref(count),
-        byref(end),
+    heard(
+        lambda: call(
+            native().meander_text_read_numbers,
+            c_char_p(address_of(source)),
+            len(source),
+            address_of(numbers),
+            room,
+            byref(count),
+            byref(end),
+        ),
+        None,
     )
     return numbers[: count.value], begin + end.value
 
@@ -84,13 +92,16 @@ def triangulated(
     corner_array = checked_array("corners", corners, np.uint32, None)
     end_array = checked_array("ends", ends, np.uint64, None)
     found = Found(TrianglesRecord)
-    record = found.fill(
-        native().meander_polygons_triangulate,
-        address_of(vertex_array),
-        len(vertex_array),
-        address_of(corner_array),
-        len(corner_array),
-        address_of(end_array),
-        len(end_array),
+    record = heard(
+        lambda: found.fill(
+            native().meander_polygons_triangulate,
+            address_of(vertex_array),
+            len(vertex_array),
+            address_of(corner_array),
+            len(corner_array),
+            address_of(end_array),
+            len(end_array),
+        ),
+        None,
     )
     return found.array("corners", record.count, 3), found.array("polygons", record.count)

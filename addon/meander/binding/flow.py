@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import logging
 import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
-from ctypes import byref, c_size_t, c_void_p, sizeof
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from ctypes import byref, c_size_t, sizeof
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
@@ -29,6 +29,7 @@ from .abi import (
 from .choices import ALIGNMENTS, STOP_REASONS
 from .context import Context, pointer_of
 from .flow_options import FlowOptions, options_record
+from .interruption import heard
 from .native_library import (
     Found,
     Handle,
@@ -37,12 +38,14 @@ from .native_library import (
     call,
     checked_array,
     chosen,
+    created,
     figures_of,
     narrow_offsets,
     native,
     new_error,
     prepared,
     raise_error,
+    status_of,
 )
 from .seed import Seed, seed_record
 from .spacing import spacing_for
@@ -186,21 +189,23 @@ class Flow(Handle):
         start, seed_arrays = (None, ()) if seed is None else seed_record(seed)
         record = options_record(_with_spacing(options, surface))
         library = native()
-        pointer = c_void_p()
         with pointer_of(context) as cancelling:
-            call(
+            pointer = created(
                 library.meander_flow_create,
+                library.meander_flow_destroy,
                 surface._alive(),
                 None if start is None else byref(start),
                 address_of(density_array),
                 0 if density_array is None else len(density_array),
                 byref(record),
-                byref(pointer),
-                cancelling,
+                context=cancelling,
             )
         del seed_arrays
-        super().__init__(pointer.value, library.meander_flow_destroy)
+        super().__init__(pointer, library.meander_flow_destroy)
         self._busy = threading.Lock()
+        self._left_alone = False  # by an interruption, while a call went on
+        self._cancel: Callable[[], None] | None = None  # of the run that was started last
+        self._run = ExitStack()  # what that uses
         self._looked_at = threading.Lock()  # held while any thread asks whether it is running
 
     @contextmanager
@@ -209,14 +214,36 @@ class Flow(Handle):
 
         The library does not check the thread rule; two threads in one flow would corrupt memory.
         """
-        if not self._busy.acquire(blocking=False):
+        # What an interruption has left alone ends by itself, and is waited for.
+        if not self._busy.acquire(blocking=self._left_alone):
             raise MeanderError(
                 "this flow is in use on another thread; wait until its call has ended"
             )
+        self._left_alone = False
         try:
             yield self._alive()
         finally:
             self._busy.release()
+
+    def _alone(self, name: str, *arguments: Any) -> None:
+        """Calls a function of the flow that nothing can cancel: interrupted, it goes on alone.
+
+        arguments   arrays, numbers and references
+        """
+
+        def work() -> None:
+            addresses = (
+                address_of(argument) if isinstance(argument, np.ndarray) else argument
+                for argument in arguments
+            )
+            with self._use() as pointer:
+                call(getattr(native(), name), pointer, *addresses)
+
+        try:
+            heard(work, None)
+        except BaseException:
+            self._left_alone = self._busy.locked()
+            raise
 
     def close(self) -> None:
         """Frees the flow; raises MeanderError while another thread is using it.
@@ -229,6 +256,7 @@ class Flow(Handle):
                 with self._looked_at:
                     self._pointer = None
                 super().close()
+                self._run.close()
 
     def set_directions(self, directions: ArrayLike | None, kind: str = "along") -> None:
         """Gives the field of lines that the option alignment_weight refers to, before any step.
@@ -245,14 +273,8 @@ class Flow(Handle):
         if directions is not None:
             array = checked_array("directions", directions, np.float64, 3)
         number = chosen("kind of alignment", kind, ALIGNMENTS)
-        with self._use() as pointer:
-            call(
-                native().meander_flow_set_directions,
-                pointer,
-                address_of(array),
-                0 if array is None else len(array),
-                number,
-            )
+        count = 0 if array is None else len(array)
+        self._alone("meander_flow_set_directions", array, count, number)
 
     def step(self, context: Context | None = None) -> str:
         """Runs one iteration and returns the stop reason, one of STOP_REASONS.
@@ -266,16 +288,15 @@ class Flow(Handle):
         """Steps until the flow converges, stalls, is cancelled or reaches its iteration limit.
 
         Returns which of these it was, one of STOP_REASONS. 'cancelled' leaves the last whole
-        iteration in place; the flow can go on.
+        iteration in place; the flow can go on. So it can after an interruption from the keyboard.
         """
         return self._advance("meander_flow_run", context)
 
     def _advance(self, name: str, context: Context | None) -> str:
         error = new_error()
         with self._use() as pointer:
-            function = getattr(native(), name)
-            with pointer_of(context) as context_pointer:
-                status = function(pointer, context_pointer, byref(error))
+            with pointer_of(context) as cancelling:
+                status = status_of(getattr(native(), name), pointer, cancelling, error=error)
             return self._reason(pointer, status, error)
 
     def _reason(self, pointer: int, status: int, error: ErrorRecord) -> str:
@@ -292,9 +313,13 @@ class Flow(Handle):
         The context may be closed meanwhile, but then the run can only be ended by `close`.
         """
         function = native().meander_flow_start
-        with self._use() as pointer:
-            with pointer_of(context) as context_pointer:
-                call(function, pointer, context_pointer)
+        with self._use() as pointer, ExitStack() as run:
+            # One of its own too: an interrupted wait cancels it.
+            given = run.enter_context(Context()) if context is None else context
+            cancel = run.enter_context(given._use_in_call())
+            call(function, pointer, cancel._as_parameter_)
+            self._cancel = cancel.now
+            self._run = run.pop_all()  # in use until the end has been waited for
             # The interpreter must not go while the library computes; no other thread of Python's
             # can be inside the flow but in `wait`, which takes this back.
             self._finalizer.atexit = True
@@ -310,12 +335,16 @@ class Flow(Handle):
     def wait(self) -> str:
         """Waits for the end of a started run; returns or raises what `run` would have.
 
-        Raises MeanderError also when no run has been started since the last wait.
+        An interruption from the keyboard cancels the run. Raises MeanderError also when no run has
+        been started since the last wait.
         """
         error = new_error()
-        with self._use() as pointer:
+        with self._use() as pointer, self._run:
             self._finalizer.atexit = False
-            status = native().meander_flow_wait(pointer, byref(error))
+
+            status = heard(
+                lambda: native().meander_flow_wait(pointer, byref(error)), self._cancel
+            )
             return self._reason(pointer, status, error)
 
     def keep_growth(self, length_step: float, point_limit: int) -> None:
@@ -360,8 +389,14 @@ class Flow(Handle):
         or too large for the spacing.
         """
         array = checked_array("vertices", vertices, np.float64, 3)
-        with self._use() as pointer:
-            call(native().meander_flow_set_vertices, pointer, address_of(array), len(array), None)
+        with self._use() as pointer, pointer_of(None) as cancelling:
+            call(
+                native().meander_flow_set_vertices,
+                pointer,
+                address_of(array),
+                len(array),
+                cancelling,
+            )
 
     def set_radius(self, radius: float) -> None:
         """Asks for another radius, half the spacing, from here on; see the C header.
@@ -372,8 +407,7 @@ class Flow(Handle):
         from where it is: run or step until it is even again. Raises MeanderError, and leaves the
         flow as it was, for a radius that a new flow would refuse.
         """
-        with self._use() as pointer:
-            call(native().meander_flow_set_radius, pointer, float(radius))
+        self._alone("meander_flow_set_radius", float(radius))
 
     def set_density(self, density: ArrayLike | None) -> None:
         """Asks for another density from here on, as set_radius does for the radius.
@@ -385,13 +419,7 @@ class Flow(Handle):
         array = None
         if density is not None:
             array = checked_array("density", density, np.float64, None)
-        with self._use() as pointer:
-            call(
-                native().meander_flow_set_density,
-                pointer,
-                address_of(array),
-                0 if array is None else len(array),
-            )
+        self._alone("meander_flow_set_density", array, 0 if array is None else len(array))
 
     def set_options(self, options: FlowOptions) -> None:
         """Asks for other options from here on, the radius among them, as set_radius does.
@@ -402,9 +430,7 @@ class Flow(Handle):
         Other weights of growth make the curve grow again, from where it is. Raises MeanderError,
         and leaves the flow as it was, for options that a new flow would refuse.
         """
-        record = options_record(options)
-        with self._use() as pointer:
-            call(native().meander_flow_set_options, pointer, byref(record))
+        self._alone("meander_flow_set_options", byref(options_record(options)))
 
     def statistics(self) -> dict[str, Any]:
         """Figures of the present state, named as in meander_flow_statistics.
@@ -413,8 +439,8 @@ class Flow(Handle):
         surface's units, times in seconds. Costs one medial axis and one crossing test.
         """
         record = prepared(FlowStatisticsRecord)
-        with self._use() as pointer:
-            call(native().meander_flow_compute_statistics, pointer, byref(record), None)
+        with self._use() as pointer, pointer_of(None) as cancelling:
+            call(native().meander_flow_compute_statistics, pointer, byref(record), cancelling)
         values = figures_of(record)
         values["stop_reason"] = STOP_REASONS[record.stop_reason]
         values["polishing"] = bool(record.polishing)
@@ -438,14 +464,14 @@ class Flow(Handle):
 
     def polylines(self) -> Polylines:
         """The present curve, nodes and edge crossings; strands come in the order of the seed's."""
-        with self._use() as pointer:
+        with self._use() as pointer, pointer_of(None) as cancelling:
             found, data = Found(PolylinesRecord), Found(PointDataRecord)
             found.fill(native().meander_flow_get_polylines, pointer)
             points = data.fill(
                 native().meander_flow_compute_point_data,
                 pointer,
                 PointParts.NORMALS,
-                context=(None,),
+                context=(cancelling,),
             )
         return _polylines_of(found, data.array("normals", points.count, 3))
 
@@ -471,12 +497,12 @@ class Flow(Handle):
     def point_data(self) -> PointData:
         """What is known of every point of `polylines()`, in their order. Costs a medial axis."""
         found = Found(PointDataRecord)
-        with self._use() as pointer:
+        with self._use() as pointer, pointer_of(None) as cancelling:
             count = found.fill(
                 native().meander_flow_compute_point_data,
                 pointer,
                 PointParts.ALL,
-                context=(None,),
+                context=(cancelling,),
             ).count
         return PointData(
             found.array("arc_lengths", count),

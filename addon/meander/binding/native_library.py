@@ -13,7 +13,7 @@ import sys
 import threading
 import weakref
 from collections.abc import Callable
-from ctypes import Structure, byref, c_size_t, sizeof
+from ctypes import Structure, byref, c_size_t, c_void_p, sizeof
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .abi import ABI_VERSION, PROTOTYPES, STRUCTS, VERSION, ErrorRecord, Status
 from .choices import ELEMENT_KINDS
+from .interruption import Cancel, heard
 from .library_file import (
     again,
     built_for,
@@ -98,11 +99,22 @@ def raise_error(status: int, error: ErrorRecord) -> None:
 
 
 def call(function: Callable[..., int], *arguments: Any) -> None:
-    """Calls a function of the library's with these and a place for its error, which is raised."""
+    """Calls a function of the library's with these and a place for its error, which is raised.
+
+    Where a `Cancel` is among them, an interruption from the keyboard ends the call.
+    """
     error = new_error()
-    status = function(*arguments, byref(error))
+    status = status_of(function, *arguments, error=error)
     if status != Status.OK:
         raise_error(status, error)
+
+
+def status_of(function: Callable[..., int], *arguments: Any, error: ErrorRecord) -> int:
+    """As `call`, but returns the status and fills the error."""
+    for argument in arguments:
+        if isinstance(argument, Cancel):
+            return heard(lambda: function(*arguments, byref(error)), argument.now)
+    return function(*arguments, byref(error))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -297,9 +309,11 @@ class Found:
 
     def fill(self, function: Callable[..., int], *arguments: Any, context: Any = ()) -> Any:
         """Calls a function with these, the struct and, where it takes one, a context."""
-        call(function, *arguments, byref(self.record), *context)
-        end = weakref.finalize(self, native().meander_result_destroy, self.record.result)
-        end.atexit = False  # as of a Handle
+        try:
+            call(function, *arguments, byref(self.record), *context)
+        finally:  # also where an interruption came when all was done
+            end = weakref.finalize(self, native().meander_result_destroy, self.record.result)
+            end.atexit = False  # as of a Handle
         return self.record
 
     def array(self, name: str, *shape: int) -> NDArray[Any]:
@@ -372,6 +386,21 @@ def chosen(what: str, value: str, choices: tuple[str, ...]) -> int:
     if value not in choices:
         raise MeanderError(f"there is no {what} {value!r}; choose one of {', '.join(choices)}")
     return choices.index(value)
+
+
+def created(
+    create: Callable[..., int], destroy: Callable[[int], None], *arguments: Any, context: Any
+) -> int:
+    """The pointer that a function of the library's hands out behind these arguments and before a
+    context. Nothing is left of it where that is interrupted."""
+    pointer = c_void_p()
+    try:
+        call(create, *arguments, byref(pointer), context)
+    except BaseException:
+        if pointer.value is not None:
+            destroy(pointer.value)
+        raise
+    return pointer.value
 
 
 class Handle:

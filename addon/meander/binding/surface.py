@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import copy
-from ctypes import byref, c_void_p
+from ctypes import byref
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -30,6 +30,7 @@ from .native_library import (
     call,
     checked_array,
     chosen,
+    created,
     figures_of,
     narrow_offsets,
     native,
@@ -131,15 +132,16 @@ def find_faults(vertices: ArrayLike, faces: ArrayLike, weld_distance: float = 0.
     vertex_array = checked_array("vertices", vertices, np.float64, 3)
     face_array = checked_array("faces", faces, np.uint32, 3)
     found = Found(FaultsRecord)
-    record = found.fill(
-        native().meander_mesh_find_faults,
-        address_of(vertex_array),
-        len(vertex_array),
-        address_of(face_array),
-        len(face_array),
-        float(weld_distance),
-        context=(None,),
-    )
+    with pointer_of(None) as cancelling:
+        record = found.fill(
+            native().meander_mesh_find_faults,
+            address_of(vertex_array),
+            len(vertex_array),
+            address_of(face_array),
+            len(face_array),
+            float(weld_distance),
+            context=(cancelling,),
+        )
     return Faults(found.array("kinds", record.count), found.array("elements", record.count, 2))
 
 
@@ -231,24 +233,23 @@ class Surface(Handle):
         vertex_array = checked_array("vertices", vertices, np.float64, 3)
         face_array = checked_array("faces", faces, np.uint32, 3)
         library = native()
-        pointer = c_void_p()
         record, arrays = _surface_options_record(
             SurfaceOptions() if options is None else options, len(vertex_array), len(face_array)
         )
         record.threads = int(threads)
         with pointer_of(context) as cancelling:
-            call(
+            pointer = created(
                 library.meander_surface_create,
+                library.meander_surface_destroy,
                 address_of(vertex_array),
                 len(vertex_array),
                 address_of(face_array),
                 len(face_array),
                 byref(record),
-                byref(pointer),
-                cancelling,
+                context=cancelling,
             )
         del arrays
-        super().__init__(pointer.value, library.meander_surface_destroy)
+        super().__init__(pointer, library.meander_surface_destroy)
         self.vertex_count = len(vertex_array)
         # Copies: the caller may write to theirs.
         self._made_of = (vertex_array.copy(), face_array.copy(), copy.deepcopy(options), threads)

@@ -28,7 +28,7 @@ from .grown import Grown, grown_of
 from .input import Input
 from .place import Place
 from .reading import read_input
-from .watching import interruptible, summary
+from .watching import summary
 from .writing import echo, write_outputs
 
 
@@ -94,7 +94,7 @@ def _filled(
                 if following is not None:
                     arguments.spacing = following
                     return None
-            gaps = interruptible(lambda context: flow.gaps(context=context))
+            gaps = flow.gaps()
             record = report.build_report(
                 core.library_version(),
                 opened.figures,
@@ -209,7 +209,7 @@ def _open(given: Input, arguments: argparse.Namespace, place: Place) -> Opened:
         limits.refuse_large(cost, arguments)
 
     try:
-        return interruptible(lambda context: open_flow(given.problem, context, accept))
+        return open_flow(given.problem, accept=accept)
     except core.MeanderError as refusal:
         named = refusal
         if given.surface_object is not None and place.host is not None:

@@ -12,7 +12,6 @@ from ..model import cut as cut_files
 from .input import Input
 from .place import Place
 from .values import positive
-from .watching import interruptible
 
 _SUFFIXES = (*cut_files.SUFFIXES, ".blend")
 
@@ -63,7 +62,7 @@ def cut_of(flow: core.Flow, arguments: argparse.Namespace) -> core.CutSurface | 
     if arguments.cut is None:
         return None
     detail, middle_lines = arguments.cut_detail or 0.0, arguments.cut_middle_lines
-    return interruptible(lambda context: core.cut_surface(flow, detail, middle_lines, context))
+    return core.cut_surface(flow, detail, middle_lines)
 
 
 def write(

@@ -12,7 +12,6 @@ from ..model import maps
 from .input import Input
 from .place import Place
 from .values import BadInput, one_of_several, reader
-from .watching import interruptible
 
 _DEFAULT = maps.Style()
 
@@ -84,7 +83,7 @@ def images_of(
         return {}
     corners = place.blender("--maps").map_corners(given, arguments.map_uv or "")
     detail = maps.DETAIL * arguments.spacing
-    cut = interruptible(lambda context: core.cut_surface(flow, detail, True, context))
+    cut = core.cut_surface(flow, detail, True)
     mapped = maps.Mapped.of(cut, corners, arguments.spacing)
     try:
         images, overlap = maps.images(

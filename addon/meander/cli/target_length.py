@@ -15,7 +15,7 @@ from . import limits
 from .place import Place
 from .reading import read_input
 from .values import BadInput, positive
-from .watching import interruptible, run
+from .watching import run
 
 # A length as near as this is what was asked for. The turns of a curve lie otherwise at every
 # spacing, which makes lengths jump by .4 to .7 per cent (their deviation between near spacings on
@@ -169,10 +169,8 @@ def _coarse_length(spacing: float, arguments: argparse.Namespace, place: Place) 
     coarse.alignment_weight = whole.alignment_weight
     given.problem.options = coarse
     given.problem.mirror = None  # both halves together are as long as the whole
-    opened = interruptible(
-        lambda context: open_flow(
-            given.problem, context, lambda cost: limits.refuse_large(cost, arguments)
-        )
+    opened = open_flow(
+        given.problem, accept=lambda cost: limits.refuse_large(cost, arguments)
     )
     with opened.flow as flow:
         run(flow, lambda _line: None)

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import threading
 import time
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any
 
 from .. import core
 from ..model.empty import Empty, percent
@@ -16,46 +15,6 @@ _PROGRESS_SHARE = 0.1
 _PROGRESS_SECONDS = 10.0
 # The longest time between two polls of a run, in seconds.
 _LONGEST_PAUSE = 0.1
-
-
-_Result = TypeVar("_Result")
-
-
-def interruptible(work: Callable[[core.Context], _Result]) -> _Result:
-    """Does work that the library may take long for, and returns what it returns.
-
-    work   on a thread of its own, so that this one hears an interruption from the keyboard, which
-           cancels the context that it is given. Not for what touches Blender's data
-
-    Raises what the work raises, and an interruption once the work has ended.
-    """
-    results: list[_Result] = []
-    errors: list[BaseException] = []
-    done = threading.Event()
-
-    def do() -> None:
-        try:
-            results.append(work(context))
-        except BaseException as error:
-            errors.append(error)
-        finally:
-            done.set()
-
-    with core.Context() as context:
-        thread = threading.Thread(target=do, name="meander opens a flow")
-        try:
-            thread.start()
-            # Not thread.join(): Python 3.11 takes a thread for ended whose join was interrupted.
-            while not done.wait(_LONGEST_PAUSE):
-                pass
-        except BaseException:  # also while the thread starts
-            context.cancel()
-            if thread.ident is not None:
-                done.wait()
-            raise
-    if errors:
-        raise errors[0]
-    return results[0]
 
 
 def run(flow: core.Flow, say: Callable[[str], None]) -> str:
