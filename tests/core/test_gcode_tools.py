@@ -167,12 +167,76 @@ def test_head_and_foot_of_a_file(tmp_path: Path, capsys) -> None:
     assert batch.main([str(a) for a in (*given, *files)]) == 0
     text = (tmp_path / "a.nc").read_text(encoding="utf-8").splitlines()
     unit = text.index("G21 ; millimetres")
-    assert text[unit + 1 : unit + 4] == ["$H", "M8 ; aus\u00dfen", "G90 ; absolute positions"]
+    assert text[unit + 1 : unit + 4] == ["$H", "M8 ; aus_en", "G90 ; absolute positions"]
     assert text[-2:] == ["M5", "M30"] and "G17" not in text and "M2 ; end" not in text
     assert batch.main([str(a) for a in (*given, "--header", tmp_path / "none")]) == 2
     given[3] = tmp_path / "a.svg"
     assert batch.main([str(a) for a in given]) == 2
     assert "does nothing" in capsys.readouterr().err
+
+
+# Names of objects and files, which become comments.
+NAMES = (
+    "Hold!", "Ready?", "~start", "100%", "(nested) name", "Größe", "手", "a\x18b", "a\nG0 Z-50",
+    "50% (draft)!", "tab\tname", "plain name-1.2",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("machine", ["grbl", "marlin"])
+def test_a_comment_holds_nothing_that_a_machine_acts_on(name: str, machine: str) -> None:
+    text = gcode_text(flat_drawing(), Motion(machine=machine), name, "1")
+    assert text.isascii() and not set("!?~%()\x18\t") & set(text)
+    assert text.splitlines()[0].startswith("; ") and text.splitlines()[1].startswith("; 3 strands")
+    if name == NAMES[-1]:
+        assert text.startswith(f"; {name}, Meander 1\n")
+
+
+@pytest.mark.parametrize(
+    ("line", "becomes"),
+    [
+        ("M8 ; Achtung! (50%)", "M8 ; Achtung_ _50__"),
+        ("G21 (mm) G17 (plane?)", "G21  G17 ; mm plane_"),
+        ("(all of it ~)", "; all of it _"),
+        ("%", "%"),
+        ("", ""),
+        ("$H", "$H"),
+    ],
+)
+def test_comments_of_a_head_are_cleaned(line: str, becomes: str, tmp_path: Path) -> None:
+    (tmp_path / "head.txt").write_text(f"G54\n{line}\n", encoding="utf-8")
+    assert export.lines_of(tmp_path / "head.txt") == ["G54", becomes]
+
+
+@pytest.mark.parametrize("line", ["M117 Ready!", "?", "~", "G0 X1\u2212", "M3\x18", "M117 Größe"])
+def test_a_head_that_would_stop_the_machine_is_a_sentence(
+    line: str, tmp_path: Path, capsys
+) -> None:
+    mesh = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(6))
+    (tmp_path / "head.txt").write_text(f"G54\n{line}\n", encoding="utf-8")
+    given = ["--input", mesh, "--output", tmp_path / "a.nc", "--spacing", "0.2", "--quiet"]
+    assert batch.main([str(a) for a in (*given, "--header", tmp_path / "head.txt")]) == 2
+    said = capsys.readouterr().err
+    assert "head.txt, line 2" in said and len(said.splitlines()) == 1
+    assert not (tmp_path / "a.nc").exists()
+
+
+@pytest.mark.parametrize("machine", ["generic", "grbl", "marlin", "klipper"])
+@pytest.mark.parametrize("tool", ["pen", "laser", "spindle", "servo"])
+@pytest.mark.parametrize("extrusion", [0.0, 0.05])
+def test_the_machine_is_left_as_it_was(machine: str, tool: str, extrusion: float) -> None:
+    for relative in (False, True):
+        motion = Motion(machine=machine, tool=tool, extrusion=extrusion, relative=relative)
+        lines = gcode_text(flat_drawing(), motion, "a", "1").splitlines()
+        words = [line.split(";")[0].strip() for line in lines]
+        modes = [word for word in words if word in ("G90", "G91")]
+        assert modes == (["G90", "G91", "G90"] if relative else ["G90"])
+        extruders = [word for word in words if word in ("M82", "M83")]
+        assert extruders == (["M83", "M82"] if extrusion else [])
+        # Nothing moves after that, and the foot comes last.
+        last = max(place for place, word in enumerate(words) if word[:3] in ("G0 ", "G1 "))
+        assert all(place > last for place, word in enumerate(words) if word == "M82")
+        assert words[-1] in ("M2", "M400")
 
 
 def test_every_tool_and_machine_is_a_choice_of_the_command() -> None:

@@ -73,6 +73,7 @@ TRIES = """
 --output out.svg --input shot.blend --input-up y
 --output out.svg --header head.txt
 --output out.gcode --header none.txt
+--output out.gcode --header hold.txt
 --output out.svg --input-unit m --scale 99
 --output out.svg --layout front --iterations 300 --size 90 --spacing 0.1
 --limit-nodes 10
@@ -143,6 +144,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "twice.obj").write_text(points + "l 1 2\nl 2 1\n")
     for name in ("shot.blend", "a.fbx", "line.ply", "head.txt"):
         (folder / name).write_text("x")
+    (folder / "hold.txt").write_text("M117 Hold!")
     (folder / "folder.obj").mkdir()
     return folder
 
@@ -241,6 +243,7 @@ ELSEWHERE = {
     "is protected against writing": "the same",
     "no spacing gives a length": "test_target_length.py",
     "which no machine can do": "needs pyembroidery",
+    "All strands are shorter than a stitch": "the same: test_what_machines_take.py",
     "--maps is not possible here: the UV map": "needs Blender: tests/blender/test_maps.py",
 }
 

@@ -8,6 +8,7 @@ import re
 from pathlib import Path
 
 import geometry
+import numpy as np
 import pytest
 from meander import batch
 from meander.cli.target_length import CLOSE, Search, tried
@@ -53,6 +54,53 @@ def test_coarse_runs_come_first_and_mostly_one_whole_run(ball: Path, capsys) -> 
         assert float(runs[-1][1]) == pytest.approx(json.loads(report.read_text())["length"], 1e-5)
         assert said.count(" iterations and ") == 1
     assert whole <= 6
+
+
+# Lines that differ from what has grown: options, and a mesh.
+WRITTEN = {
+    "bridges": ("two_spheres", ("--bridge",)),
+    "bridges between many": ("five", ("--bridge",)),
+    "light": ("two_spheres", ("--light", "0.25")),
+    "light, with bridges": ("two_spheres", ("--light", "0.1", "--bridge")),
+    "few points": ("two_spheres", ("--point-limit", "200", "--bridge")),
+    "a guide that is left out": ("sheet", ("--guides", "guide.obj", "--leave-out-guides")),
+    "an outline, with a bridge": ("sheet", ("--outline", "--bridge")),
+}
+LENGTHS = {"two_spheres": "40", "five": "200", "sheet": "12"}
+
+
+def five() -> geometry.Mesh:
+    ball = geometry.icosphere(2)
+    faces = [ball.faces + k * len(ball.vertices) for k in range(5)]
+    return geometry.Mesh(
+        np.concatenate([ball.vertices + [2.5 * k, 0.0, 0.0] for k in range(5)]),
+        np.concatenate(faces),
+    )
+
+
+@pytest.mark.parametrize("title", WRITTEN)
+def test_the_length_is_that_of_the_written_line(title: str, tmp_path: Path, capsys) -> None:
+    name, words = WRITTEN[title]
+    mesh = {"five": five, "sheet": lambda: geometry.grid(8)}.get(name, geometry.two_spheres)()
+    path = geometry.write_obj(tmp_path / "mesh.obj", mesh)
+    (tmp_path / "guide.obj").write_text("v 0.2 0.3 0\nv 0.8 0.4 0\nl 1 2\n")
+    report = tmp_path / "r.json"
+    given = ["--input", path, "--output", tmp_path / "a.obj", "--report", report]
+    words = [str(tmp_path / word) if word == "guide.obj" else word for word in words]
+    given += ["--target-length", LENGTHS[name], *words]
+    assert batch.main([str(a) for a in given]) == 0
+    points, length = [], 0.0
+    for line in (tmp_path / "a.obj").read_text().splitlines():
+        kind, *numbers = line.split()
+        if kind == "v":
+            points.append([float(number) for number in numbers])
+        elif kind == "l":
+            way = np.array(points)[[int(number) - 1 for number in numbers]]
+            length += float(np.linalg.norm(np.diff(way, axis=0), axis=1).sum())
+    assert json.loads(report.read_text())["length"] == pytest.approx(length, rel=1e-9)
+    assert length == pytest.approx(float(LENGTHS[name]), rel=0.05)
+    said = capsys.readouterr().out
+    assert f"length {length:.6g}," in said
 
 
 @pytest.mark.parametrize("power", [-0.8, -1.0, -1.3])

@@ -112,12 +112,16 @@ def test_stitches_keep_within_the_tolerance(stitch: float, tolerance: float) -> 
     drawing = drawing_of([curve], "mm", 0.001, 1.0, 0.0, True, 1.0)
     thread = embroidery.stitched(drawing, stitch, tolerance)
     (strand,) = thread.strands
-    allowed = tolerance or 0.1
+    # What the grid of a machine adds, of which no finer tolerance is any use.
+    grid = 0.1 * np.sqrt(0.5)
+    allowed = max(tolerance or 0.1, grid) + grid
     assert geometry.farthest(drawing.strands[0].points, strand.points) <= allowed * (1 + 1e-9)
-    assert np.linalg.norm(np.diff(strand.points, axis=0), axis=1).max() <= stitch * (1 + 1e-9)
+    lengths = np.linalg.norm(np.diff(strand.points, axis=0), axis=1)
+    assert lengths.max() <= stitch * (1 + 1e-9) and lengths.min() >= 0.3 * (1 - 1e-9)
+    assert np.abs(10.0 * strand.points - np.round(10.0 * strand.points)).max() < 1e-6
     assert len(thread.crossings()) == 0
     # The ends of the curve are those of the thread, and where it is straight stitches are long.
-    assert np.allclose(strand.points[[0, -1]], drawing.strands[0].points[[0, -1]])
+    assert np.abs(strand.points[[0, -1]] - drawing.strands[0].points[[0, -1]]).max() <= 0.0501
     assert len(strand.points) < len(curve.points) * max(1.0, 2.0 / stitch) * 2
 
 
@@ -139,6 +143,55 @@ def test_the_command_stitches_what_the_machine_reads(tmp_path: Path) -> None:
         assert thread.sum() == pytest.approx(drawing["length"], rel=0.03)
         curve = figures(sheet)["length"] * 60.0  # the sheet is about 1 wide, and so 60 mm
         assert drawing["length"] == pytest.approx(curve, rel=0.06)
+
+
+# What is stitched: a mesh, a spacing, and options.
+STITCHED = {
+    "a sheet": ("grid", 0.03, ("--size", "60")),
+    "a small sheet": ("grid", 0.05, ("--size", "10")),
+    "a tiny sheet": ("grid", 0.1, ("--size", "4")),
+    "long stitches": ("grid", 0.05, ("--size", "60", "--stitch-length", "12.1")),
+    "a fine tolerance": ("grid", 0.05, ("--size", "60", "--stitch-tolerance", "0.01")),
+    "short stitches": ("grid", 0.05, ("--size", "60", "--stitch-length", "0.7")),
+    "parts": ("grid", 0.06, ("--size", "60", "--part-length", "3")),
+    "parts that overlap": (
+        "grid", 0.06, ("--size", "60", "--part-length", "3", "--part-overlap", "0.1")
+    ),
+    "two balls": ("two_spheres", 0.3, ("--size", "30")),
+    "longer ones at least": ("grid", 0.06, ("--size", "60", "--least-stitch", "1")),
+    "a cube seen from above": ("cube", 0.2, ("--size", "50")),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", STITCHED)
+def test_no_stitch_of_a_file_is_shorter_than_the_least(name: str, tmp_path: Path) -> None:
+    pyembroidery = pytest.importorskip("pyembroidery")
+    made, spacing, words = STITCHED[name]
+    mesh = geometry.grid(8) if made == "grid" else getattr(geometry, made)()
+    path = geometry.write_obj(tmp_path / "mesh.obj", mesh)
+    assert run(path, "a.dst", "--layout", "top", *words, spacing=spacing) == 0
+    given = dict(zip(words[::2], map(float, words[1::2]), strict=True))
+    pattern = pyembroidery.read(str(tmp_path / "a.dst"))
+    rows = np.array([(x, y, c & pyembroidery.COMMAND_MASK) for x, y, c in pattern.stitches])
+    lengths = np.linalg.norm(np.diff(rows[:, :2], axis=0, prepend=[[0, 0]]), axis=1) / 10.0
+    of_stitch = lengths[rows[:, 2] == pyembroidery.STITCH]
+    assert len(of_stitch) > 20
+    assert of_stitch.min() >= given.get("--least-stitch", 0.3) - 1e-9
+    assert of_stitch.max() <= given.get("--stitch-length", 2.5) + 1e-9
+    # A machine stops between parts, so that the thread can be changed, and nowhere else.
+    stops = int(np.count_nonzero(rows[:, 2] == pyembroidery.COLOR_CHANGE))
+    strands = int(np.count_nonzero(rows[:, 2] == pyembroidery.TRIM))
+    assert stops == (strands - 1 if "--part-length" in given else 0)
+    assert ("--part-length" in given) == (stops > 0)
+
+
+def test_what_is_smaller_than_a_stitch_is_a_sentence(tmp_path: Path, capsys) -> None:
+    pytest.importorskip("pyembroidery")
+    sheet = geometry.write_obj(tmp_path / "sheet.obj", geometry.grid(8))
+    assert run(sheet, "a.dst", "--layout", "top", "--size", "0.05") == 2
+    said = capsys.readouterr().err.strip()
+    assert_sentence(said)
+    assert "shorter than a stitch" in said and not (tmp_path / "a.dst").exists()
 
 
 # ------------------------------------------------------------------------------------------------

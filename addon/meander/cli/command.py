@@ -24,7 +24,7 @@ from ..model.toolpaths import bridges
 from . import cut, least_bend, limits, maps, mirror, preparation, spacing, target_length
 from .arguments import check_arguments, parsed
 from .exit_code import GapsLeft, exit_code_of, while_heard
-from .grown import Grown, grown_of
+from .grown import Grown, grown_of, length_of, written
 from .input import Input
 from .place import Place
 from .reading import read_input
@@ -84,6 +84,10 @@ def _filled(
             arguments.bending = stiffness
         with mirror.whole(opened, options) as (flow, figures, of_mirror):
             figures |= {"stop_reason": reason}
+            grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
+            line = written(grown, arguments, opened.problem)
+            if line is not grown or arguments.leave_out_guides:  # not all that has grown
+                figures["length"] = length_of(line)
             if search is not None:
                 length = figures["length"]
                 place.say(
@@ -103,7 +107,6 @@ def _filled(
                 gaps,
                 echo(arguments, options, given),
             )
-            grown = grown_of(flow, opened, without_guides=arguments.leave_out_guides)
             images = maps.images_of(flow, arguments, given, place)
             grown = replace(grown, cut=cut.cut_of(flow, arguments), images=images)
     empty = empty_of(gaps)

@@ -77,6 +77,8 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
             return f"--{name} does nothing for an --output of kind {suffix}; leave it out"
         if path is not None and not path.is_file():
             return f"--{name} {path} does not exist; check the path"
+        if path is not None:
+            export.lines_of(path)  # which says what is wrong with it before anything is filled
     if arguments.layout == "view":
         return "--layout view needs a window; choose space, top, front, side or uv"
     if arguments.layout == "uv" and arguments.input.suffix.lower() != ".blend":
@@ -197,6 +199,9 @@ def write(
     )
     export.write(path, kind, drawing, values, title, core.library_version(), head, foot)
     place.say(f"meander: {drawing.described()}")
+    short = len(strands) - len(drawing.strands)
+    if short:
+        place.warn(f"{short} strands are shorter than a stitch and are left out")
     warning = export.crossing_warning(drawing, kind, values)
     if warning:
         place.warn(warning)

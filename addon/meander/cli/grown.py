@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import argparse
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -13,8 +14,10 @@ from .. import core
 from ..model import strands
 from ..model.geometry import thinning
 from ..model.geometry.simplification import Light, light_points
+from ..model.options.input import light_of
 from ..model.problem import Opened, Problem
 from ..model.toolpaths import bridges, toolpath
+from . import flags
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,18 @@ def bridged(grown: Grown, problem: Problem) -> Grown:
     mesh = toolpath.Mesh(problem.vertices, problem.faces)
     data = bridges.data_of(line, grown.data, mesh)
     return replace(grown, curve=line.polylines, data=data, guides=line.guides, line=line)
+
+
+def written(grown: Grown, arguments: argparse.Namespace, problem: Problem) -> Grown:
+    """What has grown as the line that a file has: light, and joined by bridges, where asked for."""
+    light = light_of(flags.chosen(arguments))
+    grown = lightened(grown, problem.options.radius, light)
+    return bridged(grown, problem) if arguments.bridge else grown
+
+
+def length_of(grown: Grown) -> float:
+    """Of all strands, in the units of the mesh."""
+    return sum(strand.length for strand in toolpath.strands_of(grown.curve))
 
 
 def bridge_figures(line: bridges.Joined | None) -> dict[str, float]:

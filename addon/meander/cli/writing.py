@@ -20,7 +20,7 @@ from ..model.options.input import light_of
 from ..model.toolpaths import bridges
 from . import cut, density, export, flags, maps, motion, preparation, quality, strands, terms
 from . import toolpath as toolpath_options
-from .grown import Grown, bridge_figures, bridged, lightened
+from .grown import Grown, bridge_figures, written
 from .input import Input
 from .place import Place
 from .spacing import is_automatic
@@ -132,16 +132,13 @@ def _write_curve(
     """Writes the output in the format of its name."""
     if arguments.output.suffix.lower() == ".blend":
         return Written(*place.blender(arguments.output).write_scene(path, arguments, given, grown))
-    light = light_of(flags.chosen(arguments))
-    grown = lightened(grown, arguments.spacing / 2, light)
-    if arguments.bridge:
-        grown = bridged(grown, given.problem)
+    grown = written(grown, arguments, given.problem)
     if toolpath_options.is_wanted(arguments.output):
         count, drawing, places = toolpath_options.write(path, arguments, given, grown, place)
         return Written(count, grown.line, places, drawing)
     obj.write_obj_curve(path, grown.curve, pairs=arguments.lines == "pairs")
     places = None
-    if light is not None:
+    if light_of(flags.chosen(arguments)) is not None:
         spacing = thinning.least_spacing(arguments.spacing / 2, grown.density)
         places = surface_crossings.of_polylines(grown.curve, spacing)
     return Written(len(grown.curve.positions), grown.line, places)

@@ -17,7 +17,7 @@ from .options.option import Values
 from .toolpaths import embroidery
 from .toolpaths.drawing import VIEWS, Drawing, drawing_of
 from .toolpaths.dxf import dxf_text
-from .toolpaths.gcode import Motion, gcode_text
+from .toolpaths.gcode import Motion, gcode_text, own_line
 from .toolpaths.svg import svg_text
 from .toolpaths.toolpath import Strand
 
@@ -78,7 +78,7 @@ FORMATS: tuple[Format, ...] = (
         "Embroidery DST",
         "Stitches, for most machines",
         (".dst",),
-        (*_OF_LAYOUT, "scale", "size", "stitch_length", "stitch_tolerance"),
+        (*_OF_LAYOUT, "scale", "size", "stitch_length", "stitch_tolerance", "stitch_least"),
         True,
     ),
     Format(
@@ -86,7 +86,7 @@ FORMATS: tuple[Format, ...] = (
         "Embroidery PES",
         "Stitches, for machines of Brother",
         (".pes",),
-        (*_OF_LAYOUT, "scale", "size", "stitch_length", "stitch_tolerance"),
+        (*_OF_LAYOUT, "scale", "size", "stitch_length", "stitch_tolerance", "stitch_least"),
         True,
     ),
 )
@@ -129,7 +129,9 @@ def prepared(
         spacing=spacing,
     )
     if kind.name in ("DST", "PES"):
-        return embroidery.stitched(drawing, values["stitch_length"], values["stitch_tolerance"])
+        return embroidery.stitched(
+            drawing, *(values[f"stitch_{name}"] for name in ("length", "tolerance", "least"))
+        )
     if values["arc_tolerance"] > 0.0:
         return drawing.with_arcs(values["arc_tolerance"])
     return drawing
@@ -229,8 +231,12 @@ def crossing_warning(drawing: Drawing, kind: Format, values: Values) -> str:
 
 
 def lines_of(path: Path) -> list[str]:
-    """The lines of a file of G-code. Raises FileError."""
-    return read_plain(path).decode("utf-8", "replace").splitlines()
+    """The lines of a file of G-code, with comments as any machine takes them.
+
+    Raises FileError for what is a command to a machine wherever it stands.
+    """
+    text = read_plain(path).decode("utf-8-sig", "replace")
+    return [own_line(line, f"{path}, line {n}") for n, line in enumerate(text.splitlines(), 1)]
 
 
 def write(

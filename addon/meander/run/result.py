@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import start, strands
+from ..model import start
 from ..model.geometry.simplification import result_points
 from ..model.geometry.thinning import least_spacing, with_points
 from ..model.last_run import GAP_THAT_MATTERS, why_lines
@@ -109,10 +109,14 @@ def write_result(
     if why:
         why = stepper.lines_why or why
     lines = {"lines": count, "closed_lines": closed, "lines_why": why}
+    keep_guides = result.meander.keep_guides
+    if line is not None or (guides.any() and not keep_guides):  # not the line that has grown
+        kept = [k for k, guide in enumerate(guides) if keep_guides or not guide]
+        strands = toolpath.strands_of(curve)
+        lines["length"] = sum(strands[k].length for k in kept)
     _store(plan, stepper, result, statistics | lines | _bridge_figures(line), stop_reason)
     result.meander.figures.least_spacing = spacing
     result.meander.figures.whole_points = len(snapshot.polylines.positions)
-    keep_guides = result.meander.keep_guides
     scene_strands.note_guides(result, guides, keep_guides)
     result.meander.figures.bridges = "" if line is None else bridges.to_text(line, keep_guides)
     grown = strands.points_without_guides(curve, guides) if not keep_guides else slice(None)

@@ -6,7 +6,7 @@ They are not settings of an object but of one export: of the operator, and flags
 
 from __future__ import annotations
 
-from ..toolpaths.embroidery import LONGEST_STITCH
+from ..toolpaths.embroidery import LEAST_STITCH, LONGEST_STITCH
 from ..toolpaths.gcode import MACHINES, TOOLS, Motion
 from .option import Flag, Option
 
@@ -428,6 +428,26 @@ ROWS: tuple[Option, ...] = (
             "D",
             above=0.0,
             entry="stitch_tolerance",
+        ),
+    ),
+    Option(
+        "stitch_least",
+        "Least Stitch",
+        "Shortest stitch of an embroidery, in millimetres, whatever the tolerance: thread breaks "
+        "where the needle comes down in one place",
+        PANEL,
+        default=LEAST_STITCH,
+        least=0.1,
+        greatest=LONGEST_STITCH,
+        soft_greatest=1.0,
+        flag=Flag(
+            "--least-stitch",
+            "shortest stitch of an embroidery, in mm, from 0.1 to 12.1; default: 0.3",
+            GROUP,
+            "D",
+            least=0.1,
+            greatest=LONGEST_STITCH,
+            entry="least_stitch",
         ),
     ),
 )

@@ -9,6 +9,7 @@ those of the controller.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -17,6 +18,12 @@ import numpy as np
 from ..files.whole import FileError
 from ..geometry.arcs import Moves
 from .drawing import Drawing, number, ring
+
+# What a comment may hold. Some controllers look for commands in whatever comes along the wire: Grbl
+# holds at ! and goes on at ~, in comments too, and takes bytes beyond ASCII for commands.
+_UNFIT = re.compile(r"[^A-Za-z0-9 _.,:;+=/#'-]")
+_COMMANDS = re.compile(r"[!?~]|[^\t -~]")
+_COMMENT = re.compile(r"\(([^()]*)\)|;(.*)")
 
 _UNIT_WORDS = {"mm": "G21 ; millimetres", "in": "G20 ; inches"}
 _DECIMALS = {"mm": 4, "in": 6}
@@ -163,7 +170,26 @@ def _offset(drawing: Drawing, motion: Motion, layer: int) -> list[np.ndarray]:
 
 def _plain(text: str) -> str:
     """What may stand in a comment."""
-    return "".join(letter if " " <= letter <= "~" else "?" for letter in text)
+    return _UNFIT.sub("_", text)
+
+
+def own_line(line: str, place: str) -> str:
+    """A line of somebody's own head or foot: its comments go behind it, as those here are.
+
+    place   for the error
+
+    Raises FileError for what a controller takes for a command wherever it stands.
+    """
+    comments = [_plain(a or b).strip() for a, b in _COMMENT.findall(line)]
+    words = _COMMENT.sub("", line).rstrip()
+    found = _COMMANDS.search(words)
+    if found is not None:
+        raise FileError(
+            f"{place}: {found[0]!r} is a command of its own to some machines; leave it out, or put "
+            "it into a comment"
+        )
+    said = " ".join(comment for comment in comments if comment)
+    return f"{words} ; {said}".strip() if said else words
 
 
 class _Writer:
@@ -197,6 +223,11 @@ class _Writer:
             self._switch(False)
 
     def end(self) -> None:
+        """Everything off, and the machine as it was before."""
+        if self._relative_now:
+            self.line("G90 ; absolute positions")
+        if self._motion.extrusion > 0.0:
+            self.line("M82 ; absolute extrusion")
         if self._motion.tool == "laser":
             self.line(self.words.off)
         elif self._motion.tool == "spindle":
