@@ -51,9 +51,9 @@ def _process(argv: Sequence[str], place: Place) -> None:
     write_outputs(arguments, given, grown, record, place)
     for line in _remarks(given, opened, figures, record, empty):
         place.say(f"meander: {line}")
-    for written in (arguments.output, arguments.cut, *grown.images):
-        if written is not None:
-            place.say(f"meander: wrote {written}")
+    for path in (arguments.output, arguments.cut, *grown.images):
+        if path is not None:
+            place.say(f"meander: wrote {path}")
     if empty.matters and arguments.fail_on_gaps:
         raise GapsLeft(_of_empty(empty, figures, given))
 
