@@ -112,8 +112,8 @@ def write_result(
     keep_guides = result.meander.keep_guides
     if line is not None or (guides.any() and not keep_guides):  # not the line that has grown
         kept = [k for k, guide in enumerate(guides) if keep_guides or not guide]
-        strands = toolpath.strands_of(curve)
-        lines["length"] = sum(strands[k].length for k in kept)
+        every = toolpath.strands_of(curve)
+        lines["length"] = sum(every[k].length for k in kept)
     _store(plan, stepper, result, statistics | lines | _bridge_figures(line), stop_reason)
     result.meander.figures.least_spacing = spacing
     result.meander.figures.whole_points = len(snapshot.polylines.positions)

@@ -188,9 +188,14 @@ meander_flow_options read_options(const meander_flow_options* given) {
 double checked_radius(double radius, const Surface& surface) {
   require_radius(radius);
   const double r = settle(radius / surface.scale());
-  if (2 * r > 1 || 4 * r * r > surface.area()) {
+  if (2 * r > 1) {
     refuse("The spacing " + number(2 * radius) + " is larger than the surface (its diagonal is " +
            number(surface.scale()) + "); choose a smaller spacing.");
+  }
+  if (4 * r * r > surface.area()) {
+    const double side = surface.scale() * std::sqrt(surface.area());
+    refuse("The spacing " + number(2 * radius) + " is larger than the side of a square of the surface's area, which is " +
+           number(side) + "; choose a smaller spacing.");
   }
   return r;
 }

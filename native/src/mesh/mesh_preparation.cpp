@@ -2,6 +2,7 @@
 #include "mesh/mesh_preparation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/failure.h"
 
@@ -35,7 +36,13 @@ PreparedMesh prepare_mesh(std::span<const double> vertices, std::span<const uint
     const bool split = split_edges(soup, settings.weld_distance, counts);
     if (weld_seams(soup, settings.weld_distance, counts) || split) drop_degenerate();
   }
-  refuse_empty("Merging and dropping leave no faces of the mesh; choose a smaller merge distance.");
+  if (!std::isfinite(soup.diagonal() * soup.diagonal())) {
+    refuse_empty("The mesh is too large to measure; scale it down.");
+  }
+  if (settings.merge_distance > 0) {
+    refuse_empty("Merging and dropping leave no faces of the mesh; choose a smaller merge distance.");
+  }
+  refuse_empty("No face of the mesh has an area; give a mesh with a surface.");
   if (!settings.vertex_mask.empty()) {
     clip(soup, settings.vertex_mask, settings.mask_threshold, counts);
     refuse_empty("The mask leaves no faces of the mesh: its values are nowhere above the threshold " +

@@ -155,8 +155,8 @@ void lead_around_guides(const Surface& surface, const RadiusField& radius, Threa
 void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, const RadiusField& radius,
                     const ClosestPoint& closest, CancelToken& poll, Curve& curve, std::vector<size_t>& point_of_node,
                     SeedFit& fit) {
-  const bool closed = seed.closed[s] != 0, guide = !seed.guides.empty() && seed.guides[s];
-  Strand strand{curve.size(), 0, closed, guide};
+  const bool guide = !seed.guides.empty() && seed.guides[s];
+  Strand strand{curve.size(), 0, seed.closed[s] != 0, guide};
   for (size_t i = seed.offsets[s]; i < seed.offsets[s + 1]; ++i) {
     poll(kLaid);
     const auto hit = closest(surface.to_inside(seed.points[i]));
@@ -181,7 +181,10 @@ void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, c
     add_node(curve, hit.point, fixed);
     point_of_node.push_back(i);
   }
-  if (closed && curve.size() > strand.first + 1 && same(curve.nodes.back(), curve.nodes[strand.first])) {
+  const bool returns = curve.size() > strand.first + 1 && same(curve.nodes.back(), curve.nodes[strand.first]);
+  // A strand that is drawn back to its first point is closed, whatever it is called.
+  if (returns && curve.size() > strand.first + 3) strand.closed = true;
+  if (strand.closed && returns) {
     curve.fixed[strand.first] |= curve.fixed.back();
     curve.nodes.pop_back();
     curve.fixed.pop_back();
@@ -190,7 +193,7 @@ void project_strand(const Surface& surface, const SeedStrands& seed, size_t s, c
     point_of_node.pop_back();
   }
   strand.count = curve.size() - strand.first;
-  if (strand.count < (closed ? 3u : 2u)) {
+  if (strand.count < (strand.closed ? 3u : 2u)) {
     refuse("The strand that begins with seed point " + std::to_string(seed.offsets[s]) + " has " +
                std::to_string(strand.count) + " different points; a closed strand needs at least 3 and an open one 2.",
            seed.offsets[s]);
