@@ -61,7 +61,7 @@ void Flow::set_vertices(std::span<const double> vertices, const MeshMap* map, co
   check_size(state_, *surface);
   const double factor = this->surface().scale() / surface->scale();
   FlowState next = carried_to(std::move(surface), state_, pool);
-  if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
+  next.domain.set_radius(approach_.factor(), next.curve, next.settings);
   MoveSeconds seconds = record_.seconds.move;
   work_.retraction.straighten(*next.domain.surface, next.curve, work_.spare.curve, pool, seconds);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "flow/constants.h"
+#include "flow/room.h"
 
 namespace meander {
 namespace {
@@ -56,6 +57,19 @@ Domain::Domain(std::shared_ptr<const Surface> where, RadiusField asked, LineFiel
   patches = patches_for(*surface, wanted_radius, settings, pool);
 }
 
+void Domain::set_radius(double factor, const Curve& curve, const FlowSettings& settings) {
+  RadiusField whole = wanted_radius;
+  whole.set_multiple(wanted_radius, factor);
+  RadiusField next = whole;
+  const bool may_be_less = settings.stop_rule != StopRule::kPaper && settings.boundary_distance <= 0.5;
+  if (may_be_less && leave_room(*surface, curve, next)) {
+    whole_radius = std::move(whole);
+  } else {
+    whole_radius.reset();
+  }
+  radius = std::move(next);
+}
+
 /// Finds the surface at the scale of r as it is asked for, and what follows from both.
 void Domain::look_at_scale(const FlowSettings& settings, ThreadPool& pool) {
   const bool along_surface = settings.medial_axis == MedialAxis::kGeodesic;
@@ -83,6 +97,7 @@ void Domain::follow(LineField field, const FlowSettings& settings, ThreadPool& p
   const double before = std::exchange(rest, settings.rest(!directions.empty()));
   if (rest == before) return;
   for (RadiusField* r : {&wanted_radius, &radius}) r->rescale(rest, before);
+  if (whole_radius) whole_radius->rescale(rest, before);
   expected_length = filling_length(*surface, wanted_radius);
   patches = patches_for(*surface, wanted_radius, settings, pool);
 }

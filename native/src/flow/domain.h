@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -32,6 +33,17 @@ struct Domain {
   /// Other directions to follow, of the given surface.
   void follow(LineField field, const FlowSettings& settings, ThreadPool& pool);
 
+  /// Sets r on the way to the spacing asked for: `factor` times the wanted one or, where `curve` has no room for that,
+  /// less; see leave_room. What follows the paper has it everywhere.
+  void set_radius(double factor, const Curve& curve, const FlowSettings& settings);
+
+  /// r by which results are judged, whatever room there is: where strands are to come to rest.
+  RadiusField judged_radius() const {
+    RadiusField r = whole_radius ? *whole_radius : radius;
+    r.rescale(1, rest);
+    return r;
+  }
+
   /// Lengths on the given surface in those of the one that the flow runs on, around a point; 1 where they are the same.
   double stretch_at(const SurfacePoint& p) const {
     return surface == given ? 1 : asked_radius.at(*given, p) / (rest * wanted_radius.at(*surface, p));
@@ -55,7 +67,8 @@ struct Domain {
   std::shared_ptr<const Surface> surface;
   double rest = 1;            ///< FlowSettings::rest()
   RadiusField wanted_radius;  ///< r as it is to be in the end,
-  RadiusField radius;         ///< and as it is while the curve approaches its spacing
+  RadiusField radius;         ///< and as it is while the curve approaches its spacing, or has no room for that:
+  std::optional<RadiusField> whole_radius;  ///< then what it would be with room, else nothing
   Roughness roughness;
   double expected_length;     ///< of a curve that fills the surface: area over spacing
   LineField directions;       ///< that strands are to follow; may be empty

@@ -37,7 +37,7 @@ Flow::Flow(std::shared_ptr<const Surface> surface, const SeedStrands* seed, cons
     work_.retraction.straighten(*state_.domain.surface, state_.curve, work_.spare.curve, pool, record_.seconds.move);
   }
   work_.refiner.cut_guides(state_, plan(), pool);
-  state_.domain.radius.set_multiple(state_.domain.wanted_radius, approach_.factor());
+  state_.domain.set_radius(approach_.factor(), state_.curve, settings);
   work_.refiner.refine(state_, plan(), pool);
 }
 
@@ -108,7 +108,7 @@ void Flow::note(IterationFigures figures, const CurveState& after, ThreadPool& p
     }
     convergence_.note(*state_.domain.surface, after.curve, after.metric, figures, pool);
   } else {
-    state_.domain.radius.set_multiple(state_.domain.wanted_radius, approach_.next(figures));
+    state_.domain.set_radius(approach_.next(figures), after.curve, state_.settings);
     convergence_.note_approach(figures);
   }
 }

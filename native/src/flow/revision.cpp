@@ -52,8 +52,8 @@ void Flow::revise(FlowSettings settings, const VertexData<double>* density, cons
   keep_what_is_past(state_.settings, convergence_.began_full(), settings);
   FlowState next{{}, settings, state_.domain.revised(state_.settings, settings, density, pool), state_.start};
   if (settings == state_.settings && next.domain.wanted_radius == state_.domain.wanted_radius) return;
-  if (!approach_.arrived()) next.domain.radius.set_multiple(next.domain.wanted_radius, approach_.factor());
   next.curve = state_.curve;
+  next.domain.set_radius(approach_.factor(), next.curve, settings);
   next.nodes.radii = state_.nodes.radii;
   MoveSeconds seconds = record_.seconds.move;
   if (next.domain.surface != state_.domain.surface) {

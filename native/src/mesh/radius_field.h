@@ -63,6 +63,14 @@ class RadiusField {
     for (double& r : at_vertex_) r = r / before * after;
   }
 
+  /// Makes r no larger than `most`, one value for every vertex, where that leaves at least this share of it.
+  void limit(const VertexData<double>& most, double least_share) {
+    if (!varies()) at_vertex_.assign(most.size(), everywhere_);
+    for (size_t v = 0; v < at_vertex_.size(); ++v) {
+      if (most[v] >= least_share * at_vertex_[v]) at_vertex_[v] = std::min(at_vertex_[v], most[v]);
+    }
+  }
+
   bool operator==(const RadiusField& other) const = default;
 
  private:

@@ -134,7 +134,7 @@ Found look_everywhere(const Flow::Present& present, const Emptiness& emptiness, 
   const Frames& frames = present.medial.frames;
   const NodeData<Radii>& radii = present.medial.radii;
   ThreadPool& pool = present.pool;
-  const double surely_small = kSurely * promising * domain.rest * domain.radius.least();
+  const double surely_small = kSurely * promising * domain.judged_radius().least();
   const size_t balls = 2 * size_t{curve.size()};
   const size_t middles = balls + surface.face_count(), count = middles + surface.boundary().size();
   constexpr size_t kBlock = 512;
@@ -176,9 +176,8 @@ Gaps emptiest_places(const Flow::Present& present, double least_size) {
   const Domain& domain = present.state.domain;
   const Surface& surface = *domain.surface;
   ThreadPool& pool = present.pool;
-  RadiusField asked = domain.radius;
-  asked.rescale(1, domain.rest);
-  const Emptiness emptiness(surface, present.state.curve, present.medial.frames.position.values(), asked,
+  const RadiusField r = domain.judged_radius();
+  const Emptiness emptiness(surface, present.state.curve, present.medial.frames.position.values(), r,
                             domain.patches.get());
   const bool along_surface = domain.patches != nullptr;
   const EmptyStrip strip{*domain.boundary, present.state.settings.boundary_distance};

@@ -44,13 +44,15 @@ uint32_t small_components(const Surface& surface, double spacing) {
 
 std::vector<double> spacing_of(const Flow::Present& present) {
   const auto& [state, medial, plan, factor, pool] = present;
-  const double nominal = 2 * state.settings.radius / state.domain.rest * factor;
+  const double nominal = 2 * state.settings.radius * factor;
+  const Surface& surface = *state.domain.surface;
+  const RadiusField judged = state.domain.judged_radius();
   std::vector<double> spacing;
   for (uint32_t i = 0; i < state.curve.size(); ++i) {
     if (state.curve.on_guide(i)) continue;
     for (size_t side = 0; side < 2; ++side) {
       const double radius = in_local_radii(medial.frames, state.metric, i, side, medial.radii[i][side]);
-      spacing.push_back(nominal * radius / state.metric.radius[i]);
+      spacing.push_back(nominal * radius / judged.at(surface, state.curve.nodes[i]));
     }
   }
   std::ranges::sort(spacing);

@@ -42,6 +42,10 @@ constexpr double kRoom = 0.97;
 /// from one another, are then nearer to the spacing than two at half of it.
 constexpr double kStem = 8, kTwoLines = 16.0 / 3;
 
+/// The boundary is on both sides of a place where two directions to it are so opposed (a cosine), and the place is in the
+/// middle of a narrow strip where it is farther from the nearer side than this share of the width.
+constexpr double kOpposite = -0.8, kFromMiddle = 0.3;
+
 /// The field runs along the boundary where one of the two ways across it ends within this, in r.
 constexpr double kOutside = 0.1;
 
@@ -184,11 +188,13 @@ class Drawer {
     const double boundary = spacing_.from_boundary * p.radius;
     const double enough = begins ? p.radius : 0;
     double most = 0;
+    beside_boundary_.clear();
     network_.near(p, std::max({apart, walls, boundary}), [&](uint32_t i, double distance) {
       const LineNetwork::Node& other = network_.nodes()[i];
       double limit = apart;
       if (other.line == LineNetwork::kBoundary) {
-        limit = boundary;
+        if (distance < boundary) beside_boundary_.push_back(other.place - p.place);
+        return false;
       } else if (other.line == LineNetwork::kWall || other.line < trunks_) {
         limit = walls;
       } else if (other.line == p.line) {
@@ -197,7 +203,22 @@ class Drawer {
       most = std::max(most, limit - distance);
       return most > enough;
     });
-    return most;
+    if (beside_boundary_.empty() || most > enough) return most;
+    return std::max(most, boundary_crowding(boundary));
+  }
+
+  /// The same of the boundary, which is to be as far as `limit` or, in a strip narrower than twice that, on whose both
+  /// sides it is, no nearer than a share of its width: a line along the middle of it has room for itself.
+  double boundary_crowding(double limit) const {
+    const Vec3& nearest =
+        *std::ranges::min_element(beside_boundary_, {}, [](const Vec3& v) { return v.squaredNorm(); });
+    const double here = nearest.norm();
+    double opposite = std::numeric_limits<double>::infinity();
+    for (const Vec3& v : beside_boundary_) {
+      if (v.dot(nearest) < kOpposite * v.norm() * here) opposite = std::min(opposite, v.norm());
+    }
+    const bool in_the_middle = here > kFromMiddle * (here + opposite);
+    return in_the_middle ? 0 : limit - here;
   }
 
   void begin_at(const LineNetwork::Node& first) {
@@ -294,6 +315,7 @@ class Drawer {
   std::vector<double> drawn_, wanted_;  // per component: length of its lines, in the local r
   std::vector<uint8_t> has_line_;       // per component: one that was drawn, or a trunk
   std::deque<SurfacePoint> beside_;
+  mutable std::vector<Vec3> beside_boundary_;  // from one place to the boundary near it
   struct Crowded {
     Vec3 place = Vec3::Zero();
     double around = 0;

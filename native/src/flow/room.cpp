@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flow/room.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace meander {
+namespace {
+
+/// A quarter of the mean width of every component; infinite where there is no boundary, and where a strand is open.
+std::vector<double> quarter_widths(const Surface& surface, const Curve& curve) {
+  std::vector<double> area(surface.component_count(), 0), edge(surface.component_count(), 0);
+  for (uint32_t f = 0; f < surface.face_count(); ++f) area[surface.component(f)] += surface.face_area(f);
+  for (const HalfEdge e : surface.boundary()) edge[surface.component(face_of(e))] += norm(surface.along(e));
+  std::vector<double> quarter(area.size(), std::numeric_limits<double>::infinity());
+  for (size_t k = 0; k < area.size(); ++k) {
+    if (edge[k] > 0) quarter[k] = 0.5 * area[k] / edge[k];
+  }
+  for (const Strand& strand : curve.strands) {
+    if (!strand.closed && !strand.guide) {
+      quarter[surface.component(curve.nodes[strand.first].face)] = std::numeric_limits<double>::infinity();
+    }
+  }
+  return quarter;
+}
+
+}  // namespace
+
+bool leave_room(const Surface& surface, const Curve& curve, RadiusField& radius) {
+  if (surface.boundary().empty()) return false;
+  const std::vector<double> quarter = quarter_widths(surface, curve);
+  if (*std::ranges::min_element(quarter) >= radius.most()) return false;
+  VertexData<double> most(surface.vertex_count());
+  std::ranges::fill(most, std::numeric_limits<double>::infinity());
+  for (uint32_t f = 0; f < surface.face_count(); ++f) {
+    for (const uint32_t v : surface.face(f)) most[v] = quarter[surface.component(f)];
+  }
+  const RadiusField before = radius;
+  radius.limit(most, kLeastRoom);
+  return radius != before;
+}
+
+}  // namespace meander

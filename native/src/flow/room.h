@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What room there is for a closed line on surfaces that are all narrow.
+#pragma once
+
+#include "curve/curve.h"
+#include "mesh/radius_field.h"
+
+namespace meander {
+
+/// A component narrower than 4 r times this has no room for a line and its way back; from 0 to 1.
+inline constexpr double kLeastRoom = 0.2;
+
+/// A closed line lies across a strip an even number of times. One narrower than two spacings has room for it and its way
+/// back where r is a quarter of the strip's width; with a larger one the boundary pushes one strand into the other until
+/// neither can move. So r becomes that on every component whose mean width, its area over half of its boundary, is less
+/// than 4 r, where all strands that grow are closed; it stays what it is elsewhere, and where there is no room at all. An open line
+/// may lie in the middle.
+/// Whether it has become smaller anywhere.
+bool leave_room(const Surface& surface, const Curve& curve, RadiusField& radius);
+
+}  // namespace meander
