@@ -2,20 +2,24 @@
 #include "flow/room.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 namespace meander {
 namespace {
 
-/// A quarter of the mean width of every component; infinite where there is no boundary, and where a strand is open.
+/// A quarter of the width of every component that is a strip; infinite elsewhere, and where a strand is open.
 std::vector<double> quarter_widths(const Surface& surface, const Curve& curve) {
   std::vector<double> area(surface.component_count(), 0), edge(surface.component_count(), 0);
   for (uint32_t f = 0; f < surface.face_count(); ++f) area[surface.component(f)] += surface.face_area(f);
   for (const HalfEdge e : surface.boundary()) edge[surface.component(face_of(e))] += norm(surface.along(e));
   std::vector<double> quarter(area.size(), std::numeric_limits<double>::infinity());
   for (size_t k = 0; k < area.size(); ++k) {
-    if (edge[k] > 0) quarter[k] = 0.5 * area[k] / edge[k];
+    const double mean = edge[k] / 4, apart = mean * mean - area[k];
+    if (!(apart > 0)) continue;
+    const double width = mean - std::sqrt(apart);
+    if (2 * mean - width > kLeastStrip * width) quarter[k] = width / 4;
   }
   for (const Strand& strand : curve.strands) {
     if (!strand.closed && !strand.guide) {
