@@ -28,6 +28,24 @@ double clamped_share(const Curve& curve, const NodeData<Radii>& radii, const Loc
   return clamped / free_nodes(curve, pool);
 }
 
+double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeData<Reach>& reach,
+                   const LocalMetric& metric, ThreadPool& pool) {
+  if (std::ranges::all_of(curve.strands, [](const Strand& s) { return s.closed || s.guide; })) return 0;
+  NodeData<uint8_t> open(curve.size());
+  for (const Strand& strand : curve.strands) {
+    for (uint32_t i = strand.first; i < strand.end(); ++i) open[i] = !strand.closed && !strand.guide;
+  }
+  const double alone = sum_over_free(curve, pool, [&](uint32_t i) {
+    const auto at_boundary = [&](size_t side) {
+      const double radius = radii[i][side];
+      return reach[i][side].radius <= radius && radius < kClamped * metric.max_radius[i];
+    };
+    return open[i] && at_boundary(0) && at_boundary(1) &&
+           radii[i][0] + radii[i][1] - 2 * metric.overhang[i] > kWidestAlone * metric.radius[i];
+  });
+  return alone / free_nodes(curve, pool);
+}
+
 void perturb_empty_stretches(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric,
                              ThreadPool& pool, NodeData<Radii>& felt_radii) {
   const size_t n = curve.size();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nodes whose medial radii are at the clamp: they see nothing there, so nothing pulls them anywhere.
+// Nodes whose medial radii are at the clamp: they see nothing there, so nothing pulls them anywhere; and those that see
+// nothing but the boundary.
 #pragma once
 
 #include "base/thread_pool.h"
 #include "curve/local_metric.h"
+#include "medial/boundary_reach.h"
 #include "medial/medial_axis.h"
 
 namespace meander {
@@ -14,6 +16,11 @@ bool sees_nothing(const NodeData<Radii>& radii, const LocalMetric& metric, uint3
 
 /// Of the nodes that may move, the share that sees nothing on a side. All arguments are of the same curve.
 double clamped_share(const Curve& curve, const NodeData<Radii>& radii, const LocalMetric& metric, ThreadPool& pool);
+
+/// Of the nodes that may move, the share that lies on open strands alone between two boundaries, farther apart than one
+/// line fills.
+double alone_share(const Curve& curve, const NodeData<Radii>& radii, const NodeData<Reach>& reach,
+                   const LocalMetric& metric, ThreadPool& pool);
 
 /// Where both sides of a strand are empty its radii are alike and nothing pulls it anywhere; a wide smooth loop then
 /// grows so slowly that it seems to stand still. There one side and the other are favoured in turn in `felt_radii`,

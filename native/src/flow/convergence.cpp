@@ -151,7 +151,7 @@ void Convergence::note_idleness(const IterationFigures& figures) {
 /// `rests`: the curve hardly changes any more.
 void Convergence::note_growth(const IterationFigures& figures, bool rests) {
   const bool far = figures.far_share > kMostFar;
-  if (far && !rest_laid_) {
+  if (!rest_laid_ && (far || (rests && figures.alone_share > kMostAlone))) {
     rest_laid_ = true;
     idle_ = 0;
     stalled_ = false;

@@ -22,6 +22,7 @@ struct IterationFigures {
   double displacement_norm = 0;  ///< |d|_2 / n of the displacements, in r (the paper's rule)
   /// Of the surface, what is far from the curve (far_share); only where Convergence::asks_what_is_far.
   double far_share = 0;
+  double alone_share = 0;        ///< of the nodes, those that lie_alone
   bool laid = false;             ///< the iteration laid something; see Iteration::lay
 };
 

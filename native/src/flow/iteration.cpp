@@ -74,6 +74,7 @@ void Iteration::solve() {
   const double squares = sum_over_free(curve, pool_, [&](uint32_t i) { return dot(d[i], d[i]); });
   figures_.displacement_norm = std::sqrt(squares) / count / before().settings.radius;
   figures_.clamped_share = clamped_share(curve, work_.medial.radii, metric, pool_);
+  figures_.alone_share = alone_share(curve, work_.medial.radii, work_.medial.reach, metric, pool_);
   figures_.wanted = mean_over_movable(curve, pool_, [&](uint32_t i) { return norm(d[i]) / metric.radius[i]; });
   record_.mean_step = sum_over_free(curve, pool_, [&](uint32_t i) { return norm(d[i]); }) / count;
   record_.energy = energy(curve, work_.medial.felt_radii, metric, work_.weights, pool_);

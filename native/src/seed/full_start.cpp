@@ -12,6 +12,7 @@
 #include "seed/line_tree.h"
 #include "seed/streamlines.h"
 #include "seed/tree_tour.h"
+#include "seed/trunks.h"
 
 namespace meander {
 namespace {
@@ -93,41 +94,6 @@ void add_guides(const Curve& curve, const RadiusField& radius, LineNetwork& netw
   }
 }
 
-/// The strands that were drawn to grow, as lines of the network and as trunks.
-struct Trunks {
-  std::vector<uint32_t> strands;  ///< of the curve
-  std::vector<Trunk> trunks;
-  std::vector<uint8_t> holds;     ///< per node of the network: a fixed one
-
-  void add(const Curve& curve, size_t drawn, LineNetwork& network, std::vector<Streamline>& lines) {
-    for (uint32_t k = 0; k < drawn; ++k) {
-      const Strand& strand = curve.strands[k];
-      if (strand.guide) continue;
-      Streamline line{{}, true, strand.closed};
-      Trunk trunk{{}, {}, strand.closed};
-      double arc = 0;
-      for (uint32_t i = strand.first; i < strand.end(); ++i) {
-        const auto node = network.make_node(curve.nodes[i], static_cast<uint32_t>(lines.size()), arc);
-        line.nodes.push_back(network.add_node(node));
-        trunk.fixed.push_back(curve.fixed[i]);
-        if (curve.has_segment(i)) arc += curve.shapes[i].length / node.radius;
-      }
-      trunk.nodes = line.nodes;
-      for (uint32_t i = 0; i < strand.segment_count(); ++i) {
-        const uint32_t from = strand.first + i;
-        network.add_edge(line.nodes[i], line.nodes[(i + 1) % strand.count], curve.paths[from], curve.shapes[from]);
-      }
-      for (size_t i = 0; i < line.nodes.size(); ++i) {
-        holds.resize(line.nodes[i] + size_t{1}, 0);
-        holds[line.nodes[i]] = trunk.fixed[i];
-      }
-      strands.push_back(k);
-      trunks.push_back(std::move(trunk));
-      lines.push_back(std::move(line));
-    }
-  }
-};
-
 /// Which region of the surface a place is in: guides divide a component.
 class Regions {
  public:
@@ -182,7 +148,7 @@ std::vector<uint32_t> largest_trees(const Curve& first, const std::vector<uint8_
   return best;
 }
 
-/// The trees that take the place of strands: those of trunks that lines have joined, and the largest of each region.
+/// The trees that take the place of strands: those of trunks that lines have joined or prolonged, and the largest of each region.
 std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std::vector<uint8_t>& stays,
                                     const Trunks& trunks, const std::vector<Streamline>& lines,
                                     const std::vector<uint32_t>& tree, const LineNetwork& network, Regions& regions) {
@@ -191,7 +157,7 @@ std::vector<LineTree> trees_to_walk(const Curve& first, size_t drawn, const std:
   std::vector<LineTree> trees;
   for (size_t k = 0; k < trunks.strands.size(); ++k) {
     const uint32_t strand = trunks.strands[k];
-    if (has_lines[tree[k]] && !stays[strand]) trees.push_back({strand, kNone, trunks.trunks[k]});
+    if ((has_lines[tree[k]] || trunks.prolonged[k]) && !stays[strand]) trees.push_back({strand, kNone, trunks.trunks[k]});
   }
   std::vector<uint8_t> wants(first.strands.size(), 0);
   for (size_t k = drawn; k < wants.size(); ++k) wants[k] = !first.strands[k].guide && !stays[k];
@@ -225,7 +191,10 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
-  draw_streamlines(completed(surface, field, poll), radius, spacing, network, poll, lines);
+  const LineField whole = completed(surface, field, poll);
+  const size_t before = lines.size();
+  draw_streamlines(whole, radius, spacing, network, poll, lines);
+  trunks.prolong(whole, before, network, lines, poll);
 
   FullStart start;
   start.strands.assign(first.strands.size(), StrandStart::kNoRoom);

@@ -68,7 +68,7 @@ class Joiner {
     }
     for (const LineNetwork::Edge& e : network.edges()) {
       if (e.taken_out || line_of(e.from) != line_of(e.to)) continue;
-      const bool closing = lines[line_of(e.from)].trunk && index_[e.to] == 0;
+      const bool closing = lines[line_of(e.from)].closed && index_[e.to] == 0;
       const double sign = index_[e.to] > index_[e.from] || closing ? 1 : -1;
       tangent_[e.from] = tangent_[e.from] + sign * e.shape.leaving;
       tangent_[e.to] = tangent_[e.to] + sign * e.shape.arriving;

@@ -111,6 +111,7 @@ class StopMaker {
       stops.push_back({node, direction, factor * reach(k), k + 1, 0, number++});
     };
     switch (corner.kind) {
+      case Corner::kEnd: break;
       case Corner::kOnTrunk: stops.push_back({node, {1, 0}, 0, k + 1, corner.fixed, 0}); break;
       case Corner::kFromTrunk: stop(ways_.leaving(Ways::twin(walk_.ways[k])), 1); break;
       case Corner::kToTrunk: stop(ways_.leaving(after(k)), 1); break;
@@ -204,26 +205,39 @@ Walk Walk::along_trunk(const Ways& ways, const Trunk& trunk, CancelToken& poll) 
   const size_t count = trunk.nodes.size(), segments = trunk.closed ? count : count - 1;
   std::vector<Way> along;
   for (size_t k = 0; k < segments; ++k) along.push_back(ways.between(trunk.nodes[k], trunk.nodes[(k + 1) % count]));
+  /// All ways round what leaves with a finger, and the corner after the way back to the trunk.
+  const auto walk_round = [&](Way finger, Side side, Corner::Kind back_at) {
+    for (Way way = finger;; way = ways.next(way, side)) {
+      const bool back = way == Ways::twin(finger);
+      add(way, {back ? back_at : Corner::kRound, side});
+      if (back) return;
+    }
+  };
+  if (!trunk.closed) {
+    const Way finger = finger_at(trunk.nodes[0], Ways::twin(along[0]), along[0]);
+    if (finger != kNone) walk_round(finger, kLeft, Corner::kRound);
+  }
   for (size_t step = 0; step < segments; ++step) {
     // A closed trunk begins with the segment that leads to its first node.
     const size_t k = trunk.closed ? (step + segments - 1) % segments : step;
     const uint32_t node = trunk.nodes[(k + 1) % count];
     const bool last = !trunk.closed && k + 1 == segments;
     const Way ahead = last ? kNone : along[(k + 1) % segments];
-    const Way finger = last ? kNone : finger_at(node, along[k], ahead);
+    const Way finger = finger_at(node, along[k], ahead);
     if (finger == kNone) {
       const uint8_t fixed = trunk.fixed[(k + 1) % count];
       add(along[k], {Corner::kOnTrunk, kLeft, last || fixed, fixed});
       continue;
     }
-    add(along[k], {Corner::kFromTrunk, kLeft});
-    const Side side =
-        cross(ways.leaving(ahead) - ways.leaving(Ways::twin(along[k])), ways.leaving(finger)) > 0 ? kLeft : kRight;
-    for (Way way = finger;; way = ways.next(way, side)) {
-      const bool back = way == Ways::twin(finger);
-      add(way, {back ? Corner::kToTrunk : Corner::kRound, side});
-      if (back) break;
+    if (last) {
+      add(along[k], {Corner::kRound, kLeft});
+      walk_round(finger, kLeft, Corner::kEnd);
+      continue;
     }
+    add(along[k], {Corner::kFromTrunk, kLeft});
+    walk_round(finger,
+               cross(ways.leaving(ahead) - ways.leaving(Ways::twin(along[k])), ways.leaving(finger)) > 0 ? kLeft : kRight,
+               Corner::kToTrunk);
   }
   return walk;
 }

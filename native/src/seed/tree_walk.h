@@ -61,7 +61,7 @@ class Ways {
 
 /// Where a walk may turn: after each of its ways.
 struct Corner {
-  enum Kind { kRound, kOnTrunk, kFromTrunk, kToTrunk } kind;
+  enum Kind { kRound, kOnTrunk, kFromTrunk, kToTrunk, kEnd } kind;
   Side side;
   bool stays = false;  ///< on a trunk: whatever is near
   uint8_t fixed = 0;
@@ -81,7 +81,7 @@ struct Stop {
 };
 
 /// A walk round a tree, or along a trunk and round what leaves it. An open one begins with a stop before its first way,
-/// at the first node of its trunk.
+/// at the first node of its trunk. What leaves the ends of that it walks round before and after.
 struct Walk {
   bool closed = true;
   bool on_trunk = false;

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "seed/trunks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "geodesic/chart.h"
+
+namespace meander {
+namespace {
+
+/// A strip that is no wider than this, in r, is filled by one line along its middle, and one up to the second by two.
+constexpr double kOneLine = 3.2, kTwoStrands = 6.4;
+
+/// A tail that is shorter than this, in r, stays part of its trunk.
+constexpr double kLeastTail = 8;
+
+/// An end runs on along a line whose tip is no farther than this, in r, and no farther from straight ahead than by this
+/// cosine.
+constexpr double kAhead = 6.5, kStraightAhead = 0.5;
+
+constexpr double kWide = std::numeric_limits<double>::infinity();
+
+/// How far the boundary is from a node on both sides of a direction, in its r; infinite where it is farther than asked,
+/// and where another line is nearer.
+struct Across {
+  double left, right;
+  double width() const { return left + right; }
+};
+Across across(const LineNetwork& network, uint32_t node, Vec2 direction, double most) {
+  const LineNetwork::Node& here = network.nodes()[node];
+  const auto reach = [&](double side) {
+    Path path;
+    const Trace there = trace_geodesic(network.surface(), here.point, Vec2{0, side * most * here.radius} * direction, path);
+    const bool free = there.hit_boundary && !network.first_met(node, there.end, path);
+    return free ? there.length / here.radius : kWide;
+  };
+  return {reach(1), reach(-1)};
+}
+
+/// Of the last node of a list, away from the one before it.
+std::optional<Vec2> outward(const LineNetwork& network, const std::vector<uint32_t>& nodes) {
+  const uint32_t last = nodes.back(), before = nodes[nodes.size() - 2];
+  for (const LineNetwork::Edge& e : network.edges()) {
+    if (e.taken_out) continue;
+    if (e.from == before && e.to == last) return unit(e.shape.arriving);
+    if (e.from == last && e.to == before) return -unit(e.shape.leaving);
+  }
+  return std::nullopt;
+}
+
+/// Lets the last end of one trunk run on.
+class Prolonging {
+ public:
+  Prolonging(const LineField& field, LineNetwork& network, std::vector<Streamline>& lines, size_t drawn)
+      : field_(field), network_(network), s_(network.surface()), lines_(lines), drawn_(drawn),
+        shortener_(network.surface()) {}
+
+  /// Appends the nodes of the line ahead to those of a trunk, whose number is `line`; false where there is none.
+  bool run_on(std::vector<uint32_t>& nodes, uint32_t line) {
+    if (nodes.size() < 2) return false;
+    const auto direction = outward(network_, nodes);
+    if (!direction || across(network_, nodes.back(), *direction, kOneLine).width() > kOneLine) return false;
+    const auto tip = tip_ahead(nodes.back(), *direction);
+    if (!tip || !join(nodes.back(), *tip)) return false;
+    take(network_.nodes()[*tip].line, *tip, line, nodes);
+    return true;
+  }
+
+ private:
+  /// The nearest tip of a line, most of which lies where it is narrow.
+  std::optional<uint32_t> tip_ahead(uint32_t end, Vec2 direction) {
+    const LineNetwork::Node& here = network_.nodes()[end];
+    std::vector<std::pair<double, uint32_t>> tips;
+    network_.near(here, kAhead * here.radius, [&](uint32_t i, double distance) {
+      const LineNetwork::Node& other = network_.nodes()[i];
+      if (other.line >= LineNetwork::kBoundary || other.line < drawn_) return false;
+      const std::vector<uint32_t>& line = lines_[other.line].nodes;
+      const Vec2 there = unit(s_.to_plane(here.point.face, other.place - here.place));
+      if ((i == line.front() || i == line.back()) && dot(there, direction) > kStraightAhead) tips.emplace_back(distance, i);
+      return false;
+    });
+    std::ranges::sort(tips);
+    for (const auto& [distance, tip] : tips) {
+      if (is_narrow(lines_[network_.nodes()[tip].line])) return tip;
+    }
+    return std::nullopt;
+  }
+
+  bool is_narrow(const Streamline& line) const {
+    size_t narrow = 0;
+    for (const uint32_t node : line.nodes) {
+      const Vec2 direction = unit(field_.at(network_.nodes()[node].point));
+      narrow += across(network_, node, direction, kOneLine).width() <= kOneLine;
+    }
+    return 2 * narrow > line.nodes.size();
+  }
+
+  bool join(uint32_t from, uint32_t to) {
+    const LineNetwork::Node a = network_.nodes()[from], b = network_.nodes()[to];
+    Chart chart = Chart::at(a.point, a.place);
+    if (!chart.advance_to(s_, b.point, b.place, kAhead * a.radius)) return false;
+    Path path;
+    trace_geodesic(s_, a.point, chart.place, path);
+    const auto shape = shortener_.adopt(a.point, b.point, path);
+    if (!shape || !(shape->length > 0) || network_.touches(from, to, b.point, path)) return false;
+    network_.add_edge(from, to, std::move(path), *shape);
+    return true;
+  }
+
+  /// Takes a line that begins, or ends, at `tip`.
+  void take(uint32_t taken, uint32_t tip, uint32_t line, std::vector<uint32_t>& nodes) {
+    std::vector<uint32_t> added = std::move(lines_[taken].nodes);
+    if (added.front() != tip) std::ranges::reverse(added);
+    for (const uint32_t node : added) network_.set_line(node, line);
+    nodes.insert(nodes.end(), added.begin(), added.end());
+    if (taken + 1 < lines_.size()) {
+      lines_[taken] = std::move(lines_.back());
+      for (const uint32_t node : lines_[taken].nodes) network_.set_line(node, taken);
+    }
+    lines_.pop_back();
+  }
+
+  const LineField& field_;
+  LineNetwork& network_;
+  const Surface& s_;
+  std::vector<Streamline>& lines_;
+  size_t drawn_;  // the first line that is neither a trunk nor part of one
+  PathShortener shortener_;
+};
+
+}  // namespace
+
+void Trunks::add(const Curve& curve, size_t drawn, LineNetwork& network, std::vector<Streamline>& lines) {
+  for (uint32_t k = 0; k < drawn; ++k) {
+    const Strand& strand = curve.strands[k];
+    if (strand.guide) continue;
+    Streamline line{{}, true, strand.closed};
+    Trunk trunk{{}, {}, strand.closed};
+    double arc = 0;
+    for (uint32_t i = strand.first; i < strand.end(); ++i) {
+      const auto node = network.make_node(curve.nodes[i], static_cast<uint32_t>(lines.size()), arc);
+      line.nodes.push_back(network.add_node(node));
+      trunk.fixed.push_back(curve.fixed[i]);
+      if (curve.has_segment(i)) arc += curve.shapes[i].length / node.radius;
+    }
+    trunk.nodes = line.nodes;
+    for (uint32_t i = 0; i < strand.segment_count(); ++i) {
+      const uint32_t from = strand.first + i;
+      network.add_edge(line.nodes[i], line.nodes[(i + 1) % strand.count], curve.paths[from], curve.shapes[from]);
+    }
+    for (size_t i = 0; i < line.nodes.size(); ++i) {
+      holds.resize(line.nodes[i] + size_t{1}, 0);
+      holds[line.nodes[i]] = trunk.fixed[i];
+    }
+    strands.push_back(k);
+    trunks.push_back(std::move(trunk));
+    lines.push_back(std::move(line));
+  }
+  for (size_t k = 0; k < trunks.size(); ++k) {
+    if (!trunks[k].closed) part_alone(curve, k, network, lines);
+  }
+}
+
+void Trunks::part_alone(const Curve& curve, size_t k, LineNetwork& network, std::vector<Streamline>& lines) {
+  const Strand& strand = curve.strands[strands[k]];
+  const std::vector<uint32_t> nodes = trunks[k].nodes;
+  const std::vector<uint8_t> fixed = trunks[k].fixed;
+  const auto arc = [&](size_t i) { return network.nodes()[nodes[i]].arc; };
+  const auto is_alone = [&](size_t i) {
+    const auto at = static_cast<uint32_t>(strand.first + i);
+    const Vec2 along = curve.has_segment(at) ? curve.shapes[at].leaving : curve.shapes[at - 1].arriving;
+    const Across sides = across(network, nodes[i], unit(along), kTwoStrands);
+    return !fixed[i] && sides.width() > kOneLine && sides.width() < kTwoStrands;
+  };
+  const size_t count = nodes.size();
+  size_t first = 0, last = count;  // what stays: from the one to before the other, two nodes at least
+  while (first + 2 < count && is_alone(first)) ++first;
+  while (last > first + 2 && is_alone(last - 1)) --last;
+  if (first > 0 && arc(first - 1) - arc(0) < kLeastTail) first = 0;
+  if (last < count && arc(count - 1) - arc(last) < kLeastTail) last = count;
+  const auto part = [&](size_t begin, size_t end) {
+    if (begin == end) return;
+    Streamline tail{{nodes.begin() + static_cast<std::ptrdiff_t>(begin), nodes.begin() + static_cast<std::ptrdiff_t>(end)}};
+    for (const uint32_t node : tail.nodes) network.set_line(node, static_cast<uint32_t>(lines.size()));
+    lines.push_back(std::move(tail));
+  };
+  part(0, first);
+  part(last, count);
+  const auto stays = [&](auto& list) {
+    list = {list.begin() + static_cast<std::ptrdiff_t>(first), list.begin() + static_cast<std::ptrdiff_t>(last)};
+  };
+  stays(trunks[k].nodes);
+  stays(trunks[k].fixed);
+  lines[k].nodes = trunks[k].nodes;
+}
+
+void Trunks::prolong(const LineField& field, size_t drawn, LineNetwork& network, std::vector<Streamline>& lines,
+                     CancelToken poll) {
+  prolonged.assign(trunks.size(), 0);
+  if (field.empty()) return;
+  Prolonging prolonging(field, network, lines, drawn);
+  for (uint32_t k = 0; k < trunks.size(); ++k) {
+    Trunk& trunk = trunks[k];
+    if (trunk.closed) continue;
+    for (int end = 0; end < 2; ++end) {
+      while (!trunk.fixed.back() && prolonging.run_on(trunk.nodes, k)) {
+        poll();
+        prolonged[k] = 1;
+        trunk.fixed.resize(trunk.nodes.size(), 0);
+      }
+      std::ranges::reverse(trunk.nodes);
+      std::ranges::reverse(trunk.fixed);
+    }
+    lines[k].nodes = trunk.nodes;
+  }
+}
+
+}  // namespace meander
