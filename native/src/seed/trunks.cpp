@@ -177,9 +177,17 @@ void Trunks::part_alone(const Curve& curve, size_t k, LineNetwork& network, std:
     return !fixed[i] && sides.width() > kOneLine && sides.width() < kTwoStrands;
   };
   const size_t count = nodes.size();
+  if (count < 4) return;
   size_t first = 0, last = count;  // what stays: from the one to before the other, two nodes at least
-  while (first + 2 < count && is_alone(first)) ++first;
-  while (last > first + 2 && is_alone(last - 1)) --last;
+  while (first < count && is_alone(first)) ++first;
+  if (first == count) {
+    // Other lines may go on from both of its tips.
+    first = count / 2 - 1;
+    last = first + 2;
+  } else {
+    while (last > first + 2 && is_alone(last - 1)) --last;
+    first = std::min(first, last - 2);
+  }
   if (first > 0 && arc(first - 1) - arc(0) < kLeastTail) first = 0;
   if (last < count && arc(count - 1) - arc(last) < kLeastTail) last = count;
   const auto part = [&](size_t begin, size_t end) {
