@@ -136,12 +136,10 @@ TEST(FullStart, IsTheSameForAnyNumberOfThreadsAndAtAnyScale) {
   }
 }
 
-/// A strip as wide as its spacing, in which no line has room: there the flow is the one that grows.
+/// A square of one and a half spacings, in which no line has room: there the flow is the one that grows.
 TEST(FullStart, GrowsWhereNoneCanBeLaid) {
-  const double spacing = 0.02;
-  Mesh mesh = flat_grid(24);
-  for (size_t k = 1; k < mesh.vertices.size(); k += 3) mesh.vertices[k] *= spacing;
-  const auto surface = std::make_shared<const Surface>(make_surface(mesh));
+  const double spacing = 0.68;
+  const auto surface = std::make_shared<const Surface>(make_surface(flat_grid(24)));
   Flow full = flow_of(surface, spacing);
   meander_flow_options options = options_of(spacing);
   options.threads = 1;
