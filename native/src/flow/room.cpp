@@ -9,36 +9,38 @@
 namespace meander {
 namespace {
 
-/// A quarter of the width of every component that is a strip; infinite elsewhere, and where a strand is open.
-std::vector<double> quarter_widths(const Surface& surface, const Curve& curve) {
+/// The largest r for which every component that is a strip has room; infinite elsewhere.
+std::vector<double> largest_radii(const Surface& surface, const Curve& curve) {
   std::vector<double> area(surface.component_count(), 0), edge(surface.component_count(), 0);
   for (uint32_t f = 0; f < surface.face_count(); ++f) area[surface.component(f)] += surface.face_area(f);
   for (const HalfEdge e : surface.boundary()) edge[surface.component(face_of(e))] += norm(surface.along(e));
-  std::vector<double> quarter(area.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> most(area.size(), std::numeric_limits<double>::infinity());
   for (size_t k = 0; k < area.size(); ++k) {
     const double mean = edge[k] / 4, apart = mean * mean - area[k];
     if (!(apart > 0)) continue;
     const double width = mean - std::sqrt(apart);
-    if (2 * mean - width > kLeastStrip * width) quarter[k] = width / 4;
+    if (2 * mean - width > kLeastStrip * width) most[k] = width / 4;
   }
+  std::vector<uint8_t> open(most.size(), 0);
   for (const Strand& strand : curve.strands) {
-    if (!strand.closed && !strand.guide) {
-      quarter[surface.component(curve.nodes[strand.first].face)] = std::numeric_limits<double>::infinity();
-    }
+    if (!strand.closed && !strand.guide) open[surface.component(curve.nodes[strand.first].face)] = 1;
   }
-  return quarter;
+  for (size_t k = 0; k < most.size(); ++k) {
+    if (open[k]) most[k] *= 2;
+  }
+  return most;
 }
 
 }  // namespace
 
 bool leave_room(const Surface& surface, const Curve& curve, RadiusField& radius) {
   if (surface.boundary().empty()) return false;
-  const std::vector<double> quarter = quarter_widths(surface, curve);
-  if (*std::ranges::min_element(quarter) >= radius.most()) return false;
+  const std::vector<double> largest = largest_radii(surface, curve);
+  if (*std::ranges::min_element(largest) >= radius.most()) return false;
   VertexData<double> most(surface.vertex_count());
   std::ranges::fill(most, std::numeric_limits<double>::infinity());
   for (uint32_t f = 0; f < surface.face_count(); ++f) {
-    for (const uint32_t v : surface.face(f)) most[v] = quarter[surface.component(f)];
+    for (const uint32_t v : surface.face(f)) most[v] = largest[surface.component(f)];
   }
   const RadiusField before = radius;
   radius.limit(most, kLeastRoom);
