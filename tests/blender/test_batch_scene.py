@@ -36,7 +36,8 @@ def scene(tmp_path_factory) -> Path:
     surface = sphere(subdivisions=2)
     surface.name = "Ball"
     surface.scale = (1.0, 1.5, 1.0)
-    surface.modifiers.new("Subdivision", "SUBSURF").levels = 1
+    modifier = surface.modifiers.new("Subdivision", "SUBSURF")
+    modifier.levels = modifier.render_levels = 1
     top = [vertex.index for vertex in surface.data.vertices if vertex.co.z > 0.0]
     surface.vertex_groups.new(name="Top").add(top, 1.0, "REPLACE")
     heights = surface.data.attributes.new("height", "FLOAT", "POINT")

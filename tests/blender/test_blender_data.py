@@ -95,7 +95,8 @@ def test_weights_of_the_evaluated_mesh():
     group.add([0, 1, 2], 0.25, "REPLACE")
     weights = meshes.vertex_group_weights(thing, depsgraph(), "Fine")
     assert weights.tolist() == [0.25] * 3 + [0.0] * 6
-    thing.modifiers.new("Subdivision", "SUBSURF").levels = 1
+    modifier = thing.modifiers.new("Subdivision", "SUBSURF")
+    modifier.levels = modifier.render_levels = 1
     weights = meshes.vertex_group_weights(thing, depsgraph(), "Fine")
     assert len(weights) == len(meshes.triangles_of(thing, depsgraph())[0]) == 25
     with pytest.raises(ValueError, match=r"no vertex group 'Coarse'; it has 'Other', 'Fine'"):

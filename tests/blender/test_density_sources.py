@@ -243,7 +243,8 @@ def test_attributes_of_a_modifier_are_found():
     thing.data.color_attributes.new("Paint", "FLOAT_COLOR", "POINT")
     thing.data.attributes.new("faces", "FLOAT", "FACE")
     modifier = thing.modifiers.new("Subdivision", "SUBSURF")
-    modifier.levels, modifier.subdivision_type = 1, "SIMPLE"
+    modifier.levels = modifier.render_levels = 1
+    modifier.subdivision_type = "SIMPLE"
     found = density(thing, Choice("ATTRIBUTE", "height", value_range=(0.0, 8.0)))
     assert len(found) == 25
     assert min(found) == 1.0 and max(found) == pytest.approx(4.0)

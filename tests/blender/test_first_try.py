@@ -45,6 +45,8 @@ def pipe() -> bpy.types.Object:
 
 def ball() -> bpy.types.Object:
     bpy.ops.object.metaball_add(type="BALL")
+    data = bpy.context.active_object.data
+    data.render_resolution = data.resolution
     return bpy.context.active_object
 
 

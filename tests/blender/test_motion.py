@@ -123,7 +123,8 @@ def test_a_mesh_that_changes_is_a_sentence_in_the_panel(
     result.meander.follow = True
     bpy.context.scene.frame_set(2)
     before = scenes.length_of(result)
-    tube.modifiers.new("Finer", "SUBSURF").levels = 1
+    finer = tube.modifiers.new("Finer", "SUBSURF")
+    finer.levels = finer.render_levels = 1
     bpy.context.scene.frame_set(3)
     problem = following.problem_of(result)
     assert "modifiers" in problem

@@ -54,6 +54,7 @@ ELSEWHERE = {
     "The add-on's file has no": ("test_assets.py", "install Meander again"),
     "is hidden by its animation": ("test_hidden_data.py", "hidden by its animation at frame"),
     "is hidden, so that Blender": ("test_hidden_data.py", "that Blender does not"),
+    "renders otherwise than": ("test_rendered_surface.py", "renders otherwise"),
     "shows instances only": ("test_first_try.py", "Make Instances Real"),
     "so that its bridges cannot": ("test_strands.py", "its bridges cannot be taken out"),
     "has no camera; add": ("test_camera_drawing.py", "has no camera; add one"),

@@ -52,7 +52,8 @@ def moved_off_by_its_parent() -> bpy.types.Object:
 
 def subdivided() -> bpy.types.Object:
     thing = cube()
-    thing.modifiers.new("Subdivision", "SUBSURF").levels = 3
+    modifier = thing.modifiers.new("Subdivision", "SUBSURF")
+    modifier.levels = modifier.render_levels = 3
     return thing
 
 
@@ -97,7 +98,8 @@ def a_bevelled_curve() -> bpy.types.Object:
 
 def a_metaball() -> bpy.types.Object:
     bpy.ops.object.metaball_add(radius=1.5)
-    bpy.context.object.data.resolution = 0.2
+    data = bpy.context.object.data
+    data.resolution = data.render_resolution = 0.2
     return activate(bpy.context.object)
 
 

@@ -187,7 +187,8 @@ def build_scene(spacing: float = FINE, levels: int = 1) -> None:
             bpy.data.objects.remove(thing)
     bpy.ops.mesh.primitive_monkey_add(size=2.0)
     suzanne = bpy.context.active_object
-    suzanne.modifiers.new("Subdivision", "SUBSURF").levels = levels
+    subdivision = suzanne.modifiers.new("Subdivision", "SUBSURF")
+    subdivision.levels = subdivision.render_levels = levels
     suzanne.scale = (1.0, 1.2, 0.9)
     bpy.ops.object.shade_smooth()
     choose_spacing(spacing)

@@ -57,7 +57,7 @@ def settings_undone(whole: int) -> Iterator[float]:
 
 
 def shape_undone(whole: int) -> Iterator[float]:
-    surface().modifiers[0].levels = 1
+    surface().modifiers[0].levels = surface().modifiers[0].render_levels = 1
     bpy.ops.ed.undo_push(message="Levels")
     yield from redrawn()
     assert 4 * face_count() == whole

@@ -25,14 +25,14 @@ def main(argv: Sequence[str] | None = None) -> int:
     argv   the options; None takes those of this process
     """
     options = arguments_of_process() if argv is None else argv
-    return command.main(options, _place("batch.py"))
+    return _run(options, "batch.py")
 
 
 def execute(argv: Sequence[str]) -> int:
     """Runs the command as Blender's own; what it returns is Blender's exit code."""
     hear_interruptions()
     try:
-        return command.main(argv, _place(f"blender --command {NAME}"))
+        return _run(argv, f"blender --command {NAME}")
     except SystemExit as left:  # after --help
         return int(left.code or 0)
 
@@ -69,5 +69,10 @@ def unregister() -> None:
         bpy.utils.unregister_cli_command(_registered.pop())
 
 
-def _place(program: str) -> Place:
-    return Place(program, partial(print, flush=True), blender_if_there())
+def _run(options: Sequence[str], program: str) -> int:
+    host = blender_if_there()
+    try:
+        return command.main(options, Place(program, partial(print, flush=True), host))
+    finally:
+        if host is not None:
+            host.leave_scene()

@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import importlib.util
 from collections.abc import Sequence
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -25,9 +26,18 @@ from ..model.toolpaths.drawing import axes_of
 class Blender:
     """A `cli.place.Host`, which says what each does."""
 
+    def __init__(self) -> None:
+        self._of_scene = ExitStack()
+
+    def leave_scene(self) -> None:
+        """Ends what read_scene() has begun: surfaces are filled as rendered, whatever it costs."""
+        self._of_scene.close()
+
     def read_scene(self, arguments: argparse.Namespace) -> Input:
+        from ..scene.rendered import whatever_it_costs
         from . import scene_input
 
+        self._of_scene.enter_context(whatever_it_costs())
         return scene_input.read(arguments)
 
     def in_polygons(self, error: core.MeanderError, surface_object: Any) -> core.MeanderError:

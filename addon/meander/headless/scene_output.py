@@ -35,6 +35,7 @@ from ..scene.linked_settings import settings_of
 from ..scene.options import keep_shape
 from ..scene.preparation import store_mask, store_repair
 from ..scene.settings import copy_settings
+from ..scene.view_aid import lay_on_what_is_shown
 from .saved_settings import saved_settings
 
 # What the curve keeps of the flags: how long a run may take, and on how many threads, is for the
@@ -78,6 +79,7 @@ def write_scene(
     matrix = matrix_of(surface_object, bpy.context.evaluated_depsgraph_get())
     name = f"{surface_object.name} Meander"
     curve_object = write_curve(shown, surface_object, name, matrix=matrix)
+    lay_on_what_is_shown(curve_object, surface_object, bpy.context.scene)
     with saved_settings():
         _store(arguments, given, surface_object, curve_object)
         scene_strands.note_guides(curve_object, guides, keep=True)

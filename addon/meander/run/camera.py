@@ -40,6 +40,7 @@ from ..scene.errors import DataError
 from ..scene.linked_settings import settings_of
 from ..scene.meshes import triangles_of
 from ..scene.options import options_of
+from ..scene.rendered import whatever_it_costs
 from ..scene.settings import is_untouched
 from ..scene.visible import seen_parts
 from . import estimate
@@ -85,11 +86,20 @@ class CameraDrawing:
         """spacing    on paper, in millimetres
         fallback   the settings of what nobody has set up; None: those that it has
 
-        Raises DataError where the camera sees nothing.
+        Surfaces are drawn as a render shows them. Raises DataError where the camera sees nothing.
         """
         self.page, self.spacing = page, spacing
         self.layers: list[Layer] = []
         self._began = time.perf_counter()
+        self.name = ""  # of the surface that next() has given
+        with whatever_it_costs():
+            self._read(depsgraph, fallback)
+        self._count = len(self._waiting)
+
+    def _read(
+        self, depsgraph: bpy.types.Depsgraph, fallback: bpy.types.PropertyGroup | None
+    ) -> None:
+        page, spacing = self.page, self.spacing
         seen = seen_by(page, BEYOND * spacing, depsgraph.view_layer, depsgraph)
         drawn = [each for each in seen if each.is_drawn]
         if not drawn:
@@ -100,8 +110,6 @@ class CameraDrawing:
         self._sight = Sight(page, [each.mesh for each in seen], _LIFT * spacing)
         paper = PaperSpacing(page, spacing, depsgraph, fallback)
         self._waiting = [(each.name, paper.problem_of(each)) for each in drawn]
-        self._count = len(drawn)
-        self.name = ""  # of the surface that next() has given
 
     def estimate(self) -> DrawingEstimate:
         """What all that has not begun comes to; to be asked for before the first next()."""

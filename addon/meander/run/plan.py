@@ -26,7 +26,7 @@ from ..scene import strands as scene_strands
 from ..scene.alignment import alignment_of, directions_of
 from ..scene.density import chosen_density, density_of, unused_paint
 from ..scene.errors import DataError
-from ..scene.evaluated import matrix_of
+from ..scene.evaluated import evaluated_once, matrix_of
 from ..scene.fillable import shows_instances, why_not
 from ..scene.home_scene import HomeScene
 from ..scene.identity import Key
@@ -92,6 +92,17 @@ def plan_of(
     beside: bool = False,
 ) -> Plan:
     """The plan of a run on any object, wherever the context is; see plan_run()."""
+    with evaluated_once(depsgraph):
+        return _plan_of(active, scene, depsgraph, restart, beside)
+
+
+def _plan_of(
+    active: bpy.types.Object | None,
+    scene: bpy.types.Scene,
+    depsgraph: bpy.types.Depsgraph,
+    restart: bool,
+    beside: bool,
+) -> Plan:
     surface = surface_of(active)
     if surface is None:
         raise DataError(why_not(active))

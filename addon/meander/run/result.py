@@ -30,6 +30,7 @@ from ..scene.profile import set_tilt_and_radius
 from ..scene.settings import copy_settings
 from ..scene.shared_settings import share
 from ..scene.transforms import mean_scale, to_local
+from ..scene.view_aid import lay_on_what_is_shown
 from .plan import Plan
 from .stepper import Snapshot, Stepper
 
@@ -84,6 +85,7 @@ def write_result(
         curve_object=earlier,
         matrix=plan.matrix,
     )
+    lay_on_what_is_shown(result, surface, context.scene)
     sources = stepper.sources
     if line is not None:
         sources = line.sources if sources is None else sources[line.sources]

@@ -14,12 +14,15 @@ from mathutils.bvhtree import BVHTree
 from ..model.camera import CameraPage, Page
 from ..model.geometry.clipped_mesh import Triangles
 from .errors import DataError
-from .fillable import is_result
+from .evaluated import surface_mesh
+from .fillable import has_faces, is_result
 from .identity import Key
+from .rendered import rendering_of
 from .transforms import to_world
 
 # What Blender makes a mesh of.
 _WITH_FACES = frozenset({"MESH", "CURVE", "SURFACE", "FONT", "META"})
+_NOTHING = Triangles(np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
 
 
 @dataclass(frozen=True)
@@ -89,7 +92,13 @@ def seen_by(
     beyond   by how many millimetres the frame is larger on all sides
     """
     rendered = dict(_rendered(view_layer.layer_collection, False))
-    planes, found = page.planes(beyond), []
+    planes, found, others = page.planes(beyond), [], []
+
+    def take(name: str, mesh: Triangles, key: Key | None, owner: bpy.types.Object) -> None:
+        mesh = mesh.clipped(planes)
+        if len(mesh.faces):
+            found.append(Seen(name, mesh, key, not (rendered[owner] or owner.is_holdout)))
+
     for instance in depsgraph.object_instances:
         shown = instance.object
         owner = instance.parent.original if instance.is_instance else shown.original
@@ -97,12 +106,17 @@ def seen_by(
             continue
         if not instance.is_instance and not instance.show_self:
             continue
-        mesh = _triangles(shown, _array(instance.matrix_world)).clipped(planes)
-        if not len(mesh.faces):
-            continue
-        name = f"{owner.name}: {shown.name}" if instance.is_instance else owner.name
-        key = None if instance.is_instance else Key(owner)
-        found.append(Seen(name, mesh, key, not (rendered[owner] or owner.is_holdout)))
+        if instance.is_instance:
+            name = f"{owner.name}: {shown.name}"
+            take(name, _triangles(shown, _array(instance.matrix_world)), None, owner)
+        elif has_faces(owner) and rendering_of(owner, depsgraph.scene) is not None:
+            others.append(owner)
+        else:
+            take(owner.name, _triangles(shown, _array(instance.matrix_world)), Key(owner), owner)
+    # A copy as rendered is made only once nobody goes through the graph any more.
+    for owner in others:
+        with surface_mesh(owner, depsgraph) as (mesh, matrix):
+            take(owner.name, _triangles_of_mesh(mesh, matrix), Key(owner), owner)
     return sorted(found, key=lambda each: each.name)
 
 
@@ -122,21 +136,24 @@ def _rendered(
 
 def _triangles(shown: bpy.types.Object, matrix: np.ndarray) -> Triangles:
     """The triangles of an evaluated object, in the world; none where it has no faces."""
-    nothing = Triangles(np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
     try:
         mesh = shown.to_mesh()
     except RuntimeError:  # a curve without any, for instance
-        return nothing
+        return _NOTHING
     try:
-        mesh.calc_loop_triangles()
-        coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
-        mesh.vertices.foreach_get("co", coordinates)
-        corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
-        mesh.loop_triangles.foreach_get("vertices", corners)
+        return _triangles_of_mesh(mesh, matrix)
     finally:
         shown.to_mesh_clear()
+
+
+def _triangles_of_mesh(mesh: bpy.types.Mesh, matrix: np.ndarray) -> Triangles:
+    mesh.calc_loop_triangles()
+    coordinates = np.empty(3 * len(mesh.vertices), dtype=np.float32)
+    mesh.vertices.foreach_get("co", coordinates)
+    corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
+    mesh.loop_triangles.foreach_get("vertices", corners)
     if not len(corners):
-        return nothing
+        return _NOTHING
     faces = corners.reshape(-1, 3).astype(np.int64)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = faces[:, ::-1]

@@ -111,7 +111,8 @@ def _evaluated_edges(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Points and edges of the evaluated curve without thickness, and its world matrix."""
     with evaluated_copy(object, depsgraph, with_data=True) as (copy, own):
-        for modifier in list(copy.modifiers)[len(shaping_modifiers(copy)) :]:
+        shaping = {modifier.name for modifier in shaping_modifiers(copy)}
+        for modifier in [each for each in copy.modifiers if each.name not in shaping]:
             copy.modifiers.remove(modifier)
         curve = copy.data
         curve.bevel_depth = 0.0

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects as the dependency graph shows them: modifiers applied, hidden or not, in any mode."""
+"""Objects with their modifiers applied, hidden or not, in any mode: as the dependency graph shows
+them, and surfaces as a render does where that differs."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from typing import NamedTuple
 
 import bpy
 import numpy as np
 
+from .changes import shape_count
 from .errors import DataError
 from .fillable import has_faces, why_not_this
+from .identity import number_of
+from .rendered import RenderedCopies, Rendering, rendering_of
 from .transforms import world_matrix
 
 
@@ -24,7 +28,10 @@ class Evaluation(NamedTuple):
 
 @contextmanager
 def evaluated_copy(
-    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph, with_data: bool
+    object: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    with_data: bool,
+    as_rendered: bool = False,
 ) -> Iterator[Evaluation]:
     """A visible copy of the object in a scene of its own, for as long as the block lasts.
 
@@ -33,14 +40,15 @@ def evaluated_copy(
     point at included, is still where it was: a graph of its own evaluates all of it at the frame,
     and leaves the animated properties of the scene that is shown as the user has them.
 
-    with_data   the data is copied too; update `depsgraph` of the result after changing it
+    with_data    the data is copied too; update `depsgraph` of the result after changing it
+    as_rendered  it has what a render shows instead of what the views show
 
     Raises DataError where the frame hides the object.
     """
     shown = depsgraph.scene
     scene = bpy.data.scenes.new("Meander Evaluation")
     copy = object.copy()
-    data = None
+    data, rendered = None, RenderedCopies()
     try:
         scene.render.use_simplify = shown.render.use_simplify
         scene.render.simplify_subdivision = shown.render.simplify_subdivision
@@ -49,8 +57,14 @@ def evaluated_copy(
         if with_data:
             data = object.data.copy()
             copy.data = data
-        copy.hide_viewport = False
-        scene.collection.objects.link(copy)
+        members = [copy]
+        if as_rendered:
+            scene.render.simplify_subdivision = shown.render.simplify_subdivision_render
+            rendered.prepare(copy, object, shown)
+            members = rendered.family(copy, object, shown) or members
+        for member in members:
+            member.hide_viewport = False
+            scene.collection.objects.link(member)
         layer = scene.view_layers[0]
         layer.update()
         if copy.evaluated_get(layer.depsgraph).hide_viewport:
@@ -61,6 +75,7 @@ def evaluated_copy(
         yield Evaluation(copy, layer.depsgraph)
     finally:
         bpy.data.objects.remove(copy)
+        rendered.remove()
         if data is not None:
             bpy.data.batch_remove([data])
         bpy.data.scenes.remove(scene)
@@ -89,7 +104,9 @@ def surface_mesh(
 ) -> Iterator[tuple[bpy.types.Mesh, np.ndarray]]:
     """The evaluated mesh of a surface and its world matrix, freed after the block.
 
-    Works in Edit Mode and for hidden objects. Raises DataError for what has no faces.
+    As a render shows it where that differs from what the views show, and costs at most
+    rendered.MOST_FACES times the faces: what lies on it is then seen where it is looked at in the
+    end. Works in Edit Mode and for hidden objects. Raises DataError for what has no faces.
     """
     if not has_faces(object):
         raise DataError(
@@ -98,6 +115,10 @@ def surface_mesh(
         )
     if object.mode == "EDIT":
         object.update_from_editmode()
+    with _rendered_mesh(object, depsgraph) as rendered:
+        if rendered is not None:
+            yield rendered
+            return
     if is_evaluated(object, depsgraph):
         depsgraph.update()
         with mesh_of(object, depsgraph) as result:
@@ -106,6 +127,80 @@ def surface_mesh(
         with evaluated_copy(object, depsgraph, with_data=False) as (copy, own):
             with mesh_of(copy, own) as result:
                 yield result
+
+
+# Surfaces whose render was found to have too many faces, by their numbers, and the count of their
+# shape then: what is heavy is not evaluated again and again.
+_too_costly: dict[int, int] = {}
+
+
+class _Once:
+    """What is kept of the surfaces of a dependency graph while evaluated_once() lasts."""
+
+    def __init__(self, depsgraph: bpy.types.Depsgraph) -> None:
+        self.depsgraph, self.stack = depsgraph, ExitStack()
+        self.found: dict[int, tuple[bpy.types.Mesh, np.ndarray]] = {}
+
+
+_once: _Once | None = None
+
+
+@contextmanager
+def evaluated_once(depsgraph: bpy.types.Depsgraph) -> Iterator[None]:
+    """Has surfaces evaluated as rendered once, however often they are asked for in the block,
+    which changes nothing of them."""
+    global _once
+    if _once is not None:
+        yield
+        return
+    _once = _Once(depsgraph)
+    try:
+        with _once.stack:
+            yield
+    finally:
+        _once = None
+
+
+@contextmanager
+def _rendered_mesh(
+    object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> Iterator[tuple[bpy.types.Mesh, np.ndarray] | None]:
+    """surface_mesh() of what a render shows; None where the views' is to be taken."""
+    rendering = rendering_of(object, depsgraph.scene) if depsgraph.mode == "VIEWPORT" else None
+    number = number_of(object)
+    costly = _too_costly.get(number) == shape_count(object)
+    if rendering is None or not rendering.may_be_filled or costly and rendering.counted:
+        yield None
+        return
+    kept = _once if _once is not None and _once.depsgraph == depsgraph else None
+    if kept is not None and number in kept.found:
+        yield kept.found[number]
+        return
+    with ExitStack() as stack:
+        enter = stack.enter_context
+        found = enter(mesh_of(*enter(evaluated_copy(object, depsgraph, False, as_rendered=True))))
+        if _is_worth(len(found[0].loops), rendering, object, depsgraph):
+            if kept is not None:
+                kept.found[number] = found
+                kept.stack.push(stack.pop_all())
+            yield found
+            return
+    _too_costly.clear()
+    _too_costly[number] = shape_count(object)
+    yield None
+
+
+def _is_worth(
+    corners: int,
+    rendering: Rendering,
+    object: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+) -> bool:
+    """Whether a render's faces, which have so many corners, are to be filled."""
+    if not corners or not rendering.counted or not is_evaluated(object, depsgraph):
+        return corners > 0
+    with mesh_of(object, depsgraph) as (shown, _matrix):
+        return rendering.is_worth(corners, len(shown.loops))
 
 
 def is_evaluated(object: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:

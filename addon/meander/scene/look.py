@@ -21,6 +21,7 @@ import numpy as np
 from . import assets
 from .blender_versions import group_sockets, input_place, input_value, set_input_value
 from .errors import DataError
+from .view_aid import is_view_aid
 
 GROUP = "Meander Look"
 
@@ -36,7 +37,8 @@ def shaping_modifiers(thing: bpy.types.Object) -> list[bpy.types.Modifier]:
     for modifier in thing.modifiers:
         if _is_look(modifier):
             break
-        shaping.append(modifier)
+        if not is_view_aid(modifier):
+            shaping.append(modifier)
     return shaping
 
 

@@ -12,13 +12,15 @@ from .. import core
 from .errors import DataError
 from .evaluated import is_evaluated, surface_mesh
 from .fillable import shows_instances
+from .rendered import rendering_of
 from .transforms import check_invertible, to_world, world_matrix
 
 
 def triangles_of(
     object: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The triangles of a mesh object as the user sees it: modifiers applied, in world units.
+    """The triangles of a mesh object with its modifiers applied, in world units; as a render shows
+    it where evaluated.surface_mesh() does.
 
     Works in Edit Mode and for hidden objects. Where the transform mirrors, faces are flipped, so
     that they face outward as Blender shows them.
@@ -67,12 +69,18 @@ def surface_now(
     """World vertices, triangles and world matrix of a surface as `depsgraph` has evaluated it.
 
     Unlike triangles_of it updates nothing, so that a frame handler may call it. Raises DataError
-    for a surface that is hidden, and so not evaluated.
+    for a surface that is hidden, and so not evaluated, and for one that renders otherwise.
     """
     if not is_evaluated(surface, depsgraph):
         raise DataError(
             f"'{surface.name}' is hidden, so that Blender does not evaluate it; show it, display "
             "it as Bounds instead, or bake the frames"
+        )
+    rendering = rendering_of(surface, depsgraph.scene) if depsgraph.mode == "VIEWPORT" else None
+    if rendering is not None and rendering.may_be_filled:
+        raise DataError(
+            f"'{surface.name}' renders otherwise than the view shows; press Show as Rendered or "
+            "Render as Shown, or bake the frames"
         )
     evaluated_surface = surface.evaluated_get(depsgraph)
     mesh = evaluated_surface.to_mesh()

@@ -16,6 +16,8 @@ _ENTRIES: tuple[tuple[str, ...], ...] = (
         "stop",
         "choose_settings",
         "propose_spacing",
+        "show_as_rendered",
+        "render_as_shown",
         "show_gaps",
         "select_curve",
         "use_as_surface",

@@ -30,6 +30,7 @@ from .on_result import LINKED, is_linked
 from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation import draw_faults
 from .presets import MEANDER_PT_presets, active_name
+from .rendered import draw_rendering
 from .seeds import surface_drawn_on
 from .settings import MeanderFigures, MeanderSettings
 from .sidebar import ADVANCED, GUIDANCE, ORDER, OUTPUT, Sidebar, SubPanel, columns, notice
@@ -60,6 +61,7 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             self._draw_progress(layout, context, running)
         elif surface is not None:
             draw_hidden(layout, context)
+            draw_rendering(layout, context)
             self._draw_buttons(layout, context)
             draw_faults(layout, context)
 
