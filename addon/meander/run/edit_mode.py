@@ -37,7 +37,7 @@ def left(context: bpy.types.Context) -> Iterator[None]:
         bpy.ops.object.mode_set(mode="EDIT")
 
 
-def push_undo() -> None:
+def push_undo(message: str = "Fill with Curve") -> None:
     """An undo step of what an operator has done so far; nothing in background, which has none."""
     if not bpy.app.background:
-        bpy.ops.ed.undo_push(message="Fill with Curve")
+        bpy.ops.ed.undo_push(message=message)

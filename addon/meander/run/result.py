@@ -58,12 +58,15 @@ def write_result(
     plan: Plan,
     stepper: Stepper,
     outcome: tuple[Snapshot, dict[str, Any], str],
+    undisturbed: bool = True,
 ) -> bpy.types.Object:
     """Makes the curve object of a run that has ended, or rewrites the one that it goes on from.
 
     A mesh that is filled again stays selected, to be painted and filled once more.
 
-    outcome   of stepper.result()
+    outcome      of stepper.result()
+    undisturbed  what is active and selected is what it was when the run began; else that is the
+                 user's choice meanwhile, and stays
     """
     snapshot, statistics, stop_reason = outcome
     surface = plan.surface.find()
@@ -125,7 +128,7 @@ def write_result(
     point_attributes.store_medial_radii(result, radii[grown], plan.matrix)
     if plan.points_as != "NONE":
         _make_points(plan, stepper, result, snapshot.polylines)
-    if earlier is None or not plan.from_surface:
+    if undisturbed and (earlier is None or not plan.from_surface):
         _make_active(context, result)
     return result
 

@@ -24,6 +24,7 @@ from ..model.estimate import Estimate, Remaining, in_words, told
 from ..model.preparation import refusal
 from ..model.toolpaths import bridges
 from ..scene.errors import DataError
+from ..scene.home_scene import Choice
 from ..scene.identity import Key, number_of
 from ..scene.lengths import length_text
 from ..scene.linked_settings import settings_of
@@ -109,6 +110,7 @@ class Session:
         self.is_large: Callable[[Estimate], bool] = lambda _run: False  # one to be asked about
         # Why the last wish was refused, a sentence, and whose it was, for whoever reports it.
         self.refusal, self.refused = "", plan.settings
+        self._choice: Choice | None = None  # what was active and selected when it began
         self.ticked = 0.0  # when, by time.perf_counter()
         self._window: Window | None = None
         self._preview: Preview | None = None
@@ -117,6 +119,8 @@ class Session:
         """Begins the run, which goes on by itself, with a timer for tick()."""
         self._take_the_place()
         lasting.session = self
+        found = self.plan.home.find(self.plan.surface.find())
+        self._choice = None if found is None else Choice(found[1])
         self._preview = Preview(self.plan, context.scene)
         self._window = Window(context)
         _leave_one(self.plan.problem.options)
@@ -362,8 +366,10 @@ class Session:
             raise DataError(stiffening.refusal(lambda value: length_text(context.scene, value)))
         if self._preview is not None:
             self._preview.end()
+        choice = self._choice
+        undisturbed = choice is None or choice.is_still_made(context.view_layer)
         with edit_mode.left(context):
-            result = write_result(context, self.plan, self.stepper, outcome)
+            result = write_result(context, self.plan, self.stepper, outcome, undisturbed)
         _snapshot, figures, stop_reason = outcome
         if result.meander.live:
             # The next one updates it, and leaves alone what is active then.

@@ -14,7 +14,7 @@ from . import points as point_attributes
 from .blender_versions import fcurves, shape_key_points
 from .curve_writer import write_splines
 from .linked_settings import settings_of
-from .look import copy_look, place_of, set_value
+from .look import copy_look, copy_values, modifier_of, place_of, same_values, set_value
 from .profile import set_tilt_and_radius
 
 GROWTH = "Meander Growth"
@@ -160,6 +160,39 @@ def baked_result(thing: bpy.types.Object | None) -> bpy.types.Object | None:
         if bake is not None and (thing == surface or bake in thing.users_collection[:]):
             return result
     return None
+
+
+def looks_differ(result: bpy.types.Object) -> bool:
+    """Whether the baked frames of a result look otherwise than it does; cheap, for panels."""
+    bake = result.meander.bake
+    shown = next(iter(bake.objects), None) if bake is not None else None
+    if shown is None:
+        return False
+    mine, its = modifier_of(result), modifier_of(shown)
+    materials = list(result.data.materials) != list(shown.data.materials)
+    return materials or None not in (mine, its) and not same_values(mine, its)
+
+
+def pass_on_look(result: bpy.types.Object) -> None:
+    """Gives all baked frames of a result the look and the materials that it has."""
+    mine, materials = modifier_of(result), list(result.data.materials)
+    for shown in result.meander.bake.objects:
+        its = modifier_of(shown)
+        if None not in (mine, its):
+            copy_values(mine, its)
+        for index, material in enumerate(materials):
+            if index < len(shown.data.materials):
+                shown.data.materials[index] = material
+            else:
+                shown.data.materials.append(material)
+        shown.update_tag()
+
+
+def on_output() -> None:
+    """What a script has changed of the look of a result since its frames were baked."""
+    for thing in bpy.data.objects:
+        if thing.type == "CURVE" and thing.library is None and looks_differ(thing):
+            pass_on_look(thing)
 
 
 def clear(result: bpy.types.Object) -> None:

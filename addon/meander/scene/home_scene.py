@@ -12,6 +12,22 @@ from .errors import DataError
 from .identity import Key
 
 
+class Choice:
+    """What is active and selected in a view layer, to be compared with what is later."""
+
+    def __init__(self, view_layer: bpy.types.ViewLayer) -> None:
+        active = view_layer.objects.active
+        self._active = None if active is None else Key(active)
+        self._selected = [Key(thing) for thing in view_layer.objects.selected]
+
+    def is_still_made(self, view_layer: bpy.types.ViewLayer) -> bool:
+        """Whether the user has chosen nothing else meanwhile."""
+        active = None if self._active is None else self._active.find()
+        selected = {key.find() for key in self._selected} - {None}
+        now = view_layer.objects
+        return now.active == active and set(now.selected) == selected
+
+
 class HomeScene:
     """The scene and the view layer in which a surface was found."""
 

@@ -73,6 +73,20 @@ def copy_values(source: bpy.types.NodesModifier, target: bpy.types.NodesModifier
             set_input_value(target, socket.identifier, input_value(source, socket.identifier))
 
 
+def same_values(one: bpy.types.NodesModifier, other: bpy.types.NodesModifier) -> bool:
+    """Whether all inputs of two modifiers of the same group are set to the same."""
+    return one.node_group == other.node_group and all(
+        _comparable(input_value(one, socket.identifier))
+        == _comparable(input_value(other, socket.identifier))
+        for socket in group_sockets(one.node_group, "INPUT")
+        if input_place(one, socket.identifier) is not None
+    )
+
+
+def _comparable(value: Any) -> Any:
+    return tuple(value) if hasattr(value, "__len__") and not isinstance(value, str) else value
+
+
 def _identifier(modifier: bpy.types.NodesModifier, name: str) -> str | None:
     for socket in group_sockets(modifier.node_group, "INPUT"):
         if socket.name == name and input_place(modifier, socket.identifier) is not None:

@@ -10,6 +10,9 @@ from ..model.geometry.chains import Chain, branching, chains_of
 from .curve_writer import new_curve_object
 from .errors import DataError
 from .evaluated import surface_mesh
+from .fillable import has_faces
+from .linked_settings import settings_of
+from .settings import surface_of
 
 
 def new_seed(
@@ -31,6 +34,30 @@ def new_seed(
         spline.points.foreach_set("co", places.ravel())
         spline.use_cyclic_u = closed
     return seed
+
+
+def mesh_of_seed(
+    curve: bpy.types.Object | None, scene: bpy.types.Scene
+) -> bpy.types.Object | None:
+    """The mesh of a scene of which a curve is the seed, or one of its guides; None where there is
+    none. Cheap, for panels: what was drawn on a mesh is its child.
+    """
+    if curve is None or curve.type not in ("CURVE", "FONT") or surface_of(curve) is not None:
+        return None
+    parent = curve.parent
+    if parent is not None and scene in parent.users_scene and _starts_from(parent, curve):
+        return parent
+    return next((thing for thing in scene.objects if _starts_from(thing, curve)), None)
+
+
+def _starts_from(thing: bpy.types.Object, curve: bpy.types.Object) -> bool:
+    if not has_faces(thing):
+        return False
+    settings = settings_of(thing)
+    collection = settings.guide_collection
+    return curve in (settings.seed, settings.guides) or (
+        collection is not None and curve in collection.all_objects[:]
+    )
 
 
 def strands_of_edges(

@@ -13,13 +13,12 @@ from ..run.cut import CutResult, cut_result, paint, paint_sides
 from ..scene import assets
 from ..scene.cut import UV_MAP, sharpen_line, take_place
 from ..scene.errors import DataError
-from ..scene.fillable import is_result
 from ..scene.identity import Key
 from ..scene.look import set_value
 from ..scene.made import name_curve
 from ..scene.solid_view import colour_corners, show_colours
 from ..scene.transforms import mean_scale
-from .on_result import NO_RESULT, OnResult
+from .on_result import NO_RESULT, OnResult, result_of
 from .points import draw_light_and_points
 from .refusing import refusing
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
@@ -46,8 +45,8 @@ class Cut(OnResult):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        result = context.active_object
-        if not is_result(result):  # started anew while what it made last is active
+        result = result_of(context)
+        if result is None:  # started anew while what it made last is active
             raise DataError(NO_RESULT)
         detail = max(self.detail, _FINEST) if self.detail > 0.0 else 0.0
         cut = cut_result(
@@ -247,16 +246,16 @@ class MEANDER_PT_make(SubPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
-        layout, active = self.layout, context.active_object
+        layout = self.layout
         columns(layout)
-        if is_result(active):
+        if result_of(context) is not None:
             column = layout.column(align=True)
             column.operator(MEANDER_OT_two_tone.bl_idname, icon="MOD_MASK")
             column.operator(MEANDER_OT_relief.bl_idname, icon="RNDCURVE")
             column.operator(MEANDER_OT_ribbon.bl_idname, icon="UV")
             column.operator("meander.maze", icon="MOD_BUILD")
             column.operator(MEANDER_OT_cut_along_curve.bl_idname, icon="EDGESEL")
-        draw_light_and_points(layout, active)
+        draw_light_and_points(layout, context)
 
 
 _CLASSES = (

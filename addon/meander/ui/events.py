@@ -13,8 +13,9 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..run import estimate, gaps, live, motion, notes, seeds, session, suspended
-from ..scene import after_undo, changes, identity, linked_settings, look, made, solid_view
+from ..scene import after_undo, bake, changes, identity, linked_settings, look, made, solid_view
 from . import live as live_operator
+from . import look as look_panel
 from . import seeds as seed_drawing
 
 # What is called at which event, in this order: first what other functions of the row look at.
@@ -38,7 +39,7 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         motion.on_load,
         live_operator.forget,
     ),
-    "save_pre": (linked_settings.before_save, made.before_save, look.on_output),
+    "save_pre": (linked_settings.before_save, made.before_save, look.on_output, bake.on_output),
     "undo_pre": (changes.on_undo_begin, after_undo.begin),
     "undo_post": (*_READ_BACK, solid_view.give_back, *_UNDONE),
     "redo_pre": (changes.on_undo_begin, after_undo.begin),
@@ -50,7 +51,7 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
         solid_view.give_back,
     ),
     "frame_change_post": (changes.on_frame, motion.on_frame),
-    "render_init": (look.on_output, motion.on_render),
+    "render_init": (look.on_output, bake.on_output, motion.on_render),
     "render_complete": (motion.on_render_end,),
     "render_cancel": (motion.on_render_end,),
 }
@@ -58,7 +59,7 @@ _CALLED: dict[str, tuple[Callable[..., None], ...]] = {
 _EVALUATED = frozenset({"depsgraph_update_post", "frame_change_post"})
 
 # Timers that are begun where something is to be waited for; none outlasts the add-on.
-_TIMERS = (live_operator.tick, estimate.measure_ordered, seed_drawing.watch)
+_TIMERS = (live_operator.tick, estimate.measure_ordered, seed_drawing.watch, look_panel.pass_on)
 
 # What ends with the add-on, the running curve first.
 _ENDED = (

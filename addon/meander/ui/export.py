@@ -26,7 +26,7 @@ from ..scene.visible import visible_strands
 from .declared import declared
 from .file_names import file_named
 from .fill import sentence_of
-from .on_result import OnResult
+from .on_result import OnResult, result_of
 from .refusing import refusing
 
 _TABLES = {"CSV": ".csv", "JSON": ".json"}
@@ -145,7 +145,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             row.active = setting != "scale" or self.size == 0.0
             row.prop(self, setting)
             if setting == "layout_as" and self.layout_as == "UV":
-                surface = context.active_object.meander.surface
+                result = result_of(context)
+                surface = result.meander.surface
                 layout.prop_search(self, "uv_map", surface.data, "uv_layers")
         if self._size:
             layout.label(text=self._size, icon="FIXED_SIZE")
@@ -185,7 +186,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if not self.filepath:
-            self.filepath = bpy.path.clean_name(context.active_object.name)
+            self.filepath = bpy.path.clean_name(result_of(context).name)
         self.filepath = str(self._with_suffix())
         # In the dialog there is no 3D view to ask.
         self._view, self._format = _view_of(context), self.file_format
@@ -221,7 +222,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         kind = _BY_NAME.get(self.file_format)
         if kind is None or not kind.flat:
             return "SPACE"
-        result, depsgraph = context.active_object, context.evaluated_depsgraph_get()
+        result, depsgraph = result_of(context), context.evaluated_depsgraph_get()
         surface = result.meander.surface
         try:
             triangles = triangles_of(surface, depsgraph)
@@ -270,7 +271,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 
     def _write_table(self, path: Path, context: bpy.types.Context) -> tuple[str, str]:
         """What to say of it, and what to warn of; empty if nothing."""
-        result, depsgraph = context.active_object, context.evaluated_depsgraph_get()
+        result, depsgraph = result_of(context), context.evaluated_depsgraph_get()
         strands = strands_of_result(result, depsgraph)
         mesh = toolpath.Mesh(*triangles_of(result.meander.surface, depsgraph))
         strands = self._resampled(strands, mesh)
@@ -289,7 +290,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
     def _write_drawing(
         self, path: Path, kind: export.Format, context: bpy.types.Context
     ) -> Drawing:
-        values, title = self.option_values(), context.active_object.name
+        values, title = self.option_values(), result_of(context).name
         if export.lacks_plane(kind, values):
             raise FileError("Arcs lie in a plane; choose a Layout that is flat")
         if kind.name in ("DST", "PES") and not embroidery.is_there():
@@ -298,7 +299,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         strands = self._laid_out(kind, values, context)
         if kind.name not in ("DST", "PES"):
             strands = self._resampled(strands, None)
-        spacing = context.active_object.meander.figures.least_spacing
+        result = result_of(context)
+        spacing = result.meander.figures.least_spacing
         drawing = export.prepared(strands, kind, values, metres_of(context.scene), spacing)
         problem = None if values["force"] else export.unusable(drawing)
         if problem is not None:
@@ -315,7 +317,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         self, kind: export.Format, values: dict[str, Any], context: bpy.types.Context
     ) -> list[toolpath.Strand]:
         layout, depsgraph = values["layout_as"], context.evaluated_depsgraph_get()
-        results = _results(context) if self.selected else [context.active_object]
+        results = _results(context) if self.selected else [result_of(context)]
         strands = [strand for each in results for strand in strands_of_result(each, depsgraph)]
         surfaces = list(dict.fromkeys(result.meander.surface for result in results))
         if layout == "uv":
@@ -336,7 +338,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 
 def _results(context: bpy.types.Context) -> list[bpy.types.Object]:
     """The active curve, and the others that are selected and made by Meander."""
-    active = context.active_object
+    active = result_of(context)
     others = (
         thing
         for thing in context.selected_objects

@@ -27,6 +27,7 @@ from ..scene.blender_versions import ask
 from ..scene.errors import DataError
 from ..scene.fillable import is_result, why_not
 from ..scene.results import last_result
+from ..scene.seeds import mesh_of_seed
 from ..scene.settings import surface_of
 from .on_result import LINKED, is_linked
 from .preferences import is_large
@@ -78,13 +79,18 @@ def poll_run(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
     if context.mode not in _MODES:
         cls.poll_message_set("Works in Object Mode, in Edit Mode of a mesh and in Weight Paint")
         return False
-    if surface_of(context.active_object) is None:
+    if surface_of(context.active_object) is None and seeded_mesh(context) is None:
         cls.poll_message_set(why_not(context.active_object))
         return False
     if is_result(context.active_object) and is_linked(context.active_object):
         cls.poll_message_set(LINKED)
         return False
     return True
+
+
+def seeded_mesh(context: bpy.types.Context) -> bpy.types.Object | None:
+    """The mesh of which the active curve is the seed: that is what its Fill fills."""
+    return mesh_of_seed(context.active_object, context.scene)
 
 
 def fits(plan: Plan) -> bool:
@@ -219,6 +225,12 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
         default=False,
         options={"HIDDEN", "SKIP_SAVE"},
     )
+    go_on: BoolProperty(
+        name="Continue",
+        description="Go on from the curve of the active mesh, instead of filling that again",
+        default=False,
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
     asked: BoolProperty(
         name="Asked",
         description="Begin without asking, however large the run is",
@@ -235,12 +247,13 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
         active = context.active_object
         if options.beside:
             return "Fill the mesh with another curve; leaves the curves that it has as they are"
-        if options.restart or last_result(active, context.scene) is not None:
+        again = last_result(active, context.scene) is not None and not options.go_on
+        if options.restart or again:
             return (
                 "Fill the surface from its seed again; keeps the looks, materials and modifiers "
                 "of the curve, and replaces its line"
             )
-        if is_result(active):
+        if is_result(active) or options.go_on:
             return (
                 "Go on from this line until it fits the settings; keeps its strands and, as far "
                 "as may be, its turns, and all its looks"
@@ -255,8 +268,9 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
         if repeated and not bpy.app.background and context.window is not None:
             # Repeat Last and the like execute. What Blender repeats stays in its list, so it cannot
             # be modal itself; it begins another one.
-            bpy.ops.meander.run("INVOKE_DEFAULT", restart=self.restart, beside=self.beside)
+            bpy.ops.meander.run("INVOKE_DEFAULT", **self._what())
             return {"CANCELLED"}
+        self._take_up(context)
         self._queue, filled = Queue(context, self.restart, self.beside), False
         while (plan := self._planned(context)) is not None:
             if filled:
@@ -268,6 +282,7 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         self._invoked = True
+        self._take_up(context)
         self._queue = Queue(context, self.restart, self.beside)
         plan = self._planned(context)
         if plan is None or not self.asked and self._asks(context, plan):
@@ -275,6 +290,22 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
         self._session = self._new_session(plan)
         self._session.place = self._queue.place
         return self._watch(context)
+
+    def _what(self) -> dict[str, bool]:
+        return {"restart": self.restart, "beside": self.beside}
+
+    def _take_up(self, context: bpy.types.Context) -> None:
+        """Makes active what is meant: the mesh of a seed, or the curve of a mesh to go on with."""
+        objects, mesh = context.view_layer.objects, seeded_mesh(context)
+        if mesh is not None and objects.get(mesh.name) == mesh:
+            for other in list(context.selected_objects):
+                other.select_set(False)
+            objects.active = mesh
+            if mesh.visible_get():
+                mesh.select_set(True)
+        result = last_result(context.active_object, context.scene)
+        if self.go_on and result is not None and objects.get(result.name) == result:
+            objects.active = result
 
     def _go_on(self, context: bpy.types.Context, outcome: set[str]) -> set[str]:
         """Begins with the next object. Each that is filled has an undo step of its own."""
@@ -307,8 +338,7 @@ class MEANDER_OT_run(Watched, bpy.types.Operator):
             return False
         bpy.ops.meander.ask_run(
             "INVOKE_DEFAULT",
-            restart=self.restart,
-            beside=self.beside,
+            **self._what(),
             figures=described(estimate),
         )
         return True
@@ -429,9 +459,11 @@ def unregister() -> None:
         bpy.utils.unregister_class(cls)
 
 
-def draw_fill_buttons(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+def draw_fill_buttons(
+    layout: bpy.types.UILayout, context: bpy.types.Context, in_menu: bool = False
+) -> None:
     """Fill with Curve, or what goes on with the curve that is there."""
-    active = context.active_object
+    active = seeded_mesh(context) or context.active_object
     run = MEANDER_OT_run.bl_idname
     if active is None or surface_of(active) is None:
         layout.operator(run, icon="PLAY")
@@ -441,13 +473,15 @@ def draw_fill_buttons(layout: bpy.types.UILayout, context: bpy.types.Context) ->
         # What has its whole length is still being made even.
         text = f"Continue at {min(100.0 * kept.progress, 99.0):.0f} %"
         layout.operator(MEANDER_OT_resume.bl_idname, text=text, icon="PLAY")
-    if is_result(active):
-        if kept is None:
-            layout.operator(run, text="Continue", icon="PLAY")
-        layout.operator(run, text="Fill Again", icon="FILE_REFRESH").restart = True
-    elif last_result(active, context.scene) is None:
+    if not is_result(active) and last_result(active, context.scene) is None:
         layout.operator(run, icon="PLAY")
         return
-    else:
-        layout.operator(run, text="Fill Again", icon="FILE_REFRESH")
+    row = layout if in_menu else layout.row(align=True)
+    if kept is None and (is_result(active) or context.mode == "OBJECT"):
+        button = row.operator(run, text="Continue", icon="PLAY")
+        if not is_result(active):
+            button.go_on = True
+    again = row.operator(run, text="Fill Again", icon="FILE_REFRESH")
+    if is_result(active):
+        again.restart = True
     layout.operator(run, text="New Curve", icon="ADD").beside = True

@@ -13,7 +13,7 @@ from ..scene.errors import DataError
 from ..scene.light import least_spacing, make_light
 from ..scene.points import polylines_of
 from .fill import sentence_of
-from .on_result import OnOwnResult
+from .on_result import OnOwnResult, result_of
 from .refusing import refusing
 
 
@@ -26,7 +26,7 @@ class MEANDER_OT_make_light(OnOwnResult, bpy.types.Operator):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        result = context.active_object
+        result = result_of(context)
         was_light, result.meander.use_light = result.meander.use_light, True
         try:
             light = light_of(chosen(in_panel("Make"), result.meander))

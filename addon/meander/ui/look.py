@@ -9,11 +9,13 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty
 
 from ..scene import look
+from ..scene.bake import looks_differ, pass_on_look
+from ..scene.identity import Key
 from ..scene.linked_settings import settings_of
 from ..scene.look_upgrade import add_look
 from ..scene.results import shown_result
 from .declared import switch
-from .on_result import OnOwnResult
+from .on_result import OnOwnResult, result_of
 from .refusing import refusing
 from .sidebar import LOOK, LOOK_ORDER, ORDER, SubPanel, columns
 
@@ -103,14 +105,14 @@ class MEANDER_OT_add_look(OnOwnResult, bpy.types.Operator):
     def poll(cls, context: bpy.types.Context) -> bool:
         if not super().poll(context):
             return False
-        if look.modifier_of(context.active_object) is not None:
+        if look.modifier_of(result_of(context)) is not None:
             cls.poll_message_set("The curve has a live look")
             return False
         return True
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        add_look(context.active_object, context.evaluated_depsgraph_get())
+        add_look(result_of(context), context.evaluated_depsgraph_get())
         return {"FINISHED"}
 
 
@@ -136,12 +138,34 @@ class MEANDER_PT_look(SubPanel, bpy.types.Panel):
                 whole.prop(settings, "last_result", text="", icon="CURVE_DATA")
             else:  # the one that it names has been deleted
                 whole.label(text=result.name, icon="CURVE_DATA")
+        _order(result)
         modifier = look.modifier_of(result)
         if modifier is None:
             _draw_bevel(layout, result)
         else:
             _draw_look(layout, result, modifier)
         _draw_colour(layout, result, modifier)
+
+
+# The result whose baked frames are to look as it does. A panel changes nothing, so a timer does.
+_ordered: Key | None = None
+
+
+def _order(result: bpy.types.Object) -> None:
+    global _ordered
+    if not looks_differ(result):
+        return
+    _ordered = Key(result)
+    if not bpy.app.background and not bpy.app.timers.is_registered(pass_on):
+        bpy.app.timers.register(pass_on, first_interval=0.0)
+
+
+def pass_on() -> None:
+    """Gives the baked frames of what the panel shows its look, which the panel edits."""
+    global _ordered
+    result, _ordered = None if _ordered is None else _ordered.find(), None
+    if result is not None and looks_differ(result):
+        pass_on_look(result)
 
 
 def _draw_seed(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
@@ -159,8 +183,7 @@ def _draw_bevel(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
     column = layout.column(align=True)
     column.prop(result.data, "bevel_depth", text="Radius")
     column.prop(result.data, "bevel_resolution", text="Resolution")
-    if result == bpy.context.active_object:
-        layout.operator(MEANDER_OT_add_look.bl_idname, icon="GEOMETRY_NODES")
+    layout.operator(MEANDER_OT_add_look.bl_idname, icon="GEOMETRY_NODES")
 
 
 def _draw_look(

@@ -16,7 +16,7 @@ from ..scene.errors import DataError
 from ..scene.layouts import map_of
 from .file_names import file_named
 from .fill import sentence_of
-from .on_result import OnResult
+from .on_result import OnResult, result_of
 from .refusing import refusing
 
 _TIPS = {
@@ -120,7 +120,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if not self.filepath:
-            self.filepath = bpy.path.clean_name(context.active_object.name)
+            self.filepath = bpy.path.clean_name(result_of(context).name)
         self.filepath = str(self._with_suffix())
         self._format = self.file_format
         context.window_manager.fileselect_add(self)
@@ -135,7 +135,7 @@ class MEANDER_OT_maps(OnResult, bpy.types.Operator):
         chosen = self.properties.is_property_set("file_format")
         if not chosen or self.file_format == self._format:  # it is the name that has changed
             self._take_format_of_name()
-        result, depsgraph = context.active_object, context.evaluated_depsgraph_get()
+        result, depsgraph = result_of(context), context.evaluated_depsgraph_get()
         surface = result.meander.surface
         corners = map_of(surface, depsgraph, self.uv_map)
         # Details of a cut are in half spacings.

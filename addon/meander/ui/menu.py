@@ -64,7 +64,7 @@ class MEANDER_MT_object(bpy.types.Menu):
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
         layout.operator_context = "INVOKE_DEFAULT"
-        draw_fill_buttons(layout, context)
+        draw_fill_buttons(layout, context, in_menu=True)
         for group in _ENTRIES:
             layout.separator()
             for name in group:

@@ -11,7 +11,7 @@ from ..run import motion, session
 from ..scene import bake as baked_frames
 from ..scene.fillable import is_result
 from .declared import switch
-from .on_result import OnOwnResult
+from .on_result import OnOwnResult, result_of
 from .refusing import refusing
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns, notice
 
@@ -46,7 +46,7 @@ class _OnResult(OnOwnResult):
     bl_options = {"REGISTER", "UNDO"}
 
     def _bake(self, context: bpy.types.Context, bake: Any, *arguments: Any) -> set[str]:
-        result = context.active_object
+        result = result_of(context)
         collection = bake(result, context, *arguments)
         _activate_surface(context, result)
         motion.forget()
@@ -131,7 +131,7 @@ class MEANDER_OT_animate_growth(_OnResult, bpy.types.Operator):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        result, first = context.active_object, context.scene.frame_start
+        result, first = result_of(context), context.scene.frame_start
         last = first + self.frames - 1
         collection, stages = baking.animate_growth(result, context, first, last)
         _activate_surface(context, result)

@@ -8,9 +8,10 @@ import bpy
 from ..run import session
 from ..scene.fillable import is_result, why_not
 from ..scene.linked_settings import is_from_file
+from ..scene.results import shown_result
 from ..scene.settings import surface_of
 
-NO_RESULT = "Choose a curve that Meander has made"
+NO_RESULT = "Choose a curve that Meander has made, or its mesh"
 LINKED = "The curve is linked from another file"
 
 
@@ -31,15 +32,21 @@ def can_choose(cls: type[bpy.types.Operator], context: bpy.types.Context) -> boo
     return True
 
 
+def result_of(context: bpy.types.Context) -> bpy.types.Object | None:
+    """The curve that a panel and its buttons are about: the active one, or that of the active
+    mesh."""
+    return shown_result(context.active_object, context.scene)
+
+
 class OnResult:
-    """An operator that works on the active curve, which Meander has made."""
+    """An operator that works on a curve which Meander has made: result_of()."""
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
+        result = result_of(context)
         if session.current() is not None:
             cls.poll_message_set("A curve is growing")
-        elif active is None or active.type != "CURVE" or active.meander.surface is None:
+        elif result is None or result.meander.surface is None:
             cls.poll_message_set(NO_RESULT)
         elif context.mode != "OBJECT":
             cls.poll_message_set("Works in Object Mode")
@@ -55,7 +62,7 @@ class OnOwnResult(OnResult):
     def poll(cls, context: bpy.types.Context) -> bool:
         if not super().poll(context):
             return False
-        if is_linked(context.active_object):
+        if is_linked(result_of(context)):
             cls.poll_message_set(LINKED)
             return False
         return True

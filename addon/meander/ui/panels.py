@@ -22,10 +22,10 @@ from ..scene.made import made_from
 from ..scene.results import shown_result
 from ..scene.settings import surface_of
 from .declared import row, rows, switch
-from .fill import MEANDER_OT_stop, draw_fill_buttons
+from .fill import MEANDER_OT_stop, draw_fill_buttons, seeded_mesh
 from .gaps import MEANDER_OT_show_gaps, wide_gaps
 from .help import MEANDER_OT_open_help
-from .made import draw_hidden, draw_made
+from .made import MEANDER_OT_select_curve, draw_hidden, draw_made
 from .on_result import LINKED, is_linked
 from .operators import MEANDER_OT_choose_settings, MEANDER_OT_propose_spacing
 from .preparation import draw_faults
@@ -55,7 +55,11 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
             self._draw_settings(layout.column(), context.active_object, surface)
         elif made_from(context.active_object) is not None:
             draw_made(layout, made_from(context.active_object))
-        elif running is None and surface_drawn_on(context.active_object) is None:
+        elif running is not None or surface_drawn_on(context.active_object) is not None:
+            pass
+        elif seeded_mesh(context) is not None:
+            self._draw_seed(layout, context)
+        else:
             notice(layout, why_not_this(context.active_object) or "Select a mesh to fill")
         if running is not None:
             self._draw_progress(layout, context, running)
@@ -72,7 +76,10 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         layout.use_property_split = True
         layout.use_property_decorate = False
         # Which surface it is, and lies on, is a fact, not a choice; its name has all the room.
-        layout.label(text=surface.name, icon="MESH_DATA")
+        row = layout.row()
+        row.label(text=surface.name, icon="MESH_DATA")
+        if not active.select_get() or active == surface:
+            _draw_select_curve(row, active)
         _labelled(layout, "Preset").popover(
             panel=MEANDER_PT_presets.__name__, text=active_name(settings) or "Custom"
         )
@@ -82,6 +89,14 @@ class MEANDER_PT_main(Sidebar, bpy.types.Panel):
         row.prop(settings, "spacing")
         row.operator(MEANDER_OT_propose_spacing.bl_idname, text="", icon="SHADERFX")
         switch(live, settings, "live")
+
+    def _draw_seed(self, layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+        """What there is to do with a curve that is the seed of a mesh: fill that."""
+        layout.label(text=seeded_mesh(context).name, icon="MESH_DATA")
+        layout.operator_context = "INVOKE_DEFAULT"
+        column = layout.column(align=True)
+        column.scale_y = 1.4
+        draw_fill_buttons(column, context)
 
     def _draw_buttons(
         self, layout: bpy.types.UILayout, context: bpy.types.Context
@@ -226,6 +241,13 @@ def _draw_linked(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
         notice(layout, LINKED, "LIBRARY_DATA_DIRECT")
     elif not is_result(active) and not can_be_changed(active):
         layout.operator(MEANDER_OT_choose_settings.bl_idname, icon="LIBRARY_DATA_DIRECT")
+
+
+def _draw_select_curve(row: bpy.types.UILayout, active: bpy.types.Object) -> None:
+    """A fill selects nothing, as the outline of a curve so dense would cover it: one click does."""
+    if shown_result(active, bpy.context.scene) is not None:
+        select = MEANDER_OT_select_curve.bl_idname
+        row.operator(select, text="", icon="RESTRICT_SELECT_OFF", emboss=False)
 
 
 def _labelled(layout: bpy.types.UILayout, text: str) -> bpy.types.UILayout:

@@ -7,7 +7,6 @@ from bpy.props import EnumProperty
 from ..scene import look, points
 from ..scene.errors import DataError
 from ..scene.evaluated import matrix_of
-from ..scene.fillable import is_result
 from ..scene.linked_settings import settings_of
 from ..scene.made import name_curve
 from ..scene.points import strands_of_result
@@ -18,7 +17,7 @@ from .export import MEANDER_OT_export_toolpath
 from .fill import sentence_of
 from .light import MEANDER_OT_make_light
 from .maps import MEANDER_OT_maps
-from .on_result import OnResult
+from .on_result import OnResult, result_of
 from .refusing import refusing
 from .sidebar import OUTPUT, OUTPUT_ORDER, SubPanel, columns
 
@@ -48,7 +47,7 @@ class _PointsToObject(OnResult):
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
-        result = context.active_object
+        result = result_of(context)
         surface = result.meander.surface
         depsgraph = context.evaluated_depsgraph_get()
         points.refuse(self.kind)
@@ -108,7 +107,7 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        return is_result(context.active_object) and super().poll(context)
+        return result_of(context) is not None and super().poll(context)
 
     def draw(self, _context: bpy.types.Context) -> None:
         layout = self.layout
@@ -120,14 +119,15 @@ class MEANDER_PT_points(SubPanel, bpy.types.Panel):
         column.operator(MEANDER_OT_draw_camera.bl_idname, icon="CAMERA_DATA")
 
 
-def draw_light_and_points(layout: bpy.types.UILayout, active: bpy.types.Object) -> None:
+def draw_light_and_points(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     """Fewer points of the next result or of this one, and all of them as an object."""
+    active, result = context.active_object, result_of(context)
     rows(layout, settings_of(active), "Make")
-    if is_result(active):
+    if result is not None:
         layout.operator(MEANDER_OT_make_light.bl_idname, icon="MOD_DECIM")
-        _draw_counts(layout, active)
+        _draw_counts(layout, result)
     layout.prop(settings_of(active), "points_as")
-    if is_result(active):
+    if result is not None:
         column = layout.column(align=True)
         column.operator(MEANDER_OT_points_to_mesh.bl_idname, icon="MESH_DATA")
         column.operator(MEANDER_OT_points_to_curves.bl_idname, icon="CURVES_DATA")

@@ -2,7 +2,7 @@
 """Seeds made of what a mesh has, or drawn on it with Blender's own draw tool and looked at.
 
 While a seed is drawn, the tool of Edit Mode and the settings of curve painting are borrowed. They
-are given back by End Drawing, and also when the user leaves Edit Mode by himself or the curve goes.
+are given back by End Drawing, which leaving Edit Mode is too, and also when the curve goes.
 Blender fits a smooth curve to every stroke, which cuts through a surface that bends; so what the
 strokes come to is shown on the surface after each.
 """
@@ -20,6 +20,7 @@ from bpy.props import BoolProperty
 
 from .. import core
 from ..run import seeds, session
+from ..run.edit_mode import push_undo
 from ..run.window import redraw
 from ..scene import linked_settings
 from ..scene.blender_versions import settings_of
@@ -298,8 +299,34 @@ def watch() -> float | None:
         if _drawing.shows and _drawing.shown != shape_count(curve):
             _show_strokes(_drawing, curve)
         return _INTERVAL
+    drawing = _drawing
     give_back()
+    if curve is not None and curve.users_scene:
+        _end(drawing, bpy.context)  # Tab is End Drawing
+        push_undo("End Drawing")
+        redraw("UI", "WINDOW")
     return None
+
+
+def _end(drawing: _Drawing, context: bpy.types.Context) -> str:
+    """Goes back to the surface, with what was drawn as its seed; the seed that it had, where
+    nothing was. What the user has clicked meanwhile stays active. Returns what has become of it.
+    """
+    curve, surface = drawing.curve.find(), drawing.surface.find()
+    layer = context.view_layer
+    if surface is not None and layer.objects.active == curve:
+        if layer.objects.get(surface.name) == surface:
+            _activate(context, surface)
+    strokes = len(curve.data.splines)
+    if strokes:
+        count = "one strand" if strokes == 1 else f"{strokes} strands"
+        whose = surface.name if surface is not None else "nothing"
+        return f"{curve.name}, {count}, is the seed of {whose}"
+    if surface is not None and linked_settings.settings_of(surface).seed == curve:
+        earlier = drawing.earlier_seed.find() if drawing.earlier_seed is not None else None
+        linked_settings.settings_to_change(surface).seed = earlier
+    bpy.data.batch_remove([curve, curve.data])
+    return "Nothing was drawn; the seed is what it was"
 
 
 def _show_strokes(drawing: _Drawing, curve: bpy.types.Object) -> None:
@@ -388,20 +415,10 @@ class MEANDER_OT_end_seed(bpy.types.Operator):
         return True
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        drawing, curve = _drawing, context.active_object
-        surface = surface_drawn_on(curve)
+        drawing = _drawing
         give_back()
         bpy.ops.object.mode_set(mode="OBJECT")
-        _activate(context, surface)
-        strokes = len(curve.data.splines)
-        if not strokes:
-            earlier = drawing.earlier_seed.find() if drawing.earlier_seed is not None else None
-            linked_settings.settings_to_change(surface).seed = earlier
-            bpy.data.batch_remove([curve, curve.data])
-            self.report({"INFO"}, "Nothing was drawn; the seed is what it was")
-            return {"FINISHED"}
-        count = "one strand" if strokes == 1 else f"{strokes} strands"
-        self.report({"INFO"}, f"{curve.name}, {count}, is the seed of {surface.name}")
+        self.report({"INFO"}, _end(drawing, context))
         return {"FINISHED"}
 
 
