@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Who owns what is active: seeds that are drawn, what is clicked meanwhile, and what a fill leaves."""
+"""Who owns what is active: seeds that are drawn, what is clicked meanwhile, what a fill leaves."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def active() -> bpy.types.Object:
     return bpy.context.view_layer.objects.active
 
 
-# -- a seed that is drawn ---------------------------------------------------------------------------
+# -- a seed that is drawn --------------------------------------------------------------------------
 
 
 def stroke(curve: bpy.types.Object) -> None:
@@ -124,7 +124,7 @@ def test_a_run_that_ends_shows_its_curve_where_nobody_clicked(windowed, nothing_
     assert active() == result
 
 
-# -- after a fill ------------------------------------------------------------------------------------
+# -- after a fill ----------------------------------------------------------------------------------
 
 
 def test_one_click_selects_the_curve():
@@ -194,7 +194,7 @@ def test_the_buttons_of_a_mesh_with_a_curve_take_no_more_rows():
     assert rows[0] == rows[1]
 
 
-# -- a look after a bake -----------------------------------------------------------------------------
+# -- a look after a bake ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("bake", ["bake_growth", "animate_growth"])

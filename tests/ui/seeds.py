@@ -149,7 +149,7 @@ def filling() -> Iterator[float]:
 
 
 def leaving_by_tab() -> Iterator[float]:
-    step("leaving by Tab gives everything back, and undo takes the seed back")
+    step("leaving by Tab is End Drawing: it gives everything back, the seed that there was too")
     bpy.context.view_layer.objects.active = surface()
     seed = surface().meander.seed.name
     bpy.ops.ed.undo_push(message="Surface")
@@ -161,18 +161,26 @@ def leaving_by_tab() -> Iterator[float]:
     yield from until(lambda: status_texts[-1] is None, "the status bar given back")
     paint = bpy.context.scene.tool_settings.curve_paint_settings
     assert (paint.depth_mode, round(paint.surface_offset, 3)) == ("CURSOR", 0.5)
-    key("TAB", view_center())
-    yield from until(lambda: bpy.context.mode == "EDIT_CURVE", "Edit Mode")
-    assert tool() != "builtin.draw", "the tool is still borrowed"
-    key("TAB", view_center())
-    yield from until(lambda: bpy.context.mode == "OBJECT", "Object Mode again")
-    for _ in range(8):
-        if surface().meander.seed is not None and surface().meander.seed.name == seed:
-            break
-        bpy.ops.ed.undo()
-        yield 0.05
+    yield from until(lambda: bpy.context.view_layer.objects.active == surface(), "the surface")
+    assert surface().select_get()
+    assert surface().meander.seed.name == seed, "nothing was drawn"
+    assert sum(thing.name.startswith("Sphere Seed") for thing in bpy.data.objects) == 2
+    with bpy.context.temp_override(**window_override()):
+        bpy.context.view_layer.objects.active = surface().meander.seed
+        bpy.ops.object.mode_set(mode="EDIT")
+        yield from redrawn()
+        assert tool() != "builtin.draw", "the tool is still borrowed"
+        bpy.ops.object.mode_set(mode="OBJECT")
+        bpy.context.view_layer.objects.active = surface()
+    for redo in (False, False, True, True):
+        yield from undone(redo)
     assert surface().meander.seed.name == seed
     assert sum(thing.name.startswith("Sphere Seed") for thing in bpy.data.objects) == 2
+
+
+def undone(redo: bool) -> Iterator[float]:
+    (bpy.ops.ed.redo if redo else bpy.ops.ed.undo)()
+    yield 0.05
 
 
 def edges_and_undo() -> Iterator[float]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from .files.text import read_plain
 from .files.whole import whole_file
@@ -175,6 +175,16 @@ def unusable(drawing: Drawing) -> Unusable | None:
         size = " x ".join(f"{side:.4g}" for side in sides)
         return Unusable(f"is seen edge on: {size} {drawing.unit}", True)
     return None
+
+
+def size_on_page(sides: ArrayLike, page: ArrayLike, margin: float) -> float:
+    """The longest side of a drawing that fills a page, lying or standing, but for its margins.
+
+    sides, page   width and height, in any order; all lengths in one unit
+    """
+    short, long = np.sort(np.asarray(sides, float))
+    narrow, wide = np.sort(np.asarray(page, float)) - 2.0 * margin
+    return float(min(wide, narrow * long / short if short > 0.0 else wide))
 
 
 def better_layout(strands: Sequence[Strand]) -> str:

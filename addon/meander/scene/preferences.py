@@ -17,7 +17,7 @@ def _of_the_user() -> Any | None:
     return None if addon is None else addon.preferences
 
 
-def preferred(name: str, default: int = 0) -> int:
+def preferred(name: str, default: Any = 0) -> Any:
     """A preference as the user has set it, or a default where there are none."""
     found = _of_the_user()
     return default if found is None else getattr(found, name)

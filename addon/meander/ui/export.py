@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import bpy
 import numpy as np
@@ -19,6 +19,7 @@ from ..model.options.export import ROWS
 from ..model.toolpaths import embroidery, toolpath
 from ..model.toolpaths.drawing import Drawing, axes_of, drawing_of, seen_along
 from ..scene.errors import DataError
+from ..scene.identity import Key
 from ..scene.layouts import axes_of_view, has_map, metres_of, unrolled_strands
 from ..scene.meshes import triangles_of
 from ..scene.points import strands_of_result
@@ -27,6 +28,7 @@ from .declared import declared
 from .file_names import file_named
 from .fill import sentence_of
 from .on_result import OnResult, result_of
+from .preferences import page_size
 from .refusing import refusing
 
 _TABLES = {"CSV": ".csv", "JSON": ".json"}
@@ -60,6 +62,20 @@ _OF_TOOLS = {
     "servo_down": ("SERVO",),
     "servo_up": ("SERVO",),
 }
+
+
+# On all sides of the page for which the size of an unrolled drawing is chosen, in millimetres.
+_MARGIN = 15.0
+
+
+class _Refused(NamedTuple):
+    """What was chosen in a dialog whose drawing was refused, for the next one on that curve."""
+
+    result: Key
+    values: dict[str, Any]
+
+
+_refused: _Refused | None = None
 
 
 class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
@@ -127,6 +143,8 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
 
     _view = None  # from which the dialog was opened
     _format = _by_shape = _size = ""
+    _by_page = 0.0  # the size that was chosen for a page
+    _is_refused = False  # whether writing would say no
 
     def draw(self, context: bpy.types.Context) -> None:
         layout = self.layout
@@ -149,7 +167,9 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
                 surface = result.meander.surface
                 layout.prop_search(self, "uv_map", surface.data, "uv_layers")
         if self._size:
-            layout.label(text=self._size, icon="FIXED_SIZE")
+            row = layout.row()
+            row.alert = self._is_refused
+            row.label(text=self._size, icon="ERROR" if self._is_refused else "FIXED_SIZE")
         if kind is not None and kind.name == "GCODE":
             layout.prop(self, "header")
             layout.prop(self, "footer")
@@ -171,7 +191,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         self.filepath = str(self._with_suffix())
         if self.layout_as == self._by_shape:  # nobody has chosen another
             self._by_shape = self.layout_as = self._layout_by_shape(context)
-        self._size = self._size_text(context)
+        self._look_at_size(context)
         return (self.filepath, self.file_format) != before
 
     def _with_suffix(self) -> Path:
@@ -185,6 +205,7 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         return path.with_suffix(wanted) if known else path.with_name(path.name + wanted)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        take_up_refused(self, result_of(context))
         if not self.filepath:
             self.filepath = bpy.path.clean_name(result_of(context).name)
         self.filepath = str(self._with_suffix())
@@ -193,12 +214,24 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
         if not self.properties.is_property_set("layout_as"):
             self.layout_as = self._layout_by_shape(context)
         self._by_shape = self.layout_as
-        self._size = self._size_text(context)
+        self._look_at_size(context)
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
     @refusing
     def execute(self, context: bpy.types.Context) -> set[str]:
+        global _refused
+        result = Key(result_of(context))
+        try:
+            done = self._write(context)
+        except (DataError, core.MeanderError, FileError):
+            # Blender remembers what was chosen of what has been done only.
+            _refused = _Refused(result, {name: getattr(self, name) for name in _KEPT})
+            raise
+        _refused = None
+        return done
+
+    def _write(self, context: bpy.types.Context) -> set[str]:
         self.filepath = file_named(self.filepath, "a suffix such as .svg")
         if not self.properties.is_property_set("file_format"):
             self._take_format_of_name()
@@ -233,6 +266,32 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             return "SPACE"
         return export.layout_by_shape(*triangles, strands, found).upper()
 
+    def _look_at_size(self, context: bpy.types.Context) -> None:
+        """Says how large the drawing will be, or why there is none; what is unrolled begins as
+        large as the page of the preferences."""
+        on_page = self.layout_as == "UV" and self.scale == 1.0
+        if self.size == self._by_page:  # nobody has chosen another
+            self.size = 0.0
+            sides = self._sides(context) if on_page else None
+            if sides is not None:
+                self.size = round(export.size_on_page(sides, page_size(), _MARGIN), 1)
+                if self.unit == "in":
+                    self.size = round(self.size / 25.4, 3)
+            self._by_page = self.size
+        self._is_refused = False
+        self._size = self._size_text(context)
+
+    def _sides(self, context: bpy.types.Context) -> np.ndarray | None:
+        """Width and height of a flat drawing; None where there is none, or no page for it."""
+        kind = _BY_NAME.get(self.file_format)
+        if kind is None or "size" not in kind.options:
+            return None
+        try:
+            strands = self._laid_out(kind, self.option_values(), context)
+        except (DataError, core.MeanderError, FileError):  # which writing reports
+            return None
+        return np.ptp(np.concatenate([strand.points for strand in strands]), axis=0)[:2]
+
     def _size_text(self, context: bpy.types.Context) -> str:
         """How large the drawing will be, or why there is none; for the dialog."""
         kind = _BY_NAME.get(self.file_format)
@@ -246,8 +305,11 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
                 flat=kind.flat or values["layout_as"] != "space",
             )  # fmt: skip
         except (DataError, core.MeanderError, FileError) as error:
+            self._is_refused = True
             return sentence_of(error)
-        return drawing.size_text()
+        problem = None if values["force"] else export.unusable(drawing)
+        self._is_refused = problem is not None
+        return drawing.size_text() if problem is None else sentence_of(problem.what)
 
     def _take_format_of_name(self) -> None:
         """A known suffix says what the format is."""
@@ -334,6 +396,24 @@ class MEANDER_OT_export_toolpath(OnResult, ExportOptions, bpy.types.Operator):
             meshes = [triangles_of(surface, depsgraph) for surface in surfaces]
             strands = visible_strands(strands, *axes, *_joined(meshes))
         return seen_along(strands, *axes)
+
+
+# What a refused dialog hands on; where it was and which files are listed, Blender knows.
+_KEPT = frozenset(
+    {"filepath", "file_format", "resample", "step", "tolerance", "selected", "header", "footer"}
+    | {"uv_map"}
+    | set(ExportOptions.__annotations__)
+)
+
+
+def take_up_refused(operator: Any, result: bpy.types.Object) -> None:
+    """Gives a dialog what the last one on a curve had, where that was refused; nothing that it
+    was told itself."""
+    if _refused is None or _refused.result.find() != result:
+        return
+    for name, value in _refused.values.items():
+        if not operator.properties.is_property_set(name):
+            setattr(operator, name, value)
 
 
 def _results(context: bpy.types.Context) -> list[bpy.types.Object]:

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import bpy
-from bpy.props import IntProperty
+from bpy.props import EnumProperty, IntProperty
 
 from .. import core
+from ..model.camera import PAPERS
 from ..model.estimate import Estimate
 from ..model.options.table import in_panel
 from ..scene.preferences import PACKAGE, preferred
@@ -40,6 +41,15 @@ class MeanderPreferences(RunPreferences, bpy.types.AddonPreferences):
         min=0,
         soft_max=100_000,
     )
+    page: EnumProperty(
+        name="Page",
+        description="What the size of an unrolled drawing begins with",
+        items=tuple(
+            (name.upper(), name.capitalize(), f"{width:g} x {height:g} mm")
+            for name, (width, height) in PAPERS.items()
+        ),
+        default="A4",
+    )
 
     def draw(self, _context: bpy.types.Context) -> None:
         layout = self.layout
@@ -51,6 +61,7 @@ class MeanderPreferences(RunPreferences, bpy.types.AddonPreferences):
         line = layout.row()
         for option in in_panel("Preferences"):
             row_of(line, self, option.setting)
+        layout.prop(self, "page")
         library = core.library_notice()
         if library:
             layout.label(text=library, icon="ERROR")
@@ -60,6 +71,11 @@ def is_large(estimate: Estimate) -> bool:
     """Whether a run of this size is to ask first."""
     points, megabytes = _limit("most_points"), _limit("most_memory")
     return 0 < points < estimate.points or 0 < megabytes < estimate.memory / 1e6
+
+
+def page_size() -> tuple[float, float]:
+    """Width and height of the page that drawings are made for, in millimetres."""
+    return PAPERS[preferred("page", "A4").lower()]
 
 
 def _limit(name: str) -> int:
