@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..model import start
+from ..model import start, strands
 from ..model.geometry.simplification import result_points
 from ..model.geometry.thinning import least_spacing, with_points
 from ..model.last_run import GAP_THAT_MATTERS, why_lines
