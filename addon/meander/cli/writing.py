@@ -16,6 +16,7 @@ from ..model import last_run, report
 from ..model.files import obj
 from ..model.files.whole import naming, whole_files
 from ..model.geometry import surface_crossings, thinning
+from ..model.joining import joining_of
 from ..model.options.input import light_of
 from ..model.toolpaths import bridges
 from . import cut, density, export, flags, maps, motion, preparation, quality, strands, terms
@@ -119,7 +120,13 @@ def _lines(
     known = record["lines"]
     seeded = any(not part.guide for part in given.parts)
     why = last_run.why_lines(
-        len(closed), known["parts"], known["small_parts"], record["guides"], seeded
+        len(closed),
+        known["parts"],
+        known["small_parts"],
+        record["guides"],
+        seeded,
+        joining_of(given.problem, record["surface"]) if len(closed) > 1 else None,
+        "--merge-distance",
     )
     if why and record["mirror"] is not None:
         why = record["mirror"]["why"] or why

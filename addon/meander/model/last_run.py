@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from .joining import Joining
+
 # What run() returns. That a run has come to its end is nothing to mention.
 ENDED = {
     "iteration_limit": "At the iteration limit",
@@ -31,7 +33,15 @@ def lines(strands: int, closed: int, guides: int = 0) -> str:
     return f"{text}, {guides:,} guide" + ("s" if guides > 1 else "")
 
 
-def why_lines(lines: int, parts: int, small_parts: int, guides: int, seeded: bool) -> str:
+def why_lines(
+    lines: int,
+    parts: int,
+    small_parts: int,
+    guides: int,
+    seeded: bool,
+    joining: Joining | None = None,
+    setting: str = "",
+) -> str:
     """Why a curve is not one line: "the mesh has 201 parts, 199 of them smaller than the spacing";
     empty for one line.
 
@@ -40,6 +50,8 @@ def why_lines(lines: int, parts: int, small_parts: int, guides: int, seeded: boo
     small_parts  how many of them are smaller than the spacing
     guides       how many strands are guides
     seeded       whether somebody gave the strands that it began with
+    joining      the distance that would join the parts; None: none is so small
+    setting      what sets it
     """
     if lines < 2:
         return ""
@@ -48,7 +60,12 @@ def why_lines(lines: int, parts: int, small_parts: int, guides: int, seeded: boo
     if lines != parts and guides:
         return "guides part the mesh"
     why = f"the mesh has {parts:,} parts"
-    return f"{why}, {small_parts:,} of them smaller than the spacing" if small_parts else why
+    if small_parts:
+        why = f"{why}, {small_parts:,} of them smaller than the spacing"
+    if joining is None:
+        return why
+    fewer = "one" if joining.parts == 1 else f"{joining.parts:,}"
+    return f"{why}, which {setting} {joining.distance:g} would make {fewer}"
 
 
 def evenness(share: float) -> str:

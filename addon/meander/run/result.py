@@ -13,6 +13,7 @@ from .. import core
 from ..model import start, strands
 from ..model.geometry.simplification import result_points
 from ..model.geometry.thinning import least_spacing, with_points
+from ..model.joining import joining_of
 from ..model.last_run import GAP_THAT_MATTERS, why_lines
 from ..model.preparation import described, mended
 from ..model.profile import radius_factors
@@ -110,6 +111,10 @@ def write_result(
         int(statistics["small_components"]),
         int(statistics["guides"]),
         any(not part.guide for part in plan.parts),
+        joining_of(plan.problem, stepper.surface_figures)
+        if count > 1 and stepper.surface_figures
+        else None,
+        "Merge Close Vertices at",
     )
     if why:
         why = stepper.lines_why or why
