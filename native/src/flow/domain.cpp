@@ -62,7 +62,9 @@ void Domain::set_radius(double factor, const Curve& curve, const FlowSettings& s
   whole.set_multiple(wanted_radius, factor);
   RadiusField next = whole;
   const bool may_be_less = settings.stop_rule != StopRule::kPaper && settings.boundary_distance <= 0.5;
-  if (may_be_less && leave_room(*surface, curve, next)) {
+  const Room room = may_be_less ? leave_room(*surface, curve, next) : Room{};
+  narrow = room.narrow;
+  if (room.smaller) {
     whole_radius = std::move(whole);
   } else {
     whole_radius.reset();

@@ -69,6 +69,7 @@ struct Domain {
   RadiusField wanted_radius;  ///< r as it is to be in the end,
   RadiusField radius;         ///< and as it is while the curve approaches its spacing, or has no room for that:
   std::optional<RadiusField> whole_radius;  ///< then what it would be with room, else nothing
+  bool narrow = false;        ///< part of the surface is a narrow strip, see leave_room
   Roughness roughness;
   double expected_length;     ///< of a curve that fills the surface: area over spacing
   LineField directions;       ///< that strands are to follow; may be empty

@@ -12,13 +12,18 @@ namespace meander {
 inline constexpr double kLeastRoom = 0.2;
 inline constexpr double kLeastStrip = 5;
 
+/// What was found.
+struct Room {
+  bool narrow = false;   ///< some component is a strip that is narrower than 4 r
+  bool smaller = false;  ///< r has become smaller
+};
+
 /// A closed line lies across a strip an even number of times. One narrower than two spacings has room for it and its way
 /// back where r is a quarter of the strip's width; with a larger one the boundary pushes one strand into the other until
 /// neither can move. So r becomes that on every component that is such a strip, and half of its width where a strand that
 /// grows is open, which may lie along the middle; it stays what it is elsewhere, and where there is no room at all.
 ///
 /// A component counts as the rectangle that has its area and its boundary: a strip is kLeastStrip times as long as wide.
-/// Whether it has become smaller anywhere.
-bool leave_room(const Surface& surface, const Curve& curve, RadiusField& radius);
+Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius);
 
 }  // namespace meander

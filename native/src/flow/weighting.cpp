@@ -176,6 +176,13 @@ bool is_squeezed(const Weighting& w, size_t i) {
   return std::max(felt[0], felt[1]) < kRoom * w.state.metric.radius[i] && (pushes(reach[0]) || pushes(reach[1]));
 }
 
+/// Whether a node lies alone between two boundaries of which one pushes.
+bool is_between_boundaries(const Weighting& w, size_t i) {
+  const Reach& reach = w.medial.reach[i];
+  const auto ends_ball = [&](size_t side) { return reach[side].radius <= w.medial.radii[i][side]; };
+  return ends_ball(0) && ends_ball(1) && (reach[0].driving < reach[0].radius || reach[1].driving < reach[1].radius);
+}
+
 /// Two strands between boundaries 3 r apart: the push of the boundary falls twice as fast as that of the ball between
 /// them grows, so steps half as long again as Newton's lead 2.25 times as far as they should, and back. With twice the
 /// stiffness both come to rest.
@@ -192,7 +199,9 @@ void stiffen_at_boundary(const Weighting& w) {
     for (size_t i = begin; i < end; ++i) {
       const Reach& reach = w.medial.reach[i];
       const bool pushed = std::min(reach[0].driving, reach[1].driving) < 0;
-      const bool squeezed = w.plan.firm_when_squeezed && is_squeezed(w, i);
+      const bool narrow = w.state.domain.narrow;
+      const bool squeezed =
+          ((w.plan.firm_when_squeezed || narrow) && is_squeezed(w, i)) || (narrow && is_between_boundaries(w, i));
       stiffening[i] = pushed ? kPushStiffness : squeezed ? kSqueezedStiffness : 1;
     }
   });
