@@ -176,8 +176,8 @@ Gaps emptiest_places(const Flow::Present& present, double least_size) {
   const Domain& domain = present.state.domain;
   const Surface& surface = *domain.surface;
   ThreadPool& pool = present.pool;
-  const RadiusField r = domain.judged_radius();
-  const Emptiness emptiness(surface, present.state.curve, present.medial.frames.position.values(), r,
+  const RadiusField judged = domain.judged_radius();
+  const Emptiness emptiness(surface, present.state.curve, present.medial.frames.position.values(), judged,
                             domain.patches.get());
   const bool along_surface = domain.patches != nullptr;
   const EmptyStrip strip{*domain.boundary, present.state.settings.boundary_distance};
