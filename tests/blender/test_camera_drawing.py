@@ -288,6 +288,17 @@ def test_what_cannot_be_filled_is_left_out_and_said(
     assert "choose a smaller spacing" in sentence
 
 
+def test_a_plane_that_is_seen_edge_on_is_left_out_and_said(
+    tmp_path: Path, capfd: pytest.CaptureFixture
+) -> None:
+    camera((0.0, -8.0, 0.0))
+    plane("Good", 2.0, (-1.2, 0.0, 0.0))
+    plane("Flat", 2.0, (1.2, 0.0, 0.0), math.radians(90.0))
+    plane("Nearly", 2.0, (1.2, 0.0, 0.6), math.radians(70.0))
+    assert set(drawn(tmp_path / "a.svg", 4.0)) == {"Good", "Nearly"}
+    assert "'Flat' is seen edge on; turn it" in capfd.readouterr().out
+
+
 def test_refusals(tmp_path: Path) -> None:
     path = tmp_path / "a.svg"
     scenes.cube()

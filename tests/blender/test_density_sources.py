@@ -343,6 +343,17 @@ def test_what_is_missing_or_of_another_kind(settings, words):
     assert words in refused(thing, **settings)
 
 
+def test_a_map_with_places_that_are_no_numbers_is_named_and_not_the_image():
+    thing = grid(cells=4)
+    layer = thing.data.uv_layers[0] if thing.data.uv_layers else thing.data.uv_layers.new(name="UV")
+    layer.data[5].uv = (float("nan"), 0.0)
+    vertex = thing.data.loops[5].vertex_index
+    image = bpy.data.images.new("Fine", 4, 4)
+    said = refused(thing, density_source="IMAGE", density_image=image)
+    assert f"The UV map '{layer.name}' is not a finite number at vertex {vertex}" in said
+    assert "'Fine'" not in said
+
+
 def test_images_that_cannot_be_read(tmp_path):
     thing = grid(cells=4)
     image = bpy.data.images.new("Lost", 4, 4)

@@ -25,6 +25,50 @@ def test_two_slashes_are_the_folder_of_the_scene(result, tmp_path: Path, name: s
     assert sorted(path.name for path in tmp_path.glob("rel*")) == ["rel.svg"]
 
 
+# Other operators that write files, what they need besides, and what they write for "//rel".
+OTHERS = {
+    "maps": ({"size": 32, "kinds": {"MASK"}}, "rel_mask.png"),
+    "draw_camera": ({"spacing": 20.0}, "rel.svg"),
+}
+
+
+def written_by(operator: str, name: str) -> None:
+    given, _file = OTHERS[operator]
+    getattr(bpy.ops.meander, operator)(filepath=name, **given)
+
+
+@pytest.fixture
+def seen(result) -> bpy.types.Object:
+    """The result again, in front of a camera, its surface with a UV map."""
+    eye = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    eye.location = (0.0, 0.0, 8.0)
+    bpy.context.scene.collection.objects.link(eye)
+    bpy.context.scene.camera = eye
+    bpy.ops.wm.save_mainfile()
+    return result
+
+
+@pytest.mark.parametrize("operator", OTHERS)
+@pytest.mark.parametrize("name", ["//rel", "//./rel", "//../{folder}/rel"])
+def test_maps_and_cameras_take_two_slashes_too(
+    seen, tmp_path: Path, operator: str, name: str
+) -> None:
+    written_by(operator, name.format(folder=tmp_path.name))
+    assert [path.name for path in tmp_path.glob("rel*")] == [OTHERS[operator][1]]
+
+
+@pytest.mark.parametrize("operator", OTHERS)
+@pytest.mark.parametrize("name", ["", " ", "{folder}/", "{folder}/new/", "//", "//new/"])
+def test_maps_and_cameras_refuse_what_names_no_file(
+    seen, tmp_path: Path, operator: str, name: str
+) -> None:
+    before = sorted(tmp_path.parent.rglob("*"))
+    with pytest.raises(RuntimeError) as refused:
+        written_by(operator, name.format(folder=tmp_path))
+    assert "give a" in str(refused.value) and "Traceback" not in str(refused.value)
+    assert sorted(tmp_path.parent.rglob("*")) == before
+
+
 @pytest.mark.parametrize("name", ["", " ", "{folder}/", "{folder}/new/", "//", "//new/"])
 def test_what_names_no_file_is_a_sentence(result, tmp_path: Path, name: str) -> None:
     before = sorted(tmp_path.parent.rglob("*"))

@@ -82,6 +82,23 @@ def test_a_bare_curve_is_no_surface():
         bpy.ops.meander.run()
 
 
+def test_geometry_nodes_that_make_curves_only_say_what_to_do():
+    thing = cube()
+    modifier = thing.modifiers.new("Nodes", "NODES")
+    tree = bpy.data.node_groups.new("Nodes", "GeometryNodeTree")
+    if bpy.app.version < (4, 0, 0):
+        tree.outputs.new("NodeSocketGeometry", "Geometry")
+    else:
+        tree.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
+    made = tree.nodes.new("GeometryNodeCurvePrimitiveCircle")
+    end = tree.nodes.new("NodeGroupOutput")
+    tree.links.new(made.outputs[0], end.inputs[0])
+    modifier.node_group = tree
+    activate(thing)
+    with pytest.raises(RuntimeError, match="shows curves only.*Curve to Mesh"):
+        bpy.ops.meander.run()
+
+
 def test_instances_say_what_to_do():
     collection = bpy.data.collections.new("Stones")
     collection.objects.link(cube())

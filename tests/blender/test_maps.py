@@ -196,6 +196,30 @@ def test_a_map_that_lies_on_itself_is_told(tmp_path: Path, capfd: pytest.Capture
     assert "The UV map lies on itself" in capfd.readouterr().out
 
 
+@pytest.mark.parametrize("name", ["m_mask.png", "m_mask.1001.png", "m_height.PNG"])
+def test_an_image_that_a_run_is_made_from_is_not_written_over(
+    name: str, tmp_path: Path, run_batch
+) -> None:
+    surface = scenes.sphere()
+    surface.name = "Ball"
+    image = bpy.data.images.new("Grey", 8, 8)
+    image.use_fake_user = True
+    image.filepath_raw, image.file_format = str(tmp_path / name), "PNG"
+    image.save()
+    image.source = "FILE"
+    path = tmp_path / "scene.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    before = (tmp_path / name).read_bytes()
+    given = ("--input", path, "--object", "Ball", "--spacing", SPACING, "--iterations", 1)
+    given += ("--output", tmp_path / "curve.obj", "--maps", tmp_path / "m.png", "--map-size", 32)
+    refused = run_batch(*given, "--density-image", "Grey")
+    assert refused.returncode == 2, refused.stderr
+    assert "would overwrite" in refused.stderr and name in refused.stderr
+    assert (tmp_path / name).read_bytes() == before and not (tmp_path / "curve.obj").exists()
+    # One that only a material shows is made again.
+    assert run_batch(*given, "--map-kinds", "mask").returncode == 0
+
+
 def test_the_batch_command_writes_images(tmp_path: Path, run_batch) -> None:
     surface = scenes.sphere()
     surface.name = "Ball"

@@ -55,6 +55,8 @@ ELSEWHERE = {
     "is hidden by its animation": ("test_hidden_data.py", "hidden by its animation at frame"),
     "is hidden, so that Blender": ("test_hidden_data.py", "that Blender does not"),
     "renders otherwise than": ("test_rendered_surface.py", "renders otherwise"),
+    "shows curves only, which": ("test_first_try.py", "shows curves only"),
+    "is not a finite number at vertex \0 of": ("test_density_sources.py", "The UV map '"),
     "shows instances only": ("test_first_try.py", "Make Instances Real"),
     "so that its bridges cannot": ("test_strands.py", "its bridges cannot be taken out"),
     "has no camera; add": ("test_camera_drawing.py", "has no camera; add one"),

@@ -202,6 +202,9 @@ def test_guides_can_be_left_out_of_the_result():
     result = fill(surface, 0.2, guides=guides, keep_guides=False)
     ((points, cyclic),) = world_splines(result)
     assert cyclic and distance_to_line(points, *LINE).min() > 0.6 * 0.2
+    around = np.vstack([points, points[:1]])
+    length = np.linalg.norm(np.diff(around, axis=0), axis=1).sum()
+    assert result.meander.figures.length == pytest.approx(length, rel=1e-4)
     assert result.meander.figures.guides == 0
     # It goes on with the guides where they were drawn.
     activate(result)

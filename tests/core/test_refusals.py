@@ -241,3 +241,70 @@ def test_arrays_that_are_none(vertices) -> None:
             refused(surface.extent, vertices)
         refused(core.Flow, surface, options, core.Seed(vertices, [0, 3], [0]))
         refused(surface.extended_directions, vertices, [0, 3])
+
+
+# ------------------------------------------------------------------------------------------------
+# One cause, one wording
+
+
+REPAIRED = core.SurfaceOptions(make_manifold=True, drop_degenerate=True, weld_distance=1e-9)
+FLAT = {
+    "a line": [[0, 0, 0], [1, 0, 0], [2, 0, 0]],
+    "a point": [[1, 1, 1], [1, 1, 1], [1, 1, 1]],
+    "a line aslant": [[0, 0, 0], [1, 2, 3], [-1, -2, -3]],
+    "two corners": [[0, 0, 0], [1, 0, 0], [1, 0, 0]],
+}
+
+
+@pytest.mark.parametrize("name", FLAT)
+def test_a_mesh_without_area_is_no_matter_of_merging(name: str) -> None:
+    said = str(refused(core.Surface, FLAT[name], [[0, 1, 2]], REPAIRED))
+    assert "No face of the mesh has an area" in said and "merge" not in said
+    merged = replace(REPAIRED, merge_distance=10.0)
+    assert "smaller merge distance" in str(refused(core.Surface, SQUARE, [[0, 1, 2]], merged))
+
+
+@pytest.mark.parametrize("scale", [1e155, 1e160, 1e200, 1e300])
+def test_a_mesh_of_astronomical_size_is_too_large(scale: float) -> None:
+    said = str(refused(core.Surface, scale * np.array(SQUARE), [[0, 1, 2]], REPAIRED))
+    assert "too large to measure; scale it down" in said
+
+
+@pytest.mark.parametrize("spacing", [0.04, 0.5, 0.99])
+def test_a_spacing_below_the_diagonal_is_not_said_to_be_above_it(spacing: float) -> None:
+    strip = np.array([[0, 0, 0], [1, 0, 0], [1, 1e-3, 0], [0, 1e-3, 0]], dtype=float)
+    options = replace(core.default_options("even"), radius=spacing / 2)
+    with core.Surface(strip, [[0, 1, 2], [0, 2, 3]]) as surface:
+        said = str(refused(core.Flow, surface, options))
+        assert "diagonal" not in said and "square of the surface's area, which is 0.0316" in said
+        options.radius = 1.5
+        assert "its diagonal is 1)" in str(refused(core.Flow, surface, options))
+
+
+@pytest.mark.parametrize("scale", [1e-140, 1e-30, 1e150])
+def test_the_automatic_spacing_goes_with_the_size(scale: float) -> None:
+    mesh = geometry.grid(4)
+    wanted = core.automatic_spacing(*mesh)
+    assert core.automatic_spacing(scale * mesh.vertices, mesh.faces) == pytest.approx(
+        scale * wanted, rel=1e-9
+    )
+    assert core.automatic_spacing(1e-170 * mesh.vertices, mesh.faces) == pytest.approx(
+        1e-170 * wanted, rel=1e-9
+    )
+    with core.Surface(scale * mesh.vertices, mesh.faces) as surface:
+        flow = core.Flow(surface, core.default_options("even"))
+        assert flow.statistics()["spacing_target"] == pytest.approx(scale * wanted, rel=1e-9)
+
+
+def test_a_seed_that_comes_back_to_its_first_point_is_closed() -> None:
+    ring = np.array([[0.2, 0.2, 0], [0.8, 0.2, 0], [0.8, 0.8, 0], [0.2, 0.8, 0], [0.2, 0.2, 0]])
+    mesh, options = geometry.grid(8), replace(core.default_options("even"), radius=0.1)
+    with core.Surface(*mesh) as surface:
+        for closed in (0, 1):
+            flow = core.Flow(surface, options, core.Seed(ring, [0, 5], [closed]))
+            assert flow.polylines().closed.tolist() == [1]
+            assert len(flow.nodes().faces) >= 4
+        there_and_back = core.Seed(ring[[0, 1, 0]], [0, 3], [0])
+        assert "crosses or touches itself" in str(
+            refused(core.Flow, surface, options, there_and_back)
+        )

@@ -73,6 +73,9 @@ TRIES = """
 --output out.svg --input shot.blend --input-up y
 --output out.svg --header head.txt
 --output out.gcode --header none.txt
+--seed folder.obj
+--density-group "" --input shot.blend
+--input ""
 --output out.gcode --header hold.txt
 --output out.svg --input-unit m --scale 99
 --output out.svg --layout front --iterations 300 --size 90 --spacing 0.1
@@ -244,6 +247,7 @@ ELSEWHERE = {
     "no spacing gives a length": "test_target_length.py",
     "which no machine can do": "needs pyembroidery",
     "All strands are shorter than a stitch": "the same: test_what_machines_take.py",
+    "would overwrite \0, from which this run": "needs Blender: tests/blender/test_maps.py",
     "--maps is not possible here: the UV map": "needs Blender: tests/blender/test_maps.py",
 }
 

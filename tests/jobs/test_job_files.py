@@ -192,6 +192,16 @@ def test_blender_is_used_where_it_is_needed(items, job, capsys):
 # Mistakes
 
 MISTAKES = {
+    "a path of Windows": ('[[items]]\ninput = "C:\\Users\\me\\a.obj"\n', "write paths with /"),
+    "another drive": ('[[items]]\ninput = "D:\\meshes\\a.obj"\n', "line 2: a backslash"),
+    "a tab in a path": (SPACING + '[[items]]\ninput = "meshes\\tile.obj"\n', "holds a letter"),
+    "a new line in a path": (SPACING + '[[items]]\ninput = "meshes\\new.obj"\n', "holds a letter"),
+    "inside of a value": (SPACING + ITEM + 'name = "{stem.__class__}"\n', "use {stem}"),
+    "a letter of a value": (SPACING + ITEM + 'name = "{stem[0]}"\n', "use {stem}"),
+    "a blank name": (SPACING + ITEM + 'name = " "\n', "the name is empty"),
+    "an empty input": (SPACING + '[[items]]\ninput = ""\n', "input is empty"),
+    "a blank input": (SPACING + '[[items]]\ninput = [" "]\n', "input is empty"),
+    "a folder as a seed": (SPACING + ITEM + 'seed = "meshes"\n', "is a folder"),
     "no TOML": ("[job", "no TOML"),
     "nothing to do": (SPACING, "nothing to do"),
     "no table": ("items = 3\n", "[[items]]"),
@@ -256,6 +266,20 @@ MISTAKES = {
         '[job]\ncommand = ["no-such-program"]\n' + SPACING + ITEM, "no-such-program",
     ),
 }  # fmt: skip
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "utf-16-le"])
+def test_a_job_file_may_be_any_text_of_unicode(job, encoding):
+    job.meshes(a="ok")
+    job.file.write_bytes(("# Größe\n" + SPACING + ITEM).encode(encoding))
+    (item,) = items_of(job_file.read(job.file), Listed())
+    assert item.name == "a"
+
+
+def test_other_text_is_a_sentence(job):
+    job.file.write_bytes(("# Größe\n" + SPACING + ITEM).encode("latin-1"))
+    with pytest.raises(job_file.JobError, match="is not text in UTF-8; save it again"):
+        job_file.read(job.file)
 
 
 @pytest.mark.parametrize("name", MISTAKES)

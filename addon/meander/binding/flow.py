@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import logging
+import math
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -48,7 +49,7 @@ from .native_library import (
     status_of,
 )
 from .seed import Seed, seed_record
-from .spacing import spacing_for
+from .spacing import automatic_spacing, spacing_for
 from .surface import Surface
 
 # ------------------------------------------------------------------------------------------------
@@ -544,7 +545,10 @@ def _with_spacing(options: FlowOptions, surface: Surface) -> FlowOptions:
     """The same options where they have a radius; else with that of the automatic spacing."""
     if options.radius != 0:
         return options
-    spacing = spacing_for(surface.statistics()["area"])
+    area = surface.statistics()["area"]
+    spacing = spacing_for(area)
+    if not (math.isfinite(area) and area > 0.0):
+        spacing = automatic_spacing(*surface._made_of[:2])
     logging.getLogger("meander").info(
         "The spacing is %g, which is automatic: no radius was chosen.", spacing
     )

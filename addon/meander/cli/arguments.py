@@ -13,6 +13,7 @@ from typing import TypeVar
 from .. import core
 from ..model.export import SUFFIXES as EXPORTED
 from ..model.files.meshes import SUFFIXES as MESHES
+from ..model.files.whole import why_no_file
 from ..model.toolpaths.toolpath import SUFFIXES
 from . import (
     blender_flags,
@@ -34,7 +35,7 @@ from . import (
     values,
 )
 from .place import Place
-from .values import BadInput
+from .values import BadInput, file_name
 
 _Answer = TypeVar("_Answer")
 
@@ -59,7 +60,7 @@ def parser(place: Place) -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     add = parser.add_argument
-    add("--input", type=Path, required=True, metavar="MESH", help=".obj, .ply, .stl or .blend")
+    add("--input", type=file_name, required=True, metavar="MESH", help=".obj, .ply, .stl or .blend")
     add("--object", metavar="NAME", help="mesh object in the .blend; default: the active one")
     add(
         "--frame",
@@ -73,9 +74,15 @@ def parser(place: Place) -> argparse.ArgumentParser:
         help="run the Python that the .blend holds: scripts that start when it is opened, and "
         "drivers; without it none is run, whatever Blender's preferences say",
     )
-    add("--output", type=Path, required=True, metavar="OUT", help=f"one of {', '.join(OUTPUTS)}")
-    add("--report", type=Path, metavar="JSON", help="write figures of the run")
-    add("--seed", type=Path, metavar="CURVE", help=".obj with v and l lines, in the mesh's space")
+    kinds = ", ".join(OUTPUTS)
+    add("--output", type=file_name, required=True, metavar="OUT", help=f"one of {kinds}")
+    add("--report", type=file_name, metavar="JSON", help="write figures of the run")
+    add(
+        "--seed",
+        type=file_name,
+        metavar="CURVE",
+        help=".obj with v and l lines, in the mesh's space",
+    )
     add(
         "--seed-object",
         metavar="NAME",
@@ -103,7 +110,7 @@ def parser(place: Place) -> argparse.ArgumentParser:
 def read_options() -> tuple[str, ...]:
     """The names, in a namespace, of the options whose files are read, the input first."""
     actions = parser(Place("the batch command", lambda _line: None))._actions
-    files = (action.dest for action in actions if action.type is Path)
+    files = (action.dest for action in actions if action.type is file_name)
     return tuple(name for name in files if name not in _WRITTEN)
 
 
@@ -129,6 +136,7 @@ def check_arguments(arguments: argparse.Namespace, place: Place) -> None:
 
 def check_options(arguments: argparse.Namespace) -> None:
     """Refuses options that do not fit each other or the input, wherever the outputs are to lie."""
+    _refuse_blank(arguments)
     wrong = target_length.problem_of(arguments)
     if wrong is not None:
         raise BadInput(wrong)
@@ -136,8 +144,10 @@ def check_options(arguments: argparse.Namespace) -> None:
     if kind not in INPUTS:
         kinds = ", ".join(INPUTS[:-1])
         raise BadInput(f"--input {arguments.input} is no {kinds} or {INPUTS[-1]} file")
-    if not _is(Path.is_file, "--input", arguments.input):
-        raise BadInput(f"--input {arguments.input} does not exist; check the path")
+    for name, path in files_read(arguments).items():
+        fault = _is(why_no_file, f"--{name}", path)
+        if fault:
+            raise BadInput(f"--{name} {path} {fault}")
     if kind != ".blend":
         for option in ("object", "seed_object", "guides_object"):
             if getattr(arguments, option) is not None:
@@ -163,6 +173,14 @@ def check_options(arguments: argparse.Namespace) -> None:
         wrong = output.problem_of(arguments)
         if wrong is not None:
             raise BadInput(wrong)
+
+
+def _refuse_blank(arguments: argparse.Namespace) -> None:
+    """Refuses names without a letter, as a script passes on for a variable that is not set."""
+    for name, value in vars(arguments).items():
+        if isinstance(value, str) and not value.strip():
+            option = f"--{name.replace('_', '-')}"
+            raise BadInput(f"{option} is given without a name; give one, or leave it out")
 
 
 def _check_outputs(arguments: argparse.Namespace) -> None:

@@ -67,6 +67,7 @@ def _filled(
     warned   what there is to warn of has been said
     """
     given = read_input(arguments, place)
+    maps.refuse_inputs(arguments, given, place)
     options = given.problem.options
     if spacing.is_automatic(arguments) and not warned:
         place.say(f"meander: {spacing.sentence(arguments.spacing)}")

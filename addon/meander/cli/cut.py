@@ -11,7 +11,7 @@ from .. import core
 from ..model import cut as cut_files
 from .input import Input
 from .place import Place
-from .values import positive
+from .values import file_name, positive
 
 _SUFFIXES = (*cut_files.SUFFIXES, ".blend")
 
@@ -21,7 +21,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "cut", "The surface as a mesh that has the curve among its edges."
     )
     add = group.add_argument
-    add("--cut", type=Path, metavar="OUT", help="also write it: .obj, .ply or .blend")
+    add("--cut", type=file_name, metavar="OUT", help="also write it: .obj, .ply or .blend")
     add(
         "--cut-detail",
         type=positive,

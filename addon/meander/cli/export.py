@@ -19,7 +19,7 @@ from ..model.toolpaths.drawing import UNITS, Drawing, axes_of, seen_along
 from . import flags
 from .input import Input
 from .place import Place
-from .values import BadInput
+from .values import BadInput, file_name
 
 # The units that a mesh file may be in, in metres.
 MESH_UNITS = UNITS | {"m": 1.0}
@@ -46,7 +46,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     for name, place in (("header", "behind the unit"), ("footer", "at the end")):
         group.add_argument(
             f"--{name}",
-            type=Path,
+            type=file_name,
             metavar="FILE",
             help=f"lines of G-code {place}, in place of those of the machine",
         )
@@ -75,8 +75,6 @@ def problem_of(arguments: argparse.Namespace) -> str | None:
         path = getattr(arguments, name)
         if path is not None and (kind is None or kind.name != "GCODE"):
             return f"--{name} does nothing for an --output of kind {suffix}; leave it out"
-        if path is not None and not path.is_file():
-            return f"--{name} {path} does not exist; check the path"
         if path is not None:
             export.lines_of(path)  # which says what is wrong with it before anything is filled
     if arguments.layout == "view":

@@ -11,7 +11,7 @@ from .. import core
 from ..model import maps
 from .input import Input
 from .place import Place
-from .values import BadInput, one_of_several, reader
+from .values import BadInput, file_name, one_of_several, reader
 
 _DEFAULT = maps.Style()
 
@@ -23,7 +23,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add = group.add_argument
     add(
         "--maps",
-        type=Path,
+        type=file_name,
         metavar="OUT.(png|exr)",
         help="also write them: OUT_mask.png and so on, with UDIM numbers for several tiles",
     )
@@ -70,6 +70,23 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
         "map_margin": style.margin,
         "map_uv": arguments.map_uv,
     }
+
+
+def refuse_inputs(arguments: argparse.Namespace, given: Input, place: Place) -> None:
+    """Raises BadInput where an image would be written over one that the run is made from, before
+    anything grows. Those that only materials show may be written again."""
+    if arguments.maps is None:
+        return
+    of_density, of_angle = given.density_choice, given.alignment
+    names = [of_density.name] * (of_density.source == "IMAGE")
+    names += [of_angle.angle_name] * (of_angle.angle_source == "IMAGE")
+    for name in names:
+        path = place.blender("--maps").image_file(name)
+        if path is not None and maps.is_of(arguments.maps, path):
+            raise BadInput(
+                f"--maps {arguments.maps} would overwrite {path}, from which this run is made; "
+                "choose another name"
+            )
 
 
 def images_of(

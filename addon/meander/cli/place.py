@@ -67,6 +67,9 @@ class Host(Protocol):
     def map_corners(self, given: Input, uv_map: str) -> NDArray[np.float64]:
         """A UV map at the corners of the surface's faces, (n, 3, 2); "": the active one."""
 
+    def image_file(self, name: str) -> Path | None:
+        """The file of an image of the scene; None: it has none."""
+
     def metres(self) -> float:
         """The length of a scene unit."""
 

@@ -5,9 +5,12 @@ from __future__ import annotations
 
 import argparse
 
+import numpy as np
+
 from ..model import strands
 from ..model.density import Choice, curvature_density
 from ..model.files import meshes, obj
+from ..model.geometry.inside_out import inside_out
 from ..model.options.option import OF_PRESET
 from ..model.problem import Problem, begin_along_directions
 from . import density, mirror, preparation, terms
@@ -33,6 +36,7 @@ def read_input(arguments: argparse.Namespace, place: Place) -> Input:
         given = Input(problem, mesh_file=mesh, polygons=mesh.polygons)
         given.warnings += mesh.remarks
         mirror.reflect(given.problem, arguments)
+    _turn_outward(given, arguments)
     given.repair = preparation.repair_of(arguments)
     problem, options = given.problem, given.problem.options
     if arguments.input.suffix.lower() != ".blend":
@@ -49,6 +53,23 @@ def read_input(arguments: argparse.Namespace, place: Place) -> Input:
     if arguments.start == OF_PRESET:
         begin_along_directions(problem)
     return given
+
+
+def _turn_outward(given: Input, arguments: argparse.Namespace) -> None:
+    """Turns closed bodies that are inside out where that is asked for, and else says that a tool
+    would be led into them."""
+    away = arguments.standoff or arguments.approach or arguments.layer_offset
+    if not (arguments.outward or away):
+        return
+    problem = given.problem
+    inward = inside_out(problem.vertices, problem.faces)
+    if arguments.outward:
+        problem.faces = np.where(inward[:, None], problem.faces[:, ::-1], problem.faces)
+    elif inward.any():
+        option = "--layer-offset" if arguments.layer_offset else "--standoff"
+        given.warnings.append(
+            f"a closed body is inside out, so that {option} leads into it; turn it by --outward"
+        )
 
 
 def _put_seed_together(given: Input, arguments: argparse.Namespace) -> None:

@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .flags import add_flags
-from .values import index, number
+from .values import file_name, index, number
 
 Stroke = tuple[list[float], list[float]]  # its ends
 
@@ -34,7 +33,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         )
         add(f"--{end}-vertex", type=index, metavar="N", help="the same: a vertex, counted from 0")
     add_flags(group, "strands")
-    add("--guides", type=Path, metavar="CURVE", help=".obj of strands that stay as drawn")
+    add("--guides", type=file_name, metavar="CURVE", help=".obj of strands that stay as drawn")
     add("--guides-object", metavar="NAME", help="the same: a curve object in the .blend")
     add("--leave-out-guides", action="store_true", help="write only what has grown")
 

@@ -73,6 +73,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="in --poses: begin and end each strand this much farther from the surface",
     )
     add(
+        "--outward",
+        action="store_true",
+        help="turn closed bodies that are inside out, so that normals point away from them",
+    )
+    add(
         "--lines",
         choices=("strands", "pairs"),
         help="an --output of kind .obj has one l line for each strand, or for each pair of points, "
@@ -139,6 +144,7 @@ def echo(arguments: argparse.Namespace) -> dict[str, Any]:
         "poses": arguments.poses,
         "standoff": arguments.standoff,
         "approach": arguments.approach,
+        "outward": arguments.outward,
         "lines": (arguments.lines or "strands") if _is_obj(arguments.output) else None,
     }
 

@@ -7,6 +7,7 @@ import argparse
 import math
 import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, NoReturn
 
 from ..model.preparation import Share
@@ -31,6 +32,13 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         # argparse would print the usage as well, and several lines are not one sentence.
         raise BadInput(f"{message}; see --help")
+
+
+def file_name(text: str) -> Path:
+    """The path of a file."""
+    if not text.strip():
+        raise argparse.ArgumentTypeError("it is empty; give the name of a file")
+    return Path(text)
 
 
 def number(text: str) -> float:

@@ -100,6 +100,14 @@ class Blender:
         except DataError as refusal:
             raise BadInput(f"--maps is not possible here: {refusal}") from refusal
 
+    def image_file(self, name: str) -> Path | None:
+        import bpy
+
+        image = bpy.data.images.get(name)
+        if image is None or not image.filepath:
+            return None
+        return Path(bpy.path.abspath(image.filepath, library=image.library))
+
     def metres(self) -> float:
         import bpy
 

@@ -9,6 +9,7 @@ import glob
 import itertools
 import os
 import re
+import string
 import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -16,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from ..cli.arguments import files_read
+from ..model.files.whole import why_no_file
 from . import job_file, options
 from .job_file import JobError, JobFile, texts
 from .objects import Meshes
@@ -260,6 +262,10 @@ def _filled(where: str, key: str, pattern: Any, values: Mapping[str, Any]) -> st
     if not isinstance(pattern, str):
         raise JobError(f"{where}: {key} is a text in quotes, not {pattern!r}")
     try:
+        # Only the names themselves: not what hangs on a value in Python, such as {stem.__class__}.
+        for _text, name, _format, _conversion in string.Formatter().parse(pattern):
+            if name is not None and name not in values:
+                raise KeyError(name)
         text = pattern.format(**values)
     except (KeyError, IndexError, ValueError, AttributeError) as problem:
         known = ", ".join(f"{{{name}}}" for name in values)
@@ -267,7 +273,9 @@ def _filled(where: str, key: str, pattern: Any, values: Mapping[str, Any]) -> st
             f"{where}: the {key} {pattern!r} cannot be filled in; use {known}"
         ) from problem
     parts = Path(text).parts
-    if not text.strip() or os.path.isabs(text) or ".." in parts or parts[0].startswith("."):
+    if not text.strip():
+        raise JobError(f"{where}: the {key} is empty; give one, or leave it out")
+    if os.path.isabs(text) or ".." in parts or parts[0].startswith("."):
         raise JobError(f"{where}: the {key} {text!r} leads out of the job's folder; correct it")
     return text
 
@@ -276,8 +284,9 @@ def _existing(where: str, key: str, folder: Path, value: Any) -> Path:
     if not isinstance(value, str):
         raise JobError(f"{where}: {key} is a text in quotes, not {value!r}")
     path = folder / value
-    if not path.is_file():
-        raise JobError(f"{where}: the {key} {path} does not exist; check the path")
+    wrong = why_no_file(path)
+    if wrong:
+        raise JobError(f"{where}: the {key} {path} {wrong}")
     return path
 
 

@@ -5,11 +5,18 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from ..model.files.text import read_plain
+from ..model.files.whole import FileError
+
+# What "\t", "\b", "\f" and the like in quotes are.
+_CONTROL = re.compile(r"[\x00-\x1f\x7f]")
 
 ENGINES = ("auto", "blender", "python")
 
@@ -81,14 +88,46 @@ def _tables(path: Path) -> dict[str, Any]:
             "command with another Python, or in Blender 4.1 or later"
         ) from missing
     try:
-        with path.open("rb") as file:
-            return tomllib.load(file)
-    except OSError as problem:
-        raise JobError(f"{path} cannot be read ({problem.strerror}); check the path") from problem
-    except ValueError as problem:  # also of bytes that are no text, and of numbers without end
+        tables = tomllib.loads(read_plain(path).decode("utf-8"))
+    except FileError as problem:
+        raise JobError(str(problem)) from problem
+    except UnicodeDecodeError as problem:
+        raise JobError(f"{path} is not text in UTF-8; save it again as UTF-8") from problem
+    except ValueError as problem:  # also of numbers without end
+        if re.search(r"^(Unescaped|Invalid hex value)", str(problem)) and (
+            backslash := _line_with_backslash(path, problem)
+        ):
+            raise JobError(
+                f"{path}, line {backslash}: a backslash in \"...\" begins a special letter; write "
+                "paths with /, or in '...'"
+            ) from problem
         raise JobError(f"{path} is no TOML: {problem}; correct it there") from problem
     except RecursionError as problem:
         raise JobError(f"{path} has brackets in brackets without end; correct it") from problem
+    _refuse_control_letters(path, tables)
+    return tables
+
+
+def _line_with_backslash(path: Path, problem: ValueError) -> int:
+    """The line that an error names, where a backslash stands in it; else 0."""
+    found = re.search(r"at line (\d+)", str(problem))
+    lines = read_plain(path).decode("utf-8", "replace").split("\n")
+    number = int(found[1]) if found else 0
+    return number if number and "\\" in lines[number - 1] else 0
+
+
+def _refuse_control_letters(path: Path, value: Any) -> None:
+    """Raises JobError for a text that a path of Windows in quotes has become, such as "a\tile"."""
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, list):
+        for part in value:
+            _refuse_control_letters(path, part)
+    elif isinstance(value, str) and not value.isprintable() and _CONTROL.search(value):
+        raise JobError(
+            f"{path.name}: {quoted(value)} holds a letter that a backslash in \"...\" makes; write "
+            "paths with /, or in '...'"
+        )
 
 
 def _table(path: Path, tables: dict[str, Any], name: str) -> dict[str, Any]:
@@ -146,6 +185,8 @@ def limit(where: str, key: str, value: Any) -> float:
 def texts(where: str, key: str, value: Any) -> list[str]:
     """A text, or a list of them, as a list. Raises JobError."""
     several = value if isinstance(value, list) else [value]
+    if any(isinstance(one, str) and not one.strip() for one in several):
+        raise JobError(f"{where}: {key} is empty; give a name, or leave it out")
     if not several or not all(isinstance(one, str) and one for one in several):
         raise JobError(f"{where}: {key} is a text in quotes or a list of them, not {quoted(value)}")
     return several

@@ -7,6 +7,8 @@ each pixel is asked of the triangle that it lies in: nothing is rendered, and no
 
 from __future__ import annotations
 
+import os
+import re
 import struct
 import zlib
 from collections.abc import Sequence
@@ -388,6 +390,16 @@ def file_of(path: Path, kind: str, tile: tuple[int, int], many: bool) -> Path:
     """Where one image goes."""
     number = f".{1001 + tile[0] + 10 * tile[1]}" if many else ""
     return path.with_name(f"{path.stem}_{kind}{number}{path.suffix}")
+
+
+def is_of(path: Path, other: Path) -> bool:
+    """Whether writing the images of `path` could write `other`."""
+    stem = other.stem
+    if path.suffix.lower() == other.suffix.lower() and re.search(r"\.\d{4}$", stem):
+        stem = stem[: stem.rindex(".")]
+    of_kind = any(stem == f"{path.stem}_{kind}" for kind in KINDS)
+    same = os.path.realpath(path.parent) == os.path.realpath(other.parent)
+    return of_kind and same and path.suffix.lower() == other.suffix.lower()
 
 
 def problem_of_tiles(tiles: Sequence[tuple[int, int]]) -> str | None:

@@ -254,6 +254,8 @@ def _on(page: CameraPage, strand: Strand) -> Strand:
 
 # Surfaces are filled so far beyond the frame, where strands turn round; in spacings.
 BEYOND = 3.0
+# What is narrower on paper, in spacings, is seen edge on.
+_EDGE = 0.1
 # The scale on paper changes by less from one end of an edge to the other: the density is linear in
 # between.
 _SCALES = 1.2
@@ -271,12 +273,22 @@ class PaperSpacing:
     depsgraph: bpy.types.Depsgraph
     fallback: bpy.types.PropertyGroup | None
 
+    def _width(self, mesh: Triangles) -> float:
+        """The area of a surface on paper over its longest side there, in millimetres."""
+        corners = self.page.on_paper(mesh.vertices)[mesh.faces]
+        one, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        area = 0.5 * np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]).sum()
+        longest = np.ptp(corners.reshape(-1, 2), axis=0).max()
+        return float(area / longest) if longest > 0.0 else 0.0
+
     def problem_of(self, seen: Seen) -> Problem | str:
         """What fills a surface, or why it cannot be filled.
 
         Of the settings, those count that say how strands run and where they are closer: the spacing
         is the page's, seeds and masks are about a whole surface, and this one is cut off.
         """
+        if self._width(seen.mesh) < _EDGE * self.spacing:
+            return f"'{seen.name}' is seen edge on; turn it, or the camera"
         thing = None if seen.owner is None else seen.owner.find()
         own = None if thing is None else settings_of(thing)
         settings = own

@@ -119,13 +119,13 @@ def write_result(
     if why:
         why = stepper.lines_why or why
     lines = {"lines": count, "closed_lines": closed, "lines_why": why}
-    keep_guides = result.meander.keep_guides
-    if line is not None or (guides.any() and not keep_guides):  # not the line that has grown
-        kept = [k for k, guide in enumerate(guides) if keep_guides or not guide]
-        every = toolpath.strands_of(curve)
-        lines["length"] = sum(every[k].length for k in kept)
     _store(plan, stepper, result, statistics | lines | _bridge_figures(line), stop_reason)
     result.meander.figures.least_spacing = spacing
+    keep_guides = result.meander.keep_guides  # which has just been stored
+    if line is not None or (guides.any() and not keep_guides):  # not the line that has grown
+        every = zip(toolpath.strands_of(curve), guides)
+        shown = sum(strand.length for strand, guide in every if keep_guides or not guide)
+        result.meander.figures.length = shown
     result.meander.figures.whole_points = len(snapshot.polylines.positions)
     scene_strands.note_guides(result, guides, keep_guides)
     result.meander.figures.bridges = "" if line is None else bridges.to_text(line, keep_guides)

@@ -26,7 +26,7 @@ from .attributes import (
     is_point_float,
     is_point_vector,
     named_attribute,
-    uv_layer_of,
+    uv_of,
 )
 from .curve_reader import strands_of_curve
 from .density import painted_values
@@ -215,16 +215,13 @@ def _lines_of_uv_map(
     alignment: Alignment, surface: bpy.types.Object, mesh: bpy.types.Mesh, matrix: np.ndarray
 ) -> NDArray[np.float64]:
     """At every vertex the mean line of its triangles along which the other coordinate stays."""
-    layer = uv_layer_of(mesh, alignment.name, surface)
     mesh.calc_loop_triangles()
     corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
     mesh.loop_triangles.foreach_get("loops", corners)
     faces = np.empty_like(corners)
     mesh.loop_triangles.foreach_get("vertices", faces)
     faces = faces.reshape(-1, 3)
-    uv = np.empty(2 * len(layer.data), dtype=np.float32)
-    layer.data.foreach_get("uv", uv)
-    uv = uv.reshape(-1, 2).astype(np.float64)[corners.reshape(-1, 3)]
+    uv = uv_of(mesh, alignment.name, surface).astype(np.float64)[corners.reshape(-1, 3)]
     positions = np.empty(3 * len(mesh.vertices), dtype=np.float32)
     mesh.vertices.foreach_get("co", positions)
     places = to_world(positions.reshape(-1, 3), matrix)[faces]

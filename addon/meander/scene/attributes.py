@@ -113,6 +113,22 @@ def uv_layer_of(
     return layer
 
 
+def uv_of(mesh: bpy.types.Mesh, name: str, surface: bpy.types.Object) -> NDArray[np.float32]:
+    """A UV map at the corners of the faces, (n, 2), of uv_layer_of(). Raises DataError also where a
+    place in it is not a number."""
+    layer = uv_layer_of(mesh, name, surface)
+    uv = np.empty(2 * len(layer.data), dtype=np.float32)
+    layer.data.foreach_get("uv", uv)
+    bad = np.flatnonzero(~np.isfinite(uv))
+    if len(bad):
+        vertex = int(vertices_of_corners(mesh)[bad[0] // 2])
+        raise DataError(
+            f"The UV map '{layer.name}' is not a finite number at vertex {vertex} of "
+            f"'{surface.name}'; unwrap the mesh again, or choose another map"
+        )
+    return uv.reshape(-1, 2)
+
+
 def vertices_of_corners(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
     vertices = np.empty(len(mesh.loops), dtype=np.int32)
     mesh.loops.foreach_get("vertex_index", vertices)

@@ -32,7 +32,7 @@ from .attributes import (
     is_color,
     is_point_float,
     named_attribute,
-    uv_layer_of,
+    uv_of,
     vertices_of_corners,
 )
 from .errors import DataError
@@ -227,10 +227,8 @@ def _image_values(
 ) -> Values:
     pixels, brightness = pixels_of(choice.name)
     with surface_mesh(surface, depsgraph) as (mesh, _matrix):
-        layer = uv_layer_of(mesh, choice.uv_map, surface)
-        uv = np.empty(2 * len(layer.data), dtype=np.float32)
-        layer.data.foreach_get("uv", uv)
-        values = sample_repeated(pixels, uv.reshape(-1, 2), brightness)
+        uv = uv_of(mesh, choice.uv_map, surface)
+        values = sample_repeated(pixels, uv, brightness)
         return mean_at_vertices(values, vertices_of_corners(mesh), len(mesh.vertices))
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
@@ -76,9 +77,21 @@ def is_missing(thing: bpy.types.Object | None) -> bool:
 
 def shows_instances(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
     """Whether an object shows copies of others, as Geometry Nodes make them."""
+    return any(True for _kind in _shown_of(thing, depsgraph))
+
+
+def shows_curves(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
+    """Whether all that an object shows are curves of its own Geometry Nodes."""
+    kinds = set(_shown_of(thing, depsgraph))
+    return bool(kinds) and kinds <= {"CURVE", "CURVES"}
+
+
+def _shown_of(thing: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[str]:
+    """The kinds of what an object shows beside its own mesh."""
     if thing.instance_type == "NONE" and all(m.type != "NODES" for m in thing.modifiers):
-        return False  # a scene may show millions of others
-    return any(
-        instance.is_instance and instance.parent is not None and instance.parent.original == thing
-        for instance in depsgraph.object_instances
-    )
+        return  # a scene may show millions of others
+    for instance in depsgraph.object_instances:
+        if instance.is_instance and instance.parent is not None and (
+            instance.parent.original == thing
+        ):
+            yield instance.object.type

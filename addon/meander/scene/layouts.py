@@ -11,7 +11,7 @@ from mathutils import Vector
 
 from ..model.toolpaths import toolpath
 from ..model.toolpaths.unrolling import unrolled
-from .attributes import uv_layer_of
+from .attributes import uv_of
 from .errors import DataError
 from .evaluated import surface_mesh
 from .meshes import triangles_of
@@ -57,16 +57,14 @@ def map_of(
 ) -> np.ndarray:
     """The map at the corners of the triangles of triangles_of(), (n, 3, 2)."""
     with surface_mesh(surface, depsgraph) as (mesh, matrix):
-        layer = uv_layer_of(mesh, uv_map, surface)
-        places = np.empty(2 * len(mesh.loops), dtype=np.float32)
-        layer.data.foreach_get("uv", places)
+        places = uv_of(mesh, uv_map, surface)
         mesh.calc_loop_triangles()
         corners = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
         mesh.loop_triangles.foreach_get("loops", corners)
     corners = corners.reshape(-1, 3)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         corners = corners[:, ::-1]
-    return places.reshape(-1, 2).astype(np.float64)[corners]
+    return places.astype(np.float64)[corners]
 
 
 def axes_of_view(view: bpy.types.RegionView3D | None) -> tuple[Vector, Vector]:

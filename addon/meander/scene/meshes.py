@@ -11,7 +11,7 @@ import numpy as np
 from .. import core
 from .errors import DataError
 from .evaluated import is_evaluated, surface_mesh
-from .fillable import shows_instances
+from .fillable import shows_curves, shows_instances
 from .rendered import rendering_of
 from .transforms import check_invertible, to_world, world_matrix
 
@@ -37,6 +37,11 @@ def triangles_of(
         indices = np.empty(3 * len(mesh.loop_triangles), dtype=np.int32)
         mesh.loop_triangles.foreach_get("vertices", indices)
     if not len(indices):
+        if shows_curves(object, depsgraph):
+            raise DataError(
+                f"'{object.name}' shows curves only, which have no faces; add a Curve to Mesh node "
+                "with a profile at the end of its Geometry Nodes, or choose a mesh with faces"
+            )
         if shows_instances(object, depsgraph):
             raise DataError(
                 f"'{object.name}' shows instances only; add a Realize Instances node at the end of "

@@ -29,6 +29,20 @@ class FileError(Exception):
     """A file that cannot be read or written; ``str(error)`` is one sentence for people."""
 
 
+def why_no_file(path: Path) -> str:
+    """Why a path names nothing that can be read, as the end of a sentence; empty: it does.
+
+    Raises OSError for a name that no file can have.
+    """
+    if path.is_file():
+        return ""
+    if path.is_dir():
+        return "is a folder; name a file in it"
+    if path.exists():
+        return "is a pipe or a device, and no file; write what comes out of it to a file first"
+    return "does not exist; check the path"
+
+
 class NotWritten(FileError):
     """One that cannot be written.
 
