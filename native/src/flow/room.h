@@ -10,7 +10,6 @@ namespace meander {
 
 /// A component narrower than 4 r times this has no room for a line and its way back; from 0 to 1.
 inline constexpr double kLeastRoom = 0.2;
-inline constexpr double kLeastStrip = 5;
 
 /// What was found.
 struct Room {
@@ -22,8 +21,6 @@ struct Room {
 /// back where r is a quarter of the strip's width; with a larger one the boundary pushes one strand into the other until
 /// neither can move. So r becomes that on every component that is such a strip, and half of its width where a strand that
 /// grows is open, which may lie along the middle; it stays what it is elsewhere, and where there is no room at all.
-///
-/// A component counts as the rectangle that has its area and its boundary: a strip is kLeastStrip times as long as wide.
 Room leave_room(const Surface& surface, const Curve& curve, RadiusField& radius);
 
 }  // namespace meander

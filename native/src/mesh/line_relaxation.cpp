@@ -66,10 +66,13 @@ Couplings<Vec2> of_faces(const Surface& s, const std::vector<Vec2>& carried, Can
   return edges;
 }
 
-void relax(const Couplings<Vec2>& edges, int sweeps, std::vector<Vec2>& lines, CancelToken& poll) {
+/// Lines for which stays(i) holds are not changed.
+template <class Stays>
+void relax(const Couplings<Vec2>& edges, int sweeps, std::vector<Vec2>& lines, const Stays& stays, CancelToken& poll) {
   const size_t count = edges.size();
   std::vector<double> share(count, 0);
   for (size_t i = 0; i < count; ++i) {
+    if (stays(i)) continue;
     double weight = 0;
     for (uint32_t e = edges.start[i]; e < edges.start[i + 1]; ++e) weight += norm(edges.weight[e]);
     if (weight > 0) share[i] = 1 / weight;
@@ -179,10 +182,24 @@ LineField relaxed_field(const Surface& surface, CancelToken poll) {
     std::vector<Vec2> finer(rows.size());
     for (size_t i = 0; i < rows.size(); ++i) finer[i] = pairs.carry[i] * lines[pairs.of[i]];
     lines = std::move(finer);
-    relax(rows, k < kFineLevels ? kFineSweeps : kSweeps, lines, poll);
+    relax(rows, k < kFineLevels ? kFineSweeps : kSweeps, lines, [](size_t) { return false; }, poll);
     // Means of lines that disagree are short, and those of such means would vanish.
     for (Vec2& line : lines) line = unit(line);
   }
+  return LineField(at_corners(surface, carried, lines, poll));
+}
+
+LineField field_along_boundary(const Surface& surface, CancelToken poll) {
+  const std::vector<Vec2> carried = carried_across(surface, poll);
+  std::vector<Vec2> lines(surface.face_count());
+  std::vector<uint8_t> held(surface.face_count(), 0);
+  for (const HalfEdge e : surface.boundary()) {
+    const Vec2 edge = surface.along(e);
+    lines[face_of(e)] = lines[face_of(e)] + norm(edge) * squared(unit(edge));
+    held[face_of(e)] = 1;
+  }
+  for (Vec2& line : lines) line = unit(line);
+  relax(of_faces(surface, carried, poll), kSweeps, lines, [&](size_t f) { return held[f] != 0; }, poll);
   return LineField(at_corners(surface, carried, lines, poll));
 }
 

@@ -21,4 +21,8 @@ namespace meander {
 /// `poll`  is called for every face, on every level
 LineField relaxed_field(const Surface& surface, CancelToken poll);
 
+/// Along the boundary in the faces beside it, and the mean of those in the faces between, as far as kSweeps faces away:
+/// for strips of a few faces across. No direction elsewhere.
+LineField field_along_boundary(const Surface& surface, CancelToken poll);
+
 }  // namespace meander

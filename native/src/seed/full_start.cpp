@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesh/line_relaxation.h"
+#include "mesh/strips.h"
 #include "seed/guide_samples.h"
 #include "seed/line_tree.h"
 #include "seed/streamlines.h"
@@ -34,6 +35,9 @@ constexpr double kFullAlong = 1.06;
 /// Walls are known by places this far apart, in r.
 constexpr double kWallStep = 0.5;
 
+/// Strips narrower than this, in r, have room for one line along them.
+constexpr double kNarrow = 6.4;
+
 /// How far patches look, in r; see SurfacePatches.
 constexpr double kClamp = 3;
 
@@ -51,11 +55,18 @@ std::vector<uint8_t> without_field(const Surface& surface, const LineField& fiel
   return without;
 }
 
-/// The field, and the smoothest one on components without any.
-LineField completed(const Surface& surface, const LineField& field, const CancelToken& ask) {
+/// The field and, on components without any, the smoothest one or, where they are narrow strips, one along these: the
+/// smoothest one of a flat ring is parallel, and its lines are short there.
+LineField completed(const Surface& surface, const LineField& field, const RadiusField& radius,
+                    const CancelToken& ask) {
   const std::vector<uint8_t> without = without_field(surface, field);
   if (std::ranges::count(without, 1) == 0) return field;
-  const LineField smooth = relaxed_field(surface, ask);
+  LineField smooth = relaxed_field(surface, ask);
+  const std::vector<double> widths = strip_widths(surface);
+  const auto is_narrow = [&](uint32_t f) { return widths[surface.component(f)] < kNarrow * radius.most(); };
+  if (*std::ranges::min_element(widths) < kNarrow * radius.most()) {
+    smooth.replace(field_along_boundary(surface, ask), is_narrow);
+  }
   if (field.empty()) return smooth;
   LineField both = field;
   both.replace(smooth, [&](uint32_t f) { return without[surface.component(f)] != 0; });
@@ -191,7 +202,7 @@ FullStart full_start(const Surface& surface, const Curve& first, size_t drawn, c
   }
   spacing.from_boundary = std::max(2 * boundary_distance + 0.2, 0.5);
   const CancelToken poll = pool.poll(kPieces);
-  const LineField whole = completed(surface, field, poll);
+  const LineField whole = completed(surface, field, radius, poll);
   const size_t before = lines.size();
   draw_streamlines(whole, radius, spacing, network, poll, lines);
   trunks.prolong(whole, before, network, lines, poll);
