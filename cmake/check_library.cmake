@@ -46,6 +46,11 @@ if(undefined MATCHES "(^|\n)((sin|cos|sincos|tan|asin|acos|atan|atan2|exp|exp2|e
   message(FATAL_ERROR "use elementary::${CMAKE_MATCH_2}, which rounds alike everywhere: base/elementary.h")
 endif()
 
+# A quotient of complex numbers, which run-time libraries scale in their own ways; base/eigen.h has one that is the same everywhere.
+if(undefined MATCHES "(^|\n)__divdc3[ @]")
+  message(FATAL_ERROR "std::complex / std::complex rounds differently from system to system: divide in Eigen, or by a real number")
+endif()
+
 execute_process(COMMAND "${READELF}" -d "${LIBRARY}"
   OUTPUT_VARIABLE dynamic COMMAND_ERROR_IS_FATAL ANY)
 if(dynamic MATCHES "R(UN)?PATH[^\n]*")

@@ -25,11 +25,6 @@ if(CMAKE_CROSSCOMPILING)
     "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
 endif()
 
-if(meander_machine STREQUAL "arm64")
-  target_compile_options(meander_compile_options INTERFACE
-    "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include \"${PROJECT_SOURCE_DIR}/cmake/eigen_without_fma.h\">")
-endif()
-
 if(MEANDER_WERROR)
   target_compile_options(meander_compile_options INTERFACE -Werror)
 endif()

@@ -36,10 +36,14 @@ target_include_directories(meander_core
          "${PROJECT_SOURCE_DIR}/native/src"
          "${generated_dir}")
 target_include_directories(meander_core SYSTEM PUBLIC "${openmesh_dir}")
-# EIGEN_MPL2_ONLY makes it an error to use one of the few LGPL parts of Eigen.
+# EIGEN_MPL2_ONLY makes it an error to use one of the few LGPL parts of Eigen. EIGEN_DONT_VECTORIZE leaves out its
+# vectors for this processor, and EIGEN_VECTORIZE has it use those of base/eigen.h, the same on every platform.
 # The objects go into the shared library, which exports the C API; programs linked with the static
 # library do not import it.
-target_compile_definitions(meander_core PUBLIC EIGEN_MPL2_ONLY PRIVATE MEANDER_BUILDING INTERFACE MEANDER_STATIC)
+target_compile_definitions(meander_core
+  PUBLIC EIGEN_MPL2_ONLY EIGEN_DONT_VECTORIZE EIGEN_VECTORIZE
+  PRIVATE MEANDER_BUILDING
+  INTERFACE MEANDER_STATIC)
 target_link_libraries(meander_core
   PUBLIC Eigen3::Eigen nanoflann::nanoflann Threads::Threads meander_compile_options)
 
@@ -95,7 +99,7 @@ if(MEANDER_UNITY)
   include(cmake/unity.cmake)
 elseif(NOT CMAKE_CROSSCOMPILING) # Zig takes no precompiled header in the form of CMake
   target_precompile_headers(meander_core PRIVATE
-    <Eigen/Core> <Eigen/Geometry> <algorithm> <functional> <memory> <ranges> <string> <vector>)
+    "${PROJECT_SOURCE_DIR}/native/src/base/eigen.h" <algorithm> <functional> <memory> <ranges> <string> <vector>)
 endif()
 
 # The Python module that declares the C API is generated from the header in every build, so it

@@ -108,6 +108,23 @@ def other_adjacency(sources: Path) -> list[str]:
     ]
 
 
+def other_vectors(sources: Path) -> list[str]:
+    """One line for every file that uses Eigen and does not have its packets from base/eigen.h."""
+    wrong = []
+    for file in sorted(p for p in sources.rglob("*") if p.suffix in {".h", ".cpp"}):
+        place, text = file.relative_to(sources).as_posix(), file.read_text(encoding="utf-8")
+        modules = set(re.findall(r"#\s*include\s*[<\"]Eigen/(\w+)", text))
+        if place == "base/eigen.h" or not ("Eigen::" in text or modules):
+            continue
+        if modules & {"Core", "Dense", "Geometry"}:
+            wrong.append(f"{place} includes Eigen's {min(modules)} instead of base/eigen.h")
+        elif modules and "base/eigen.h" not in included_by(file):
+            wrong.append(f"{place} includes Eigen's {min(modules)} without base/eigen.h")
+        if re.search(r"namespace Eigen\b|Eigen::internal|EIGEN_\w*VECTORIZE", text):
+            wrong.append(f"{place} changes Eigen")
+    return wrong
+
+
 def test_neighbours_are_known_by_three_meshes_and_no_fourth():
     assert other_adjacency(SOURCES) == []
     for pattern, places in ADJACENCY.values():
@@ -117,6 +134,23 @@ def test_neighbours_are_known_by_three_meshes_and_no_fourth():
 
 def test_every_room_includes_only_what_stands_before_it():
     assert wrong_includes(SOURCES) == []
+
+
+def test_eigen_has_its_packets_from_one_header(tmp_path):
+    assert other_vectors(SOURCES) == []
+    (tmp_path / "mesh").mkdir()
+    for name, text in (
+        ("core.h", "#include <Eigen/Core>\n"),
+        ("solve.cpp", '#include <Eigen/Cholesky>\n#include "base/plane.h"\n'),
+        ("right.cpp", '#include <Eigen/Cholesky>\n#include "base/eigen.h"\n'),
+        ("own.cpp", "template <> struct Eigen::internal::packet_traits<float>;\n"),
+    ):
+        (tmp_path / "mesh" / name).write_text(text, encoding="utf-8")
+    assert other_vectors(tmp_path) == [
+        "mesh/core.h includes Eigen's Core instead of base/eigen.h",
+        "mesh/own.cpp changes Eigen",
+        "mesh/solve.cpp includes Eigen's Cholesky without base/eigen.h",
+    ]
 
 
 def test_a_constant_stands_in_the_first_room_that_uses_it():

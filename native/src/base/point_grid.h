@@ -11,9 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "base/cancel_token.h"
+#include "base/eigen.h"
 
 namespace meander {
 

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Core>
 // Where memory runs out nanoflann throws, but before that it prints, which a library in somebody's program must not.
 #pragma push_macro("fprintf")
 #undef fprintf
@@ -19,6 +18,7 @@
 #pragma pop_macro("fprintf")
 
 #include "base/cancel_token.h"
+#include "base/eigen.h"
 
 namespace meander {
 

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "base/front_search.h"
 #include "mesh/refined_surface.h"
 

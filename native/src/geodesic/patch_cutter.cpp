@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Geometry>
-
 #include "base/clipped_triangle.h"
+#include "base/eigen.h"
 
 namespace meander {
 namespace {

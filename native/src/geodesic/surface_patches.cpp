@@ -7,8 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "base/point_grid.h"
 #include "base/spare_memory.h"
 #include "geodesic/patch_cutter.h"

@@ -7,8 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "geodesic/geodesic_trace.h"
 #include "medial/constants.h"
 

@@ -17,8 +17,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "base/eigen.h"
 #include "base/thread_pool.h"
 
 namespace meander {

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "geodesic/geodesic_trace.h"
 #include "medial/constants.h"
 

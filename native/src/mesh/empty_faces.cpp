@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include <Eigen/Geometry>
-
 #include "base/disjoint_sets.h"
+#include "base/eigen.h"
 #include "mesh/mesh_check.h"
 #include "mesh/repairs.h"
 

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "base/elementary.h"
 #include "base/failure.h"
 #include "mesh/closest_point.h"

@@ -7,9 +7,8 @@
 #include <limits>
 #include <string>
 
-#include <Eigen/Geometry>
-
 #include "base/disjoint_sets.h"
+#include "base/eigen.h"
 #include "base/failure.h"
 #include "mesh/mesh_map.h"
 

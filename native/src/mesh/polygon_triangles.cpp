@@ -5,8 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "base/elementary.h"
 #include "base/plane.h"
 

@@ -8,9 +8,8 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "base/cancel_token.h"
+#include "base/eigen.h"
 #include "mesh/edge_groups.h"
 
 namespace meander {

@@ -8,8 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "base/eigen.h"
 #include "mesh/soup.h"
 
 namespace meander {

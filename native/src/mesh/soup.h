@@ -9,8 +9,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "base/eigen.h"
 #include "base/thread_pool.h"
 #include "mesh/edge_groups.h"
 #include "mesh/mesh_map.h"

@@ -5,6 +5,8 @@
 
 #include <Eigen/OrderingMethods>
 
+#include "base/eigen.h"
+
 namespace meander {
 
 template <class Number>

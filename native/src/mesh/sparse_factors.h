@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include "base/cancel_token.h"
+#include "base/eigen.h"
 
 namespace meander {
 

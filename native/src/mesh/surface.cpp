@@ -6,8 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "base/elementary.h"
 #include "base/failure.h"
 #include "base/thread_pool.h"

@@ -10,9 +10,8 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "base/cancel_token.h"
+#include "base/eigen.h"
 #include "base/large_pages.h"
 #include "base/plane.h"
 #include "mesh/mesh_check.h"

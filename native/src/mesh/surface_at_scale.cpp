@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "mesh/heat_flow.h"
 #include "mesh/roughness.h"
 #include "mesh/space_average.h"

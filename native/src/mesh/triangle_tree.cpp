@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include <Eigen/Geometry>
+#include "base/eigen.h"
 
 namespace meander {
 namespace {

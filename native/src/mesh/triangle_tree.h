@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "base/cancel_token.h"
+#include "base/eigen.h"
 
 namespace meander {
 

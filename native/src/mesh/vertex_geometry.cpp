@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Geometry>
-
+#include "base/eigen.h"
 #include "base/failure.h"
 #include "mesh/sparse_factors.h"
 

@@ -10,6 +10,7 @@
 #include <Eigen/SparseCore>
 
 #include "base/cancel_token.h"
+#include "base/eigen.h"
 #include "base/elementary.h"
 #include "mesh/surface.h"
 #include "mesh/vertex_data.h"

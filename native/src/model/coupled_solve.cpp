@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <Eigen/StdVector>
+
+#include "base/eigen.h"
 
 namespace meander {
 namespace {
@@ -44,7 +44,7 @@ template <int kColumns>
 class BlockPentadiagonal {
  public:
   using Rows = Eigen::Matrix<double, 2, kColumns>;
-  using Right = std::vector<Rows, Eigen::aligned_allocator<Rows>>;
+  using Right = std::vector<Rows>;
 
   BlockPentadiagonal(const StrandSystem& a, size_t n) : inverse_(n), first_(n), second_(n) {
     for (size_t i = 0; i < n; ++i) {
@@ -75,7 +75,7 @@ class BlockPentadiagonal {
 
  private:
   // Of the factor: inverses of its diagonal blocks, and its blocks right of them.
-  std::vector<Block, Eigen::aligned_allocator<Block>> inverse_, first_, second_;
+  std::vector<Block> inverse_, first_, second_;
 };
 
 std::vector<Vec2> solve_coupled_open(const StrandSystem& a) {

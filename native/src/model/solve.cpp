@@ -7,8 +7,8 @@
 #include <complex>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
 
+#include "base/eigen.h"
 #include "model/coupled_solve.h"
 
 namespace meander {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs/line_distance.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <tuple>
 
+#include "base/eigen.h"
 #include "base/elementary.h"
 #include "geodesic/marching.h"
 
