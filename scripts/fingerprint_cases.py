@@ -88,6 +88,12 @@ def cube() -> Mesh:
     return np.array(corners), np.array(faces, dtype=np.uint32)
 
 
+def tetrahedron() -> Mesh:
+    """That of the README: no numpy has a part in its numbers."""
+    corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]]
+    return np.array(corners), np.array([(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)], np.uint32)
+
+
 def plate(cells: int = 10, thickness: float = 0.02) -> Mesh:
     """A closed thin box over the unit square: its two sheets are much closer than strands."""
     vertices, faces = sheet(cells)
@@ -250,6 +256,7 @@ CASES: dict[str, Case] = {
     "even_torus": Case(torus, 0.074),
     "even_blob": Case(blob, 0.068),
     "even_cube": Case(cube, 0.12),
+    "even_tetrahedron": Case(tetrahedron, 0.1),
     "even_sheet": Case(lambda: sheet(16, 0.3), 0.022),
     "finest_torus": Case(torus, 0.099, "finest"),
     "finest_sheet": Case(sheet, 0.031, "finest"),
